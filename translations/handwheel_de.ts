@@ -17672,7 +17672,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::TargetPlaceView</name>
+    <name>handwheel::TargetPlacementView</name>
     <message>
         <source>The target in its bar; the free end is on the right</source>
         <translation>Das Ziel in seiner Stange; das freie Ende ist rechts</translation>

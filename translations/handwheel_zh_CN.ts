@@ -17552,7 +17552,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::TargetPlaceView</name>
+    <name>handwheel::TargetPlacementView</name>
     <message>
         <source>The target in its bar; the free end is on the right</source>
         <translation>棒料中的目标；自由端在右侧</translation>

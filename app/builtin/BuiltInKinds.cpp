@@ -25,7 +25,7 @@ namespace handwheel {
 
 namespace {
 
-// The part of the window of a kind that needs its kind, and of one that does not.
+// Creates the window part of a kind, with or without the kind as an argument.
 template <class Ui, class Kind>
 KindEntry entryWithKind() {
   auto kind = std::make_unique<Kind>();
@@ -38,7 +38,7 @@ KindEntry entryOf() {
   return {std::make_unique<Kind>(), [](const WindowContext& parts) { return std::make_unique<Ui>(parts); }};
 }
 
-// What exercises can be about.
+// The registration of exercises, with the subjects that exercises can have.
 KindEntry exerciseEntry() {
   std::vector<std::unique_ptr<ExerciseSubject>> subjects;
   subjects.push_back(std::make_unique<TurningSubject>());

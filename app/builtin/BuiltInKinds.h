@@ -7,18 +7,18 @@
 
 namespace handwheel {
 
-// A kind of document with all that the program has for it.
+// A kind of document with everything that the program has for it.
 struct KindRegistration {
   KindEntry entry;                     // the kind itself and its part of the window
-  std::vector<Command> commands = {};  // of the command line, for such documents only
-  ShippedDocument shipped = nullptr;   // those that come with the program; null: none do
+  std::vector<Command> commands = {};  // command line commands for such documents only
+  ShippedDocument shipped = nullptr;   // creates the documents of this kind that come with the program; null: none do
 };
 
-// All kinds of documents of the program. The one place to add further ones. They are asked in this order whether a file
-// is theirs; meshes take what no other kind takes.
+// Returns all kinds of documents of the program. New kinds are added here and nowhere else. They are tried in this
+// order for a file; meshes accept all files that no other kind accepts.
 std::vector<KindRegistration> builtInKinds();
 
-// The built-in kinds as window and command line take them.
+// The built-in kinds in the form that the window and the command line need.
 struct BuiltInKinds {
   explicit BuiltInKinds(std::vector<KindRegistration> registrations);
 

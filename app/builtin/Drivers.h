@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Creates the built-in device drivers. The one place to add further ones. Each call creates new objects.
+// Creates the built-in device drivers. New drivers are added here and nowhere else. Each call creates new objects.
 std::vector<std::unique_ptr<DeviceDriver>> registeredDrivers();
 
 }  // namespace handwheel

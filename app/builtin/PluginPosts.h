@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The posts of the plugins in the folder "posts" of the plugin folders. What cannot be loaded is reported on stderr.
-// Needs a QCoreApplication.
+// Returns the posts of the plugins in the folder "posts" of the plugin folders. Plugins that cannot be loaded are
+// reported on stderr. Needs a QCoreApplication.
 std::vector<std::unique_ptr<PostProcessor>> pluginPosts();
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-// Of a text in UTF-8: the bytes that continue no character.
+// Returns the number of characters of a text in UTF-8, by counting the bytes that do not continue a character.
 std::size_t charactersOf(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -33,7 +33,7 @@ std::size_t operandCount(const CommandSpec& command) {
   return static_cast<std::size_t>(words - (takesAnyMore(command) ? 1 : 0));
 }
 
-// Takes one option and, where it has one, its value. Returns the number of words used, 0 when something is wrong.
+// Parses one option and, if it has one, its value. Returns the number of words used, 0 on an error.
 std::size_t takeOption(const CommandSpec& command, std::span<char* const> words, Arguments& result) {
   const std::string_view word = words[0];
   const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string_view::npos;

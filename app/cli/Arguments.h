@@ -17,31 +17,31 @@ struct OptionSpec {
   char letter = 0;         // short form, 0: none
   std::string_view value;  // name of its value in the help; empty: the option takes no value
   std::string help;
-  std::string_view formerName = {};  // still understood, in no help
+  std::string_view formerName = {};  // still accepted, but not shown in the help
 };
 
 // The syntax of one command. The parser and the help page are both made from it.
 struct CommandSpec {
   std::string_view name;
-  std::string_view operands;  // separated by spaces, as the help shows them; all are required but a last "[…...]"
+  std::string_view operands;  // separated by spaces, as the help shows them; all are required except a last "[…...]"
   std::string_view summary;
   std::vector<OptionSpec> options;
-  std::string_view usage = {};  // what follows the name in the usage line, where the options depend on one another
+  std::string_view usage = {};  // text after the name in the usage line, for options that depend on one another
 };
 
 // The parsed words of a command line. Kept as bytes, so that any file name is possible.
 struct Arguments {
   std::vector<std::string> operands;
-  std::multimap<std::string, std::string, std::less<>> options;  // by long name; an empty value for those without one
-  std::string problem;  // a sentence when the words do not match the syntax; else empty
+  std::multimap<std::string, std::string, std::less<>> options;  // by long name; an empty value for options without one
+  std::string problem;  // a sentence if the words do not match the syntax; otherwise empty
 
   bool has(std::string_view name) const { return options.contains(name); }
-  std::string valueOf(std::string_view name) const;  // the last one given; empty when none was
+  std::string valueOf(std::string_view name) const;  // the last value given; empty if there is none
   std::vector<std::string> valuesOf(std::string_view name) const;
 };
 
-// Parses a whole word as a number, independent of the locale. For doubles also "inf" and "nan". Returns false when it
-// is not one.
+// Parses a whole word as a number, independent of the locale. For doubles also "inf" and "nan". Returns false if it is
+// not a number.
 template <class Number>
 bool readNumber(std::string_view word, Number& value) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -51,9 +51,9 @@ bool readNumber(std::string_view word, Number& value) {
 // Parses the words of a command. Accepts "--name value", "--name=value", "-n value", "-nvalue"; "--" ends the options.
 Arguments parseArguments(const CommandSpec& command, std::span<char* const> words);
 
-// One line with the syntax of the command.
+// Returns one line with the syntax of the command.
 std::string usageLine(const CommandSpec& command);
-// The text that --help prints; details are inserted before the options.
+// Returns the text that --help prints; details are inserted before the options.
 std::string helpPage(const CommandSpec& command, const std::string& details = {});
 
 }  // namespace handwheel

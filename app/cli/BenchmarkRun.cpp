@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What was kept before is of use on the same machine only; whatever else is wrong with it, it is measured anew.
+// Returns the stored calibration if it was made on this class of machine. Otherwise everything is measured anew.
 Calibration keptBefore(const FidelityRegistry& registry, const std::filesystem::path& file) {
   Result<Calibration> kept = loadCalibration(registry, file);
   return kept && kept->machine == machineClass() ? std::move(*kept) : Calibration();

@@ -21,19 +21,19 @@ struct Command {
 
   CommandSpec spec;
   std::variant<OnDocuments, OnAll> run;
-  std::string (*details)(const DocumentKinds&) = nullptr;         // the part of its help page about the kinds
+  std::string (*details)(const DocumentKinds&) = nullptr;         // returns the part of its help page about the kinds
   bool (*needsFonts)(std::span<char* const> operands) = nullptr;  // true for plots and printed pages
 };
 
-// A document that comes with the program, by its name; none: there is no such one, or a file is called like this.
+// Opens a document that comes with the program by its name; none: there is no such document, or a file has this name.
 using ShippedDocument = std::optional<OpenedFile> (*)(const std::string& name, const DocumentKinds& kinds);
 
 // The registered kinds, commands and drivers, as far as the commands need them.
 struct Registered {
   const DocumentKinds& kinds;
-  std::vector<Command> commands;                                        // those for one kind of document only
-  std::function<std::vector<std::unique_ptr<DeviceDriver>>()> drivers;  // creates the built-in ones
-  std::vector<ShippedDocument> shipped;                                 // of all kinds
+  std::vector<Command> commands;                                        // commands for one kind of document only
+  std::function<std::vector<std::unique_ptr<DeviceDriver>>()> drivers;  // creates the built-in drivers
+  std::vector<ShippedDocument> shipped;                                 // for all kinds
 };
 
 }  // namespace handwheel

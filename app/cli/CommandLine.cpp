@@ -42,18 +42,18 @@ int run(const Command& command, const Arguments& arguments, const Registered& re
   return std::get<Command::OnAll>(command.run)(arguments, registered);
 }
 
-// Made before: at the end of memory there may be none for it.
+// Prepared in advance: it cannot be created when memory is exhausted.
 std::string memorySentence;
 
-// Where a library lets the want of memory out of a thread of its own, or does not expect it, there is nobody to catch
-// it.
+// Ends the program if memory is exhausted in a thread of a library, or in a library that does not expect it. Nobody
+// could catch the exception there.
 [[noreturn]] void endForMemory() {
   try {
     if (std::current_exception()) throw;
     std::abort();
   } catch (const std::bad_alloc&) {
   } catch (const std::runtime_error& error) {
-    if (!std::string_view(error.what()).starts_with("pthread_create")) std::abort();  // as TBB says it
+    if (!std::string_view(error.what()).starts_with("pthread_create")) std::abort();  // TBB reports it so
   } catch (...) {
     std::abort();
   }
@@ -61,7 +61,7 @@ std::string memorySentence;
   std::_Exit(kExitError);
 }
 
-// The subject is what the command was to read.
+// Runs the command and reports exhausted memory. The subject is the input of the command.
 int runWithinMemory(const Command& command, const Arguments& arguments, const Registered& registered) {
   const std::string subject = arguments.operands.empty() ? std::string() : arguments.operands[0];
   memorySentence = "handwheel: " + fullSentenceFor({ErrorCode::OutOfMemory, {}, {}, subject}) + "\n";
@@ -73,7 +73,7 @@ int runWithinMemory(const Command& command, const Arguments& arguments, const Re
   } catch (const std::length_error&) {
     return failForMemory(subject);
   } catch (const std::system_error& error) {
-    // There is no room for another thread.
+    // No further thread could be created.
     if (error.code() != std::errc::resource_unavailable_try_again) throw;
     return failForMemory(subject);
   }
@@ -99,13 +99,13 @@ const Command* find(const std::vector<Command>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// A point within a word, as in ".stl", ends none.
+// A point within a word, as in ".stl", does not end the sentence.
 std::string_view firstSentence(std::string_view text) {
   const std::size_t end = std::min(text.find(". "), text.find(".\n"));
   return end == std::string_view::npos ? text : text.substr(0, end + 1);
 }
 
-// The text in a column: its lines after the first are indented as far.
+// Indents the lines after the first to the column.
 std::string inColumn(std::string_view text, std::size_t column) {
   std::string lines(text);
   for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 1))
@@ -162,7 +162,7 @@ bool isForWindow(std::string_view word) {
                      [&](std::string_view option) { return word.substr(0, word.find('=')) == option; });
 }
 
-// A bare word that names no file either: a command mistyped rather than something to open.
+// Returns true for a bare word that names no file either: a mistyped command rather than a file to open.
 bool isMistypedCommand(std::string_view word) {
   std::error_code ignored;
   return !word.empty() && word.find_first_of("-./") == std::string_view::npos &&
@@ -186,7 +186,7 @@ int dispatch(std::span<char* const> words, const Registered& registered) {
   return runWithinMemory(*command, arguments, registered);
 }
 
-// Whether a word is the name of a printed page, to which documents are written, too.
+// Returns true if one of the words is the file name of a printed page. Documents are written to such files, too.
 bool namesPage(std::span<char* const> words) {
   return std::any_of(words.begin(), words.end(),
                      [](std::string_view word) { return word.ends_with(".pdf") || word.ends_with(".PDF"); });
@@ -198,21 +198,21 @@ bool needsFonts(std::span<char* const> words, const Registered& registered) {
   return command && (namesPage(words.subspan(1)) || (command->needsFonts && command->needsFonts(words.subspan(1))));
 }
 
-// Plots and printed pages need fonts, and so a QGuiApplication; it needs no display.
+// Creates a QGuiApplication for plots and printed pages, which need fonts; it needs no display.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, const Registered& registered) {
   if (!needsFonts(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), registered)) {
     return std::make_unique<QCoreApplication>(argc, argv);
   }
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  // What it has to say about the missing desktop is of no interest here.
+  // The messages of Qt about the missing desktop are suppressed.
   const QtMessageHandler handler = qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
   auto application = std::make_unique<QGuiApplication>(argc, argv);
   qInstallMessageHandler(handler);
   return application;
 }
 
-// So that no file gets the number of a stream that the shell has closed (2>&-), and messages do not go into it. Writing
-// to such a stream still fails.
+// Opens the standard streams that the shell has closed (2>&-). Otherwise a file could get the number of such a stream,
+// and messages would go into it. Writing to such a stream still fails.
 void occupyClosedStreams() {
   int descriptor = 0;
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDONLY);
@@ -233,11 +233,12 @@ int runCommand(int argc, char** argv, const Registered& registered) {
   endWithParent();
   try {
     const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv, registered);
-    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));  // what the window keeps is found by these
+    QCoreApplication::setOrganizationName(
+        QStringLiteral("Handwheel"));  // these names locate the settings of the window
     QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
     EnglishPlurals plurals;
     QCoreApplication::installTranslator(&plurals);
-    // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
+    // QCoreApplication sets the user's locale. The command line uses English and the number format of C.
     std::setlocale(LC_ALL, "C");
     return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), registered);
   } catch (const std::bad_alloc&) {

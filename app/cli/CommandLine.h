@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// True when the first argument is a subcommand or asks for help or the version.
+// Returns true if the first argument is a subcommand, or requests help or the version.
 bool isCommand(int argc, char** argv, const Registered& registered);
 
 // Runs the command. Exit code 0: success; 2: repaired, but defects remain; 1: error, reported on stderr.

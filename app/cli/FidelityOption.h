@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // Parses the option --fidelity: a preset, and values of single settings. "read" lists the settings that the command
-// uses. Any other is an error, because it would seem to have an effect. Returns the error as a sentence, or nothing.
+// uses. Any other setting is an error, because it would have no effect. Returns the error as a sentence, or nothing.
 std::string readFidelity(const Arguments& arguments, std::string_view command, std::span<const FidelitySetting> read,
                          FidelityValues& values);
 

@@ -36,7 +36,7 @@ void noteSignal(int) {
   signalled = true;
 }
 
-// Addresses set aside while a job runs, so that whatever it leaves there is room for the words on what came of it.
+// Addresses reserved while a job runs, so that there is memory left for the words about its result.
 class Reserve {
  public:
   Reserve() : m_begin(mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {}
@@ -51,14 +51,15 @@ class Reserve {
   void* m_begin;
 };
 
-// Calls only what a signal handler may.
+// Ends the program. Calls only functions that a signal handler may call.
 void endAtOnce(int) {
   static constexpr std::string_view kMessage = "handwheel: Cancelled.\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
   std::_Exit(kExitInterrupted);
 }
 
-// A program started with a signal ignored (nohup, a background job of a plain shell) goes on ignoring it.
+// Installs a handler. A program started with a signal ignored (nohup, a background job of a plain shell) keeps ignoring
+// it.
 void watch(int signal, void (*handler)(int)) {
   struct sigaction previous {};
   sigaction(signal, nullptr, &previous);

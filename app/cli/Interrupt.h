@@ -16,33 +16,34 @@ namespace handwheel {
 class CommandJob {
  public:
   Progress progress() { return Progress(m_state); }
-  // Has a line printed to stdout while the work goes on. Any thread.
+  // Prints a line to stdout while the work continues. Any thread.
   void say(std::string line);
 
  private:
   friend class JobRun;
   JobState m_state;
-  std::mutex m_mutex;  // of the lines
+  std::mutex m_mutex;  // protects m_lines
   std::vector<std::string> m_lines;
 };
 
-// Runs work on a worker thread and shows its progress. The calling thread draws the progress when stderr is a
-// terminal, and watches for signals. A job that does not stop at once after a signal is abandoned together with the
-// program (exit code 130), because some library calls cannot be interrupted, but never while it writes a file. Rethrows
-// what work throws.
+// Runs work on a worker thread and shows its progress. The calling thread draws the progress if stderr is a terminal,
+// and watches for signals. A job that does not stop at once after a signal is abandoned together with the program (exit
+// code 130), because some library calls cannot be interrupted, but never while it writes a file. Rethrows the
+// exceptions of the work.
 void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work);
 
-// Installs handlers for the signals that ask the program to end (kTerminationSignals). To be called first.
+// Installs handlers for the signals that ask the program to end (kTerminationSignals). Must be called first.
 void watchSignals();
 
-// Whether one of these signals has arrived.
+// Returns true if one of these signals has arrived.
 bool wasInterrupted();
 
-// Makes these signals end the program at once, with a message. Also when one has already arrived. For work that cannot
-// be cancelled.
+// Makes these signals end the program at once, with a message. Also if one has already arrived. For work that cannot be
+// cancelled.
 void endWhenInterrupted();
 
-// Ignores these signals from now on. Before a result is written: it is there and the program succeeds, or neither.
+// Ignores these signals from now on. Called before a result is written, so that the program either writes it and
+// succeeds, or does neither.
 void ignoreSignals();
 
 }  // namespace handwheel

@@ -28,7 +28,8 @@ Status MemoryNotice::begin(const TriangleSoup& surface, const VolumeRepairOption
   Box box;
   for (const Vec3& p : surface.points) box.extend(p);
   const double area = surfaceArea(surface);
-  if (!(area > 0.0 && std::isfinite(area) && options.voxel > 0.0)) return Done{};  // which is refused anyway
+  if (!(area > 0.0 && std::isfinite(area) && options.voxel > 0.0))
+    return Done{};  // the command refuses such an input anyway
   return begin(options.voxel, predictedRepairBytes(area, box.sizes(), options),
                predictedMakingSeconds(area, options.voxel));
 }

@@ -12,22 +12,22 @@
 
 namespace handwheel {
 
-// What a command says before it makes a volume: the memory and time needed. Where that is more than a quarter of the
-// memory that is left, the command goes on only with --yes.
+// Announces the memory and time that a command needs for a volume. If that is more than a quarter of the memory that is
+// left, the command continues only with --yes.
 class MemoryNotice {
  public:
   explicit MemoryNotice(const Arguments& arguments);
-  // While this job runs, which prints what is said.
+  // Sets the job that prints the announcement. It must outlive this object.
   MemoryNotice& during(CommandJob& job);
 
-  // To be called before each volume that is made of a surface, with voxels of this edge, mm. Errors:
+  // Must be called before each volume that is made of a surface, with voxels of this edge, mm. Errors:
   // VolumeErrors::NeedsConsent.
   Status begin(const TriangleSoup& surface, double voxel);
   Status begin(const TriangleSoup& surface, const VolumeRepairOptions& options);
-  // As that for any volume. seconds: none where nobody knows.
+  // Does the same for any volume. seconds: none if unknown.
   Status begin(double voxel, double bytes, std::optional<double> seconds);
 
-  // Adds what was predicted, of all volumes that were made.
+  // Adds the predictions for all volumes that were made.
   void addTo(nlohmann::ordered_json& report) const;
 
  private:

@@ -27,7 +27,7 @@ std::string keyOf(const Parameter& parameter) {
   return key;
 }
 
-// As its word has it, where that is in degrees.
+// Converts an angle to degrees. Rounds it to the number that the user wrote if that was in degrees.
 double degreesOf(double radian) {
   double degrees = radian / kRadiansPerDegree;
   ErrorCode why{};

@@ -10,16 +10,17 @@
 
 namespace handwheel {
 
-// The options of a command for the parameters of an operation, which must outlive them. without: left out.
+// Returns the options of a command for an operation, which must outlive them. without: ids to leave
+// out.
 std::vector<OptionSpec> optionsOf(const Operation& operation, std::initializer_list<std::string_view> without = {});
 
 // Sets the values that are given as options; others stay. Returns the error as a sentence, or nothing.
 std::string readOptions(const Arguments& arguments, OperationValues& values);
 
-// A clause as a sentence: with a capital and a full stop.
+// Turns a clause into a sentence with a capital letter and a full stop.
 std::string sentenceOf(std::string clause);
 
-// The list of operations on the help page of 'edit', with their parameters.
+// Returns the list of operations on the help page of 'edit', with their parameters.
 std::string stepsHelp(std::span<const Operation> operations);
 
 }  // namespace handwheel

@@ -43,14 +43,14 @@ HalfEdgeMesh meshOf(const Input& input, Progress progress) {
   return buildMesh(input.mesh->soup, progress).mesh;
 }
 
-// An error without a subject is of what could not be drawn, where memory ended, else of the picture.
+// Reports an error. Without a subject it is about the mesh if memory is exhausted, otherwise about the picture.
 int failToDraw(Error error, const PictureRequest& request) {
   if (error.subject.empty())
     error.subject = (error.code == ErrorCode::OutOfMemory ? request.mesh : request.png).string();
   return fail(error);
 }
 
-// From here on a signal no longer ends the program: a picture that is there was a success.
+// From here on a signal no longer ends the program: once the picture is written, it is a success.
 int save(const QImage& picture, const PictureRequest& request) {
   ignoreSignals();
   const Status saved = savePng(picture, request.png);
@@ -78,7 +78,7 @@ int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   return picture ? save(*picture, request) : failToDraw(picture.error(), request);
 }
 
-// Measured at the vertices alone: they are what is coloured.
+// The deviation is measured at the vertices alone, which are coloured.
 Result<QImage> deviationSides(const PictureRequest& request, const DocumentKinds& kinds, Progress progress) {
   const ReadOptions read{.partial = request.partial};
   const Result<Input> input = readMeshInput(request.mesh, read, kinds, progress.part(0.0, 0.1));

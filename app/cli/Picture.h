@@ -10,23 +10,23 @@
 
 namespace handwheel {
 
-// Whether the path ends in .png or .PNG.
+// Returns true if the path ends in .png or .PNG.
 bool isPictureName(const std::filesystem::path& path);
 
 // A mesh to draw and the file to draw it to.
 struct PictureRequest {
   std::filesystem::path mesh, png;
-  bool partial = false;              // read what is readable of a damaged file
-  std::filesystem::path scan = {};   // reference for colouring the mesh by distance; empty for none
-  std::optional<double> range = {};  // mm, of the colour scale
+  bool partial = false;              // read the readable part of a damaged file
+  std::filesystem::path scan = {};   // reference for colouring the mesh by distance; empty: none
+  std::optional<double> range = {};  // range of the colour scale, mm
 };
 
 // Syntax of "handwheel picture", which draws a document to a PNG file.
 CommandSpec pictureSpec();
 int runPicture(const Arguments& arguments, const DocumentKinds& kinds);
 
-// Draws a mesh file in a child process. Uses xvfb-run when there is no display; a broken display ends only the child.
-// Reports on stderr why there is no picture. Returns an exit code.
+// Draws a mesh file in a child process. Uses xvfb-run if there is no display; a broken display ends only the child.
+// Reports the error on stderr if there is no picture. Returns an exit code.
 int renderInChildProcess(const PictureRequest& request);
 
 }  // namespace handwheel

@@ -23,7 +23,7 @@ std::string namesIn(const nlohmann::json& list) {
   return text;
 }
 
-// Why a path does not lead to what it was planned for any more.
+// Returns the reasons why a planned path does not match the cell any more.
 std::string outdatedText(const nlohmann::json& path) {
   std::string text;
   const auto add = [&](const std::string& reason) { text += (text.empty() ? ", outdated: " : "; ") + reason; };
@@ -35,7 +35,7 @@ std::string outdatedText(const nlohmann::json& path) {
   return text;
 }
 
-// What was changed since a path was verified, by its key in the description.
+// Returns the text for a change since a path was verified, by its key in the description.
 std::string changeText(const std::string& changed) {
   static const std::map<std::string, std::string> kTexts{{"robots", "a robot was moved, added or removed"},
                                                          {"path", "the path was changed"},
@@ -49,7 +49,7 @@ std::string changeText(const std::string& changed) {
   return kTexts.at(changed);
 }
 
-// What was found when it was verified, which is stored with the cell; of a former state of it, that it may not hold.
+// Returns the stored result of the verification of a path, with a note if the cell has changed since then.
 std::string verifiedText(const nlohmann::json& path) {
   if (!path.contains("verified")) return {};
   const nlohmann::json& found = path["verified"];

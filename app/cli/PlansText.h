@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// What a robot cell keeps for planning, a line each. These are configurations, targets, frames, paths with what is
-// known of them, and pairs that may touch; of very many pairs the first. Empty for other documents. described: as
-// DocumentKind::describe() has it. before: of each line.
+// Lists the planning data of a robot cell, one item per line. These are configurations, targets, frames, paths with
+// their state, and pairs that may touch; only the first of very many pairs. Empty for other documents. described: the
+// result of DocumentKind::describe(). before: prefix of each line.
 std::string plansText(const nlohmann::json& described, const std::string& before = {});
 
 }  // namespace handwheel

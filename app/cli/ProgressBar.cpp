@@ -16,7 +16,7 @@ void ProgressBar::show(double fraction, int seconds) {
   if (!m_isTerminal) return;
   constexpr int kWidth = 30;
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  // With a decimal, so that long jobs are seen to move.
+  // One decimal, so that long jobs visibly progress.
   const int tenths = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 1000.0);
   const std::string number = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
   const std::string line = m_label + " [" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] " +

@@ -34,14 +34,14 @@ std::string shownNumber(double value, Quantity quantity) {
   return numberText(isNothing ? 0.0 : value, quantity, kShownDigits);
 }
 
-// " mm³" of "Volume (mm³)": what is neither a length nor an angle has its unit at the end of its label.
+// Returns " mm³" of "Volume (mm³)": quantities other than lengths and angles have their unit at the end of the label.
 std::string unitInLabel(const Property& property) {
   const std::size_t open = property.translated ? property.label.rfind('(') : std::string::npos;
   if (open == std::string::npos || !property.label.ends_with(')')) return {};
   return " " + property.label.substr(open + 1, property.label.size() - open - 2);
 }
 
-// What a property takes, as the end of a sentence.
+// Returns the kind of values that a property accepts, as the end of a sentence.
 std::string wanted(const Property& property) {
   if (std::holds_alternative<bool>(property.value)) return "yes or no";
   if (!property.choices.empty()) return choicesText(property.choices);

@@ -8,13 +8,13 @@
 
 namespace handwheel {
 
-// Formats a property value for the command line. Such as "50 mm", "-30 deg", "196350 mm³", "yes", "cm".
+// Formats a property value for the command line. Examples: "50 mm", "-30 deg", "196350 mm³", "yes", "cm".
 std::string propertyText(const Property& property);
 
 // Formats the limits of a number: "-170 deg to 170 deg".
 std::string limitsText(const Property& property);
 
-// Parses a property value from the command line. Takes a number with or without a unit or an expression, yes or no,
+// Parses a property value from the command line. Accepts a number with or without a unit or an expression, yes or no,
 // one of the choices, or a text. A limit may be given as it is shown. Returns the value, or the error as a sentence.
 std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word);
 

@@ -21,21 +21,21 @@ namespace {
 // share of it that becomes memory in use.
 constexpr std::size_t kGraphics = 256 << 20;
 constexpr std::size_t kGraphicsInUse = kGraphics / 3;
-constexpr std::size_t kFace = 3 * 2 * 12 + 12;  // bytes: three corners with place and normal, three indices
+constexpr std::size_t kFace = 3 * 2 * 12 + 12;  // bytes: three corners with position and normal, three indices
 constexpr std::size_t kStack = 64 << 10;        // bytes; the crash may be that the stack could not grow
 
-// Made before, since a crashed program can make nothing.
+// Prepared in advance, since a crashed program cannot create it.
 std::string crashSentence;
 alignas(16) std::array<std::byte, kStack> crashStack;
 
-// Calls only what a signal handler may.
+// Calls only functions that a signal handler may call.
 bool fits(std::size_t bytes) {
   void* const probe = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (probe != MAP_FAILED) munmap(probe, bytes);
   return probe != MAP_FAILED || errno != ENOMEM;
 }
 
-// Calls only what a signal handler may.
+// Calls only functions that a signal handler may call.
 void endCrash(int signal) {
   if (!fits(kGraphics)) {
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, crashSentence.data(), crashSentence.size());

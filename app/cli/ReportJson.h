@@ -11,11 +11,11 @@
 
 namespace handwheel {
 
-// The report as JSON, as "handwheel inspect --json" prints it. The keys are in that order; volume_mm3 is null for an
-// open mesh.
+// Returns the report as JSON, in the form that "handwheel inspect --json" prints. The keys are in that order;
+// volume_mm3 is null for an open mesh.
 nlohmann::ordered_json toJson(const MeshReport& report);
 
-// Repeats values under the keys that they had before. {present key, former key} of an object; it has the present ones.
+// Repeats values under their former keys. renamed: {present key, former key} of an object; it has the present ones.
 void addFormerKeys(nlohmann::ordered_json& object, std::initializer_list<std::pair<const char*, const char*>> renamed);
 
 // Formats JSON with an indent of two, ending in a line feed. Names that are not UTF-8 get replacement characters.

@@ -19,7 +19,8 @@ std::string point(const Vec3& p) {
   return roundedText(p.x()) + ", " + roundedText(p.y()) + ", " + roundedText(p.z());
 }
 
-// Where the triangles of the file, as they are in it before any are reversed on opening, are not oriented.
+// Describes the edges at which the triangles of the file, before any are reversed on opening, are not consistently
+// oriented.
 std::string disagreementText(const MeshReport& report) {
   std::string text = std::to_string(report.inconsistentEdges) + (report.inconsistentEdges == 1 ? " edge" : " edges");
   if (report.reversedFaces > 0)
@@ -28,8 +29,8 @@ std::string disagreementText(const MeshReport& report) {
   return text;
 }
 
-// Of the holes, or of the outer edges of open sheets; nothing where there is none. name: as the window has it; id: as
-// options and steps have it.
+// Returns the table of the holes, or of the outer edges of open sheets; empty if there are none. Columns: the name as
+// in the window; the id as in options and steps.
 std::string loopTable(const std::vector<LoopReport>& loops, bool isOfSheets, const std::string& title) {
   constexpr std::size_t kName = 20;
   std::string table = "\n" + title + "\n" + std::string(kName - 4, ' ') +

@@ -29,9 +29,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kNoProgram = 127;  // as shells report it
+constexpr int kNoProgram = 127;  // the code of shells for a missing program
 
-// The end of the pipe that the programs below runChild() hold: a number that shells leave alone, and its name.
+// The end of the pipe that the programs below runChild() hold: a number that shells leave alone, and its environment
+// variable.
 constexpr int kLifeline = 9;
 constexpr const char* kLifelineNumber = "9";
 constexpr const char* kLifelineName = "HANDWHEEL_LIFELINE";
@@ -53,7 +54,7 @@ std::vector<char*> environmentWith(const std::string& lifeline) {
   return all;
 }
 
-// In a group of its own, to be ended as a whole; 0: there is no such program.
+// Starts the program in a process group of its own, to be ended as a whole; 0: there is no such program.
 pid_t spawn(const std::vector<char*>& argv, int lifeline) {
   const std::string entry = std::string(kLifelineName) + "=" + kLifelineNumber;
   const std::vector<char*> environment = environmentWith(entry);
@@ -77,8 +78,8 @@ std::string firstLineOf(const std::string& file) {
   return line;
 }
 
-// xvfb-run waits for ever when the signal of its display comes before it begins to wait, as happens on busy machines:
-// it then has one child, the display, and goes on when that signal comes again.
+// Repeats the signal of the display. xvfb-run waits for ever if that signal comes before it begins to wait, as happens
+// on busy machines: it then has one child, the display, and continues when the signal comes again.
 void wakeDisplayRunner(pid_t runner) {
   const std::string number = std::to_string(runner);
   std::string children = firstLineOf("/proc/" + number + "/task/" + number + "/children");
@@ -87,7 +88,7 @@ void wakeDisplayRunner(pid_t runner) {
   if (firstLineOf("/proc/" + children + "/comm") == "Xvfb") kill(runner, SIGUSR1);
 }
 
-// After a signal to us the lifeline closes, and then there is less and less patience.
+// Waits for the child. After a signal to us the lifeline closes, and then the waiting time is limited more and more.
 int waitFor(pid_t child, int& lifeline) {
   constexpr auto kLook = 10ms;
   int status = 0;

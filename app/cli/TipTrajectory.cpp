@@ -14,7 +14,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::array<std::string_view, 5> kNames{"t_s", "x_mm", "y_mm", "z_mm", "stroke"};
-constexpr std::size_t kNeeded = 4;  // of them
+constexpr std::size_t kNeeded = 4;  // number of required columns
 // An hour and a half at 1 kHz.
 constexpr std::size_t kMostPoses = 5'000'000;
 
@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// What stands before the next separator, which is taken off the text with it.
+// Removes the text before the next separator, and the separator, and returns that text.
 std::string_view taken(std::string_view& text, char separator) {
   const std::size_t end = text.find(separator);
   const std::string_view first = text.substr(0, end);
@@ -110,7 +110,7 @@ class PathReader {
 
   TipTrajectory m_path;
   std::array<std::size_t, kNames.size()> m_columns{};
-  std::size_t m_read;  // so many of kNames
+  std::size_t m_read;  // number of kNames
   bool m_hasHeader = false;
   std::uint64_t m_line = 0;
 };

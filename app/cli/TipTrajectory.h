@@ -14,13 +14,13 @@ namespace handwheel {
 // A path of the device tip over time.
 struct TipTrajectory {
   std::vector<HandPose> poses;
-  // Of each pose, the number of the stroke that it belongs to; 0: the hand only moves. Empty without such a column, or
-  // where it is not read.
+  // Number of the stroke that each pose belongs to; 0: the hand only moves. Empty if there is no such column, or it is
+  // not read.
   std::vector<std::uint32_t> strokes;
-  std::string problem;  // a sentence when the text is not such a path; else empty
+  std::string problem;  // a sentence if the text is not such a path; otherwise empty
 };
 
-// Whether a column "stroke" numbers strokes, or is one of those that do not matter.
+// Handling of a column "stroke": it numbers strokes, or is ignored as any unknown column.
 enum class StrokeColumn { Ignored, Read };
 
 // Reads a tip path from comma-separated values. A header line has the column names t_s,x_mm,y_mm,z_mm, in any order

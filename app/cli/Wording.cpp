@@ -16,7 +16,7 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
-// By id: as the window and 'handwheel inspect' name them.
+// Returns the names in the window and in 'handwheel inspect', by id.
 std::vector<std::string> namesOf(const std::vector<LoopResult>& loops) {
   LoopNumbers numbers;
   std::vector<std::string> names;
@@ -27,7 +27,7 @@ std::vector<std::string> namesOf(const std::vector<LoopResult>& loops) {
   return names;
 }
 
-// By which --keep-open, the steps and the report call it; nothing for one that is not of the input.
+// Returns "id 3, ", the id for --keep-open, the steps and the report; empty if the loop is not one of the input.
 std::string idOf(const LoopResult& loop) {
   return loop.id < 0 ? std::string() : "id " + std::to_string(loop.id) + ", ";
 }
@@ -37,13 +37,13 @@ std::string leftOpen(const LoopResult& loop, const std::string& name) {
          ") stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
 }
 
-// To be said of what was wanted; nothing where all of it was done.
+// Returns a sentence if the work was cut short; empty if all of it was done.
 std::string cutShort(bool isCutShort, const std::string& what) {
   if (!isCutShort) return {};
   return " " + what + " is incomplete: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
 }
 
-// --cut-crossings is no advice to those who gave it.
+// Returns the advice to use --cut-crossings, unless it was given.
 std::string adviceOnCrossings(const RepairReport& repair, const RepairOptions& options) {
   if (!options.resolvesIntersections()) return " --cut-crossings resolves them where possible.";
   if (repair.isIntersectionRemovalIncomplete) return cutShort(true, "Cutting");

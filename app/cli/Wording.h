@@ -13,24 +13,25 @@
 
 namespace handwheel {
 
-// The name of the outcome in reports.
+// Returns the name of the outcome in reports.
 std::string wordFor(LoopOutcome outcome);
-// "3 of 4 holes filled, 1 kept open", or that there are none.
+// Returns "3 of 4 holes filled, 1 kept open", or that there are none.
 std::string outcomesText(const LoopCounts& loops);
 
-// What a person should look at: what was removed, and each patch that is unlike its surroundings; of more than ten
-// lines the number.
+// Returns warnings about results that need a look: removed parts, and each patch that is unlike its surroundings; their
+// number if there are more than ten.
 std::vector<std::string> repairWarnings(const RepairReport& repair);
-// Why a loop was not filled, as a sentence.
+// Returns the reason why a loop was not filled, as a sentence.
 std::string reasonSentence(FillFailure failure);
 
-// One sentence for each damage that was skipped or repaired on reading. The last one counts those that are not listed.
+// Returns one sentence for each damage that was skipped or repaired on reading. The last one counts those that are not
+// listed.
 std::vector<std::string> damageSentences(const DocumentFile& file);
 
-// One line on what a repair did besides filling; empty when it did nothing.
+// Returns one line on what a repair did besides filling; empty if it did nothing.
 std::string changesLine(const RepairReport& repair);
 
-// One sentence for each remaining defect. These keep the written file from being sound (MeshState).
+// Returns one sentence for each remaining defect. These keep the written file from being sound (MeshState).
 std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& before,
                                    const MeshReport& after);
 

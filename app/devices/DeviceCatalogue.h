@@ -19,7 +19,7 @@ class DeviceCatalogue {
  public:
   // Adds a built-in driver. Its id must be unique.
   void add(std::unique_ptr<DeviceDriver> driver);
-  // Loads every plugin in these folders. An error is kept with its plugin; the others are loaded all the same.
+  // Loads every plugin in these folders. An error is kept with its plugin; the others are loaded nevertheless.
   void load(const std::vector<std::string>& folders);
 
   std::vector<std::string> drivers() const;  // ids, built in first
@@ -27,10 +27,10 @@ class DeviceCatalogue {
 
   // Asks every driver for the connected devices.
   std::vector<DeviceInfo> find();
-  // The same, compared with the last call; the first call reports every device as new. Called by a timer for
-  // hot-plugging.
+  // Compares the connected devices with those of the last call; the first call reports every device as new. Called by a
+  // timer for hot-plugging.
   DeviceChange poll();
-  // Creates a device. Null when the driver or the address is not known.
+  // Creates a device. Returns null if the driver or the address is not known.
   std::unique_ptr<Device> make(const std::string& driver, const std::string& address);
 
  private:

@@ -20,7 +20,8 @@ Error broken(const std::string& file, const std::string& reason) {
   return {DeviceError::PluginBroken, {reason}, {}, file};
 }
 
-// What stands in the file, before any of its code runs. An error when it is no plugin, or not one for this program.
+// Reads the metadata in the file, before any of its code runs. An error if it is no plugin, or not one for this
+// program.
 std::optional<Error> readMetadata(const QPluginLoader& loader, const char* interface, PluginInfo& listing) {
   const QJsonObject metadata = loader.metaData();
   if (metadata.isEmpty()) return broken(listing.file, loader.errorString().toStdString());

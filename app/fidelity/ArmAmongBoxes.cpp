@@ -48,10 +48,10 @@ ArmValues ArmAmongBoxes::anywhereFree(Random& random) const {
   }
 }
 
-ArmValues ArmAmongBoxes::near(const ArmValues& place, Random& random) const {
-  ArmValues values = place;
+ArmValues ArmAmongBoxes::near(const ArmValues& middle, Random& random) const {
+  ArmValues values = middle;
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    values[i] = std::clamp(place[i] + random.between(-1.0, 1.0), m_scene.joint(i).lower, m_scene.joint(i).upper);
+    values[i] = std::clamp(middle[i] + random.between(-1.0, 1.0), m_scene.joint(i).lower, m_scene.joint(i).upper);
   return values;
 }
 

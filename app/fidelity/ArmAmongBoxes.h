@@ -7,17 +7,17 @@
 
 namespace handwheel {
 
-// A cell to measure planning in: a built-in robot among boxes that stand around it.
+// A cell for measuring planning: a built-in robot among boxes that stand around it.
 class ArmAmongBoxes {
  public:
-  // thickness: mm, of the boxes, which are 250 mm high and wide.
+  // thickness: of the boxes, mm; they are 250 mm high and wide.
   ArmAmongBoxes(double thickness, std::uint64_t seed);
 
   const RobotScene& scene() const { return m_scene; }
-  ArmValues anywhere(Random& random) const;      // within the limits
-  ArmValues anywhereFree(Random& random) const;  // where nothing meets
-  // To within a radian of there, in each joint.
-  ArmValues near(const ArmValues& place, Random& random) const;
+  ArmValues anywhere(Random& random) const;      // random configuration within the joint limits
+  ArmValues anywhereFree(Random& random) const;  // random configuration without collisions
+  // Returns random values within a radian of the given ones, in each joint.
+  ArmValues near(const ArmValues& middle, Random& random) const;
 
  private:
   static RobotScene made();

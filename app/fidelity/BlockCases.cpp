@@ -17,7 +17,7 @@ constexpr int kEdits = 8;  // an edit near the end of a block rebuilds two: aver
 
 struct EditedFaces {
   HalfEdgeMesh mesh;
-  std::vector<Face> faces;  // each the place of an edit
+  std::vector<Face> faces;  // each the position of an edit
 };
 
 EditedFaces edited(const TriangleSoup& soup, std::uint64_t seed) {

@@ -11,7 +11,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kSphereRadius = 38.0;  // mm
-constexpr double kBumps = 0.03;         // of the radius, up and down
+constexpr double kBumps = 0.03;         // fraction of the radius, up and down
 constexpr double kBumpDepth = 0.05;     // radii below the middle of the bumps
 
 ContactSurface bumpyBall() {
@@ -31,8 +31,8 @@ BumpySphere::BumpySphere(std::uint64_t seed) : m_surface(bumpyBall()) {
   m_across = axis.cross(m_along);
 }
 
-Vec3 BumpySphere::tipAt(double way) const {
-  const double radius = (1.0 - kBumpDepth) * kSphereRadius, angle = way / radius;
+Vec3 BumpySphere::tipAt(double distance) const {
+  const double radius = (1.0 - kBumpDepth) * kSphereRadius, angle = distance / radius;
   return radius * (std::cos(angle) * m_along + std::sin(angle) * m_across);
 }
 

@@ -13,12 +13,12 @@ class BumpySphere {
   explicit BumpySphere(std::uint64_t seed);
 
   const ContactSurface& surface() const { return m_surface; }
-  Vec3 above() const { return 1.5 * tipAt(0.0); }  // outside, where the path begins
-  Vec3 tipAt(double way) const;                    // mm
+  Vec3 above() const { return 1.5 * tipAt(0.0); }  // outside, at the beginning of the path
+  Vec3 tipAt(double distance) const;               // mm
 
  private:
   ContactSurface m_surface;
-  Vec3 m_along, m_across;  // of length 1
+  Vec3 m_along, m_across;  // unit vectors
 };
 
 }  // namespace handwheel

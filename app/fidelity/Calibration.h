@@ -10,22 +10,22 @@
 
 namespace handwheel {
 
-// Measured costs of the settings on this machine. Kept from session to session.
+// Measured costs of the settings on this machine. They are kept from session to session.
 struct Calibration {
-  std::string machine;  // as by machineClass()
+  std::string machine;  // the value of machineClass()
   // Duration (us) of a tick in contact by the rate of the servo loop (Hz), when the loop sleeps between ticks. Empty:
   // not measured.
   std::map<double, double> ticksInUse;
   std::map<std::string, CurveFile> curves;  // by the id of the setting
 };
 
-// The settings whose cost is time and thus depends on the machine. Those of the servo loop come first.
+// Returns the settings whose cost is time and thus depends on the machine. Those of the servo loop come first.
 std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegistry& registry);
 
 // Time limit of a calibration; after it no further measurement is started.
 inline constexpr std::chrono::seconds kLongestCalibration{60};
 
-// Measures one setting, coarser than the curves that come with the program. The first also measures ticksInUse. All
+// Measures one setting, coarser than the curves that come with the program. The first one also measures ticksInUse. All
 // together take about half a minute. Errors: Cancelled; then nothing has changed.
 Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress);
 
@@ -36,8 +36,8 @@ std::string jsonOf(const FidelityRegistry& registry, const Calibration& calibrat
 Result<Calibration> readCalibration(const FidelityRegistry& registry, std::string_view json);
 inline constexpr int kCalibrationVersion = 1;
 
-// Path of the calibration file in the user's cache folder, which the window uses. The names of the application must be
-// set before.
+// Returns the path of the calibration file in the user's cache folder, which the window uses. The names of the
+// application must be set before.
 std::filesystem::path defaultCalibrationFile();
 
 // Writes a calibration to a file. Error: WriteFailed.

@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// The test cases that the settings are measured on. Each runs on built-in shapes, whose true result is known in closed
-// form or by construction; most also run on a mesh of the user, where the truth is the mesh before the case damaged it.
-// Provides the mesh of a case. Called when the case first runs; the mesh must have a face with area.
+// The test cases by which the settings are measured. Each runs on built-in shapes, whose true result is known in closed
+// form or by construction. Most also run on a mesh of the user; then the truth is the mesh before the case damaged it.
+// SoupSource provides the mesh of a case. It is called when the case first runs; the mesh must have a face with area.
 using SoupSource = std::function<std::shared_ptr<const TriangleSoup>()>;
 
 // mesh.near_weld: a surface torn along one plane and slit along another. The tear is due to rounding (1e-8 to 1e-5 of
@@ -40,18 +40,18 @@ FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> decimationMethodCases();
 std::vector<FidelityCase> decimationMethodCasesOn(const std::string& name, const SoupSource& soup);
 
-// volume.voxels, volume.method, volume.reduction: a ball and a block in no direction of the grid, as volumes and back.
+// volume.voxels, volume.method, volume.reduction: a ball, and a block at an angle to the grid, as volumes and back.
 std::vector<FidelityCase> volumeVoxelsCases();
 std::vector<FidelityCase> volumeMethodCases();
 std::vector<FidelityCase> volumeReductionCases();
 
-// volume.polygons: a block along the grid and one that is turned, by their edges.
+// volume.polygons: a block along the grid and one that is rotated, by their edges.
 std::vector<FidelityCase> volumePolygonsCases();
 
-// volume.pieces: a ball of clay that is carved at some places.
+// volume.pieces: a ball of clay that is carved at some positions.
 std::vector<FidelityCase> volumePiecesCases();
 
-// drill.erosion: a head that goes evenly through material, along the grid and across it.
+// drill.erosion: a head that advances evenly through material, along the grid and across it.
 std::vector<FidelityCase> drillErosionCases();
 
 // document.undo_granularity: edits of a large mesh, stored and exchanged as an undo step does.
@@ -75,7 +75,7 @@ std::vector<FidelityCase> turnSpacingCases();
 std::vector<FidelityCase> turnMethodCases();
 std::vector<FidelityCase> turnResolutionCases();
 
-// turn.step: a lathe whose lever is thrown, and whose tool a hand leads.
+// turn.step: a lathe whose lever is operated, and whose tool is moved by hand.
 std::vector<FidelityCase> turnIncrementCases();
 
 // view.block_faces: display blocks that are rebuilt after an edit of one face.
@@ -98,19 +98,19 @@ std::vector<FidelityCase> ikToleranceCases();
 // plan.resolution: motions of an arm that keep a clearance, by little or by much.
 std::vector<FidelityCase> planResolutionCases();
 
-// verify.step: motions of an arm that collide, looked at in fixed steps.
+// verify.step: motions of an arm that collide, checked in fixed steps.
 std::vector<FidelityCase> verifyStepCases();
 
 // plan.shortcuts: tasks of an arm among boxes.
 std::vector<FidelityCase> planShortcutsCases();
 
-// proximity.tolerance: meshes that are led past each other.
+// proximity.tolerance: meshes that are moved past each other.
 std::vector<FidelityCase> proximityToleranceCases();
 
-// snap.radius: a scripted hand that moves to one of many points. It misses it a little and trembles.
+// snap.radius: a scripted hand that moves to one of many points, misses it a little and trembles.
 std::vector<FidelityCase> snapRadiusCases();
 
-// snap.features: the force where more features are in reach than may act at once.
+// snap.features: the force if more features are in reach than may act at once.
 std::vector<FidelityCase> snapFeaturesCases();
 
 // proxy.tolerance: a tip that moves along below the surface of a bumpy ball.

@@ -14,9 +14,9 @@ struct CurveFile {
   std::vector<FidelityRow> rows;
 };
 
-// The present date: "2026-07-01".
+// Returns the present date: "2026-07-01".
 std::string today();
-// The processor and the number of cores of this machine.
+// Returns the processor and the number of cores of this machine.
 std::string machineClass();
 
 // Converts a curve to JSON with one row per line. Infinite errors (no result) are written as null.

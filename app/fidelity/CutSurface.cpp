@@ -74,7 +74,7 @@ CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const Distance
   CutSurface result;
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   for (const auto& [centre, distance] : cuts) {
-    // The hole is the longest loop there is around the place that was cut.
+    // The hole is the longest loop around the cut.
     const BoundaryLoop* hole = nullptr;
     for (const BoundaryLoop& loop : loops) {
       const bool isHere = (loop.centre - centre).norm() < radius;

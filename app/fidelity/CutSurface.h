@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-using DistanceToTruth = std::function<double(const Vec3&)>;  // of a point to the original surface (mm)
+using DistanceToTruth = std::function<double(const Vec3&)>;  // distance of a point from the original surface (mm)
 
 // A surface with holes cut into it, and the distance to the original.
 struct CutSurface {
@@ -23,16 +23,16 @@ struct CutSurface {
   std::vector<Hole> holes;
 };
 
-// The number, size and place of the holes.
+// The number, size and position of the holes.
 struct CutOptions {
   std::size_t holes = 4;
-  double radius = 0.12;  // as a fraction of the part's diagonal
-  // Where given, the first hole and every other one after it is at most half its radius from a sharp edge.
+  double radius = 0.12;  // fraction of the part's diagonal
+  // If set, the first hole and every second one after it is at most half its radius from a sharp edge.
   DistanceToTruth distanceToCrease = nullptr;
 };
 
-// Cuts round holes at places chosen by the seed, apart from each other. The truth is the surface in closed form;
-// without one, the pieces that are cut out take its place. O(n log n).
+// Cuts round holes at positions chosen by the seed, apart from each other. The truth is the surface in closed form;
+// without one, the pieces that are cut out replace it. O(n log n).
 CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth,
                     const CutOptions& options = {});
 

@@ -18,8 +18,8 @@ namespace {
 constexpr const char *kSphereName = "sphere of 5,120 faces", *kTorusName = "torus of 9,600 faces";
 constexpr DeviationOptions kMeasuring{.samples = 20'000, .bins = 1};
 
-// Triangles are removed as the tool does it; what is left is compared with what there was, both ways.
-// Diagonals. A mesh that is left as it was is that far from itself.
+// Triangles are removed as by the tool; the result is compared with the original, in both directions. In diagonals. An
+// unchanged mesh is this far from itself.
 constexpr double kRounding = 1e-12;
 
 FidelitySample reduce(const HalfEdgeMesh& original, double value, const Progress& progress) {

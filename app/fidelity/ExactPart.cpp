@@ -47,9 +47,9 @@ double areaOf(const Polygon& polygon) {
   return 0.5 * twice;
 }
 
-// Pappus: the area times the way of its centre.
+// Pappus: the area times the path of its centre.
 double volumeTurned(const Polygon& polygon) {
-  double sixfold = 0.0;  // of the first moment
+  double sixfold = 0.0;  // six times the first moment
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     sixfold += (a.x() + b.x()) * (a.x() * b.y() - a.y() * b.x());
@@ -57,7 +57,7 @@ double volumeTurned(const Polygon& polygon) {
   return 2.0 * std::numbers::pi * sixfold / 6.0;
 }
 
-// Of a distance in the plane and one across it, as of a prism: the exact distance from its surface.
+// Combines a distance in the plane and one across it, as for a prism: the exact distance from its surface.
 double prismDistance(double inPlane, double across) {
   if (inPlane < 0.0 && across < 0.0) return std::max(inPlane, across);
   return std::hypot(std::max(inPlane, 0.0), std::max(across, 0.0));

@@ -11,15 +11,16 @@ namespace handwheel {
 // A part with sharp edges, known exactly. Lengths in mm.
 struct ExactPart {
   Box box;
-  std::function<double(const Vec3&)> distance;          // from the surface; below zero inside
-  std::function<double(const Vec3&)> distanceToCrease;  // from the nearest sharp edge
+  std::function<double(const Vec3&)> distance;          // distance from the surface; below zero inside
+  std::function<double(const Vec3&)> distanceToCrease;  // distance from the nearest sharp edge
   double volume = 0.0;                                  // mm³
 };
 
-// A block with a step, a slanted side and a chamfer. All of one height: flat faces, edges between them, corners.
+// Returns a block with a step, a slanted side and a chamfer, all of one height. It has flat faces, edges between them,
+// and corners.
 ExactPart milledPart();
 
-// A shaft around z with a shoulder, two chamfers and a flange. Edges are circles, one of them concave.
+// Returns a shaft around z with a shoulder, two chamfers and a flange. Its edges are circles, one of them concave.
 ExactPart turnedPart();
 
 }  // namespace handwheel

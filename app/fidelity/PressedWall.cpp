@@ -46,7 +46,7 @@ class WiredDevice : public Device {
   }
   void write(const DeviceForce& force) noexcept override { m_device.write(force); }
 
-  void setTarget(const Vec3& place) noexcept { m_device.setTarget({0.0, place}); }
+  void setTarget(const Vec3& position) noexcept { m_device.setTarget({0.0, position}); }
 
  private:
   // At half a period, and each whole one after that.
@@ -69,7 +69,7 @@ double pressedDepth(const DeviceCapabilities& device, double rate, double stiffn
   VirtualClock clock;
   auto made = std::make_unique<WiredDevice>(settings, packets, clock);
   WiredDevice& hand = *made;
-  if (!hand.open({})) return 0.0;  // which needs no hardware
+  if (!hand.open({})) return 0.0;  // needs no hardware
   Service service("servo");
   ServoSettings servo;
   servo.rate = rate;

@@ -10,10 +10,10 @@ namespace handwheel {
 // over.
 inline constexpr double kPressingForce = 2.0;
 
-// How deep (mm) the simulated hand finally penetrates a plane wall, averaged over a second. On this device, at this
-// rate (Hz), in a wall of this stiffness (N/mm) or the stiffest that the loop allows. packets: the interval (s) between
-// packets on the device's connection (0: at any time); a reading waits for the next, which arrives in the middle
-// between ticks of the same rate. Runs the servo loop itself on a simulated clock. The result is undefined once
+// Returns the final penetration (mm) of the simulated hand into a plane wall, averaged over a second. The wall has this
+// stiffness (N/mm), or the stiffest that the loop allows on this device at this rate (Hz). packets: the interval (s)
+// between packets on the device's connection (0: at any time); a reading waits for the next, which arrives in the
+// middle between ticks of the same rate. Runs the servo loop itself on a simulated clock. The result is undefined once
 // cancelled.
 double pressedDepth(const DeviceCapabilities& device, double rate, double stiffness, double packets = 0.0,
                     Progress progress = {});

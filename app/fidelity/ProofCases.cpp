@@ -76,7 +76,7 @@ FidelityCase resolutionCase(const std::string& name, double thickness) {
           }};
 }
 
-// Motions from free places to free places that meet something in between: the proof has found where.
+// Returns motions between free configurations that collide in between, as the proof has found.
 Motions collidingMotions(double thickness, std::uint64_t seed) {
   constexpr std::size_t kMotions = 100;
   Motions motions{ArmAmongBoxes(thickness, seed)};
@@ -92,12 +92,12 @@ Motions collidingMotions(double thickness, std::uint64_t seed) {
   return motions;
 }
 
-// What a check at fixed steps does.
+// Returns the result of a check at fixed steps.
 bool looksFree(const RobotScene& scene, const ClearedMotion& motion, double step) {
-  const ArmValues way = motion.to - motion.from;
-  const int parts = std::max(1, static_cast<int>(std::ceil(way.cwiseAbs().maxCoeff() / step)));
+  const ArmValues motionVector = motion.to - motion.from;
+  const int parts = std::max(1, static_cast<int>(std::ceil(motionVector.cwiseAbs().maxCoeff() / step)));
   for (int i = 0; i <= parts; ++i) {
-    if (!scene.isFree(motion.from + (static_cast<double>(i) / parts) * way, 0.0, 0.0)) return false;
+    if (!scene.isFree(motion.from + (static_cast<double>(i) / parts) * motionVector, 0.0, 0.0)) return false;
   }
   return true;
 }

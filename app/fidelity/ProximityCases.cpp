@@ -13,7 +13,7 @@ namespace {
 // A body that is led past another one.
 struct Passage {
   std::vector<CollisionBody> bodies;
-  std::vector<Pose> poses = {};        // of the first, the second stands
+  std::vector<Pose> poses = {};        // poses of the first; the second does not move
   std::vector<double> distances = {};  // mm, exactly
 };
 

@@ -19,7 +19,8 @@ constexpr int kManySteps = 4096;
 // all steps of the proxy are used up.
 constexpr double kNothing = 1e-4;
 
-// A tip on its way, tick by tick, and where the proxy comes to rest for each: empty until somebody has waited for it.
+// The path of a tip, tick by tick, and the final position of the proxy for each tick: empty until it was first
+// computed.
 struct Slide {
   BumpySphere ball;
   std::vector<Vec3> tips;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShapeRadius = 100.0, kLength = 300.0;  // mm
 
-// Of a point inside.
+// Returns the depth of a point inside the ball.
 double depthInBall(const Vec3& p) {
   return kShapeRadius - p.norm();
 }

@@ -33,7 +33,7 @@ JointPath planned(const RobotScene& scene, const Task& task, int shortcuts, std:
   return shortened(scene, std::move(result.path), settings.check, shortcuts, kLongestSearch, seed);
 }
 
-// Tasks whose straight way is blocked.
+// Returns tasks whose straight path is blocked.
 Tasks tasksAmong(double thickness, std::uint64_t seed) {
   constexpr std::size_t kTasks = 6;
   constexpr int kMany = 1000;  // attempts for the shortest path

@@ -10,7 +10,7 @@
 namespace handwheel {
 namespace {
 
-// Points to be hit, and a hand on its way to some of them, tick by tick.
+// Target points, and a hand that moves to some of them, tick by tick.
 struct Hands {
   SnapField field;
   double spacing = 0.0;     // mm, mean distance between neighbours
@@ -20,8 +20,9 @@ struct Hands {
 
 constexpr std::size_t kSnapTicks = 300;  // for each target, the last third of them at it
 constexpr std::size_t kTargets = 200;
-constexpr double kFar = 10.0;                 // spacings from where the hand sets out,
-constexpr double kAim = 0.2, kTremor = 0.03;  // how far it misses the target and how much it trembles there
+constexpr double kFar = 10.0;  // spacings from where the hand sets out,
+constexpr double kAim = 0.2,
+                 kTremor = 0.03;  // distance by which it misses the target, and amplitude of its trembling there
 
 Vec3 scatter(Random& random, double size) {
   // Nearly normal, and the same on every machine.
@@ -35,7 +36,7 @@ double progressOf(double t) {
   return t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
 }
 
-void addWays(Hands& scene, const std::vector<Vec3>& points, std::uint64_t seed) {
+void addPaths(Hands& scene, const std::vector<Vec3>& points, std::uint64_t seed) {
   Random random(seed);
   for (std::size_t i = 0; i < kTargets; ++i) {
     const auto target = static_cast<std::uint32_t>(random.below(points.size()));
@@ -55,7 +56,7 @@ Hands handsOver(const std::vector<Vec3>& points, double spacing, std::uint64_t s
   SnapFeatures features;
   for (std::uint32_t i = 0; i < points.size(); ++i) features.addPoint(i, points[i]);
   scene.field = SnapField(features);
-  addWays(scene, points, seed);
+  addPaths(scene, points, seed);
   return scene;
 }
 
@@ -91,7 +92,7 @@ FidelityCase radiusCase(const std::string& name, std::function<Hands(std::uint64
           [input](double value, std::uint64_t seed, Progress) { return missed(input(seed), value); }};
 }
 
-// Features, and places of the hand among them (mm).
+// Features, and positions of the hand among them (mm).
 struct Crowd {
   SnapField field;
   std::vector<Vec3> hands;

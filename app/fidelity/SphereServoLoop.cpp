@@ -35,7 +35,7 @@ std::unique_ptr<ServoLoop> sphereServoLoop(const SphereContact& slide, const Ser
   SimulatedDeviceSettings settings = simulatedDevice();
   settings.isCommanded = true;
   auto device = std::make_unique<SimulatedDevice>(settings, slide.path, clock);
-  [[maybe_unused]] const Status opened = device->open({});  // which needs no hardware
+  [[maybe_unused]] const Status opened = device->open({});  // needs no hardware
   auto loop = std::make_unique<ServoLoop>(std::move(device), servo, clock, service);
   auto scene = std::make_unique<HapticScene>();
   MeshHaptics feel;

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A bumpy ball and a tip path below its surface. The tip comes in from outside, then moves along at 100 mm/s for this
-// many seconds.
+// A bumpy ball and a tip path below its surface. The tip comes in from outside, then moves along at 100 mm/s for a
+// given number of seconds.
 struct SphereContact {
   BumpySphere ball;
   PoseTrajectory path;
@@ -18,7 +18,7 @@ struct SphereContact {
 };
 SphereContact ballSlide(std::uint64_t seed, double seconds);
 
-// A servo loop with the ball as scene and a device that follows the path. Clock and service must outlive it.
+// Creates a servo loop with the ball as scene and a device that follows the path. Clock and service must outlive it.
 std::unique_ptr<ServoLoop> sphereServoLoop(const SphereContact& slide, const ServoSettings& servo, ServoClock& clock,
                                            Service& service);
 

@@ -42,7 +42,7 @@ EditedMesh thinned(const HalfEdgeMesh& mesh, std::uint64_t seed) {
   return edit;
 }
 
-// What a step in the history does in its life: it is taken, undone and redone.
+// Does what happens to a step in the history: it is applied, undone and redone.
 FidelitySample keep(const EditedMesh& edit, double runSlots) {
   FidelitySample sample;
   HalfEdgeMesh mesh = edit.after;

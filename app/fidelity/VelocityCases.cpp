@@ -23,14 +23,14 @@ Vec3 inSteps(const Vec3& position, double resolution) {
 
 double rmsError(const Swing& swing, double window, std::uint64_t seed) {
   Random random(seed);
-  const Vec3 way = swing.amplitude * random.direction();
+  const Vec3 swingVector = swing.amplitude * random.direction();
   const double phase = random.between(0.0, 2.0 * M_PI), circular = 2.0 * M_PI * swing.frequency;
   VelocityEstimator estimator(window);
   double sum = 0.0, count = 0.0;
   for (int i = 0; i < static_cast<int>(kTime * swing.rate); ++i) {
     const double time = i / swing.rate, angle = circular * time + phase;
-    const Vec3 velocity = circular * std::cos(angle) * way;
-    const Vec3 estimate = estimator.add(inSteps(std::sin(angle) * way, swing.resolution), 1.0 / swing.rate);
+    const Vec3 velocity = circular * std::cos(angle) * swingVector;
+    const Vec3 estimate = estimator.add(inSteps(std::sin(angle) * swingVector, swing.resolution), 1.0 / swing.rate);
     if (time < kStart) continue;
     sum += (estimate - velocity).squaredNorm();
     ++count;

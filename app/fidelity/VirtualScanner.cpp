@@ -24,11 +24,11 @@ class Grid {
     m_values.reserve(static_cast<std::size_t>(m_size[0]) * m_size[1] * m_size[2]);
     for (int i = 0; i < m_size[0]; ++i)
       for (int j = 0; j < m_size[1]; ++j)
-        for (int k = 0; k < m_size[2]; ++k) m_values.push_back(part.distance(place({i, j, k})));
+        for (int k = 0; k < m_size[2]; ++k) m_values.push_back(part.distance(positionOf({i, j, k})));
   }
 
   const Cell& size() const { return m_size; }
-  Vec3 place(const Cell& at) const { return m_low + m_pitch * Vec3(at[0], at[1], at[2]); }
+  Vec3 positionOf(const Cell& at) const { return m_low + m_pitch * Vec3(at[0], at[1], at[2]); }
   double value(const Cell& at) const {
     return m_values[(static_cast<std::size_t>(at[0]) * m_size[1] + at[1]) * m_size[2] + at[2]];
   }
@@ -60,7 +60,7 @@ class SurfaceNurbs {
     ++to[axis];
     const double a = m_grid.value(from), b = m_grid.value(to);
     if ((a < 0.0) == (b < 0.0)) return;
-    const Vec3 crossing = m_grid.place(from) + a / (a - b) * (m_grid.place(to) - m_grid.place(from));
+    const Vec3 crossing = m_grid.positionOf(from) + a / (a - b) * (m_grid.positionOf(to) - m_grid.positionOf(from));
     std::array<std::uint32_t, 4> corners{};
     for (int n = 0; n < 4; ++n) {
       Cell cell = from;  // the four cells around the edge, in turn
@@ -99,7 +99,7 @@ Vec3 normalAt(const ExactPart& part, const Vec3& p, double step) {
   return gradient.normalized();
 }
 
-// Of normal distribution, standard deviation 1 (Box and Muller, 1958).
+// Returns a normally distributed number, standard deviation 1 (Box and Muller, 1958).
 double normalNumber(Random& random) {
   return std::sqrt(-2.0 * std::log(random.between(1e-300, 1.0))) * std::cos(random.between(0.0, 2.0 * M_PI));
 }

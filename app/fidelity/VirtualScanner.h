@@ -11,8 +11,8 @@ namespace handwheel {
 
 // The parameters of a simulated scan.
 struct ScanOptions {
-  double pitch = 1.0;   // mm: between samples
-  double noise = 0.02;  // mm: standard deviation along the normal
+  double pitch = 1.0;   // mm, between samples
+  double noise = 0.02;  // mm, standard deviation along the normal
   std::uint64_t seed = 1;
 };
 

@@ -24,10 +24,10 @@
 namespace handwheel {
 namespace {
 
-// A part that is known, and places on it that are the first to be lost.
+// A known part, and positions on it that are the first to be lost.
 struct KnownPart {
   TriangleSoup surface;
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
 
   double extent() const {
     Box box;
@@ -40,11 +40,11 @@ constexpr double kExtent = 50.0;  // mm
 
 KnownPart ball() {
   KnownPart part{sphereSoup(5, 0.5 * kExtent), {}};
-  part.places = part.surface.points;
+  part.positions = part.surface.points;
   return part;
 }
 
-// A block, with places along its edges.
+// Returns a block, with positions along its edges.
 KnownPart block(const Eigen::Matrix3d& turn) {
   const Vec3 half(24.0, 15.0, 9.0);
   KnownPart part;
@@ -57,7 +57,7 @@ KnownPart block(const Eigen::Matrix3d& turn) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (c >> k & 1) continue;
       const Vec3 &a = part.surface.points[c], &b = part.surface.points[c | std::size_t{1} << k];
-      for (int i = 0; i <= kSteps; ++i) part.places.emplace_back(a + (b - a) * i / kSteps);
+      for (int i = 0; i <= kSteps; ++i) part.positions.emplace_back(a + (b - a) * i / kSteps);
     }
   return part;
 }
@@ -67,23 +67,23 @@ KnownPart turnedBlock() {
   return block((Eigen::AngleAxisd(0.5, Vec3::UnitZ()) * Eigen::AngleAxisd(0.4, Vec3::UnitX())).toRotationMatrix());
 }
 
-// The largest distance between a part and a surface, from their places; mm.
+// Returns the largest distance between a part and a surface, measured at their positions; mm.
 double distanceBetween(const KnownPart& part, const TriangleSoup& surface) {
-  constexpr std::size_t kPlaces = 20'000;
+  constexpr std::size_t kPositions = 20'000;
   const TriangleHierarchy known(part.surface.points, part.surface.triangles);
   const TriangleHierarchy found(surface.points, surface.triangles);
   double most = surface.triangles.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-  const auto look = [&](const TriangleHierarchy& hierarchy, const std::vector<Vec3>& places) {
-    const std::size_t step = places.size() / kPlaces + 1;
-    for (std::size_t i = 0; i < places.size(); i += step)
-      if (const auto nearest = hierarchy.nearest(places[i])) most = std::max(most, nearest->squaredDistance);
+  const auto look = [&](const TriangleHierarchy& hierarchy, const std::vector<Vec3>& positions) {
+    const std::size_t step = positions.size() / kPositions + 1;
+    for (std::size_t i = 0; i < positions.size(); i += step)
+      if (const auto nearest = hierarchy.nearest(positions[i])) most = std::max(most, nearest->squaredDistance);
   };
   look(known, surface.points);
-  look(found, part.places);
+  look(found, part.positions);
   return std::sqrt(most);
 }
 
-// Of one thread, so that its time is that of the work.
+// Runs on one thread, so that its CPU time is that of the work.
 template <class Work>
 double millisecondsAlone(Work&& work) {
   tbb::task_arena alone(1);
@@ -136,9 +136,9 @@ FidelitySample polygons(const KnownPart& part, double value, const Progress& pro
       [&] { surface = value > 0.0 ? sharpSurfaceOf(made->volume, progress) : surfaceOf(made->volume, progress); });
   const TriangleHierarchy found(surface.points, surface.triangles);
   double squares = 0.0;
-  for (const Vec3& p : part.places)
+  for (const Vec3& p : part.positions)
     if (const auto nearest = found.nearest(p)) squares += nearest->squaredDistance;
-  sample.error = 100.0 * std::sqrt(squares / static_cast<double>(part.places.size())) / voxel;
+  sample.error = 100.0 * std::sqrt(squares / static_cast<double>(part.positions.size())) / voxel;
   return sample;
 }
 
@@ -160,7 +160,7 @@ FidelitySample hole(double value, double slope, const Progress& progress) {
   setup.tool = *drillBitOf("ball:6");
   setup.erosion = erosionOf(value);
   DrillRun run(volume, setup);
-  const Vec3 way = Vec3(std::sin(slope), 0.0, -std::cos(slope));
+  const Vec3 direction = Vec3(std::sin(slope), 0.0, -std::cos(slope));
   const double section = M_PI * kRadius * kRadius;
   const double exact =
       drillLoad(setup.material, setup.tool, section * kFeed * kCycle, kCycle, kFeed, setup.spindle).thrust;
@@ -169,7 +169,8 @@ FidelitySample hole(double value, double slope, const Progress& progress) {
   int even = 0, cycles = 0;
   for (double gone = 0.0; gone < kDepth + kRadius && !progress.cancelled(); gone = kFeed * kCycle * ++cycles) {
     DrillTick tick;
-    cpu += millisecondsAlone([&] { tick = run.move(way * (gone - kBlock - kRadius), -way, kCycle * cycles); });
+    cpu +=
+        millisecondsAlone([&] { tick = run.move(direction * (gone - kBlock - kRadius), -direction, kCycle * cycles); });
     if (gone < 3.0 * kRadius) continue;  // the head is in, and the slope of the ball behind it
     squares += (tick.thrust / exact - 1.0) * (tick.thrust / exact - 1.0);
     ++even;

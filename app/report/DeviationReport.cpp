@@ -23,10 +23,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kReportWidth = 640, kHeight = 200;  // of a histogram, in pixels at 96 a inch
+constexpr int kReportWidth = 640, kHeight = 200;  // size of a histogram, in pixels at 96 an inch
 constexpr char kBarColour[] = "#3465a4";
 constexpr char kPicture[] = "sides";
-constexpr int kSideWidth = 800, kSideHeight = 600;  // of the picture from one side, in pixels
+constexpr int kSideWidth = 800, kSideHeight = 600;  // size of the picture from one side, in pixels
 // The corners of a tetrahedron: each side of the model is seen from one of them.
 const Vec3 kSides[] = {{1, -1, 1}, {-1, 1, 1}, {-1, -1, -1}, {1, 1, -1}};
 
@@ -43,8 +43,8 @@ struct Row {
   std::string name, ofMesh, ofScan;
 };
 
-std::string extreme(const DeviationPlace& place) {
-  return number(place.distance) + " at " + point(place.place);
+std::string extreme(const DeviationExtremum& extremum) {
+  return number(extremum.distance) + " at " + point(extremum.position);
 }
 
 std::vector<Row> rowsOf(const Deviation& d) {
@@ -134,9 +134,11 @@ std::string base64Of(const QImage& picture) {
   return buffer.data().toBase64().toStdString();
 }
 
-Json toJson(const DeviationPlace& place) {
+Json toJson(const DeviationExtremum& extremum) {
   const auto coordinates = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
-  return {{"distance_mm", place.distance}, {"at", coordinates(place.place)}, {"nearest", coordinates(place.nearest)}};
+  return {{"distance_mm", extremum.distance},
+          {"at", coordinates(extremum.position)},
+          {"nearest", coordinates(extremum.nearest)}};
 }
 
 Json toJson(const SurfaceDeviation& s) {

@@ -15,13 +15,13 @@ namespace handwheel {
 
 // A comparison of a mesh with a scan.
 struct Comparison {
-  std::string mesh, scan;  // names of the files, as the user gave them
+  std::string mesh, scan;  // file names as the user gave them
   Deviation deviation;
-  QImage picture;  // of the coloured mesh; null for none
+  QImage picture;  // picture of the coloured mesh; null for none
 };
 
-// The default range of the colour scale of a deviation map. It is the 99th percentile of the distances; where nearly
-// all of the surface is the scan itself, as after the repair of a few holes, the largest distance. Above zero.
+// Returns the default range of the colour scale of a deviation map. It is the 99th percentile of the distances, or the
+// largest distance if nearly all of the surface is the scan itself, as after the repair of a few holes. Above zero.
 double defaultRange(const SurfaceDeviation& deviation);
 
 // Renders the coloured mesh from four sides that together show all of it. Each view has the scale; two are side by
@@ -29,16 +29,16 @@ double defaultRange(const SurfaceDeviation& deviation);
 Result<QImage> deviationPicture(const HalfEdgeMesh& mesh, const VertexValues& atVertex, const ColourScale& scale,
                                 Progress progress = {});
 
-// The statistics as an aligned table for people. Numbers have six digits and a decimal point in every locale.
+// Returns the statistics as an aligned table for people. Numbers have six digits and a decimal point in every locale.
 std::string readableText(const Comparison& comparison);
 
-// All statistics and histograms as JSON, without the distances at the vertices.
+// Returns all statistics and histograms as JSON, without the distances at the vertices.
 nlohmann::ordered_json toJson(const Comparison& comparison);
 
-// The report as a self-contained HTML page. It embeds the histograms (SVG) and the picture.
+// Returns the report as a self-contained HTML page. It embeds the histograms (SVG) and the picture.
 std::string htmlOf(const Comparison& comparison);
 
-// The report as PDF (A4). Needs fonts, so a QGuiApplication.
+// Returns the report as PDF (A4). Needs fonts, so a QGuiApplication.
 std::string pdfOf(const Comparison& comparison);
 
 // Writes the report as .html, .pdf or .json, by the extension of the path. Writes the whole file or nothing. Error:

@@ -31,9 +31,9 @@ bool DisabledReasons::eventFilter(QObject* watched, QEvent* event) {
   const QString reason = action && !action->isEnabled() ? action->property(kDisabledReason).toString() : QString();
   if (reason.isEmpty()) return false;
   const QString text = menu ? reason : QStringLiteral("%1\n\n%2").arg(action->toolTip(), reason);
-  auto* const place = static_cast<QWidget*>(watched);
-  const QRect rect = menu ? menu->actionGeometry(action) : place->rect();
-  QToolTip::showText(help.globalPos(), Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal), place, rect);
+  auto* const widget = static_cast<QWidget*>(watched);
+  const QRect rect = menu ? menu->actionGeometry(action) : widget->rect();
+  QToolTip::showText(help.globalPos(), Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal), widget, rect);
   return true;
 }
 

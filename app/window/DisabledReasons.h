@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// An event filter that shows why a menu entry or button is disabled. It does so where the pointer rests, as a tool tip.
-// The reasons are those of offer() in OfferedAction.h; what has none keeps the tool tip that it has.
+// An event filter that shows why a menu entry or button is disabled. The reason appears as a tool tip under the
+// pointer. The reasons are those of offer() in OfferedAction.h; widgets without a reason keep their own tool tip.
 class DisabledReasons : public QObject {
   Q_OBJECT
 

@@ -78,7 +78,8 @@ bool JobRunner::cancelRunning(Job::Lane lane) {
   return true;
 }
 
-// What runs was asked to stop, and may take its time: nobody waits for it but the latest of its kind, and who saves.
+// A running job was asked to stop, and may take its time: only the latest job of its kind waits for it, and jobs that
+// save.
 void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)>& isMeant) {
   std::vector<std::function<void(const Error&)>> failed;
   std::erase_if(m_waiting, [&](const Waiting& waiting) {

@@ -17,8 +17,8 @@ class QThreadPool;
 
 namespace handwheel {
 
-// A long task for a worker thread. It uses only what it captured by value (snapshots), and returns a function that
-// applies its result on the window thread.
+// A long task for a worker thread. It uses only values that it captured by copy (snapshots), and returns a function
+// that applies its result on the window thread.
 struct Job {
   using Finish = std::function<void()>;
   // Jobs of different lanes run in parallel, so that saving does not wait for the work on other documents.
@@ -26,12 +26,12 @@ struct Job {
 
   QString name;
   std::function<Finish(Progress)> work;
-  // Called instead of the finish function, on the window thread: Cancelled, OutOfMemory, or LibraryFailed for what else
-  // was thrown.
+  // Called instead of the finish function, on the window thread. Errors: Cancelled, OutOfMemory, or LibraryFailed for
+  // any other exception.
   std::function<void(const Error&)> failed = [](const Error&) {};
-  const void* owner = nullptr;  // with cancelOf() on it the job is cancelled; a document
+  const void* owner = nullptr;  // cancelOf() cancels the jobs of this owner, a document
   Lane lane = Lane::Work;
-  // Called on the window thread when its turn has come: it takes what the jobs before it have changed.
+  // Called on the window thread when the job is about to run; reads the results of the jobs before it.
   std::function<void()> starting = [] {};
 };
 
@@ -42,23 +42,23 @@ class JobRunner : public QObject {
 
  public:
   enum class Policy {
-    Queue,   // every job runs; a cancelled one is abandoned at once, even when its library cannot be interrupted, but
-             // for one that saves: it counts what that did to the file
-    Latest,  // a new job replaces the present one, and starts once that has released the data both use
+    Queue,   // Every job runs. A cancelled job is abandoned at once, even if its library cannot be interrupted; it
+             // is waited for if it saves, because its effect on the file counts
+    Latest,  // A new job replaces the present one, and starts once that has released the data both use
   };
 
-  // The pool bounds the number of abandoned workers.
+  // pool: it bounds the number of abandoned workers.
   JobRunner(Policy policy, QThreadPool& pool, QObject* parent = nullptr);
   ~JobRunner() override;
 
   void start(Job job);
-  void cancel(quint64 id);           // an id from jobs(); does nothing when the job has ended
-  void cancelOf(const void* owner);  // all jobs of this owner
+  void cancel(quint64 id);           // an id from jobs(); does nothing if the job has ended
+  void cancelOf(const void* owner);  // cancels all jobs of this owner
   void cancelAll();
-  bool cancelRunning(Job::Lane lane);  // false when nothing runs there
-  bool isBusy(Job::Lane lane) const;   // whether a job of it runs or waits
+  bool cancelRunning(Job::Lane lane);  // returns false if nothing runs there
+  bool isBusy(Job::Lane lane) const;   // returns true if a job of the lane runs or waits
   bool isIdle() const { return m_running.empty() && m_waiting.empty(); }
-  // The running jobs, then the waiting ones, each in the order in which they were started.
+  // Returns the running jobs, then the waiting ones, each in the order in which they were started.
   std::vector<JobStatus> jobs() const;
 
  signals:

@@ -83,7 +83,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
 // The parts refer to one another, so they go in the reverse order of their making, before the widgets do.
 MainWindow::~MainWindow() {
   m_kindDock->disconnect(this);
-  // What is hidden calls the members: it must not wait for the widgets to go.
+  // Hiding calls the members, so it must not wait until the widgets are destroyed.
   for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->hide();
   hide();
   m_toolChoice->putAway();
@@ -116,7 +116,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
       .showPanel = &m_showPanel};
   for (const auto& [id, make] : kinds.windows) {
     auto made = make(parts);
-    made->setParent(this);  // whose actions are found below the window
+    made->setParent(this);  // its actions are found below the window
     connect(made.get(), &KindUi::stateChanged, this, [this, from = made.get()] {
       if (from != ui()) return;
       m_viewSettings->setSectionFigures(ui()->sectionMeasurements());
@@ -145,7 +145,7 @@ bool MainWindow::isSettled() const {
          std::all_of(m_uis.begin(), m_uis.end(), [](const auto& each) { return each.second->isSettled(); });
 }
 
-// Who works in another program is not idle either.
+// A user who works in another program is not idle either.
 void MainWindow::calibrateWhenIdle() {
   m_calibrator.beginWhenIdle([this] { return !isSettled() || m_haptics.isOpen() || !isActiveWindow(); });
 }
@@ -197,7 +197,7 @@ void MainWindow::childEvent(QChildEvent* event) {
   if (!bar || !bar->objectName().isEmpty()) return;
   bar->setObjectName(QStringLiteral("dockTabs"));
   bar->setAccessibleName(tr("Panels"));
-  bar->setElideMode(Qt::ElideNone);  // what has no room is scrolled to
+  bar->setElideMode(Qt::ElideNone);  // tabs without space are scrolled to
   bar->setUsesScrollButtons(true);
   // Keys reach the panels by the strip; Qt keeps bars of folded panels outside the window, where a focus would be lost.
   bar->setFocusPolicy(Qt::ClickFocus);

@@ -64,14 +64,14 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
-  // Offers to recover documents of a session that was killed; at the start of the program.
+  // Offers to recover documents of a session that was killed; called at the start of the program.
   void offerRecovery() { m_autosave.offerRecovery(); }
-  // Opens the haptic device that was in use last, and each space mouse; at the start of the program.
+  // Opens the haptic device that was in use last, and each space mouse; called at the start of the program.
   void openDevices();
-  // Calibrates the accuracy settings on this machine when the user is idle, if that was not done; at the start of the
-  // program.
+  // Calibrates the accuracy settings on this machine when the user is idle, if that was not done; called at the start
+  // of the program.
   void calibrateWhenIdle();
-  // True when nothing is running that will still change what the window shows.
+  // Returns true if nothing is running that will still change the display of the window.
   bool isSettled() const;
 
  protected:
@@ -96,7 +96,7 @@ class MainWindow : public QMainWindow {
   void connectJobs();
   void connectStartPage();
 
-  KindUi* ui() const;  // of the present document; null when none is open
+  KindUi* ui() const;  // interface of the present document's kind; null if no document is open
   void makeKinds(const KindSet& kinds);
   void showDocument(DocumentTab* document);
   void storePicture();
@@ -156,7 +156,7 @@ class MainWindow : public QMainWindow {
   DeviceView* m_deviceView;
   SpaceMouseNavigation* m_spaceMouse;
   ToolChoice* m_toolChoice;
-  std::unique_ptr<KindMenus> m_kindPlace;
+  std::unique_ptr<KindMenus> m_kindMenus;
   CommandPalette* m_palette;
   QDockWidget* m_documentsDock;
   QDockWidget* m_historyDock;

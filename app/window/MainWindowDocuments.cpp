@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the main window does when documents come, change and go.
+// Reactions of the main window when documents are opened, changed and closed.
 #include "controls/FocusedField.h"
 #include "panels/DocumentsPanel.h"
 #include "panels/HintBar.h"
@@ -33,7 +33,7 @@ namespace handwheel {
 
 namespace {
 
-// Of an undo stack: what the panel calls the state before its first step.
+// Name in the panel of the state of an undo stack before its first step.
 constexpr const char* kBeginning = "beginning";
 
 // A project keeps what was made of its steps, not the steps.
@@ -170,7 +170,8 @@ void MainWindow::connectStartPage() {
 
 void MainWindow::showDocument(DocumentTab* document) {
   if (document != m_shown) commitFocusedField();  // its text is of the document that was shown until now
-  // Who goes through the documents with keys goes on with them. Fields that go hand the focus on to whatever is next.
+  // A user who goes through the documents with keys goes on with them. Fields that disappear pass the focus to the next
+  // widget.
   const QWidget* const focused = focusWidget();
   const bool isByKeys = m_documents->isAncestorOf(focused) || m_tabs->isAncestorOf(focused);
   KindUi* present = document ? &document->ui : nullptr;
@@ -190,7 +191,7 @@ void MainWindow::showDocument(DocumentTab* document) {
     if (each.get() != present) each->setDocument(nullptr);
   }
   if (present) present->setDocument(document);
-  m_kindPlace->show(present);
+  m_kindMenus->show(present);
   m_tools->setVisible(!document || document->visible);
   m_toolChoice->takeUp(document);
   m_viewSettings->setSectionAxis(document ? document->ui.sectionAxis() : std::nullopt);
@@ -209,7 +210,8 @@ void MainWindow::showDocument(DocumentTab* document) {
   updateCard();
 }
 
-// Of the document in view, for the list of documents and the start page; not when it has not been drawn whole.
+// Stores a picture of the document in view, for the list of documents and the start page; not if it has not been drawn
+// whole.
 void MainWindow::storePicture() {
   if (!m_shown || !m_shown->visible || !m_viewport->isPickingReady()) return;
   const QImage picture = m_viewport->grabFramebuffer();

@@ -80,7 +80,7 @@ void MainWindow::buildMenus() {
   connect(&m_undo, &QUndoGroup::canUndoChanged, undo, enableUndo);
   connect(&m_undo, &QUndoGroup::undoTextChanged, undo, enableUndo);
   connect(m_tools, &ToolHost::updated, undo, enableUndo);
-  // What is under way makes a step of its own, and nothing can be redone after that.
+  // An unfinished gesture makes a step of its own, and nothing can be redone after that.
   const auto enableRedo = [this, redo] {
     const auto* const work = dynamic_cast<const UnfinishedGesture*>(m_tools->runner().tool());
     redo->setEnabled(m_undo.canRedo() && (!work || work->underWay().isEmpty()));
@@ -161,9 +161,9 @@ void MainWindow::buildToolBars() {
 }
 
 void MainWindow::placeKinds() {
-  m_kindPlace = std::make_unique<KindMenus>(*m_kindDock, *m_kindPanels, *m_kindBar);
+  m_kindMenus = std::make_unique<KindMenus>(*m_kindDock, *m_kindPanels, *m_kindBar);
   auto* help = findChild<QMenu*>(QStringLiteral("helpMenu"));
-  for (const auto& [id, kind] : m_uis) m_kindPlace->add(id, *kind, m_toolChoice->actions(*kind), *menuBar(), *help);
+  for (const auto& [id, kind] : m_uis) m_kindMenus->add(id, *kind, m_toolChoice->actions(*kind), *menuBar(), *help);
   for (const auto& [id, kind] : m_uis) help->insertActions(help->actions().first(), kind->help());
   // The panels that kinds of documents have made, below those of the window.
   auto* view = findChild<QMenu*>(QStringLiteral("viewMenu"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How the main window is put together: centre, docks and status bar.
+// Assembly of the main window: centre, docks and status bar.
 #include "controls/ScrolledPanel.h"
 #include "controls/StatusPanel.h"
 #include "panels/DockTitle.h"
@@ -127,7 +127,7 @@ void MainWindow::buildDocks() {
   fidelity->addBelow(new TickTiming(m_haptics, m_fidelity, fidelity));
   fidelity->addBelow(new FrameTiming(*m_viewport, m_fidelity, fidelity));
   fidelity->addBelow(new CalibrationRow(m_fidelity, m_calibrator, fidelity));
-  auto* scrolledFidelity = new ScrolledPanel(fidelity, ScrolledPanel::Ways::Vertical, this);
+  auto* scrolledFidelity = new ScrolledPanel(fidelity, ScrolledPanel::Directions::Vertical, this);
   m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"), scrolledFidelity, "fidelity");
   tabifyDockWidget(m_historyDock, m_fidelityDock);
   m_historyDock->raise();
@@ -141,7 +141,7 @@ void MainWindow::buildDocks() {
   connect(m_spaceMouse, &SpaceMouseNavigation::changed, device,
           [this, device] { device->setSpaceMice(m_spaceMouse->names()); });
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
-  m_deviceDock->installEventFilter(m_tools);  // what the knobs of the simulated hand do not take is a key of the tool
+  m_deviceDock->installEventFilter(m_tools);  // keys that the knobs of the simulated hand do not take go to the tool
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();
   m_kindDock->raise();

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Asks whether voxels may use so many bytes. start: called at once where nothing is to be asked (needsConsent()), else
+// Asks whether voxels may use so many bytes. start: called at once if no consent is needed (needsConsent()), otherwise
 // when the user agrees.
 void askForMemory(QWidget* window, double bytes, std::function<void()> start);
 

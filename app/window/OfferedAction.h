@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Enables an action, or says why it is disabled.
+// Enables an action, or disables it with a reason.
 inline void offer(QAction& action, bool isEnabled, const QString& reason) {
   action.setProperty(kDisabledReason, isEnabled ? QString() : reason);
   action.setEnabled(isEnabled);

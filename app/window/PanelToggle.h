@@ -8,9 +8,9 @@ class QDockWidget;
 
 namespace handwheel {
 
-// An action that shows or hides a dock panel. It raises the dock above those tabbed with it, and hides it when it is
-// already visible. Checked while it is visible. Qt's QDockWidget::toggleViewAction() would hide a dock that lies behind
-// another.
+// An action that shows or hides a dock panel. It raises the dock above those tabbed with it, and hides it if it is
+// already visible. It is checked while the dock is visible. Qt's QDockWidget::toggleViewAction() would hide a dock that
+// lies behind another.
 class PanelToggle : public QAction {
   Q_OBJECT
 

@@ -8,8 +8,8 @@ namespace handwheel {
 
 class MainWindow;
 
-// Saves a picture of the window and ends the program. Waits until all requested files are open and drawn. Exit code 1
-// when the picture could not be written.
+// Saves a picture of the window and ends the program. Waits until all requested files are open and drawn. The exit code
+// is 1 if the picture could not be written.
 void takeScreenshot(MainWindow& window, const QString& path);
 
 }  // namespace handwheel

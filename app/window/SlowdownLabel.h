@@ -10,8 +10,7 @@
 
 namespace handwheel {
 
-// A label that is visible while a service runs slower than real time. That is as long as it cannot keep up with the
-// clock.
+// A label that is visible while a service runs slower than real time.
 class SlowdownLabel : public QLabel {
   Q_OBJECT
 
@@ -23,12 +22,12 @@ class SlowdownLabel : public QLabel {
   void update();
 
   static constexpr int kInterval = 1000;       // ms
-  static constexpr double kNoticeable = 0.05;  // of real time; less is the scheduler's doing
+  static constexpr double kNoticeable = 0.05;  // fraction of real time; a smaller slowdown is due to the scheduler
 
   const Service& m_service;
   QTimer m_timer;
   QElapsedTimer m_sinceUpdate;
-  double m_lost = 0.0;  // s, at the last update
+  double m_lost = 0.0;  // lost time at the last update, s
 };
 
 }  // namespace handwheel

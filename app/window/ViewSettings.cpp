@@ -175,7 +175,8 @@ void ViewSettings::setSectionFigures(std::vector<Property> statistics) {
 void ViewSettings::followModel() {
   project();
   const auto [least, largest] = range();
-  m_offset = m_half.isChecked() ? m_viewDirection.dot(m_sectionAxis->origin) : least + m_place * (largest - least);
+  m_offset =
+      m_half.isChecked() ? m_viewDirection.dot(m_sectionAxis->origin) : least + m_relativeOffset * (largest - least);
   clip();
   refresh();
 }
@@ -207,7 +208,7 @@ void ViewSettings::set(const std::string& id, const PropertyValue& value) {
     m_half.setChecked(false);
     m_offset = std::get<double>(value);
     const auto [least, largest] = range();
-    m_place = largest > least ? (m_offset - least) / (largest - least) : 0.5;
+    m_relativeOffset = largest > least ? (m_offset - least) / (largest - least) : 0.5;
     clip();
   }
 }

@@ -11,31 +11,32 @@
 
 namespace handwheel {
 
-// The settings of the view: projection, clipping plane, view cube. Shown as a form; not stored with a document.
+// The settings of the view: projection, clipping plane, view cube. They are shown as a form, and not stored with a
+// document.
 class ViewSettings : public QObject {
   Q_OBJECT
 
  public:
   ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent = nullptr);
 
-  // To be called when another model is shown. The plane gets the same relative position as in the last one.
+  // Updates the settings after another model is shown. The plane gets the same relative position as in the last one.
   void followModel();
-  // To be called when the size of the model or the projection of the camera has changed.
+  // Updates the settings after the size of the model or the projection of the camera has changed.
   void refresh();
   void setLengthUnit(LengthUnit unit);
-  // Sets the measurements of the section; refreshes.
+  // Sets the measurements of the section and refreshes.
   void setSectionFigures(std::vector<Property> statistics);
   QAction* clipAction() { return &m_clip; }  // switches the clipping plane
-  // Cuts through the axis of the model, with the half before the viewer taken away.
+  // Cuts through the axis of the model and removes the half before the viewer.
   QAction* halfSectionAction() { return &m_half; }
-  // The axis of the present model; none: it has no half section.
+  // Sets the axis of the present model; none: it has no half section.
   void setSectionAxis(std::optional<Ray> axis);
   // Projection and view cube. Both are remembered over restarts.
   QList<QAction*> viewActions() { return {&m_perspective, &m_cube}; }
 
  private:
   Vec3 axis() const;
-  std::pair<double, double> range() const;  // of the plane's offset within the model, mm
+  std::pair<double, double> range() const;  // range of the plane's offset within the model, mm
   void makeClipAction();
   void makeHalfSectionAction();
   void cutThroughAxis();
@@ -50,11 +51,11 @@ class ViewSettings : public QObject {
   QAction m_half;
   QAction m_perspective;
   QAction m_cube;
-  int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
+  int m_axis = 0;  // X, Y, Z, or the direction of the view when it was chosen
   bool m_isFlipped = false;
-  std::optional<Ray> m_sectionAxis;  // which the plane stays at while the half section is on
+  std::optional<Ray> m_sectionAxis;  // the plane stays at this axis while the half section is on
   double m_offset = 0.0;             // along the axis, mm
-  double m_place = 0.5;              // relative position of the plane within the model, 0…1
+  double m_relativeOffset = 0.5;     // relative position of the plane within the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
   std::vector<Property> m_figures;
 };

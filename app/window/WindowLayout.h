@@ -10,8 +10,8 @@ class QMainWindow;
 namespace handwheel {
 
 // Restores size, position and panels of the window from the settings. At the first start the window is maximised on a
-// screen too small for its default size. The given docks are then hidden where the window is small, so that the
-// viewport keeps most of it; the last of them, the Log, always is.
+// screen too small for its default size. The given docks are then hidden if the window is small, so that the viewport
+// keeps most of it; the last of them, the Log, is always hidden.
 void restoreLayout(QMainWindow& window, const QList<QDockWidget*>& foldable);
 // Stores size, position and panels of the window in the settings.
 void saveLayout(const QMainWindow& window);

@@ -10,14 +10,15 @@
 
 namespace handwheel {
 
-// The background services of the window, which run only while they are needed. A document or a tool needs them.
-// Everything that works in the background measures its ticks here, for the Status panel.
+// The background services of the window. They run only while a document or a tool needs them. Everything that works in
+// the background measures its ticks here, for the Status panel.
 class WindowServices {
  public:
   WindowServices();
 
   ServiceRegistry& needs() { return m_needs; }
-  // Adds a service of a kind of document, whose id must be new. name: translated. It must be removed before it ends.
+  // Adds a service of a kind of document, whose id must be new. name: translated. The service must be removed before it
+  // is destroyed.
   void add(Service& service, const QString& name);
   void remove(Service& service);
 
@@ -26,9 +27,9 @@ class WindowServices {
   Service& fillPreview() { return m_fillPreview; }
   Service& haptics() { return m_haptics; }  // the servo loop of the device; its ticks are the loop's
 
-  Service& simulation() { return m_simulation; }  // what moves or is cut while the hand works
+  Service& simulation() { return m_simulation; }  // simulation of moving or cut parts while the hand works
 
-  // The statistics since the last call.
+  // Returns the statistics since the last call.
   std::vector<ServiceStatus> status();
 
  private:
@@ -40,7 +41,7 @@ class WindowServices {
   Service m_haptics;
   Service m_simulation;
   ServiceRegistry m_needs;
-  std::map<std::string, QString> m_names;  // of added services
+  std::map<std::string, QString> m_names;  // names of added services
   std::map<std::string, ServiceCounters> m_before;
   std::chrono::steady_clock::time_point m_asked;
 };

@@ -26,11 +26,11 @@ struct ErrorDescription {
     Uncopied(const Uncopied&) = delete;
   };
 
-  const char* id;                    // the name of the code; unique in the program, and never changed
-  const char* sentences[3] = {};     // without capital and full stop, as a place in a file may stand before them
-  const char* advice[2] = {};        // the remedy, a whole sentence
-  bool mayBePartlyReadable = false;  // a file of which some content is damaged
-  std::optional<std::size_t> alternatives = {};  // from this argument on they are a list: ".stl, .ply or .obj"
+  const char* id;                                // name of the code; unique in the program, and never changed
+  const char* sentences[3] = {};                 // no capital and no full stop: the position in a file may precede them
+  const char* advice[2] = {};                    // the remedy, a whole sentence
+  bool mayBePartlyReadable = false;              // true if only some content of the file is damaged
+  std::optional<std::size_t> alternatives = {};  // the arguments from this one on are a list: ".stl, .ply or .obj"
   Uncopied identity = {};
 };
 
@@ -38,7 +38,7 @@ struct ErrorDescription {
 inline constexpr const char* kOpenReadableAdvice = translatable(
     "ErrorText", "Export or copy the file again, or open only what is readable (on the command line: --partial).");
 
-// An error code: a reference to a description. Its constants are what any module raises.
+// An error code: a reference to a description. The constants are codes that any module may raise.
 class ErrorCode {
  public:
   static const ErrorDescription Cancelled;
@@ -56,9 +56,9 @@ class ErrorCode {
   static const ErrorDescription NumberNotFinite;   // {found}
   static const ErrorDescription ElementMalformed;  // {element, what is wrong with it} in XML or JSON
   static const ErrorDescription
-      ReferenceMissing;                           // {what, name, folder} what another names; folder: it and those above
+      ReferenceMissing;  // {what, name, folder} a named object is missing; folder: the one searched, with its parents
   static const ErrorDescription ValueOutOfRange;  // {name, value, least, largest}
-  static const ErrorDescription Unsupported;      // {what} understood, but not something that this program does
+  static const ErrorDescription Unsupported;      // {what} understood, but not supported by this program
   static const ErrorDescription LibraryFailed;    // {library, reason}
 
   constexpr ErrorCode() : ErrorCode(Cancelled) {}

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ExpressionError::Kind;
 
-// A number with the powers of its units.
+// The value of a number, with the powers of its units.
 struct Value {
   double number = 0.0;  // mm, radian
   int length = 0;
@@ -141,7 +141,7 @@ class Evaluation {
     return result;
   }
 
-  // Signs and a number, a constant or something in brackets.
+  // Parses signs and a number, a constant or an expression in brackets.
   std::optional<Value> factor() {
     bool negative = false;
     char c = m_scanner.sign();
@@ -189,7 +189,7 @@ class Evaluation {
     return Value{std::numbers::pi};
   }
 
-  // The value times the unit that follows, if one does.
+  // Returns the value times the unit that follows, if there is one.
   std::optional<Value> withUnit(const Value& value) {
     m_scanner.skipBlanks();
     const std::string word = lowerCase(m_scanner.peekWord());

@@ -11,11 +11,11 @@
 
 namespace handwheel {
 
-// How an expression is interpreted in an input field. Gives the meaning of numbers without a unit, and the quantity
-// that the result must have.
+// The rules by which an input field interprets an expression. They give the meaning of numbers without a unit, and the
+// quantity that the result must have.
 struct ExpressionField {
   Quantity quantity = Quantity::Number;
-  LengthUnit lengthUnit = LengthUnit::Millimetre;  // of bare lengths; bare angles are degrees
+  LengthUnit lengthUnit = LengthUnit::Millimetre;  // unit of bare lengths; bare angles are degrees
   bool decimalComma = false;                       // the language writes 1,5; then "1,234" is below two as well
 };
 
@@ -25,9 +25,9 @@ struct ExpressionError {
     Empty,
     TooLong,
     TooDeep,
-    NumberMissing,    // found is in its place; empty: the text ends there
-    OperatorMissing,  // before found
-    BracketMissing,   // a closing one, before found; empty: at the end
+    NumberMissing,    // `found` stands there instead; empty: the text ends there
+    OperatorMissing,  // before `found`
+    BracketMissing,   // a closing bracket before `found`; empty: at the end
     NumberMalformed,  // {found}
     CommaAmbiguous,   // {found} "1,234" may be 1.234 or 1234
     NameUnknown,      // {found} no such unit or constant
@@ -37,7 +37,7 @@ struct ExpressionError {
     TooLarge,  // beyond the range of a double
   };
   Kind kind = Kind::Empty;
-  std::size_t column = 1;  // of what is wrong, from 1, in characters
+  std::size_t column = 1;  // position of the error, from 1, in characters
   std::string found;
 };
 

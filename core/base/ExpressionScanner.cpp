@@ -23,10 +23,10 @@ bool isAscii(char c) {
 }
 
 bool continuesCharacter(char c) {
-  return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;  // of UTF-8
+  return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;  // continuation byte of UTF-8
 }
 
-// The operator or blank, not of ASCII, that the text begins with; else null.
+// Returns the non-ASCII operator or blank at the beginning of the text; else null.
 const Sign* foreignSign(std::string_view text) {
   const auto* found = std::find_if(std::begin(kSigns), std::end(kSigns),
                                    [text](const Sign& s) { return text.starts_with(s.spelling); });
@@ -101,7 +101,7 @@ std::size_t ExpressionScanner::skipDigits() {
   return m_at - start;
 }
 
-// Only when digits follow: the e of "2 em" is none.
+// Skips an exponent only if digits follow: the e of "2 em" is none.
 void ExpressionScanner::skipExponent() {
   if (peek() != 'e' && peek() != 'E') return;
   const std::size_t start = m_at++;

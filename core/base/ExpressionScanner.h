@@ -13,20 +13,21 @@ class ExpressionScanner {
  public:
   explicit ExpressionScanner(std::string_view text) : m_text(text) {}
 
-  std::size_t at() const { return m_at; }  // byte
+  std::size_t at() const { return m_at; }  // in bytes
   bool atEnd() const { return m_at == m_text.size(); }
-  std::size_t column(std::size_t at) const;  // from 1, in characters
+  std::size_t column(std::size_t at) const;  // column of a byte position, from 1, in characters
 
-  // The next character that is no blank; 0 at the end.
+  // Returns the next character that is not blank; 0 at the end.
   char sign();
   void skipSign();
   void skipBlanks();
 
-  // Letters, and whatever is neither ASCII nor an operator; or a quotation mark, which means inches. May be empty.
+  // Returns the next word without skipping it. It consists of letters and of characters that are neither ASCII nor
+  // operators, or it is a quotation mark, which means inches. May be empty.
   std::string_view peekWord();
   void skip(std::size_t bytes) { m_at += bytes; }
 
-  // The token at the current position, for error messages: a word or a character.
+  // Returns the token at the current position, for error messages: a word or a character.
   std::string_view peekToken();
 
   // A number with either decimal sign; not well formed when it has two of them or no digit.

@@ -64,18 +64,18 @@ Result<double> valueOf(const FidelitySetting& setting, std::string_view text) {
   return value;
 }
 
-double placeOf(const FidelitySetting& setting, double value) {
+double scalePositionOf(const FidelitySetting& setting, double value) {
   if (setting.largest == setting.least) return 0.0;
   if (setting.scale != FidelityScale::Logarithmic) return (value - setting.least) / (setting.largest - setting.least);
   return std::log(value / setting.least) / std::log(setting.largest / setting.least);
 }
 
-double valueAt(const FidelitySetting& setting, double place) {
-  if (place <= 0.0) return setting.least;
-  if (place >= 1.0) return setting.largest;
+double valueAt(const FidelitySetting& setting, double position) {
+  if (position <= 0.0) return setting.least;
+  if (position >= 1.0) return setting.largest;
   const double value = setting.scale == FidelityScale::Logarithmic
-                           ? setting.least * std::pow(setting.largest / setting.least, place)
-                           : setting.least + place * (setting.largest - setting.least);
+                           ? setting.least * std::pow(setting.largest / setting.least, position)
+                           : setting.least + position * (setting.largest - setting.least);
   const double taken = isWhole(setting) ? std::round(value) : value;
   return std::clamp(taken, setting.least, setting.largest);
 }

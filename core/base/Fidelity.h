@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// How the values of a setting are distributed over its range.
+// The distribution of the values of a setting over its range.
 enum class FidelityScale { Linear, Logarithmic, Choices };
 
 // Predefined trade-offs between speed and accuracy.
@@ -29,7 +29,7 @@ enum class FidelityBudget {
   Rate,   // ticks of the servo loop per second
   Frame,  // ms per frame: work done between two frames delays the second
   Wait,   // ms until a result is available that the user waits for
-  Fill,   // the same for hole filling: the settings affect one computation, and each makes all of it longer
+  Fill,   // ms to fill the holes: the settings affect one computation, and each makes all of it longer
 };
 
 // The name and unit of a measured quantity. The unit is "ms", "us", "MB", "mm", or what is counted ("vertices").
@@ -38,8 +38,8 @@ struct FidelityMeasure {
   std::string unit;
 };
 
-// A parameter that trades speed for accuracy. The description allows to choose, measure and show it; it is written in
-// the module whose code reads the value.
+// A parameter that trades speed for accuracy. With its description it can be chosen, measured and shown; the
+// description is in the module whose code reads the value.
 struct FidelitySetting {
   std::string id;     // stable, for files and the command line: "mesh.near_weld"
   std::string label;  // English, translated where it is shown (context "Fidelity")
@@ -72,8 +72,8 @@ Result<double> valueOf(const FidelitySetting& setting, std::string_view text);
 
 // Converts a value to its position on the scale, and back. The position is 0 at least and 1 at largest; values are
 // rounded where only whole numbers are allowed.
-double placeOf(const FidelitySetting& setting, double value);
-double valueAt(const FidelitySetting& setting, double place);
+double scalePositionOf(const FidelitySetting& setting, double value);
+double valueAt(const FidelitySetting& setting, double position);
 
 // The values chosen for settings. A preset or the defaults, and single values that override it. A value type; documents
 // and the program's options hold one.
@@ -83,7 +83,7 @@ class FidelityValues {
   explicit FidelityValues(FidelityPreset preset) : m_preset(preset) {}
 
   double of(const FidelitySetting& setting) const;
-  // Error: ValueOutOfRange; then nothing changes.
+  // Overrides the value of one setting. Error: ValueOutOfRange; then nothing changes.
   Status set(const FidelitySetting& setting, double value);
 
   std::optional<FidelityPreset> preset() const { return m_preset; }

@@ -76,8 +76,8 @@ std::optional<std::size_t> kneeOf(std::span<const CurvePoint> front) {
 }
 
 double valueNearestDefault(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal) {
-  const double standard = placeOf(setting, setting.standard);
-  const auto distance = [&](double value) { return std::abs(placeOf(setting, value) - standard); };
+  const double standard = scalePositionOf(setting, setting.standard);
+  const auto distance = [&](double value) { return std::abs(scalePositionOf(setting, value) - standard); };
   double best = goal.value;
   for (const CurvePoint& p : curve) {
     const bool isAsGood = p.error <= goal.error && p.cost <= (1.0 + kCostNoise) * goal.cost;
@@ -90,8 +90,9 @@ std::optional<std::array<double, 3>> derivedPresets(const FidelitySetting& setti
   const std::vector<CurvePoint> front = paretoFront({curve.begin(), curve.end()});
   if (front.empty()) return std::nullopt;
   const auto isNearer = [&](const CurvePoint& a, const CurvePoint& b) {
-    const double standard = placeOf(setting, setting.standard);
-    return std::abs(placeOf(setting, a.value) - standard) < std::abs(placeOf(setting, b.value) - standard);
+    const double standard = scalePositionOf(setting, setting.standard);
+    return std::abs(scalePositionOf(setting, a.value) - standard) <
+           std::abs(scalePositionOf(setting, b.value) - standard);
   };
   const std::optional<std::size_t> knee = kneeOf(front);
   const CurvePoint balanced = knee ? front[*knee] : *std::min_element(front.begin(), front.end(), isNearer);

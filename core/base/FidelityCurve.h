@@ -22,8 +22,8 @@ struct CurvePoint {
 std::vector<CurvePoint> curveOf(std::span<const FidelityRow> rows);
 
 // Computes the error and cost curve of a setting relative to its default. Both are in multiples of those of the default
-// in the same case, so that all cases have equal weight; values are chosen by this curve. Where the default has no
-// error, the largest error of the case takes its place. Empty where a case was not measured at the default.
+// in the same case, so that all cases have equal weight; values are chosen by this curve. If the default has no error,
+// the largest error of the case is used instead. Empty if a case was not measured at the default.
 std::vector<CurvePoint> relativeCurveOf(const FidelitySetting& setting, std::span<const FidelityRow> rows);
 
 // Computes the Pareto front of a curve, in order of rising cost. It holds the points that no other one beats or equals

@@ -29,7 +29,7 @@ FittedSetting fitted(const FitCandidate& candidate, double part) {
   return result;
 }
 
-// All candidates of one budget, and what they use together.
+// All candidates of one budget, with their total use.
 class Sharing {
  public:
   Sharing(FidelityBudget budget, double limit, std::span<const FitCandidate> candidates)

@@ -8,7 +8,7 @@ namespace handwheel {
 
 // The available amount of each budget.
 struct FitLimits {
-  double core = 1e6;             // us in a second
+  double core = 1e6;             // µs per second
   double standardRate = 1000.0;  // Hz, where no setting chooses the rate of the servo loop
   double frame = 1000.0 / 60.0;  // ms
   double wait = 1000.0;          // ms: later, a train of thought is broken (Miller, "Response time in man-computer
@@ -40,7 +40,7 @@ struct FitShare {
 
 // The settings that fit the time budgets of a machine.
 struct FidelityFit {
-  FidelityValues values{FidelityPreset::Balanced};  // for what has no budget or no curve
+  FidelityValues values{FidelityPreset::Balanced};  // Balanced for settings without a budget or a curve
   std::vector<FittedSetting> settings;
   std::vector<FitShare> shares;  // in the order of FidelityBudget
 };

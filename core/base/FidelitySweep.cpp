@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-// The value in two digits, where the range allows: presets follow from these values, and people read them.
+// Rounds the value to two digits, if the range allows it: presets follow from these values, and people read them.
 double plain(const FidelitySetting& setting, double value) {
   if (setting.scale != FidelityScale::Logarithmic || value == setting.least || value == setting.largest) return value;
   char text[32];
@@ -43,7 +43,7 @@ FidelityRow rowOf(const FidelitySetting& setting, const FidelityCase& testCase, 
   return row;
 }
 
-// Quoted where RFC 4180 wants it.
+// Quotes a field according to RFC 4180.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -60,7 +60,9 @@ std::vector<double> sweepValues(const FidelitySetting& setting, int steps) {
   for (int i = 0; i < n; ++i) {
     const double value = plain(setting, valueAt(setting, i / double(n - 1)));
     // A step that differs from a preset by rounding alone is no value of its own.
-    const auto isSame = [&](double v) { return std::abs(placeOf(setting, v) - placeOf(setting, value)) < 1e-9; };
+    const auto isSame = [&](double v) {
+      return std::abs(scalePositionOf(setting, v) - scalePositionOf(setting, value)) < 1e-9;
+    };
     if (std::none_of(values.begin(), values.end(), isSame)) values.push_back(value);
   }
   std::sort(values.begin(), values.end());

@@ -17,7 +17,7 @@ struct FidelityRow {
   std::string errorUnit;
   double cost = 0.0;  // median over the repeats
   std::string costUnit;
-  double spread = 0.0;  // of the cost: median absolute deviation from the median
+  double spread = 0.0;  // median absolute deviation of the cost from its median
   int repeats = 0;
   std::uint64_t seed = 0;
   std::string truth;
@@ -39,7 +39,7 @@ std::vector<double> sweepValues(const FidelitySetting& setting, int steps);
 Result<std::vector<FidelityRow>> sweep(const FidelitySetting& setting, std::span<const FidelityCase> cases,
                                        const SweepOptions& options, Progress progress = {});
 
-double median(std::vector<double> values);  // of at least one; the mean of the middle two where their number is even
+double median(std::vector<double> values);  // values: at least one; of an even number the mean of the middle two
 double medianDeviation(const std::vector<double>& values);  // median absolute deviation from the median
 
 // Formats measurements as comma-separated values (RFC 4180). Numbers are written as in C; kFidelityCsvHeader is the

@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// A number by which equal data is found again, the same on every machine. Not for what somebody forges.
+// A hash of data that is the same on every machine. Not cryptographic: it is no protection against forged data.
 class Fingerprint {
  public:
   void add(std::uint64_t value) {
-    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // of the golden ratio: bits that look random
+    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // 2^64 divided by the golden ratio: bits that look random
     m_value = (m_value ^ value) * kOdd;
     m_value ^= m_value >> 32;
   }
@@ -24,7 +24,7 @@ class Fingerprint {
   std::uint64_t value() const { return m_value; }
 
  private:
-  std::uint64_t m_value = 0x6A09E667F3BCC908u;  // of the root of two
+  std::uint64_t m_value = 0x6A09E667F3BCC908u;  // the fractional bits of the square root of two
 };
 
 }  // namespace handwheel

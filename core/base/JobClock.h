@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// How long a job has worked, for whoever displays it. The time stands still while the job does not poll its cancel
-// flag: a job that hangs is not displayed as one that works. Used by one thread.
+// Measures the working time of a job, for display. The time stands still while the job does not poll its cancel flag: a
+// job that hangs is not displayed as one that works. Used by one thread.
 class JobClock {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // The seconds until the last poll that was seen. To be called several times a second.
+  // Returns the seconds until the last poll that was seen. To be called several times a second.
   int seconds(const JobState& state, Clock::time_point now = Clock::now()) {
     const std::uint32_t polls = state.polls.load(std::memory_order_relaxed);
     if (polls != m_polls) m_lastSeen = now;
@@ -30,7 +30,7 @@ class JobClock {
   std::uint32_t m_polls = 0;
 };
 
-// Minutes and seconds as "1:05"; nothing for the first seconds, which are not worth displaying.
+// Formats minutes and seconds as "1:05". Empty for the first seconds, which are not worth displaying.
 inline std::string elapsedText(int seconds) {
   constexpr int kWorthIt = 3;
   if (seconds < kWorthIt) return {};

@@ -8,10 +8,13 @@
 
 namespace handwheel {
 
-// Reader and writer of the members of a JSON object. Both go by one list of keys:
+// Reader and writer of the members of a JSON object. Both use one list of keys:
 //
 //   template <class Chuck, class Visitor>
-//   void visitFields(Chuck& chuck, const Visitor& visit) { visit("diameter", chuck.diameter); … }
+//   void visitFields(Chuck& chuck, const Visitor& visit) {
+//     visit("diameter", chuck.diameter);
+//     …
+//   }
 
 // Adds a member for each field.
 class JsonFieldWriter {
@@ -27,7 +30,7 @@ class JsonFieldWriter {
   nlohmann::json& m_object;
 };
 
-// Takes for each field the member that is there and of the right type; any JSON may be given.
+// Reads for each field the member that exists and has the right type; any JSON may be given.
 class JsonFieldReader {
  public:
   explicit JsonFieldReader(const nlohmann::json& object) : m_object(object) {}
@@ -45,7 +48,7 @@ class JsonFieldReader {
   void operator()(const char* key, std::string& value) const {
     if (const nlohmann::json& found = member(key); found.is_string()) value = found.get<std::string>();
   }
-  // Null where there is none.
+  // Returns null if there is no such member.
   const nlohmann::json& member(const char* key) const {
     static const nlohmann::json kNothing;
     if (!m_object.is_object()) return kNothing;

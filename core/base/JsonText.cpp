@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-// Brackets outside strings, whether or not the rest is JSON.
+// Returns the nesting depth of brackets outside strings, also for text that is not JSON.
 int depthOf(std::string_view text) {
   int depth = 0, deepest = 0;
   bool inString = false;

@@ -17,11 +17,11 @@ namespace handwheel {
 inline constexpr int kDeepestJson = 100;
 Result<nlohmann::json> parseJson(std::string_view text, std::string_view element);
 
-// The unsigned integer under a key of an object. 0 if missing, or not an object.
+// Returns the unsigned integer under a key of an object, or 0 if it is missing or not an object.
 std::uint64_t countAt(const nlohmann::json& object, const char* key);
-// The string under a key of an object. The other text if missing, or not an object.
+// Returns the string under a key of an object, or `otherwise` if it is missing or not an object.
 std::string stringAt(const nlohmann::json& object, const char* key, std::string otherwise = {});
-// The numbers among the elements of an array under a key of an object, at most so many. None if missing.
+// Returns at most `most` of the numbers in the array under a key of an object. Empty if it is missing.
 std::vector<double> numbersAt(const nlohmann::json& object, const char* key, std::size_t most);
 
 }  // namespace handwheel

@@ -11,8 +11,8 @@ namespace handwheel {
 
 namespace {
 
-// Whether a well-formed number that is not within the range of double is too large rather than too small: the sign of
-// the exponent of its first digit other than zero.
+// Returns true if a well-formed number outside the range of double is too large, not too small: the sign of the
+// exponent of its first digit other than zero.
 bool isHuge(std::string_view word) {
   const std::size_t e = std::min(word.find_first_of("eE"), word.size());
   const std::string_view mantissa = word.substr(0, e);
@@ -56,7 +56,7 @@ std::string roundedText(double value, int digits) {
 
 double roundedNumber(double value, int digits) {
   if (value == 0.0 || !std::isfinite(value)) return value;
-  // Powers of ten are exact while they are whole numbers, so it is divided by those of decimals.
+  // Powers of ten are exact while they are whole numbers, so decimals are divided by them.
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
   const double scale = std::pow(10.0, std::abs(decimals));
   const double rounded = decimals < 0 ? std::round(value / scale) * scale : std::round(value * scale) / scale;
@@ -64,7 +64,7 @@ double roundedNumber(double value, int digits) {
 }
 
 std::string shownText(double value) {
-  // Outside, an exponent reads better than zeros.
+  // Limits beyond which an exponent is easier to read than zeros.
   constexpr double kSmallestFixed = 1e-7, kLargestFixed = 1e12;
   const double size = std::abs(value), signless = value == 0.0 ? 0.0 : value;
   const bool isFixed = size == 0.0 || (size >= kSmallestFixed && size < kLargestFixed);

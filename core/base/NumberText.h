@@ -11,8 +11,8 @@
 namespace handwheel {
 
 // Parses a decimal number in the C locale, whatever locale the process has. A leading plus is allowed. Numbers too
-// small for a double are zero. "inf" and "nan" are accepted, too; the caller decides. False, with the reason, for
-// anything else: NumberMalformed, NumberNotFinite (too large for a double).
+// small for a double are zero. "inf" and "nan" are accepted, too; the caller decides. Returns false, with the reason,
+// for anything else: NumberMalformed, NumberNotFinite (too large for a double).
 bool parseDecimal(std::string_view word, double& value, ErrorCode& why);
 
 // Formats a number with the fewest digits that read back the same. In the C locale.
@@ -20,24 +20,24 @@ std::string shortestText(double value);
 // Formats a number with at most the given number of digits, for display. Zero has no sign. In the C locale.
 std::string roundedText(double value, int digits = 6);
 
-// The number of at most this many digits (from 1 on) that is nearest, of two as near the one further from zero: so that
-// what is proposed or estimated is easily read. Zero and numbers that are not finite stay as they are.
+// Rounds a number to at most this many digits (from 1 on), ties away from zero. Makes proposed and estimated values
+// easy to read. Zero and non-finite numbers stay as they are.
 double roundedNumber(double value, int digits);
 
-// How far a number may be from what is shown of it, as a share of it.
+// Largest relative deviation of a displayed number from its value.
 inline constexpr double kShownPrecision = 1e-6;
 // Formats a finite number with the fewest digits that are within kShownPrecision of it, for display. Very large and
 // very small ones have an exponent; zero has no sign. In the C locale.
 std::string shownText(double value);
-// The value within limits, which are taken as shownText() shows them: what is beyond one by no more than
-// kShownPrecision becomes that limit. None for other values, and those that are not finite.
+// Returns the value if it is within the limits as shownText() shows them. A value beyond a limit by no more than
+// kShownPrecision becomes that limit. Nothing for other values, and those that are not finite.
 std::optional<double> withinShownLimits(double value, double least, double largest);
 
-// Whether c is an ASCII digit, whatever the locale.
+// Returns true if c is an ASCII digit, in any locale.
 inline bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
-// The same of an ASCII letter.
+// Returns true if c is an ASCII letter, in any locale.
 inline bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }

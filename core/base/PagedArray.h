@@ -48,7 +48,7 @@ class PagedArray {
     m_size = size;
   }
 
-  // True when both versions hold the very same page: then none of its elements differ.
+  // Returns true if both versions share the page; then none of its elements differ.
   bool sharesPage(const PagedArray& other, std::size_t page) const {
     return page < m_pages.size() && page < other.m_pages.size() && m_pages[page] == other.m_pages[page];
   }

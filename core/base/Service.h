@@ -16,10 +16,10 @@ namespace handwheel {
 // The usage counters of a service.
 struct ServiceCounters {
   std::uint64_t ticks = 0;
-  double cpuMicroseconds = 0.0;  // of all ticks together, on the threads that ran them
+  double cpuMicroseconds = 0.0;  // sum over all ticks, on the threads that ran them
   std::uint64_t starts = 0;
   bool running = false;
-  double lostSeconds = 0.0;   // by which it is behind the clock, since late ticks are not made up for
+  double lostSeconds = 0.0;   // time by which it is behind the clock, since late ticks are not made up for
   std::uint64_t dropped = 0;  // inputs that it did not take in time
 };
 
@@ -40,7 +40,7 @@ class Service {
     m_ticks.fetch_add(1, std::memory_order_relaxed);
     m_nanoseconds.fetch_add(nanoseconds, std::memory_order_relaxed);
   }
-  // Count what the service did not do in time.
+  // Count late time and inputs that the service did not take in time.
   void countLost(std::uint64_t nanoseconds) noexcept { m_lost.fetch_add(nanoseconds, std::memory_order_relaxed); }
   void countDropped(std::uint64_t inputs) noexcept { m_dropped.fetch_add(inputs, std::memory_order_relaxed); }
 
@@ -80,7 +80,7 @@ class ServiceRegistry;
 // A handle that keeps a service running during its lifetime. Its ServiceRegistry must outlive it.
 class ServiceHandle {
  public:
-  ServiceHandle() = default;  // of nothing
+  ServiceHandle() = default;  // keeps nothing running
   ServiceHandle(ServiceHandle&& other) noexcept : m_set(other.m_set), m_id(std::move(other.m_id)) {
     other.m_set = nullptr;
   }

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Whether a shared object has only one owner left, so that it may be written. For copy-on-write by one thread, while
-// snapshots are dropped on others. All that they read of it happened before.
+// Returns true if a shared object has only one owner left. Then it may be written. For copy-on-write by one thread,
+// while snapshots are dropped on others; all their reads of the object happened before.
 template <class T>
 bool isSoleOwner(const std::shared_ptr<T>& p) {
   if (p.use_count() != 1) return false;

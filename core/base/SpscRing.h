@@ -20,7 +20,7 @@ class SpscRing {
   SpscRing(const SpscRing&) = delete;
   SpscRing& operator=(const SpscRing&) = delete;
 
-  // The writing thread. False when full.
+  // Appends a value, on the writing thread. Returns false if the queue is full.
   bool push(const T& value) noexcept {
     const std::uint64_t at = m_written.load(std::memory_order_relaxed);
     if (at - m_read.load(std::memory_order_acquire) > m_mask) {
@@ -32,7 +32,7 @@ class SpscRing {
     return true;
   }
 
-  // The reading thread. False when empty.
+  // Takes the oldest value, on the reading thread. Returns false if the queue is empty.
   bool pop(T& value) noexcept {
     const std::uint64_t at = m_read.load(std::memory_order_relaxed);
     if (at == m_written.load(std::memory_order_acquire)) return false;

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The CPU time used so far by the calling thread, in nanoseconds. Waiting and other programs do not count. One call
+// Returns the CPU time used by the calling thread, in nanoseconds. Waiting and other programs do not count. One call
 // costs a fraction of a microsecond (a system call).
 std::uint64_t threadCpuNanoseconds();
 
@@ -15,7 +15,7 @@ struct CpuTimes {
   double clock = 0.0;
   double cpu = 0.0;
 
-  static CpuTimes now();  // since some moment in the past
+  static CpuTimes now();  // both since an arbitrary origin
   CpuTimes operator+(const CpuTimes& other) const { return {clock + other.clock, cpu + other.cpu}; }
   CpuTimes operator-(const CpuTimes& other) const { return {clock - other.clock, cpu - other.cpu}; }
 };

@@ -10,10 +10,10 @@ namespace handwheel::tolerance {
 // against its own rounding is defined beside that formula. Lengths are shares of the model's bounding-box diagonal
 // unless the name indicates otherwise.
 
-// A shell whose faces look one way is an open sheet: the sum of their areas times normals exceeds this share of the
+// A shell is an open sheet if its area vector (the sum of its faces' areas times normals) exceeds this share of its
 // area. Flat ones have 1, half a sphere 0.5, a cube without a side 0.2; of 70 scans, sheets 0.5 and more, bodies up to
 // 0.43.
-inline constexpr double kOneWaySheet = 0.45;
+inline constexpr double kSheetAreaVector = 0.45;
 // A part whose volume is less than this share of its area to the power 3/2 is thin (a sphere has 0.094, a half one
 // 0.13).
 inline constexpr double kSheetVolume = 0.06;
@@ -31,17 +31,18 @@ inline constexpr double kFlap = 0.01;
 inline constexpr double kNearWeld = 1e-5;
 // They are not merged across more than this share of the longer border edge at either: that would be detail.
 inline constexpr double kNearWeldEdge = 0.25;
-// A patch may leave the box of its loop by this share of that box's diagonal,
+// A patch may leave the box of its loop by this share of that box's diagonal.
 inline constexpr double kPatchSwelling = 0.5;
-// and the model's box by this share of the model's diagonal, or by the height of a cap that continues the surroundings
-// times the slack. Surroundings whose normals have a smaller mean cosine to the loop's are too steep for a cap.
+// A patch may leave the model's box by this share of the model's diagonal, or by the height of a cap that continues the
+// surroundings times the slack. Surroundings whose normals have a smaller mean cosine to the loop's are too steep for a
+// cap.
 inline constexpr double kModelSwelling = 0.01;
 inline constexpr double kCapSlack = 1.5;
 inline constexpr double kCapCosine = 0.4;
 // CGAL's cubic hole triangulation is allowed up to this many edges; beyond, it freezes (90 s at 2554).
 inline constexpr int kCubicFillEdges = 300;
-// A loop of more edges is cut into pieces of no more before it is triangulated: 2,554 edges then take 60 ms, and what
-// is filled in one piece is better shaped. The default of the fidelity setting mesh.piece_edges.
+// A loop of more edges is cut into pieces of at most this many before it is triangulated: 2,554 edges then take 60 ms,
+// and a part filled in one piece has better triangles. The default of the fidelity setting mesh.piece_edges.
 inline constexpr int kPieceEdges = 1000;
 // The optimal triangulation by a criterion of this program, O(n³), is computed for up to this many edges; pieces of
 // longer loops have half as many, which keeps 2,554 edges below 0.1 s.
@@ -54,17 +55,17 @@ inline constexpr double kNoticeableRise = 0.35;
 inline constexpr int kLibraryFillEdges = 20'000;
 // CGAL builds a vertex with n faces in O(n²): 0.2 s for 5,000, 3 s for 20,000.
 inline constexpr int kLibraryFanFaces = 5'000;
-// How densely a patch is refined: where its edges are longer than 1 / this of those around the hole, they are split.
-// √2 splits to about their length. The default of the fidelity setting mesh.patch_density.
+// Density to which a patch is refined: edges longer than 1 / this of those around the hole are split. √2 splits to
+// about their length. The default of the fidelity setting mesh.patch_density.
 inline constexpr double kPatchDensity = 1.4142135623730951;
 // A crease whose sides meet at more than this angle (radian; 30°) and that ends at a hole is continued through it.
 inline constexpr double kCreaseAngle = 0.52;
-// New vertices of a patch per boundary edge, and in all: where the density of the surroundings asks for more, the patch
-// is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
+// Limits on the new vertices of a patch, per boundary edge and in all. If the density of the surroundings requires
+// more, the patch is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;
 inline constexpr int kPatchVertices = 10'000;
-// Winding numbers this near to whole ones are taken for them: holes elsewhere in a surface change them by their solid
-// angle, and half way to the next is no answer.
+// Winding numbers this close to an integer count as that integer: holes elsewhere in a surface change them by their
+// solid angle, and a value half way between two integers is undecided.
 inline constexpr double kWindingDoubt = 0.25;
 // The thickness of a sheet after thickenSheets().
 inline constexpr double kSheetThickness = 1e-3;
@@ -78,18 +79,18 @@ inline constexpr std::size_t kCutsPerFace = 200;
 // the square.
 inline constexpr int kCutBits = 512;
 // Filling the holes of a mesh of n faces takes at most this times n log2 n steps (Effort), of a microsecond each, or
-// the least below, which small folded meshes may need; and closing obstructed holes by cutting at most as many again:
+// the least below, which small folded meshes may need; and closing obstructed holes by cutting at most as many again.
 inline constexpr double kRepairBudget = 1'000.0;
 inline constexpr std::size_t kLeastRepairBudget = 2'000'000;
-// of that, trials take at most this share, and at most some 20 s beside the passes over the mesh;
+// Trials take at most this share of that, and at most some 20 s beside the passes over the mesh.
 inline constexpr double kObstructedHoleShare = 0.5;
 inline constexpr std::size_t kObstructedHoleBudget = 20'000'000;
-// replacing folded regions at most this share, and at most some 10 s beside the passes; and separating coincident
-// vertices the rest.
+// Replacing folded regions takes at most this share of that, and at most some 10 s beside the passes; separating
+// coincident vertices takes the rest.
 inline constexpr double kFoldedRegionShare = 0.25;
 inline constexpr std::size_t kFoldedRegionBudget = 10'000'000;
 inline constexpr double kSeparationShare = 0.25;
-// Steps for each face that passes over the whole mesh may take beside the fixed numbers above. A pass takes about one,
+// Steps per face that passes over the whole mesh may take beside the fixed numbers above. A pass takes about one,
 // thickening a sound sheet some five, and a trial may take a quarter of what is left.
 inline constexpr std::size_t kPassBudget = 40;
 // A folded region around a hole is removed and refilled where that moves the surface by at most this share of the
@@ -97,10 +98,10 @@ inline constexpr std::size_t kPassBudget = 40;
 inline constexpr double kFoldedRegionMove = 0.01;
 // The same limit for a body that is removed as a whole.
 inline constexpr double kFoldedRegionBodyMove = 1e-3;
-// What a repair removed is reported where it stood out by more than this share of the diagonal.
+// Material that a repair removed is reported if it stood out by more than this share of the diagonal.
 inline constexpr double kRemovedPart = 0.01;
-// A non-orientable surface is made orientable by cuts no longer than this share of the diagonal. Longer ones change the
-// shape: on demand.
+// A non-orientable surface is made orientable by cuts no longer than this share of the diagonal. Longer cuts change the
+// shape, and are made on demand only.
 inline constexpr double kOneSidedCut = 0.01;
 // A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, the right
 // triangulation depends on more than the outline, and a fan is expected.
@@ -112,9 +113,9 @@ inline constexpr double kFlatEdge = 0.0175;
 
 // Points this near to a plane lie in it when a face is searched on which a part can rest. A hundred times the rounding
 // of single precision, and so little that a smooth ball, whose cap of this height has at most sqrt(3) times this share
-// of the area, has no flat face:
+// of the area, has no flat face.
 inline constexpr double kFlatBaseFlatness = 1e-5;
-// a flat face has at least this share of the part's area. Less is a facet of a curved surface rather than a base.
+// A flat face has at least this share of the part's area. Less is a facet of a curved surface rather than a base.
 inline constexpr double kFlatBaseShare = 1e-3;
 // Neighbours in one plane have normals with at least this cosine between them (0.08°): single precision rotates faces
 // of a thousandth of the part by less.
@@ -130,9 +131,9 @@ inline constexpr double kContactGap = 0x1p-12;
 inline constexpr double kContactGapEdge = 0.25;
 // The distance within which the surface is searched after an edit that may have buried a haptic proxy.
 inline constexpr double kContactBuried = 0.01;
-// Two contact planes count as one below this sine of their angle, squared;
+// Two contact planes count as one below this sine of their angle, squared.
 inline constexpr double kOnePlane = 1e-14;
-// a third is redundant when the volume that the three normals span, squared, is below this.
+// A third contact plane is redundant if the volume that the three normals span, squared, is below this.
 inline constexpr double kSpannedVolume = 1e-18;
 
 // Height over longest side from which a face counts as a needle, unless it was nearly one before.

@@ -17,13 +17,13 @@ class TripleBuffer {
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  // The writing thread.
+  // Sets the value, on the writing thread.
   void write(const T& value) noexcept {
     m_slots[m_writing] = value;
     m_writing = m_shared.exchange(m_writing | kIsNew, std::memory_order_acq_rel) & kIndex;
   }
 
-  // The reading thread: the value written last, valid until the next call.
+  // Returns the value written last, on the reading thread. It is valid until the next call.
   const T& read() noexcept {
     if (m_shared.load(std::memory_order_relaxed) & kIsNew)
       m_reading = m_shared.exchange(m_reading, std::memory_order_acq_rel) & kIndex;

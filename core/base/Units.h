@@ -26,7 +26,7 @@ constexpr double millimetresPer(LengthUnit unit) {
   return 1.0;
 }
 
-// The symbol of a length unit: "mm", "cm", "m", "in". In files, on the command line and on the screen.
+// Returns the symbol of a length unit: "mm", "cm", "m", "in". In files, on the command line and on the screen.
 constexpr const char* symbolOf(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::Centimetre:

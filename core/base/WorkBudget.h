@@ -13,20 +13,20 @@ namespace handwheel {
 class WorkBudget {
  public:
   explicit WorkBudget(std::size_t most) : m_most(most) {}
-  // A share of another budget, to which its steps are charged, too. The other must outlive it.
+  // Creates a share of another budget. Its steps are charged to that budget, too, which must outlive it.
   WorkBudget(std::size_t most, WorkBudget& whole) : m_most(std::min(most, whole.left())), m_whole(&whole) {}
   WorkBudget(const WorkBudget&) = delete;
   WorkBudget& operator=(const WorkBudget&) = delete;
 
   void spend(std::size_t steps) { spend(steps, steps); }
 
-  // All steps that were done, those of shares and those beyond the limit included. May differ between runs with
-  // threads.
+  // Returns the number of all steps done, including those of shares and those beyond the limit. May differ between runs
+  // with threads.
   std::size_t counted() const { return m_counted.load(std::memory_order_relaxed); }
   std::size_t spent() const { return std::min(m_spent.load(std::memory_order_relaxed), m_most); }
   std::size_t left() const { return m_whole ? std::min(m_most - spent(), m_whole->left()) : m_most - spent(); }
   bool isSpent() const { return left() == 0; }
-  // 0…1.
+  // Returns the share that is spent, 0…1.
   double shareSpent() const { return m_most > 0 ? static_cast<double>(spent()) / static_cast<double>(m_most) : 1.0; }
 
  private:

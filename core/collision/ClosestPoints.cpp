@@ -9,15 +9,15 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostMeeting = 64;  // leaves that are taken apart
-constexpr double kTouching = 1e-9;        // mm: who asks for what meets gets what touches, too
+constexpr std::size_t kMostMeeting = 64;  // leaves that are separated
+constexpr double kTouching = 1e-9;        // mm: includes shapes that touch in a search for those that meet
 
-// The other way round.
+// Returns the closest points with both pieces exchanged.
 ClosestPoints exchanged(const ClosestPoints& points) {
   return {points.distance, points.second, points.first, -points.normal};
 }
 
-// A sphere and a solid, by a formula.
+// Returns the closest points of a sphere and a solid, by a formula.
 ClosestPoints ballToSolid(const CollisionPiece& ball, const Vec3& centre, const CollisionPiece& solid,
                           const Pose& pose) {
   const SolidNearest nearest = nearestOfSolid(solid.kind, solid.half, pose.inverse(Eigen::Isometry) * centre);
@@ -26,7 +26,7 @@ ClosestPoints ballToSolid(const CollisionPiece& ball, const Vec3& centre, const 
   return {nearest.distance - radius, centre - radius * normal, pose * nearest.point, normal};
 }
 
-// None: it takes more than a formula.
+// Returns none if there is no formula for the two pieces.
 std::optional<ClosestPoints> byFormula(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
                                        const Pose& poseB) {
   using enum CollisionPiece::Kind;
@@ -39,7 +39,7 @@ bool isClosedMesh(const CollisionPiece& piece) {
   return piece.kind == CollisionPiece::Kind::Mesh && piece.mesh->isClosed();
 }
 
-// Two pieces of which at least one is a mesh, or neither is a sphere.
+// Two pieces, at least one of which is a mesh, or neither of which is a sphere.
 class PiecePair {
  public:
   PiecePair(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, QueryCounts& counts)
@@ -54,7 +54,7 @@ class PiecePair {
   bool isEmpty() const { return m_a.isEmpty() || m_b.isEmpty(); }
 
   std::optional<ClosestPoints> closest(double enough, double tolerance, PairHint& hint) {
-    // Boxes tell what meets far more quickly than distances do, which are zero then for very many bounds.
+    // Box tests find meeting pieces much faster than distances, which are zero for very many bounds then.
     if (m_walk.mayMeet()) {
       const auto meeting = m_walk.meeting(kMostMeeting, {});
       if (!meeting.empty()) return apart(meeting, hint);
@@ -98,7 +98,8 @@ class PiecePair {
   }
 
  private:
-  // A mesh has a surface only, so that what is in it may meet none of its triangles.
+  // Returns true if one is inside the other. A mesh has a surface only, so a piece in it may meet none of its
+  // triangles.
   static bool isWithin(const PieceTree& inner, const Pose& poseInner, const CollisionPiece& outer,
                        const Pose& poseOuter) {
     if (!isClosedMesh(outer)) return false;
@@ -110,7 +111,7 @@ class PiecePair {
     return isWithin(m_a, Pose::Identity(), m_second, m_pose) || isWithin(m_b, m_pose, m_first, Pose::Identity());
   }
 
-  // Of shapes that do not meet within the margins.
+  // Returns the closest points of shapes that do not meet within the margins.
   ClosestPoints pointsOf(const PairTraversal::Nearest& found) const {
     const Vec3 normal = (found.first - found.second).stableNormalized();
     return inWorld(found.distance, found.first - m_a.margin() * normal, found.second + m_b.margin() * normal, normal);
@@ -120,8 +121,8 @@ class PiecePair {
     return {m_a.shape(leaves.first, Pose::Identity()), m_b.shape(leaves.second, m_pose)};
   }
 
-  // Of two leaves that meet. A little further out than they come apart they are closest where they touch last; there,
-  // unlike at the deepest corner, both of them are.
+  // Returns the last touch of two leaves that meet. Moved slightly beyond the penetration, they are closest where they
+  // touch last; that point, unlike the deepest corner, is on both of them.
   ClosestPoints lastTouch(const PairTraversal::Leaves& leaves) const {
     const IntersectingShapes shapes = shapesOf(leaves);
     const Penetration found = minimumPenetration({shapes}, Vec3::Zero(), isClosedMesh(m_first), isClosedMesh(m_second));
@@ -138,7 +139,7 @@ class PiecePair {
     return inWorld(-whole, deepest - m_a.margin() * found.normal, other + m_b.margin() * found.normal, found.normal);
   }
 
-  // Of leaves that meet.
+  // Returns the separation of leaves that meet.
   ClosestPoints apart(const std::vector<PairTraversal::Leaves>& meeting, const PairHint& hint) {
     std::vector<IntersectingShapes> shapes;
     shapes.reserve(meeting.size());
@@ -150,7 +151,7 @@ class PiecePair {
     return inWorld(-depth, deepest, deepest + depth * found.normal, found.normal);
   }
 
-  // One is inside of the other without meeting its surface: out by the closest point of that, with all of it.
+  // Moves a piece that is inside the other without meeting its surface out by the closest point, with all of it.
   ClosestPoints outOf(const PairTraversal::Nearest& found, bool isFirstWithin) const {
     Vec3 normal = (found.second - found.first).stableNormalized();
     if (normal.isZero(0.0)) normal = Vec3::UnitZ();
@@ -179,8 +180,8 @@ class PiecePair {
   }
 
   const CollisionPiece &m_first, &m_second;
-  const Pose m_pose;   // of the second in the first
-  const Pose m_world;  // of the first
+  const Pose m_pose;   // pose of the second piece in the frame of the first
+  const Pose m_world;  // pose of the first piece
   const PieceTree m_a, m_b;
   PairTraversal m_walk;
 };

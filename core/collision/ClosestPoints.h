@@ -9,52 +9,53 @@
 
 namespace handwheel {
 
-// The closest points of two bodies in the world. Where they meet, or one is inside of the other, the distance is below
-// 0, or 0 where they just touch: moved by so much along the normal, the first one leaves the second.
+// The closest points of two bodies in the world. If they meet, or one is inside the other, the distance is below 0, or
+// 0 if they just touch: moved by so much along the normal, the first one leaves the second.
 struct ClosestPoints {
   double distance = std::numeric_limits<double>::infinity();  // mm
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();           // mm, on the surface of each
-  Vec3 normal = Vec3::UnitZ();                                // of unit length, from the second to the first
+  Vec3 normal = Vec3::UnitZ();                                // unit length, from the second to the first
 };
 
-// What was found of two pieces last time, for the next: where to begin, and which way they came from.
+// The last result for two pieces, at which the next query starts.
 struct PairHint {
-  std::uint32_t first = kNone, second = kNone;  // the closest triangles; 0 for a solid
-  Vec3 normal = Vec3::Zero();                   // while they did not meet; zero: not known
+  std::uint32_t first = kNone, second = kNone;  // closest triangles; 0 for a solid
+  Vec3 normal = Vec3::Zero();                   // normal at the last time that they did not meet; zero: unknown
 };
 
-// The closest points of two pieces where they are nearer than `enough`, else none: they are not. Poses: of their frames
-// in the world. Any thread.
+// Returns the closest points of two pieces if these are nearer than `enough`, or nothing. Poses: of their frames in the
+// world. Any thread.
 //
-// Of what meets the depth is the smallest penetration for boxes, cylinders and spheres (by directions that are
-// tried, so never too small; exact without cylinders). Of triangles it is the smallest, of some directions, by which
-// those that cross come apart: a bound, as meshes may be open. tolerance: mm that the points of meshes may be further
-// from each other than the closest ones.
+// For pieces that meet the depth is the smallest penetration for boxes, cylinders and spheres (over the directions that
+// are tried, so never too small; exact without cylinders). For triangles it is the smallest penetration over some
+// directions that separates those that cross: a bound, as meshes may be open. tolerance: the distance may exceed the
+// smallest one by this many mm between meshes.
 std::optional<ClosestPoints> closestPoints(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b,
                                            const Pose& poseB, double enough, PairHint& hint, QueryCounts& counts,
                                            double tolerance = 0.0);
 
-// Whether two pieces are nearer to each other than `than`: the value is then below it, and else a lower bound of their
-// distance, which is known up to `upTo`, at least `than`. Quicker than the closest points: it stops at what tells.
+// Returns a value below `than` if two pieces are nearer to each other than that, otherwise a lower bound of their
+// distance. The bound is determined up to `upTo`, at least `than`. Faster than the closest points: it stops once the
+// answer is clear.
 double distanceBound(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB,
                      double than, double upTo, PairHint& hint, QueryCounts& counts);
 
-// Whether two pieces meet, or one is inside of the other. Quicker than a bound.
+// Returns true if two pieces meet, or one is inside the other. Faster than a bound.
 bool areMeeting(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, PairHint& hint,
                 QueryCounts& counts);
 
-// A place where two pieces touch, or nearly.
+// A contact of two pieces, which touch or nearly touch.
 struct PieceContact {
-  std::uint32_t first = kNone, second = kNone;  // triangles, by their numbers in the soups; kNone: a solid
-  // Of these two alone: apart, they have a distance; where they meet, the distance is their smallest penetration,
-  // of some that are tried, and the points are where they touch last on it.
+  std::uint32_t first = kNone, second = kNone;  // triangles, by their indices in the soups; kNone: a solid
+  // Closest points of these two alone: their distance, or if they meet, their smallest penetration over the directions
+  // that are tried, and the points of their last touch in that direction.
   ClosestPoints points;
 };
 
-// Adds all pairs of a triangle or solid of the one piece and one of the other that are nearer to each other than the
-// margin, or meet. Just touching is meeting, and with a margin of 0 only what meets is found. Triangles are surfaces:
-// what lies within a closed mesh without meeting its surface has no contact. At most so many are added. margin: mm, at
-// least 0.
+// Adds all pairs of a triangle or solid of one piece and one of the other that are nearer to each other than the
+// margin, or meet. Just touching is meeting, and with a margin of 0 only pairs that meet are found. Triangles are
+// surfaces: a shape within a closed mesh that does not meet its surface has no contact. Adds at most `most` contacts.
+// margin: mm, at least 0.
 void addContacts(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, double margin,
                  std::size_t most, std::vector<PieceContact>& contacts, QueryCounts& counts);
 

@@ -21,18 +21,18 @@ struct CollisionPiece {
 
   Kind kind = Kind::Ball;
   Pose pose = Pose::Identity();
-  // mm: the radius in x; half of the sizes; radius and half length in x and z.
+  // Radius in x of a sphere; half sizes of a block; radius in x and half length in z of a cylinder; mm.
   Vec3 half = Vec3::Zero();
   std::shared_ptr<const CollisionMesh> mesh = {};
-  // A sphere, and a box in the frame of the piece, that hold it; mm.
-  Vec3 centre = Vec3::Zero();  // in the body
+  // Bounding sphere, and bounding box in the frame of the piece; mm.
+  Vec3 centre = Vec3::Zero();  // in the frame of the body
   double radius = 0.0;
   Vec3 boxCentre = Vec3::Zero(), boxHalf = Vec3::Zero();
 
   CollisionPiece moved(const Pose& by) const;
 };
 
-// A rigid body for collisions: its pieces, and a sphere that holds them. A value; copies share the meshes.
+// A rigid body for collisions: its pieces and their bounding sphere. A value; copies share the meshes.
 class CollisionBody {
  public:
   CollisionBody() = default;
@@ -49,16 +49,17 @@ class CollisionBody {
   double m_radius = 0.0;
 };
 
-// What queries have done.
+// Numbers of steps that queries have done.
 struct QueryCounts {
-  std::uint64_t bounds = 0;   // pairs of pieces whose bounds were compared
-  std::uint64_t exact = 0;    // pairs of pieces whose distance was computed
-  std::uint64_t volumes = 0;  // pairs of bounding volumes within those pieces that were compared,
-  std::uint64_t pairs = 0;    // and pairs of triangles or solids; counted by ProximityQuery alone
+  std::uint64_t bounds = 0;  // pairs of pieces whose bounds were compared
+  std::uint64_t exact = 0;   // pairs of pieces whose distance was computed
+  // Pairs of bounding volumes within those pieces that were compared; counted by ProximityQuery alone.
+  std::uint64_t volumes = 0;
+  std::uint64_t pairs = 0;  // pairs of triangles or solids that were compared; counted by ProximityQuery alone
 };
 
-// The distance of two bodies (mm) where it is below `enough`, else `enough` or a larger lower bound of it. At most 0
-// where they meet, or one is inside of the other. It is never too large, but for rounding. O(pairs of pieces). Any
+// Returns the distance of two bodies (mm) if it is below `enough`, otherwise `enough` or a larger lower bound of it. At
+// most 0 if they meet, or one is inside the other. It is never too large, except for rounding. O(pairs of pieces). Any
 // thread.
 double distanceBetween(const CollisionBody& a, const Pose& poseA, const CollisionBody& b, const Pose& poseB,
                        double enough = std::numeric_limits<double>::infinity(), QueryCounts* counts = nullptr);

@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-// Each edge once each way, which is what makes an inside, whatever else the mesh is.
+// Returns true if each edge occurs once in each direction. Such a mesh has an inside.
 bool hasNoBorder(const TriangleSoup& soup) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> forth, back;
   for (const Triangle& t : soup.triangles) {
@@ -27,7 +27,7 @@ bool hasNoBorder(const TriangleSoup& soup) {
   return !forth.empty() && forth == back;
 }
 
-// Points at the same place are one. numbers: those that its triangles had before.
+// Merges points at the same position. numbers: the former indices of its triangles.
 TriangleSoup welded(const TriangleSoup& soup, std::vector<std::uint32_t>& numbers) {
   TriangleSoup made;
   std::vector<std::uint32_t> order(soup.points.size()), number(soup.points.size(), kNone);
@@ -54,31 +54,31 @@ TriangleSoup welded(const TriangleSoup& soup, std::vector<std::uint32_t>& number
   return made;
 }
 
-// Whether the ray from p along z may meet a box. In doubt it does.
+// Returns true if the ray from p along z may meet a box. True in doubt.
 bool mayMeetRayUp(const fcl::OBBd& box, const Vec3& p) {
-  const Vec3 from = box.axis.transpose() * (p - box.To), way = box.axis.row(2);
-  constexpr double kRounding = 1e-9;  // of lengths
+  const Vec3 from = box.axis.transpose() * (p - box.To), direction = box.axis.row(2);
+  constexpr double kRounding = 1e-9;  // relative to lengths
   const double slack = kRounding * (box.extent.norm() + box.To.norm() + p.norm());
   double first = 0.0, last = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const double half = box.extent[k] + slack;
-    if (std::abs(way[k]) < kRounding) {  // it changes by less than the slack along the whole box
+    if (std::abs(direction[k]) < kRounding) {  // it changes by less than the slack along the whole box
       if (std::abs(from[k]) > half + kRounding * box.extent.norm()) return false;
       continue;
     }
-    const double a = (-half - from[k]) / way[k], b = (half - from[k]) / way[k];
+    const double a = (-half - from[k]) / direction[k], b = (half - from[k]) / direction[k];
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
   return first <= last;
 }
 
-// Which way the ray from p along z passes a triangle: 1 out of what it bounds, -1 into it, 0 not at all. The ray is
-// taken to be off p by nearly nothing in x, and by nearly nothing of that in y: so it meets no edge and no corner, and
-// of triangles that share one exactly those that a ray beside it would meet. Exact, but for points on the triangle.
+// Returns the crossing of a triangle by the ray from p along z: 1 outwards, -1 inwards, 0 none. The ray is taken to be
+// shifted by an infinitesimal in x, and by a smaller one in y, so it meets no edge and no corner, and crosses exactly
+// one of the triangles at an edge that a shifted ray would cross. Exact, except for points on the triangle.
 int passes(const Vec3& p, const std::array<const Vec3*, 3>& corners) {
   const Vec2 at = p.head<2>();
-  int around = 0;  // how often the triangle, seen from above, goes around the ray
+  int around = 0;  // number of turns of the triangle around the ray, seen from above
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = *corners[k], &b = *corners[(k + 1) % 3];
     const bool isUp = b.y() > p.y();

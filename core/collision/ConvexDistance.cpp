@@ -10,10 +10,10 @@ namespace handwheel {
 
 namespace {
 
-// Of squared lengths: how near an iteration comes to the end. Shapes that are round approach it step by step.
+// Relative to squared lengths: the improvement below which the iteration ends. Round shapes converge step by step.
 constexpr double kConverged = 1e-12;
 constexpr int kMostIterations = 200;
-// Of lengths: the rounding of the points, below which two shapes meet.
+// Relative to lengths: the rounding of the points, below which two shapes meet.
 constexpr double kMeeting = 1e-14;
 
 // A point of the difference of two shapes, a point of the first less one of the second.
@@ -21,7 +21,7 @@ struct DifferencePoint {
   Vec3 at, first, second;
 };
 
-// Up to four of them, and the point of their hull nearest to the origin as a mean of them.
+// Up to four points of the difference, and the point of their hull nearest to the origin as a mean of them.
 struct DifferenceHull {
   std::array<DifferencePoint, 4> points;
   std::array<double, 4> shares{};
@@ -34,7 +34,7 @@ struct DifferenceHull {
   }
 };
 
-// The mean of some points, by their numbers, that is nearest to the origin.
+// The mean of some points, by their indices, that is nearest to the origin.
 struct NearestMean {
   std::array<std::size_t, 4> of{};
   std::array<double, 4> shares{};
@@ -47,16 +47,16 @@ const NearestMean& nearer(const NearestMean& a, const NearestMean& b) {
 }
 
 NearestMean nearestOn(const DifferenceHull& hull, std::size_t i, std::size_t j) {
-  const Vec3 &a = hull.points[i].at, way = hull.points[j].at - a;
-  const double length = way.squaredNorm();
-  const double t = length > 0.0 ? std::clamp(-a.dot(way) / length, 0.0, 1.0) : 0.0;
+  const Vec3 &a = hull.points[i].at, ab = hull.points[j].at - a;
+  const double length = ab.squaredNorm();
+  const double t = length > 0.0 ? std::clamp(-a.dot(ab) / length, 0.0, 1.0) : 0.0;
   if (t <= 0.0) return {{i}, {1.0}, 1, a.squaredNorm()};
   if (t >= 1.0) return {{j}, {1.0}, 1, hull.points[j].at.squaredNorm()};
-  return {{i, j}, {1.0 - t, t}, 2, (a + t * way).squaredNorm()};
+  return {{i, j}, {1.0 - t, t}, 2, (a + t * ab).squaredNorm()};
 }
 
-// Of a face, or else of its edges. The shares come from the edges' scalar products, which stay exact for points far
-// away, where those of the corners' areas do not.
+// Finds the nearest point on a face, or else on its edges. The weights come from the scalar products of the edges,
+// which stay exact for distant points; those of the areas at the corners do not.
 NearestMean nearestOn(const DifferenceHull& hull, std::size_t i, std::size_t j, std::size_t k) {
   const Vec3 &a = hull.points[i].at, ab = hull.points[j].at - a, ac = hull.points[k].at - a;
   const double bb = ab.squaredNorm(), bc = ab.dot(ac), cc = ac.squaredNorm(), det = bb * cc - bc * bc;
@@ -79,7 +79,7 @@ bool holdsOrigin(const DifferenceHull& hull) {
   return shares.minCoeff() >= 0.0 && shares.sum() <= 1.0;
 }
 
-// Keeps of the points those that the nearest one lies between. False: the hull holds the origin.
+// Keeps the points that the nearest one lies between. Returns false if the hull contains the origin.
 bool reduce(DifferenceHull& hull) {
   NearestMean best;
   if (hull.size == 1) best = {{0}, {1.0}, 1, hull.points[0].at.squaredNorm()};
@@ -99,7 +99,7 @@ bool reduce(DifferenceHull& hull) {
   return true;
 }
 
-// Its nearest point alone, which is one of the difference as both shapes are convex.
+// Replaces the hull by its nearest point, which is one of the difference as both shapes are convex.
 DifferenceHull merged(const DifferenceHull& hull) {
   DifferenceHull one;
   one.points[0] = {hull.mean(&DifferencePoint::at), hull.mean(&DifferencePoint::first),
@@ -145,13 +145,13 @@ Vec3 ConvexShape::support(const Vec3& direction) const {
 ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enough) {
   DifferenceHull hull;
   Vec3 nearest = a.centre() - b.centre();
-  double largest = 0.0;  // of the points, which they are rounded to
+  double largest = 0.0;  // largest coordinate of the points, which their rounding is relative to
   for (int i = 0; i < kMostIterations; ++i) {
     const Vec3 first = a.support(-nearest), second = b.support(nearest);
     const Vec3 at = first - second;
     const double square = nearest.squaredNorm(), ahead = nearest.dot(at);
     largest = std::max({largest, first.norm(), second.norm()});
-    // By rounding the quotient may be below what the product is not.
+    // Rounding may make the quotient too small although the product is not.
     if (ahead > 0.0 && ahead >= enough * std::sqrt(square)) return {std::max(enough, ahead / std::sqrt(square))};
     if (hull.size > 0 && square - ahead <= kConverged * square) break;
     const DifferenceHull before = hull;
@@ -160,7 +160,7 @@ ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enoug
     nearest = hull.mean(&DifferencePoint::at);
     if (before.size > 0 && nearest.squaredNorm() >= square) {
       // On round shapes the points come to lie so close that their hull is lost in rounding. The nearest point so far
-      // stands for them: on the line to the new one there is a nearer one.
+      // replaces them: on the line to the new one there is a nearer one.
       hull = merged(before);
       hull.points[hull.size++] = {at, first, second};
       reduce(hull);

@@ -13,7 +13,7 @@ DistanceWrench distanceForce(std::span<const NearPair> near, const Vec3& referen
     const ClosestPoints& points = pair.points;
     const double nearer = settings.reach - points.distance;
     if (!(nearer > 0.0) || !points.normal.allFinite() || !points.first.allFinite()) continue;
-    // From the deepest on the force stays as it is, and its energy grows in a straight line.
+    // Beyond the deepest penetration the force is constant, and its energy grows linearly.
     const double most = settings.reach + settings.deepest, counted = std::min(nearer, most);
     const Vec3 force = settings.stiffness * counted * points.normal;
     sum.force += force;

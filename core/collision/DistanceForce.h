@@ -8,26 +8,26 @@ namespace handwheel {
 
 // Parameters of the repulsive force on a held body near obstacles.
 struct DistanceForceSettings {
-  double reach = 10.0;         // mm: from this distance on; the threshold of the query
-  double tolerance = 1e-3;     // mm that a distance may be too large by: the setting proximity.tolerance
+  double reach = 10.0;         // mm: the distance at which the force begins; the threshold of the query
+  double tolerance = 1e-3;     // mm: largest error of the distances, the setting proximity.tolerance
   double stiffness = 0.5;      // N/mm
-  double torqueShare = 1.0;    // 0 to 1, of the torque; only 1 is conservative
-  double deepest = 10.0;       // mm: what is deeper in each other pushes no harder
-  double largestForce = 20.0;  // N: of all together; what is beyond is scaled down with its torque
+  double torqueShare = 1.0;    // share of the torque that is applied, 0 to 1; only 1 is conservative
+  double deepest = 10.0;       // mm: deeper penetrations push no harder
+  double largestForce = 20.0;  // N: limit of the total force; beyond it force and torque are scaled down
 };
 
-// A force and its torque about a reference point. The energy is what both are the gradient of, as long as the whole
-// torque is asked for and the largest force is not reached.
+// A force and its torque about a reference point. Both are the gradient of the energy if the whole torque is applied
+// and the largest force is not reached.
 struct DistanceWrench {
   Vec3 force = Vec3::Zero();   // N
   Vec3 torque = Vec3::Zero();  // N·mm
   double energy = 0.0;         // N·mm
 };
 
-// The force on the first bodies of the pairs: for each pair nearer than the reach, stiffness times what it is nearer
-// by, along the normal, at the closest point (He 2008, eq. 3-13 and 3-14, with the sign that pushes apart, a normal of
-// unit length, and the depth of what meets added to the reach). Continuous where the distances are; zero from the reach
-// on; never larger than its limit. Pairs that are no numbers do not count. Allocates nothing.
+// Returns the force on the first bodies of the pairs. Each pair nearer than the reach contributes the stiffness times
+// its distance below the reach, along the normal, at the closest point (He 2008, eq. 3-13 and 3-14, with the sign that
+// pushes apart, a normal of unit length, and the penetration depth added to the reach). Continuous if the distances
+// are; zero from the reach on; never larger than its limit. Pairs that are not finite are ignored. Allocates nothing.
 DistanceWrench distanceForce(std::span<const NearPair> near, const Vec3& reference,
                              const DistanceForceSettings& settings);
 

@@ -11,8 +11,7 @@ namespace handwheel {
 ObstacleSet::FourBounds::FourBounds() {
   turn.fill(Four::Zero());
   shift.fill(Four::Zero());
-  half.fill(Four::Constant(-std::numeric_limits<double>::infinity()));  // nothing is near to those
-                                                                        // that are not set
+  half.fill(Four::Constant(-std::numeric_limits<double>::infinity()));  // unset bounds are infinitely far away
 }
 
 void ObstacleSet::FourBounds::set(Eigen::Index i, const Bound& bound) {

@@ -32,16 +32,16 @@ bool PairTraversal::isValid(const Leaves& leaves) const {
   return leaves.first < m_a.leafCount() && leaves.second < m_b.leafCount();
 }
 
-// Spheres tell most that is far away, and boxes along their axes most of the rest; the distance of swept rectangles,
-// the closest bound, takes several times as long as both.
+// Returns a lower bound of a distance. Bounding spheres reject most distant pairs, and boxes along their axes most of
+// the rest; the distance of swept rectangles, the tightest bound, takes several times as long as both.
 double PairTraversal::boundOf(int a, int b) {
   ++m_counts.volumes;
   const fcl::OBBRSSd &first = m_a.bound(a), &second = m_b.bound(b);
-  const Vec3 way = m_turn.lazyProduct(second.obb.To) + m_shift - first.obb.To;
+  const Vec3 between = m_turn.lazyProduct(second.obb.To) + m_shift - first.obb.To;
   const double apart = m_least + m_a.radius(a) + m_b.radius(b);
-  if (way.squaredNorm() >= apart * apart) return m_least;
+  if (between.squaredNorm() >= apart * apart) return m_least;
   const Eigen::Matrix3d turn = first.obb.axis.transpose().lazyProduct(m_turn.lazyProduct(second.obb.axis).eval());
-  const Vec3 toSecond = first.obb.axis.transpose().lazyProduct(way);
+  const Vec3 toSecond = first.obb.axis.transpose().lazyProduct(between);
   const Eigen::Matrix3d size = turn.cwiseAbs();
   const Vec3 beyondFirst = toSecond.cwiseAbs() - first.obb.extent - size.lazyProduct(second.obb.extent);
   const Vec3 beyondSecond = turn.transpose().lazyProduct(toSecond).cwiseAbs() - second.obb.extent -
@@ -93,7 +93,7 @@ void PairTraversal::look(std::uint32_t a, std::uint32_t b) {
 std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, const Leaves& hint, double stop,
                                                              double tolerance) {
   m_least = enough + m_margin;
-  m_stop = std::max(0.0, std::nextafter(stop + m_margin, 0.0));  // of the shapes, and at or below it
+  m_stop = std::max(0.0, std::nextafter(stop + m_margin, 0.0));  // converted to a distance of the shapes, inclusive
   m_tolerance = tolerance;
   m_found.reset();
   if (!(m_least > 0.0)) return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<PairTraversal::Nearest> PairTraversal::nearest(double enough, cons
   return m_found;
 }
 
-// For what meets the boxes tell as much as distances, and are quicker.
+// For pieces that meet box tests tell as much as distances, and are faster.
 bool PairTraversal::mayBeWithin(int a, int b) {
   if (m_reach > 0.0) {
     m_least = m_reach;
@@ -117,7 +117,7 @@ bool PairTraversal::mayBeWithin(int a, int b) {
 void PairTraversal::collect(int a, int b) {
   if (m_within.size() >= m_most || !mayBeWithin(a, b)) return;
   if (m_a.isLeaf(a) && m_b.isLeaf(b)) {
-    // Each pair by itself: how near those before it are is no bound for it.
+    // Each pair by itself: the distance of earlier pairs is no bound for it.
     m_least = m_reach > 0.0 ? m_reach : std::numeric_limits<double>::infinity();
     m_found.reset();
     look(m_a.leafOf(a), m_b.leafOf(b));
@@ -151,7 +151,8 @@ std::vector<PairTraversal::Leaves> PairTraversal::meeting(std::size_t most, cons
 }
 
 const std::vector<PairTraversal::Nearest>& PairTraversal::within(double enough, std::size_t most) {
-  // What touches is listed, too: with a margin around the shapes that is what is no further apart than that.
+  // Shapes that touch are listed, too: with a margin around them, these are the shapes that are no further apart than
+  // it.
   const double least = std::nextafter(m_margin, std::numeric_limits<double>::infinity());
   collectAll(enough > 0.0 ? std::max(enough + m_margin, least) : m_margin > 0.0 ? least : 0.0, most);
   return m_within;

@@ -9,17 +9,17 @@ namespace handwheel {
 
 namespace {
 
-// Triangles whose directions are tried. Each direction is measured on all meeting pairs, so all of them would take the
-// square of their number in every cycle. A direction that is left out makes the depth larger, never too small: what is
-// found always takes the shapes apart. In slight contact few triangles meet, and the direction in which the shapes were
-// apart before is tried in any case.
+// Number of triangles whose directions are tried. Each direction is measured on all meeting pairs, so all triangles
+// would take quadratic time in every cycle. Omitting a direction makes the depth larger, never too small: the result
+// always separates the shapes. In slight contact few triangles meet, and the direction in which the shapes were apart
+// before is tried in any case.
 constexpr std::size_t kMostFaces = 16;
 
 class PenetrationSearch {
  public:
   explicit PenetrationSearch(const std::vector<IntersectingShapes>& shapes) : m_shapes(shapes) {}
 
-  // The length of the direction does not count; nothing where it has none.
+  // Tries a direction of any length; ignores a zero vector.
   void attempt(const Vec3& direction) {
     const double length = direction.norm();
     if (!(length > 0.0) || !std::isfinite(length)) return;
@@ -33,7 +33,7 @@ class PenetrationSearch {
     attempt(-direction);
   }
 
-  // Around the best, for what is round.
+  // Searches around the best direction, for round shapes.
   void refine() {
     for (double step = 0.25; step > 1e-7; step *= 0.5) {
       for (int again = 0; again < 4; ++again) {

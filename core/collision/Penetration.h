@@ -13,23 +13,23 @@ struct IntersectingShapes {
   ConvexShape first, second;
 };
 
-// How deep some shapes penetrate others. Moved along the normal by the depth, the first ones are apart.
+// The depth to which shapes penetrate others. Moved along the normal by the depth, the first ones are apart.
 struct Penetration {
   double depth = 0.0;           // mm
-  Vec3 normal = Vec3::UnitZ();  // of unit length
-  Vec3 deepest = Vec3::Zero();  // the point of the first ones that is deepest in the second
+  Vec3 normal = Vec3::UnitZ();  // unit length
+  Vec3 deepest = Vec3::Zero();  // the point of the first shapes that is deepest in the second ones
 };
 
-// The penetration along a direction of unit length.
+// Returns the penetration along a direction of unit length.
 Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, const Vec3& direction);
 
-// The smallest penetration along the normals of the shapes' faces and, of solids, their edges and what lies between;
-// and along `last`, the direction in which they were apart, if it is not zero. isFirstClosed, isSecondClosed: their
-// triangles know an outside: only directions out of it are tried. Not empty: the shapes.
+// Returns the smallest penetration along the normals of the shapes' faces and, for solids, along their edges and the
+// directions between; and along `last`, the direction in which they were apart, if it is not zero. isFirstClosed,
+// isSecondClosed: their triangles have an outside, so only outward directions are tried. The shapes must not be empty.
 Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
                                bool isSecondClosed);
 
-// The point of a solid's surface nearest to a point, and the way to leave it there, in the frame of the solid.
+// The point of a solid's surface nearest to a point, and the surface normal there, in the frame of the solid.
 struct SolidNearest {
   double distance;  // mm; below 0 inside
   Vec3 point, normal;

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = CollisionPiece::Kind;
 
-// What the iteration of FCL for two convex shapes is off by at most (mm).
+// Largest error of FCL's iteration for two convex shapes, mm.
 constexpr double kConvexTolerance = 1e-4;
 
 std::shared_ptr<fcl::CollisionGeometryd> geometryOf(const CollisionPiece& piece) {
@@ -33,8 +33,9 @@ std::shared_ptr<fcl::CollisionGeometryd> geometryOf(const CollisionPiece& piece)
   return nullptr;
 }
 
-// FCL knows no tolerance: a result that is there already prunes what is further away. It is not below zero for meshes,
-// and its signed distances are wrong (issues 221, 245 and 491 of FCL), so that these are not asked for.
+// Computes the distance with FCL, which knows no tolerance: an existing result prunes whatever is further away. The
+// distance is not below zero for meshes, and signed distances are wrong (issues 221, 245 and 491 of FCL), so these are
+// not used.
 double byFcl(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB, double enough) {
   const auto first = geometryOf(a), second = geometryOf(b);
   fcl::DistanceRequestd request;
@@ -50,11 +51,11 @@ double byFcl(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b
   return std::max(0.0, result.min_distance - slack);
 }
 
-// Whether one of them is inside of the other without meeting its surface: of a mesh, whose distance is to its
-// triangles.
+// Returns true if one of them is inside the other without meeting its surface. Needed for meshes, whose distance is to
+// their triangles.
 bool isWithin(const CollisionPiece& inner, const Pose& poseInner, const CollisionPiece& outer, const Pose& poseOuter) {
   if (outer.kind != Kind::Mesh || !outer.mesh->isClosed()) return false;
-  Vec3 p = Vec3::Zero();  // of the inner one
+  Vec3 p = Vec3::Zero();  // a point of the inner piece
   if (inner.kind == Kind::Mesh) {
     const auto& model = *inner.mesh->hierarchy().model;
     if (model.num_vertices == 0) return false;

@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-// A box, and a rectangle swept by a sphere that holds it: its longest sides lie in the rectangle.
+// Returns the bound of a box: the box, and a swept rectangle that contains it, with its longest sides in the rectangle.
 fcl::OBBRSSd boundOfBox(const Vec3& half) {
   std::array<Eigen::Index, 3> order = {0, 1, 2};
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return half[a] > half[b]; });
@@ -23,7 +23,7 @@ fcl::OBBRSSd boundOfBox(const Vec3& half) {
   return bound;
 }
 
-// A line swept by a sphere holds a cylinder more closely than a rectangle does.
+// Returns the bound of a cylinder. A swept line bounds it more tightly than a swept rectangle.
 fcl::OBBRSSd boundOfCylinder(double radius, double halfLength) {
   fcl::OBBRSSd bound = boundOfBox({radius, radius, halfLength});
   bound.rss.axis << 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0;

@@ -8,7 +8,8 @@
 namespace handwheel {
 
 // A piece as a tree of bounds, with a convex shape in each leaf. Leaves are the triangles of a mesh; a solid is one
-// leaf. The bounds of a sphere are those of its centre. In the frame of the piece, which must outlive it.
+// leaf. The bounds of a sphere are those of its centre. All coordinates are in the frame of the piece, which must
+// outlive the tree.
 class PieceTree {
  public:
   explicit PieceTree(const CollisionPiece& piece);
@@ -19,19 +20,19 @@ class PieceTree {
   bool isMesh() const { return m_model != nullptr; }
   double margin() const { return m_margin; }  // mm around the shapes: the radius of a sphere
   const fcl::OBBRSSd& bound(int node) const { return m_model ? m_model->getBV(node).bv : m_bound; }
-  double radius(int node) const { return m_radii[node]; }  // mm: of the sphere around the box of a bound
+  double radius(int node) const { return m_radii[node]; }  // mm: radius of the sphere around the box of a bound
   bool isLeaf(int node) const { return !m_model || m_model->getBV(node).isLeaf(); }
   int left(int node) const { return m_model->getBV(node).leftChild(); }
   int right(int node) const { return m_model->getBV(node).rightChild(); }
-  // The triangle of a leaf; 0 for a solid.
+  // Returns the triangle of a leaf; 0 for a solid.
   std::uint32_t leafOf(int node) const {
     return m_model ? static_cast<std::uint32_t>(m_model->getBV(node).primitiveId()) : 0;
   }
   std::uint32_t leafCount() const { return m_model ? static_cast<std::uint32_t>(m_model->num_tris) : 1; }
-  // Its shape, in a frame in which the piece has this pose.
+  // Returns the shape of a leaf, in a frame in which the piece has this pose.
   ConvexShape shape(std::uint32_t leaf, const Pose& pose) const;
-  std::array<const Vec3*, 3> corners(std::uint32_t leaf) const;  // of a mesh
-  // The triangle of a leaf by its number in the soup that the mesh was made of; kNone for a solid.
+  std::array<const Vec3*, 3> corners(std::uint32_t leaf) const;  // for a mesh only
+  // Returns the triangle of a leaf by its index in the original soup of the mesh; kNone for a solid.
   std::uint32_t triangleOf(std::uint32_t leaf) const {
     return m_model ? m_piece.mesh->hierarchy().numbers[leaf] : kNone;
   }
@@ -42,7 +43,7 @@ class PieceTree {
   const fcl::BVHModel<fcl::OBBRSSd>* m_model = nullptr;
   fcl::OBBRSSd m_bound;
   double m_margin = 0.0;
-  double m_radius = 0.0;              // of m_bound
+  double m_radius = 0.0;              // radius of the sphere around m_bound
   const double* m_radii = &m_radius;  // node by node
 };
 

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The setting proximity.tolerance, the error allowed to nearest points (ProximityQuery::setTolerance()). In mm: that
-// much further away than the nearest may be what is found.
+// Returns the setting proximity.tolerance, the error of nearest points (ProximityQuery::setTolerance()), mm. The result
+// may be that much further away than the nearest point.
 FidelitySetting proximityToleranceSetting();
 
 }  // namespace handwheel

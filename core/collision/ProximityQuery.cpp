@@ -10,11 +10,11 @@ namespace handwheel {
 
 namespace {
 
-// Of lengths: what sums of poses and ways are off by, and far more.
-constexpr double kWayRounding = 1e-9;
-// A look that reaches further than it has to saves those of so many steps.
+// Relative to lengths: far more than the rounding of sums of poses and travels.
+constexpr double kTravelRounding = 1e-9;
+// A query with a larger reach than necessary saves the queries of this many steps.
 constexpr double kStepsAhead = 8.0;
-// mm: whose spheres are no further apart is looked at for contacts.
+// mm: bodies whose spheres are no further apart are tested for contacts.
 constexpr double kTouchingSpheres = 1e-9;
 
 }  // namespace
@@ -40,14 +40,15 @@ void ProximityQuery::place(std::uint32_t body, const Pose& pose) {
   placed.isSomewhere = pose.matrix().allFinite();
   if (!placed.isSomewhere) return;
   const Vec3 centre = pose * placed.body.centre();
-  // No point of a ball is turned further than the norm of the difference of two rotations times its radius.
+  // No point of a ball is moved further by a rotation than the norm of the difference of two rotations times its
+  // radius.
   placed.step = (centre - placed.centre).norm() +
                 M_SQRT1_2 * (pose.linear() - placed.pose.linear()).norm() * placed.body.radius();
   placed.travel += placed.step;
   placed.pose = pose;
   placed.centre = centre;
-  if (wasSomewhere && placed.travel < 1.0 / kWayRounding) return;
-  // What it was near to is not known any more, or the sum of its ways has become coarse.
+  if (wasSomewhere && placed.travel < 1.0 / kTravelRounding) return;
+  // The former distances are not known any more, or the sum of the travel has become coarse.
   for (Pieces& pieces : m_pieces) {
     const BodyPair& pair = m_pairs[pieces.pair].bodies;
     if (pair.first == body || pair.second == body) pieces.bound = -std::numeric_limits<double>::infinity();
@@ -66,13 +67,13 @@ double ProximityQuery::boundOf(const Pieces& pieces) {
   const Pair& pair = m_pairs[pieces.pair];
   const Placed &a = m_bodies[pair.bodies.first], &b = m_bodies[pair.bodies.second];
   const double travel = a.travel + b.travel, moved = travel - pieces.travel;
-  const double kept = pieces.bound - moved - kWayRounding * (moved + std::abs(pieces.bound) + 1.0);
+  const double kept = pieces.bound - moved - kTravelRounding * (moved + std::abs(pieces.bound) + 1.0);
   const CollisionPiece &first = a.body.pieces()[pieces.first], &second = b.body.pieces()[pieces.second];
   const double apart = (a.pose * first.centre - b.pose * second.centre).norm();
-  return std::max(kept, apart - first.radius - second.radius - kWayRounding * apart);
+  return std::max(kept, apart - first.radius - second.radius - kTravelRounding * apart);
 }
 
-// How much further a look is to reach than what is asked for: so far that it pays, nothing where bodies leap.
+// Returns the additional reach of a query: as large as pays off, 0 if bodies leap.
 double ProximityQuery::marginOf(const Pair& pair, double enough) const {
   const double ahead = kStepsAhead * (m_bodies[pair.bodies.first].step + m_bodies[pair.bodies.second].step);
   return ahead <= 0.5 * enough ? ahead : 0.0;
@@ -121,7 +122,7 @@ bool ProximityQuery::isNearer(Pieces& pieces, double than) {
 
 bool ProximityQuery::isNearer(double than) {
   if (!(than > 0.0)) return false;
-  // What was too near last time mostly is again.
+  // The pair that was too near last time is mostly too near again.
   if (m_last < m_pieces.size() && !isApart(m_pairs[m_pieces[m_last].pair], than) && isNearer(m_pieces[m_last], than))
     return true;
   for (const Pair& pair : m_pairs) {
@@ -135,7 +136,7 @@ bool ProximityQuery::isNearer(double than) {
   return false;
 }
 
-// Those with the least bounds first: the nearest one is soon known, and the others not looked at.
+// The pairs with the least bounds are tested first: the nearest one is then soon known, and the others are skipped.
 std::optional<NearPair> ProximityQuery::closest(double enough) {
   std::optional<NearPair> best;
   double least = enough;

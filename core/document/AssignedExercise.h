@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The exercise that a document is work on, and the attempt at it. Both are as containers have them; their
-// meaning is known to document/exercise/StartedWork.h. Both null: the document is no work on an exercise.
+// The exercise that a document is an attempt at, and the attempt. Both are in the form of containers;
+// document/exercise/StartedWork.h interprets them. Both null: the document does not belong to an exercise.
 struct AssignedExercise {
   std::shared_ptr<const nlohmann::json> description;
   std::shared_ptr<const nlohmann::json> attempt;

@@ -36,9 +36,10 @@ std::string systemReason() {
   return std::strerror(errno);
 }
 
-// The path itself, or what the link leads to, which need not exist.
+// Returns the path itself, or the target of the link, which need not exist.
 std::filesystem::path linkTarget(std::filesystem::path path) {
-  constexpr int kMostLinks = 40;  // as Linux follows; in a ring it ends at a link, which nothing can be written to
+  constexpr int kMostLinks =
+      40;  // the limit of Linux; for a cyclic link the result is a link, which cannot be written to
   std::error_code ignored;
   for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, ignored); ++i)
     path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
@@ -54,7 +55,7 @@ bool writeAll(int descriptor, std::string_view bytes) {
   return true;
 }
 
-// In blocks, between which it looks at the cancel flag.
+// Writes in blocks, between which it checks the cancel flag.
 Status writeBlocks(const std::filesystem::path& path, int descriptor, std::string_view bytes, Progress progress) {
   for (std::size_t start = 0; start < bytes.size(); start += kBlock) {
     if (!writeAll(descriptor, bytes.substr(start, kBlock))) return writeFailed(path, systemReason());
@@ -64,7 +65,7 @@ Status writeBlocks(const std::filesystem::path& path, int descriptor, std::strin
   return Done{};
 }
 
-// Nothing can be put in the place of a device, and nothing that is half written stays in one.
+// Writes to a device, which cannot be replaced and keeps no partial content.
 Status writeToDevice(const std::filesystem::path& path, std::string_view bytes, Progress progress) {
   const int device = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
   if (device < 0) return writeFailed(path, systemReason());
@@ -73,12 +74,12 @@ Status writeToDevice(const std::filesystem::path& path, std::string_view bytes, 
   return written;
 }
 
-// EINVAL: the file system has no such thing.
+// Flushes to disk. EINVAL: the file system does not support it.
 bool synchronise(int descriptor) {
   return ::fsync(descriptor) == 0 || errno == EINVAL;
 }
 
-// The old file must be writable, though it is only replaced; its permissions stay where the file system has any.
+// Takes over the permissions of the old file, which must be writable, though it is only replaced.
 bool takeOver(const std::filesystem::path& target, int descriptor) {
   struct stat old {};
   if (::stat(target.c_str(), &old) != 0) return errno == ENOENT;
@@ -86,7 +87,7 @@ bool takeOver(const std::filesystem::path& target, int descriptor) {
   return ::access(target.c_str(), W_OK) == 0;
 }
 
-// What is to stand at a path, from the first byte until it stands there.
+// The new content of a path, from the first byte until it has replaced the old one.
 class Replacement {
  public:
   explicit Replacement(const std::filesystem::path& path) : m_path(path), m_target(linkTarget(path)) {}
@@ -96,15 +97,16 @@ class Replacement {
   Replacement(const Replacement&) = delete;
   Replacement& operator=(const Replacement&) = delete;
 
-  // Brings it to the disk. A device has no place to take and has it all then.
+  // Writes it to the disk. A device is not replaced, and has all of it then.
   Status prepare(std::string_view bytes, Progress progress);
-  // Whatever could be made ready is: here nothing needs memory or descriptors any more that could be lacking after it.
-  Status takePlace();
+  // Replaces the target. Everything is ready by then, so that no lack of memory or descriptors can interrupt it.
+  Status replaceTarget();
 
  private:
   std::filesystem::path m_path, m_target;
   std::optional<AtomicSaveFile> m_draft;
-  int m_folder = -1;  // of the target; negative also where one may write but not list, and so not synchronise
+  int m_folder =
+      -1;  // folder of the target; negative also if it may be written to but not listed, and so not synchronised
 };
 
 Status Replacement::prepare(std::string_view bytes, Progress progress) {
@@ -112,7 +114,7 @@ Status Replacement::prepare(std::string_view bytes, Progress progress) {
   const auto kind = std::filesystem::status(m_target, ignored).type();
   if (kind == std::filesystem::file_type::directory) return writeFailed(m_path, std::strerror(EISDIR));
   if (kind == std::filesystem::file_type::character) return writeToDevice(m_path, bytes, progress);
-  // A rename would put a file in the place of the pipe or disk.
+  // A rename would replace the pipe or disk by a file.
   if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found &&
       kind != std::filesystem::file_type::none) {
     return writeFailed(m_path, "Not a regular file");
@@ -126,9 +128,9 @@ Status Replacement::prepare(std::string_view bytes, Progress progress) {
   return m_folder >= 0 || errno == EACCES ? Status(Done{}) : Status(writeFailed(m_path, systemReason()));
 }
 
-Status Replacement::takePlace() {
+Status Replacement::replaceTarget() {
   if (!m_draft) return Done{};
-  if (!m_draft->takePlace()) return writeFailed(m_path, systemReason());
+  if (!m_draft->replaceTarget()) return writeFailed(m_path, systemReason());
   return m_folder < 0 || synchronise(m_folder) ? Status(Done{}) : Status(writeFailed(m_path, systemReason()));
 }
 
@@ -152,7 +154,7 @@ Status writeFilesAtomically(std::span<const FileContent> files, Progress progres
   }
   if (progress.cancelled()) return cancelled;
   for (const auto& replacement : replacements) {
-    if (const Status placed = replacement->takePlace(); !placed) return placed;
+    if (const Status placed = replacement->replaceTarget(); !placed) return placed;
   }
   return Done{};
 }

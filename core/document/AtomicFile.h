@@ -11,11 +11,11 @@
 
 namespace handwheel {
 
-// Replaces a file's content atomically and durably. By a temporary file in its folder, unnamed where the system
-// supports that, fsync, rename, fsync of the folder. A symbolic link stays and its target is replaced; permissions
-// stay. Checks the cancel flag between blocks of 1 MiB; a cancelled or failed write leaves nothing behind, and what a
-// killed one may leave is removed by the next one (AtomicSaveFile.h). A character device (/dev/null, a terminal) is
-// written to directly. Errors: WriteFailed {system's reason}, Cancelled.
+// Replaces a file's content atomically and durably. Uses a temporary file in its folder, unnamed if the system supports
+// that, fsync, rename, and fsync of the folder. A symbolic link stays and its target is replaced; permissions stay.
+// Checks the cancel flag between blocks of 1 MiB; a cancelled or failed write leaves nothing behind, and the leftovers
+// of a killed one are removed by the next one (AtomicSaveFile.h). A character device (/dev/null, a terminal) is written
+// to directly. Errors: WriteFailed {system's reason}, Cancelled.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 // A path and the content to write to it.
@@ -25,16 +25,16 @@ struct FileContent {
 };
 
 // Replaces the content of several files atomically, one after the other. All of them are on the disk before the first
-// is replaced, and the last one decides: with an error it is the old one, unless only its folder could not be
-// synchronised. No two may be the same. Errors: as above.
+// is replaced, and the last one decides: after an error it is the old one, unless only its folder could not be
+// synchronised. No two may be the same. Errors: those of writeFileAtomically().
 Status writeFilesAtomically(std::span<const FileContent> files, Progress progress = {});
 
-// Flushes the entries of a folder to disk. What was created, renamed or removed in it then survives a power failure.
-// False: errno is the reason why it may not.
+// Flushes the entries of a folder to disk. Files created, renamed or removed in it then survive a power failure.
+// Returns false on failure; errno is the reason.
 bool syncFolder(const std::filesystem::path& folder);
 
-// Whether a file is being written now. A program that ended itself now would leave a temporary file. Once its progress
-// is cancelled none begins. Any thread.
+// Returns true if a file is being written now. If the program ended now, a temporary file would be left. No write
+// begins after its progress was cancelled. Any thread.
 bool isWritingFile();
 
 }  // namespace handwheel

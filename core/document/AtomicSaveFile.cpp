@@ -17,7 +17,7 @@ namespace {
 constexpr mode_t kMode = 0666;  // less the umask
 constexpr int kMostDraftNames = 100;
 
-// What stands there by this name and nobody holds.
+// Removes an existing file of this name that no process has locked.
 void removeAbandoned(const std::filesystem::path& name) {
   const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -36,7 +36,7 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
 }
 
 AtomicSaveFile::AtomicSaveFile(const std::filesystem::path& target) : m_target(target) {
-  // It gets its name by way of /proc.
+  // The file gets its name through /proc.
   if (::access("/proc/self/fd", X_OK) == 0)
     m_descriptor = ::open(folderOf(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
   if (m_descriptor >= 0)
@@ -50,8 +50,8 @@ AtomicSaveFile::~AtomicSaveFile() {
   if (m_descriptor >= 0) ::close(m_descriptor);
 }
 
-// Nothing but rename() replaces a file, and it needs a name; for that moment there is one.
-bool AtomicSaveFile::takePlace() {
+// Only rename() replaces a file, and it needs a name, so the file has one for that moment.
+bool AtomicSaveFile::replaceTarget() {
   if (m_name.empty()) {
     if (link(m_target)) return true;  // there was no old file
     if (errno != EEXIST || !withHiddenName(&AtomicSaveFile::link)) return false;

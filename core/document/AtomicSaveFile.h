@@ -6,14 +6,13 @@
 
 namespace handwheel {
 
-// The folder of a file; "." for a bare name.
+// Returns the folder of a file; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-// Temporary file that replaces another file when it is complete. If the system supports it, it has no name until it is
-// complete, so that a program killed while writing leaves nothing; elsewhere (network and foreign file systems) it is a
-// hidden file next to the other. Removed with this object unless it replaced the target. A file that a killed program
-// did leave is removed by the next one for the same target: running programs hold a lock on theirs. One thread at a
-// time.
+// A temporary file that replaces another file when it is complete. If the system supports it, it has no name until it
+// is complete, so that a program killed while writing leaves nothing; otherwise (network and foreign file systems) it
+// is a hidden file next to the other. Removed with this object unless it replaced the target. A file left by a killed
+// program is removed by the next one for the same target: running programs hold a lock on theirs. One thread at a time.
 class AtomicSaveFile {
  public:
   explicit AtomicSaveFile(const std::filesystem::path& target);
@@ -23,22 +22,22 @@ class AtomicSaveFile {
 
   int descriptor() const { return m_descriptor; }  // for writing; negative: none, errno is the reason
 
-  // Replaces the target, which at every moment is completely the old file or this one. False: errno is the reason, and
-  // it is the old one.
-  bool takePlace();
+  // Replaces the target, which at every moment is completely the old file or this one. Returns false on failure: errno
+  // is the reason, and the target is the old file.
+  bool replaceTarget();
 
-  // ".handwheel-", eight hexadecimal digits made of the target's name, which may be as long as names can be, and a
-  // number.
+  // Returns ".handwheel-", eight hexadecimal digits that hash the target's name, which may have the maximal length, and
+  // a number.
   static std::filesystem::path hiddenName(const std::filesystem::path& target, int number);
 
  private:
   bool create(const std::filesystem::path& name);
   bool link(const std::filesystem::path& name);
-  // With the first hidden name for which it does not fail because there is such a file.
+  // Calls `make` with the first hidden name that no existing file has.
   bool withHiddenName(bool (AtomicSaveFile::*make)(const std::filesystem::path&));
 
   std::filesystem::path m_target;
-  std::filesystem::path m_name;  // empty while it has none
+  std::filesystem::path m_name;  // empty while it has no name
   int m_descriptor = -1;
 };
 

@@ -29,7 +29,7 @@ std::string manifestText(const Container& container) {
   manifest["handwheel"]["format"] = kContainerVersion;
   manifest["handwheel"]["program"] = HANDWHEEL_VERSION;
   manifest["blobs"] = blobTable(container);
-  // Names of files need not be UTF-8; a document is not lost for that.
+  // File names need not be UTF-8; a document is not lost for that reason.
   return manifest.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -44,7 +44,7 @@ Result<std::string> writeEntries(const Container& container, Compression compres
   for (const ZipEntry& entry : entries) total += entry.bytes.size();
   if (total > kLargestContainer) return tooLarge("bytes", total, kLargestContainer);
   Result<std::string> archive = writeZip(entries, compression, progress);
-  // What packs this well would be taken for a bomb.
+  // An archive with such a compression ratio would be rejected as a decompression bomb.
   if (archive && total > kLimits.budget(archive->size())) return writeZip(entries, Compression::None, progress);
   return archive;
 }
@@ -70,10 +70,10 @@ bool looksLikeContainer(std::string_view bytes) {
   const auto hasManifestAt = [&](std::size_t header) {
     return bytes.size() > header + kNameInHeader && bytes.substr(header + kNameInHeader).starts_with(kManifest);
   };
-  if (hasManifestAt(0)) return true;  // whatever became of the bytes before
+  if (hasManifestAt(0)) return true;  // even if the bytes before it are damaged
   constexpr std::string_view kLocalHeader("PK\3\4", 4);
   if (!bytes.starts_with(kLocalHeader)) return false;
-  // Somebody has unpacked and packed it.
+  // The archive was unpacked and packed again.
   bytes = bytes.substr(0, kFileHead);
   for (std::size_t at = 0; at != std::string_view::npos; at = bytes.find(kLocalHeader, at + 1)) {
     if (hasManifestAt(at)) return true;

@@ -29,20 +29,20 @@ struct Container {
 
   std::unique_ptr<nlohmann::json> manifest;  // never null; an object
   std::map<std::string, std::string> blobs;  // by entry name, "mesh/positions/0000"
-  std::filesystem::path folder;              // of the file, absolute; empty while that is not known. No content
+  std::filesystem::path folder;              // folder of the file, absolute; empty if unknown. Not part of the content
 };
 
 // Result of reading a container.
 struct ReadContainer {
   Container container;        // migrated to the present version of the format
-  std::vector<Error> damage;  // entries that are missing or damaged; empty when the file is whole
+  std::vector<Error> damage;  // entries that are missing or damaged; empty if the file is whole
   bool isNewer = false;       // written by a newer version: read as far as it is understood
 };
 
 // Version of the format; see container/Migrations.h.
 inline constexpr int kContainerVersion = 5;
-// Largest unpacked size of all entries together, bytes; larger containers are neither written nor read. So that no size
-// needs more than 32 bits.
+// Largest unpacked size of all entries together, bytes; larger containers are neither written nor read. No size needs
+// more than 32 bits.
 inline constexpr std::uint64_t kLargestContainer = std::uint64_t{3} << 30;
 
 // Serialises a container to the bytes of its archive. The manifest's "handwheel" (version) and "blobs" (sizes and
@@ -52,12 +52,12 @@ Result<std::string> writeContainer(const Container& container, Compression compr
 
 // Reads a container from untrusted bytes. Bounded memory (at most kLargestContainer unpacked), bounded recursion, no
 // crash. If the archive's directory is lost or wrong, entries are searched for one by one. The manifest is returned
-// without "blobs", which belongs to the file. Fails only when no manifest can be read or it contains too much. Errors:
+// without "blobs", which belongs to the file. Fails only if no manifest can be read or it contains too much. Errors:
 // FileEmpty, ArchiveMalformed {library's reason}, EntryMissing and EntryDamaged {manifest.json}, ElementMalformed,
 // FileTooLarge, OutOfMemory, Cancelled.
 Result<ReadContainer> readContainer(std::string_view bytes, Progress progress = {});
 
-// Whether bytes look like the beginning of a container. The first 64 KiB are enough.
+// Returns true if bytes look like the beginning of a container. The first 64 KiB are enough.
 bool looksLikeContainer(std::string_view bytes);
 
 // Converts numbers to little-endian bytes, the form of all blobs. T: double, float, whole numbers of 8 to 64 bits. For

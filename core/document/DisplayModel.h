@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// A rigid part of the displayed geometry of a document. The viewport compares soup pointers: a part whose pose alone
-// changed is moved, not rebuilt.
+// A rigid part of the displayed geometry of a document. The viewport compares soup pointers: if only the pose of a part
+// changed, it is moved, not rebuilt.
 struct DisplayPart {
   std::string name;                          // unique in its model; the result of picking
   std::shared_ptr<const TriangleSoup> soup;  // mm, in the part's own frame
@@ -20,17 +20,17 @@ struct DisplayPart {
   std::array<float, 3> colour{0.72f, 0.74f, 0.78f};  // sRGB, 0…1
   bool smooth = true;                                // shade across edges that are not sharp
   bool isSectioned = true;                           // cut by the clipping plane of the view; tools stay whole
-  float gloss = 0.12f;                               // of the light that it throws back as highlights, 0…1
+  float gloss = 0.12f;                               // share of the light that it reflects as highlights, 0…1
   std::string group = {};                            // parts of one group change their shapes together; empty: alone
 };
 
 // The displayed geometry of a document.
 struct DisplayModel {
   std::vector<DisplayPart> parts;
-  Box bounds() const;  // of all parts in their poses; O(points)
+  Box bounds() const;  // bounds of all parts in their poses; O(points)
 };
 
-// The triangles of all parts in their poses. Nothing is welded. O(points + triangles).
+// Returns the triangles of all parts in their poses. Nothing is welded. O(points + triangles).
 TriangleSoup placedSoup(const DisplayModel& model);
 
 }  // namespace handwheel

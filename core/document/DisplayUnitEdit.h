@@ -23,10 +23,10 @@ class DisplayUnitEdit : public Edit {
   LengthUnit m_unit;
 };
 
-// The property for the display unit.
+// Returns the property for the display unit.
 Property displayUnitProperty(LengthUnit present);
-// Creates the edit for a new display unit. value: an index into the choices of the property. Null when nothing changes.
-// Errors: ValueOutOfRange, ElementMalformed.
+// Creates the edit for a new display unit. value: an index into the choices of the property. Returns null if nothing
+// changes. Errors: ValueOutOfRange, ElementMalformed.
 Result<std::unique_ptr<Edit>> displayUnitEdit(LengthUnit present, const PropertyValue& value);
 
 }  // namespace handwheel

@@ -24,7 +24,7 @@ QString pathOf(const std::string& bytes) {
   return QFile::decodeName(QByteArray::fromStdString(bytes));
 }
 
-// A group with a name of its own is one of several things that have such a property.
+// Returns the text of an undo step. A group with a name of its own is one of several objects with such a property.
 QString changeText(const Property& property) {
   if (property.groupTranslated) return Document::tr("Change %1").arg(labelOf(property));
   return Document::tr("Change %1 of %2").arg(labelOf(property), QString::fromStdString(property.group));
@@ -37,7 +37,7 @@ Document::Document(const DocumentKind& kind, DocumentFile file, QObject* parent)
   connect(&m_history, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }
 
-// A dying history says that it is clean; nobody may hear it from a document that is half gone.
+// A history signals that it is clean when it is destroyed; no receiver may get this from a partly destroyed document.
 Document::~Document() {
   m_history.disconnect();
 }
@@ -67,7 +67,7 @@ void Document::markSaved(const QString& path, bool isContainer, const std::optio
   m_recovered = false;
   m_isRecordedAnew = false;
   m_isFileBeforeFirst = false;
-  m_isStroking = false;  // what follows is a step of its own
+  m_isStroking = false;  // a later edit is a step of its own
   m_history.setClean();
   emit fileChanged();
 }
@@ -135,7 +135,7 @@ void Document::beginHistory(const QString& text, std::unique_ptr<Edit> edit) {
   commit(text, std::move(edit));
   m_history.setClean();
   m_isFileBeforeFirst = true;
-  // The history itself knows one clean state only.
+  // The history itself has only one clean state.
   connect(&m_history, &QUndoStack::indexChanged, this, [this](int index) {
     if (m_isFileBeforeFirst && index <= 1) emit fileChanged();
   });

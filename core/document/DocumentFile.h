@@ -20,36 +20,36 @@ namespace handwheel {
 struct Container;
 class DocumentKind;
 
-// What a document stores about the file that it was read from.
+// Data of a document about the file that it was read from.
 struct DocumentFile {
   std::string id;           // UUID; made when a document is imported, kept in containers
   std::string path;         // absolute, as bytes; empty for a document that was never saved
-  std::string title = {};   // what it is called until it is saved, UTF-8; empty: by its file, if it has one
-  std::string copyOf = {};  // as path: the file whose surface it was made of; it is to be saved beside that
-  std::optional<FileTimestamp> stamp = {};  // of that file as it was read or written; none where that is not known
+  std::string title = {};   // name until it is saved, UTF-8; empty: the name of its file, if it has one
+  std::string copyOf = {};  // path of the file from whose surface it was made; it is to be saved beside that
+  std::optional<FileTimestamp> stamp = {};  // stamp of that file when it was read or written; none: unknown
   LengthUnit displayUnit = LengthUnit::Millimetre;
-  std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made
-  AssignedExercise assigned = {};           // that it is work on
-  std::vector<Error> damage;                // what was skipped or repaired
-  std::size_t unlistedDamage = 0;           // further damage beyond what is listed
-  std::vector<LostAttribute> lost;          // what the file holds and the document does not
-  std::vector<std::string> lostOther;       // as MeshFile::lostOther
-  std::vector<Note> notes;                  // what else there is to know of how it was read
+  std::vector<StoredRecording> recordings;  // recordings of haptic devices, in the order of their creation
+  AssignedExercise assigned = {};           // the exercise that it belongs to
+  std::vector<Error> damage;                // parts that were skipped or repaired
+  std::size_t unlistedDamage = 0;           // further damage beyond the listed one
+  std::vector<LostAttribute> lost;          // contents of the file that the document does not have
+  std::vector<std::string> lostOther;       // see MeshFile::lostOther
+  std::vector<Note> notes;                  // other remarks on reading it
   bool hasUnit = true;                      // false: the format of the file has no unit of length
   bool isContainer = false;
   bool isNewer = false;    // written by a newer program
   bool isPartial = false;  // recovered from an autosave, and the file at the path holds more than the document
-  // Keys and blobs that this program does not know; they are written back into the file. And the keys that it knew when
-  // it read the file: what was unknown within one of these is removed when that is deleted. Both null if it was not
-  // read from a container.
+  // Keys and blobs that this program does not know; they are written back into the file. `known` has the keys that it
+  // knew when it read the file: unknown parts within one of these are removed if that is deleted. Both null if it was
+  // not read from a container.
   std::shared_ptr<const Container> unknown;
   std::shared_ptr<const Container> known;
 
-  // Whether overwriting the file would lose something.
+  // Returns true if overwriting the file would lose something.
   bool wouldLoseDataOnOverwrite() const { return !damage.empty() || !lost.empty() || isNewer || isPartial; }
 };
 
-// Result of reading a file on a worker, from which a document is made.
+// Result of reading a file on a worker thread, from which a document is made.
 struct OpenedFile {
   const DocumentKind* kind = nullptr;
   DocumentFile file;

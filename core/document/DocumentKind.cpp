@@ -30,7 +30,7 @@ LengthUnit unitNamed(const std::string& symbol) {
   return LengthUnit::Millimetre;
 }
 
-// What this program writes of a document, but for the ticks of recordings. path: of the file it is written to.
+// Returns the container of a document without the ticks of its recordings. path: the target file.
 Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                   const std::filesystem::path& path) {
   Container own;
@@ -47,7 +47,7 @@ Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snap
   return own;
 }
 
-// The exercise that the document is work on; what is not an exercise is left to the unknown keys.
+// Returns the exercise that the document belongs to; anything else is left to the unknown keys.
 AssignedExercise assignedIn(const nlohmann::json& manifest) {
   const auto found = manifest.find(kAssigned);
   if (found == manifest.end() || !found->is_object()) return {};
@@ -59,7 +59,7 @@ AssignedExercise assignedIn(const nlohmann::json& manifest) {
   return assigned ? assigned : AssignedExercise();
 }
 
-// Sets apart what goes back into the file when it is saved.
+// Stores the unknown part that is written back when the document is saved.
 void keepUnknown(OpenedFile& opened, const Container& read) {
   Container known = ownPart(*opened.kind, opened.file, *opened.content, {});
   const std::string folders[] = {opened.kind->id() + "/", kRecordingFolder};
@@ -129,7 +129,7 @@ Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::pa
   return opened;
 }
 
-// That every blob comes back as its checksum says.
+// Checks that every blob is read back with its checksum.
 Status checkReadable(std::string_view bytes, Progress progress) {
   const Result<ReadContainer> back = readContainer(bytes, progress);
   if (back && back->damage.empty()) return Done{};
@@ -188,7 +188,7 @@ Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const 
     opened->file.path = std::filesystem::absolute(path, ignored).string();
     return opened;
   }
-  // Of the mesh readers, which know of no other kinds.
+  // The mesh readers do not know the extensions of other kinds.
   Error error = withSubject(opened.error(), path);
   if (error.code == DocumentError::FormatUnknown) error.arguments = readEndings();
   return error;

@@ -28,18 +28,17 @@ struct FileFormat {
   bool writes = true;
 };
 
-// The id of a document that is made anew: DocumentFile::id.
+// Returns the id of a new document: DocumentFile::id.
 std::string newDocumentId();
 
 // Result of writing a file.
 struct WrittenFile {
   std::size_t bytes = 0;
-  std::vector<Note> notes;  // how the file differs from the document, and its state
+  std::vector<Note> notes;  // differences between the file and the document, and its state
 };
 
-// Interface of a document type: reading, saving, exporting, describing and displaying its documents. No state but
-// settings; any thread, except make(). To add a kind, derive from this class and add it to the list in
-// app/builtin.
+// Interface of a document type: reading, saving, exporting, describing and displaying its documents. No state except
+// settings; any thread, except make(). To add a kind, derive from this class and add it to the list in app/builtin.
 class DocumentKind {
  public:
   virtual ~DocumentKind() = default;
@@ -48,47 +47,47 @@ class DocumentKind {
   virtual std::string title() const = 0;  // English, context "DocumentKind": "Mesh"
   virtual std::vector<FileFormat> formats() const = 0;
 
-  // Whether a foreign file is of this kind, by its first 64 KiB and its name.
+  // Returns true if a foreign file is of this kind, by its first 64 KiB and its name.
   virtual bool recognises(std::string_view head, std::string_view name) const = 0;
-  // Whether import() also takes a folder, as a series of images is kept in one.
+  // Returns true if import() also accepts a folder, such as one with a series of images.
   virtual bool readsFolders() const { return false; }
   virtual Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                                     Progress progress) const = 0;
-  // Writes a foreign format by the ending of the path: the whole file or nothing.
+  // Writes a foreign format by the extension of the path: the whole file or nothing.
   virtual Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                        Progress progress) const = 0;
 
   // Write and read the part of a container that belongs to this kind: the object manifest["document"], in which save()
   // writes every key it knows, and the blobs in a folder named after the kind. load() must accept any input, and return
-  // what can be recovered from a damaged file.
+  // everything that can be recovered from a damaged file.
   virtual void save(const Snapshot& content, Container& container) const = 0;
   virtual Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                        Progress progress) const = 0;
 
-  // The content of a new document of default size; null for a kind without empty documents.
+  // Returns the content of a new document of default size; null for a kind without empty documents.
   virtual SnapshotPointer blank() const { return nullptr; }
 
-  // The content after a look at the other files that it is linked to, for a container in this folder. What became of
-  // them is added to the notes. Kinds without links return the content itself.
+  // Returns the content after checking the files that it is linked to, for a container in this folder. The results are
+  // added to the notes. Kinds without links return the content itself.
   virtual SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
                                            std::vector<Note>& notes, Progress progress) const;
 
-  // The files that the content is linked to; they are never replaced by the document. Absolute.
+  // Returns the files that the content is linked to; they are never replaced by the document. Absolute.
   virtual std::vector<std::filesystem::path> linkedFiles(const Snapshot&) const { return {}; }
 
-  // The shape of a document of this kind as a body in another; null when it has none. What it loses by that is added to
-  // the notes. By default its display as one mesh.
+  // Returns the shape of a document of this kind as a body in another; null if it has none. Losses are added to the
+  // notes. By default its display as one mesh.
   virtual GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const;
 
-  // Whether a document of this kind can be made of the surface of one of another kind, and its content then. source:
-  // the name of that document. Errors: Cancelled, and those of the kind.
+  // Returns true if a document of this kind can be made from the surface of another document; ofSurface() returns its
+  // content. source: the name of that document. Errors: Cancelled, and those of the kind.
   virtual bool isMadeOfSurfaces() const { return false; }
   virtual Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
                                             Progress progress) const;
 
   virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
 
-  // The output of 'handwheel inspect --json'.
+  // Returns the output of 'handwheel inspect --json'.
   virtual nlohmann::json describe(const Snapshot& content) const = 0;
   virtual DisplayModel display(const Snapshot& content) const = 0;
 };
@@ -99,19 +98,19 @@ class DocumentKinds {
   explicit DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds);
 
   std::span<const std::unique_ptr<DocumentKind>> all() const { return m_kinds; }
-  const DocumentKind* withId(std::string_view id) const;  // null when unknown
+  const DocumentKind* withId(std::string_view id) const;  // null if unknown
 
   // Reads a container or a foreign file of any kind, recognised by content, or a folder (readsFolders()). Errors: those
   // of the readers, FormatUnknown, KindUnknown.
   Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
   // Reads a container from its bytes. Errors: those of open(), without subject; OutOfMemory.
   Result<OpenedFile> openContainer(std::string_view bytes, Progress progress = {}) const;
-  // The file extensions that open() reads: ".stl", …, ".handwheel".
+  // Returns the file extensions that open() reads: ".stl", …, ".handwheel".
   std::vector<std::string> readEndings() const;
-  // The kind of a foreign file, by its first bytes and its name, or of a folder; null for a container. Errors: those of
-  // opening it, FormatUnknown.
+  // Returns the kind of a foreign file, by its first bytes and its name, or of a folder; null for a container. Errors:
+  // those of opening it, FormatUnknown.
   Result<const DocumentKind*> kindOf(const std::filesystem::path& path) const;
-  // A new, unsaved document of a kind that has blank ones.
+  // Returns a new, unsaved document of a kind that has blank ones.
   static OpenedFile blank(const DocumentKind& kind);
 
  private:
@@ -119,29 +118,29 @@ class DocumentKinds {
 };
 
 inline constexpr std::string_view kContainerEnding = ".handwheel";
-// Whether a file name has the extension of containers.
+// Returns true if a file name has the extension of containers.
 bool isContainerName(const std::filesystem::path& path);
 
-// The file extensions of the formats that are written, and the container: ".step", …, ".handwheel".
+// Returns the file extensions of the formats that are written, and the container: ".step", …, ".handwheel".
 std::vector<std::string> writtenEndings(const std::vector<FileFormat>& formats);
-// The error ExtensionUnknown for a path with another extension.
+// Returns the error ExtensionUnknown for a path with another extension.
 Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written);
 
 // Saves a document, as a container or in a foreign format, by the path's extension. Writes the whole file or nothing.
 // Errors: ExtensionUnknown, VersionNewer (of an existing document, which is never replaced), ReplacesLinked; those of
-// the formats; of a container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
+// the formats; for a container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 
-// The container that saveDocument() writes, after checking that it can be read. Errors: the same.
+// Returns the container that saveDocument() writes, after checking that it can be read. Errors: the same.
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress = {});
 
-// The document's container. path: of the file that it is for, which links are relative to; may be empty. Errors:
+// Returns the document's container. path: the target file, which links are relative to; may be empty. Errors:
 // Cancelled.
 Result<Container> containerOf(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                               const std::filesystem::path& path, Progress progress = {});
-// Its bytes. Errors: those of writeContainer(), too.
+// Returns the bytes of the container. Errors: those of writeContainer(), too.
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                    const std::filesystem::path& path, Compression compression, Progress progress = {});
 

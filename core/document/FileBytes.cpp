@@ -37,7 +37,8 @@ Result<OpenFile> openFile(const std::filesystem::path& path) {
 
 }  // namespace
 
-// In blocks, for progress and cancellation. Not memory-mapped: another program that cuts the file would kill us.
+// Reads in blocks, for progress and cancellation. Not memory-mapped: if another program truncates the file, we would
+// crash.
 Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress) {
   const Result<OpenFile> file = openFile(path);
   if (!file) return file.error();

@@ -15,7 +15,7 @@ namespace handwheel {
 Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress = {});
 // Number of leading bytes by which files are recognised.
 inline constexpr std::size_t kFileHead = 64 << 10;
-// Reads at most the first `most` bytes of a file. The same errors.
+// Reads at most the first `most` bytes of a file. Errors: the same.
 Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t most = kFileHead);
 
 }  // namespace handwheel

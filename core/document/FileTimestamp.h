@@ -15,7 +15,7 @@ struct FileTimestamp {
   bool operator==(const FileTimestamp&) const = default;
 };
 
-// The stamp of a file as it is now; none where there is no regular file.
+// Returns the present stamp of a file; none if there is no regular file.
 std::optional<FileTimestamp> timestampOf(const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-// What the manifest, or its copy, says; 0 where it says nothing.
+// Returns the version in the manifest, or its copy; 0 if there is none.
 std::uint64_t versionIn(std::string_view bytes) {
   ZipReader zip(bytes, layout::kLimits, {});
   for (const std::string& name : {layout::kManifest, layout::kManifestCopy}) {

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Checks that a file was not written by a newer program. Error: VersionNewer for such a container: overwriting it would
-// lose what only that program knows. Anything else may be replaced, or cannot be for other reasons. Reads the file, but
-// unpacks its manifest only.
+// Checks that a file was not written by a newer program. Errors: VersionNewer for such a container: overwriting it
+// would lose the parts that only that program knows. Any other file may be replaced, or cannot be for other reasons.
+// Reads the file, but unpacks its manifest only.
 Status checkNotNewer(const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -10,12 +10,12 @@
 namespace handwheel {
 
 // A message to the user about the result of an operation. An English sentence with %1, %2… for its arguments,
-// translated where it is shown (context "Note"; widgets/text/NoteText.h).
+// translated for display (context "Note"; widgets/text/NoteText.h).
 struct Note {
   std::string text;
   std::vector<std::string> arguments = {};
   bool isLoss = false;                  // the file lacks something that the document has
-  std::optional<MeshState> state = {};  // said in place of %1, in the words of stateText()
+  std::optional<MeshState> state = {};  // replaces %1, in the words of stateText()
 };
 
 }  // namespace handwheel

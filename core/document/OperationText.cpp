@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kLongestWord = 40;  // characters of a word that a clause repeats
-constexpr double kNoLimit = 1e9;          // ranges beyond are no news to anybody
+constexpr double kNoLimit = 1e9;          // larger bounds are not worth mentioning
 
 std::string numberText(const Parameter& parameter, double value) {
   return parameter.property.quantity == Quantity::Angle ? angleText(value) : shortestText(value);
@@ -31,7 +31,7 @@ std::optional<double> numberIn(const Parameter& parameter, std::string_view word
   return value * unit;
 }
 
-// The value of a word, which may be out of range.
+// Returns the value of a word, which may be out of range.
 std::optional<PropertyValue> valueIn(const Parameter& parameter, std::string_view word) {
   if (parameter.isFlag()) return true;
   if (std::holds_alternative<std::string>(parameter.property.value)) return std::string(word);
@@ -41,17 +41,17 @@ std::optional<PropertyValue> valueIn(const Parameter& parameter, std::string_vie
   return static_cast<double>(known - parameter.words.begin());
 }
 
-// In the unit of its words.
+// Converts a value to the unit of its words.
 double inWords(const Parameter& parameter, double value) {
   return parameter.property.quantity == Quantity::Angle ? value / kRadiansPerDegree : value;
 }
 
-// For people: without an exponent where possible.
+// Formats a bound for users: without an exponent if possible.
 std::string boundText(const Parameter& parameter, double value) {
   return shownText(inWords(parameter, value));
 }
 
-// To three digits: nobody types more, and what is calculated, such as the root of two, has no last one.
+// Formats a default with three digits: computed defaults, such as the root of two, have no last digit.
 std::string defaultText(const Parameter& parameter, double value) {
   const double shown = inWords(parameter, value);
   if (parameter.isWhole || shown == 0.0) return shownText(shown);
@@ -64,7 +64,7 @@ std::string rangeText(const Parameter& parameter) {
   return boundText(parameter, p.least) + " to " + boundText(parameter, p.largest);
 }
 
-// "a length from 0 to 5 mm".
+// Returns "a length from 0 to 5 mm".
 std::string numberWanted(const Parameter& parameter) {
   const Property& p = parameter.property;
   const bool isLength = p.quantity == Quantity::Length, isAngle = p.quantity == Quantity::Angle;
@@ -86,8 +86,8 @@ std::string optionSyntax(const Parameter& parameter) {
 
 }  // namespace
 
-// Of the quotient and its neighbours nearly always one is multiplied back to the angle, and the shortest is what was
-// meant.
+// One of the quotient and its neighbours nearly always converts back to the angle exactly, and the shortest is the
+// intended one.
 std::string angleText(double radian) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double degrees = radian / kRadiansPerDegree;

@@ -8,38 +8,38 @@
 
 // The values of operations as words, and the syntax of operations for help pages. Words are the same on the command
 // line and in steps. English, independent of the locale. Lengths are in mm, angles in degrees; numbers have the fewest
-// digits that read back as the same.
+// digits that read back to the same value.
 namespace handwheel {
 
-// Writes an angle in degrees if that is read back exactly, else as "0.5rad".
+// Formats an angle in degrees if that is read back exactly, otherwise as "0.5rad".
 std::string angleText(double radian);
 
 // Splits a list at a separator; an empty text has one empty part.
 std::vector<std::string_view> parted(std::string_view list, char separator);
 
-// The word for a value, which need not be within the range; that of a flag is empty.
+// Returns the word for a value, which need not be within the range; that of a flag is empty.
 std::string textOf(const Parameter& parameter, const PropertyValue& value);
-// Reads a word and sets its value. Returns what is wrong with the word as a clause; then nothing has changed.
+// Reads a word and sets its value. Returns the error as a clause; then nothing has changed.
 [[nodiscard]] std::string readWord(OperationValues& values, const Parameter& parameter, std::string_view word);
 
-// Writes the numbers of a list parameter as its text, and reads them; none if it is malformed.
+// Format and parse the numbers of a list parameter as its text; none if it is malformed.
 std::string listText(const Parameter& parameter, const std::vector<double>& numbers);
 std::optional<std::vector<double>> numbersIn(const Parameter& parameter, std::string_view list);
 
-// The names and words of the values that differ from their defaults, and of those that are always written.
+// Returns the names and words of the values that differ from their defaults, and of those that are always written.
 std::vector<std::pair<std::string, std::string>> writtenOptions(const OperationValues& values);
-// The same as a line: "--faces 700 --keep-borders".
+// Returns them as a line: "--faces 700 --keep-borders".
 std::string optionLine(const OperationValues& values);
 
-// "--open-sheets takes keep, back or fill, not 'off'".
+// Returns "--open-sheets takes keep, back or fill, not 'off'".
 std::string refusal(const Parameter& parameter, std::string_view word);
 
-// "fair, ridge or ear".
+// Returns "fair, ridge or ear".
 std::string choicesText(const std::vector<std::string>& words);
 
-// The syntax of a step: "repair [--open-sheets HOW] [--max-hole N] [FILL]".
+// Returns the syntax of a step: "repair [--open-sheets HOW] [--max-hole N] [FILL]".
 std::string syntaxOf(const Operation& operation);
-// The meaning of a parameter with its choices, range and default.
+// Returns the meaning of a parameter with its choices, range and default.
 std::string helpOf(const Parameter& parameter);
 
 }  // namespace handwheel

@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t kKeyDigits = 4;
 }
 
-// The model stays as it is: a tool in the middle of its work is not to hear of a change.
+// The model stays unchanged: a tool in the middle of its work must not be notified.
 void RecordingsEdit::exchange(Document& document) {
   document.m_file.recordings.swap(m_recordings);
   document.countChange();
   emit document.fileChanged();
 }
 
-// The ticks are shared with the document, most of the time.
+// The ticks are mostly shared with the document.
 std::size_t RecordingsEdit::bytes() const {
   return sizeof *this + m_recordings.size() * sizeof(StoredRecording);
 }

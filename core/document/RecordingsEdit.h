@@ -21,7 +21,7 @@ class RecordingsEdit : public Edit {
   std::vector<StoredRecording> m_recordings;
 };
 
-// A key that none of the recordings has.
+// Returns a key that none of the recordings has.
 std::string freeKey(const std::vector<StoredRecording>& recordings);
 
 }  // namespace handwheel

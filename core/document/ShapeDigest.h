@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// A hash (SHA-256, hexadecimal) of points and triangles, bit for bit, which identifies a shape. O(points + triangles).
+// Returns a hash (SHA-256, hexadecimal) that identifies a shape, bit for bit. O(points +
+// triangles).
 std::string shapeDigest(const TriangleSoup& shape);
 
 }  // namespace handwheel

@@ -11,9 +11,9 @@ namespace handwheel {
 // A haptic recording that is stored in a document. A copy shares the ticks.
 struct StoredRecording {
   std::string key;          // four digits or more, unique in the document, never changes
-  std::string name;         // as the user calls it
-  std::string device;       // the name of the device; empty: not known
-  double forceLimit = 0.0;  // N in the scene, of that device; 0: not known
+  std::string name;         // chosen by the user
+  std::string device;       // the name of the device; empty: unknown
+  double forceLimit = 0.0;  // N in the scene, limit of that device; 0: unknown
   Recording ticks;
 };
 

@@ -22,7 +22,7 @@ class UndoCommand : public QUndoCommand {
   UndoCommand(Document& document, const QString& text, std::unique_ptr<Edit> edit, std::optional<Values> values = {})
       : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_values(std::move(values)) {}
 
-  // The edit as a step of "handwheel edit"; empty where it has no such form.
+  // Returns the edit as a step of "handwheel edit"; empty if it has no such form.
   const std::string& step() const { return m_step; }
   void setStep(std::string step) { m_step = std::move(step); }
 
@@ -32,7 +32,7 @@ class UndoCommand : public QUndoCommand {
 
   void redo() override { m_edit->exchange(m_document); }
   void undo() override { m_edit->exchange(m_document); }
-  int id() const override { return 1; }  // of all commands: gestures and edits decide whether two merge
+  int id() const override { return 1; }  // the same for all commands: gestures and edits decide if two merge
   bool mergeWith(const QUndoCommand* later) override;
 
   const Edit& edit() const { return *m_edit; }

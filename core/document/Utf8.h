@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Whether bytes are well-formed UTF-8.
+// Returns true if bytes are well-formed UTF-8.
 bool isUtf8(std::string_view bytes);
 
 }  // namespace handwheel

@@ -34,7 +34,7 @@ bool isClockTime(double value, const std::string& unit) {
   return unit == "s" && std::abs(value) >= 60.0;
 }
 
-// Of a limit, as the teacher has written it; of angles, which follow from sizes, two decimals.
+// Returns a limit as the teacher has written it; for angles, which follow from sizes, with two decimals.
 std::string limitNumber(double value, const std::string& unit) {
   return unit == "°" ? measuredText(value, unit) : roundedText(value);
 }

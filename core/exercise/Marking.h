@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// A translatable English text with %1, %2… for its arguments. It is translated where it is shown (context "Note").
+// A translatable English text with %1, %2… for its arguments. It is translated on display (context "Note").
 struct ExerciseText {
   std::string text;
   std::vector<std::string> arguments = {};
@@ -17,48 +17,50 @@ struct ExerciseText {
 
 // A figure that was measured for a criterion.
 struct Measurement {
-  std::string criterion;        // its id
+  std::string criterion;        // id of the criterion
   std::optional<double> value;  // in the unit of the figure; none: it could not be measured
-  ExerciseText remark = {};     // where that was, or why there is none
-  // It was so in an earlier try, which was taken back: it costs this criterion, and fails no other.
+  ExerciseText remark = {};     // the position of the measurement, or the reason why there is none
+  // The value is of an earlier try, which was undone: it costs this criterion its points, but does not fail the others.
   bool isOfEarlierTry = false;
 };
 
 enum class Verdict { Met, TooSmall, TooLarge, NotMeasured };
 
-// What a criterion gave, with its reason.
+// The result of a criterion, with its reason.
 struct Mark {
   std::string criterion;
   Verdict verdict = Verdict::NotMeasured;
   std::optional<double> value;
-  double points = 0.0, of = 0.0;  // hundredths exactly
+  double points = 0.0, of = 0.0;  // multiples of 0.01
   ExerciseText reason;
-  ExerciseText remark;  // of the figure
+  ExerciseText remark;  // remark of the measurement
 };
 
 // The marks for one student's work, in the order of the scheme.
 struct Marking {
   std::vector<Mark> marks;
   double points = 0.0, of = 0.0;
-  const Mark* find(std::string_view criterion) const;  // null when there is none
+  const Mark* find(std::string_view criterion) const;  // null: there is none
 };
 
 // Marks figures by a scheme. Deterministic: the same figures give the same marks. Criteria without a figure count as
-// not measured, and so do those with points and without a limit. units: of the figures, by criterion in the same order,
-// for the reasons; may be shorter.
+// not measured, and so do those with points and without a limit. units: units of the figures for the reasons, in the
+// order of the criteria; may be shorter.
 Marking markMeasurements(const Exercise& exercise, const std::vector<Measurement>& figures,
                          const std::vector<std::string>& units = {});
 
-// A measured figure to as many digits as mean something in its unit: mm to a micrometre, µm to a hundredth.
+// Returns a measured figure with as many digits as are significant in its unit: mm to a micrometre, µm to a hundredth.
 std::string measuredText(double value, const std::string& unit);
 
-// " mm", or "°": what follows a number of this unit. A space comes before each but the sign of a degree (ISO 80000-1).
+// Returns the suffix of a number in this unit: " mm", or "°". A space precedes each unit but the degree sign (ISO
+// 80000-1).
 std::string unitAfter(const std::string& unit);
 
 // "4:05 min"
 std::string minutesText(double seconds);
 
-// The share of its points that a value earns: 1 within the limits, falling to 0 over the slack beyond them. 0 for NaN.
+// Returns the share of its points that a value earns: 1 within the limits, falling to 0 over the slack beyond them. 0
+// for NaN.
 double earnedShare(const MarkingCriterion& criterion, double value);
 
 }  // namespace handwheel

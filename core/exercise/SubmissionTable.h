@@ -10,19 +10,19 @@ namespace handwheel {
 
 // One submission of a school class.
 struct SubmissionRow {
-  std::string file;  // its name
+  std::string file;  // name of the file
   Attempt attempt;
   Marking marking;
   WorkOrigin origin = WorkOrigin::Unknown;
-  std::string problem = {};               // why it was not marked; empty: it was
-  std::vector<std::string> remarks = {};  // what the teacher is to know of the file
-  std::optional<std::size_t> tries = {};  // that the work took; none: they are not counted of its kind
+  std::string problem = {};               // the reason why it was not marked; empty: it was
+  std::vector<std::string> remarks = {};  // remarks on the file for the teacher
+  std::optional<std::size_t> tries = {};  // number of tries; none: this kind of work does not count them
 };
 
-// The submissions of a class as one table. It has a row for each, and a column for each criterion.
+// The submissions of a class as one table. It has a row for each submission, and a column for each criterion.
 class SubmissionTable {
  public:
-  // The columns before those of the criteria; what a teacher looks for is first.
+  // The columns before those of the criteria, the most important ones first.
   enum Column : std::size_t { Student, Points, Percent, Minutes, Hints, Made, Tries, HandedIn, File, FirstCriterion };
 
   explicit SubmissionTable(const Exercise& exercise);
@@ -36,15 +36,16 @@ class SubmissionTable {
   bool isNumber(std::size_t column) const {
     return column != Student && column != Made && column != HandedIn && column != File;
   }
-  // As a text; numbers with a decimal point, how the work was made in English. Empty where there is none.
+  // Returns a cell as text; numbers with a decimal point, the origin of the work in English. Empty if there is no
+  // value.
   std::string cell(std::size_t row, std::size_t column) const;
 
-  // Sorts by a column; numbers by value, what is empty last. Equal rows keep their order.
+  // Sorts by a column; numbers by value, empty cells last. Equal rows keep their order.
   void sort(std::size_t column, bool isDescending);
 
-  // RFC 4180 in UTF-8, with the mark by which spreadsheets know that, and a header; fields that a spreadsheet would
-  // take for a formula get an apostrophe in front.
-  // translated: of the headings that are not names of criteria, and of how work was made; null: English.
+  // Returns the table as CSV by RFC 4180 in UTF-8, with a byte order mark for spreadsheets and a header; fields that a
+  // spreadsheet would take for a formula get an apostrophe in front. translated: translates the headings that are not
+  // names of criteria, and the origin of the work; null: English.
   std::string csv(std::string (*translated)(const std::string&) = nullptr) const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace handwheel {
 
-// How work was made, as far as its recording tells. Unknown: nothing was made, or the kind of work does not record it.
+// Origin of work, as far as its recording tells. Unknown: nothing was made, or the kind of work does not record it.
 enum class WorkOrigin { Unknown, Hand, Program, Both };
 
 }  // namespace handwheel

@@ -10,14 +10,14 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kPlacesPerSpan = 4.0;    // of the nose on its way, between two knots
-constexpr double kMostVisits = 1e8;       // of samples, in one look at each place of a step of the path
-constexpr double kDepthLeft = 1e-12;      // mm: the nose counts as free
-constexpr double kPartsPerSpan = 4.0;     // of the depth, in as much of it as the distance of two knots
-constexpr double kMostDepthParts = 64.0;  // of the depth, at one place
-// On its way a nose is deep beside walls only, where few control points are below it: in each part but the last, whose
-// moves make it free, it takes these.
-constexpr std::size_t kMovesOnItsWay = 2;
+constexpr double kPositionsPerSpan = 4.0;  // positions of the nose per span
+constexpr double kMostVisits = 1e8;        // largest number of samples, looked at once for each position of a step
+constexpr double kDepthLeft = 1e-12;       // mm; below this depth the nose counts as free
+constexpr double kPartsPerSpan = 4.0;      // parts of a depth as large as a span
+constexpr double kMostDepthParts = 64.0;   // largest number of parts of a depth at one position
+// After its start a nose is deep only beside walls, where few control points are below it: each part but the last,
+// whose moves make it free, needs this many.
+constexpr std::size_t kMovesAfterStart = 2;
 
 }  // namespace
 
@@ -28,13 +28,14 @@ ControlPointCut::ControlPointCut(const TurnedProfile& profile, double resolution
   m_span = profile.length() / static_cast<double>(m_spans);
 }
 
-// Cox and de Boor, of degree 2. Pole k has the knots k - 2 to k + 1 in spans, which are clamped to the ends.
+// Recursion of Cox and de Boor, of degree 2. Pole k has the knots k - 2 to k + 1 in spans, which are clamped to the
+// ends.
 double ControlPointCut::basis(std::size_t pole, double z) const {
   const double u = std::clamp(z / m_span, 0.0, static_cast<double>(m_spans));
   std::array<double, 4> knots;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double place = static_cast<double>(pole + i) - 2.0;
-    knots[i] = std::clamp(place, 0.0, static_cast<double>(m_spans));
+    const double position = static_cast<double>(pole + i) - 2.0;
+    knots[i] = std::clamp(position, 0.0, static_cast<double>(m_spans));
   }
   const double end = static_cast<double>(m_spans);
   std::array<double, 3> level{};
@@ -66,11 +67,11 @@ std::size_t ControlPointCut::movesUnder(double noseRadius) const {
   return static_cast<std::size_t>(std::ceil(poles));
 }
 
-// Steps of the nose on its way from a to b.
-double ControlPointCut::placesOn(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b,
-                                 double noseRadius) const {
+// Returns the number of positions of the nose on its path from a to b.
+double ControlPointCut::positionsOn(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b,
+                                    double noseRadius) const {
   const double each = std::min(2.0 * noseRadius / profile.spacing() + 1.0, static_cast<double>(profile.size()));
-  return std::clamp(std::ceil(kPlacesPerSpan * (b - a).norm() / m_span), 1.0, std::max(1.0, kMostVisits / each));
+  return std::clamp(std::ceil(kPositionsPerSpan * (b - a).norm() / m_span), 1.0, std::max(1.0, kMostVisits / each));
 }
 
 ControlPointCut::Deepest ControlPointCut::deepestUnder(const TurnedProfile& profile, TurningSide side,
@@ -81,7 +82,7 @@ ControlPointCut::Deepest ControlPointCut::deepestUnder(const TurnedProfile& prof
     const double along = profile.z(i) - nose.y();
     const double half = std::sqrt(std::max(0.0, radius * radius - along * along));
     const bool isBore = side == TurningSide::Bore;
-    // On the far side of the material, or where there is none, it touches nothing.
+    // On the far side of the material, or without material, it touches nothing.
     const bool isBeside =
         isBore ? nose.x() - half >= profile.radius(i) : profile.inner(i) > 0.0 && nose.x() + half <= profile.inner(i);
     if (isBeside || !profile.hasMaterial(i)) continue;
@@ -102,7 +103,7 @@ TurnedProfile::Range ControlPointCut::move(TurnedProfile& profile, TurningSide s
   for (std::size_t i = begin; i <= end; ++i) {
     const double change = by * basis(pole, profile.z(i));
     if (!(change > 0.0)) continue;
-    // A film that only rounding leaves is no material.
+    // A film that only rounding leaves is not material.
     const double inner = profile.inner(i), outer = profile.radius(i);
     const bool isAll = outer - inner - change <= kDepthLeft;
     const bool isChanged = side == TurningSide::Bore ? profile.limitInner(i, isAll ? outer : inner + change)
@@ -112,30 +113,30 @@ TurnedProfile::Range ControlPointCut::move(TurnedProfile& profile, TurningSide s
   return changed;
 }
 
-// In how many parts a depth is taken at most where the nose has come to on a way from where it was free. A round nose
-// is no deeper there than that way and the flank that it has gone into; without a way it begins, at any depth.
-double ControlPointCut::mostPartsAfter(double way, double noseRadius) const {
+// Returns the largest number of parts of a depth after a travel from a free position. A round nose is no deeper there
+// than that travel and the flank that it has entered; without a travel it begins, at any depth.
+double ControlPointCut::mostPartsAfter(double travel, double noseRadius) const {
   if (!m_isInParts) return 1.0;
-  if (way == 0.0) return kMostDepthParts;
-  return std::clamp(std::ceil(kPartsPerSpan * (way + std::sqrt(2.0 * noseRadius * way)) / m_span), 1.0,
+  if (travel == 0.0) return kMostDepthParts;
+  return std::clamp(std::ceil(kPartsPerSpan * (travel + std::sqrt(2.0 * noseRadius * travel)) / m_span), 1.0,
                     kMostDepthParts);
 }
 
-// Eq. 5-9 for one place of the nose, until it is free. A control point that takes a depth d at u takes up to d / 2 too
-// much beside u: so d is a fraction of the distance of the control points, as if the nose came in straight from
-// outside.
+// Applies eq. 5-9 for one position of the nose, until it is free. A control point that removes a depth d at u removes
+// up to d / 2 too much beside u: so d is a fraction of the distance of the control points, as if the nose came in
+// straight from outside.
 TurnedProfile::Range ControlPointCut::cutAt(TurnedProfile& profile, TurningSide side, const ProfilePoint& nose,
                                             double radius, double mostParts, std::size_t movesBefore) const {
   TurnedProfile::Range changed;
   const double depth = deepestUnder(profile, side, nose, radius).depth;
-  // A depth that is whole parts but for rounding is as many.
+  // A depth that is a whole number of parts but for rounding has that number.
   const double parts = std::clamp(std::ceil(kPartsPerSpan * depth / m_span - 1e-9), 1.0, mostParts);
   const double out = side == TurningSide::Bore ? -depth : depth;
   for (double left = parts - 1.0; left >= 0.0; --left) {
-    const ProfilePoint place = nose + ProfilePoint(left / parts * out, 0.0);
+    const ProfilePoint position = nose + ProfilePoint(left / parts * out, 0.0);
     const std::size_t moves = left == 0.0 ? movesUnder(radius) : movesBefore;
     for (std::size_t k = 0; k < moves; ++k) {
-      const Deepest deepest = deepestUnder(profile, side, place, radius);
+      const Deepest deepest = deepestUnder(profile, side, position, radius);
       if (!(deepest.depth > kDepthLeft)) break;
       const double z = profile.z(deepest.sample);
       const std::size_t pole = strongest(z);
@@ -151,11 +152,11 @@ TurnedProfile::Range ControlPointCut::cut(TurnedProfile& profile, TurningSide si
                                           const ProfilePoint& b, double noseRadius) const {
   TurnedProfile::Range changed;
   if (profile.samplesUnder(a, b, noseRadius).isEmpty()) return changed;
-  const double places = placesOn(profile, a, b, noseRadius);
-  const double parts = mostPartsAfter((b - a).norm() / places, noseRadius);
+  const double positions = positionsOn(profile, a, b, noseRadius);
+  const double parts = mostPartsAfter((b - a).norm() / positions, noseRadius);
   changed.extend(cutAt(profile, side, a, noseRadius, mostPartsAfter(0.0, noseRadius), movesUnder(noseRadius)));
-  for (int i = 1; i <= static_cast<int>(places); ++i)
-    changed.extend(cutAt(profile, side, a + i / places * (b - a), noseRadius, parts, kMovesOnItsWay));
+  for (int i = 1; i <= static_cast<int>(positions); ++i)
+    changed.extend(cutAt(profile, side, a + i / positions * (b - a), noseRadius, parts, kMovesAfterStart));
   return changed;
 }
 
@@ -163,13 +164,13 @@ double ControlPointCut::work(const TurnedProfile& profile, const ProfilePoint& a
                              double noseRadius, bool isFree) const {
   const auto under = static_cast<double>(profile.samplesUnder(a, b, noseRadius).size());
   if (under == 0.0) return 0.0;
-  const double places = placesOn(profile, a, b, noseRadius);
+  const double positions = positionsOn(profile, a, b, noseRadius);
   const double each = std::min(under, 2.0 * noseRadius / profile.spacing() + 1.0) + 3.0 * m_span / profile.spacing();
   const auto moves = static_cast<double>(movesUnder(noseRadius));
-  const double way = (b - a).norm() / places, first = isFree ? 1.0 : mostPartsAfter(0.0, noseRadius);
-  const double parts = way > 0.0 ? mostPartsAfter(way, noseRadius) : 1.0;  // at the same place it is free
-  const double onItsWay = static_cast<double>(kMovesOnItsWay) * (parts - 1.0) + moves;
-  return (first * moves + 1.0 + places * (onItsWay + 1.0)) * each;
+  const double travel = (b - a).norm() / positions, first = isFree ? 1.0 : mostPartsAfter(0.0, noseRadius);
+  const double parts = travel > 0.0 ? mostPartsAfter(travel, noseRadius) : 1.0;  // already free at the same position
+  const double afterStart = static_cast<double>(kMovesAfterStart) * (parts - 1.0) + moves;
+  return (first * moves + 1.0 + positions * (afterStart + 1.0)) * each;
 }
 
 }  // namespace handwheel

@@ -9,20 +9,20 @@
 
 namespace handwheel {
 
-// The piece at the free end of a part that was parted off. What is behind it stays in the chuck.
+// The piece at the free end of a part that was parted off. The material behind it stays in the chuck.
 struct EndPiece {
-  TurnedProfile profile;      // without the other pieces; in the same place
+  TurnedProfile profile;      // without the other pieces, at the same position along the axis
   TurnedProfile::Range held;  // the samples that have material; not empty
   double length() const;      // mm
 };
 
-// None: the part is in one piece, or nothing is left of it. O(samples).
+// Returns the end piece, or nothing if the part is in one piece or no material is left. O(samples).
 std::optional<EndPiece> endPieceOf(const TurnedProfile& part);
 
-// The samples of each piece of a part, from the one in the chuck to the free end. O(samples).
+// Returns the samples of each piece of a part, from the one in the chuck to the free end. O(samples).
 std::vector<TurnedProfile::Range> piecesOf(const TurnedProfile& part);
 
-// One of these pieces alone. O(samples).
+// Returns the part with one of these pieces alone. O(samples).
 EndPiece pieceAlone(const TurnedProfile& part, const TurnedProfile::Range& piece);
 
 }  // namespace handwheel

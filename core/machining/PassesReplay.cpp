@@ -13,7 +13,7 @@ double durationOf(const TurningPass& pass) {
   return pass.times.size() == pass.path.size() && !pass.times.empty() ? std::max(0.0, pass.times.back()) : 0.0;
 }
 
-// Cuts on to some points of a pass, of which there were fewer.
+// Continues a pass from some of its points to more of them.
 void cutOn(TurnedProfile& profile, const TurningPass& pass, std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i) cut(profile, pass, pass.path[i == 0 ? 0 : i - 1], pass.path[i]);
 }
@@ -62,11 +62,11 @@ PassesReplay::Moment PassesReplay::at(double seconds) const {
   const auto number = static_cast<std::size_t>(next - m_begins.begin()) - 1;
   const TurningPass& pass = *m_passes[number];
   const double since = time - m_begins[number];
-  // At the very end all is cut, whatever the sum of times was rounded to.
+  // At the very end all is cut, for any rounding of the sum of times.
   const std::size_t points = time >= duration() ? pass.path.size() : reached(pass, since);
   const auto kept = std::upper_bound(m_versions.begin(), m_versions.end(), std::pair(number, points),
-                                     [](const auto& place, const Version& version) {
-                                       return place < std::pair(version.pass, version.points);
+                                     [](const auto& position, const Version& version) {
+                                       return position < std::pair(version.pass, version.points);
                                      }) -
                     1;
   Moment moment{kept->profile, nullptr, m_passes[number], number};
@@ -75,24 +75,24 @@ PassesReplay::Moment PassesReplay::at(double seconds) const {
     cutOn(moment.profile, *m_passes[i], from, m_passes[i]->path.size());
   cutOn(moment.profile, pass, from, points);
   if (pass.path.empty()) return moment;
-  moment.place = pass.path[points == 0 ? 0 : points - 1];
+  moment.position = pass.path[points == 0 ? 0 : points - 1];
   if (points > 0 && points < pass.path.size()) {
-    const double before = pass.times[points - 1], way = pass.times[points] - before;
-    const ProfilePoint begin = moment.place;
-    if (way > 0.0) moment.place += (since - before) / way * (pass.path[points] - begin);
-    cut(moment.profile, pass, begin, moment.place);
+    const double before = pass.times[points - 1], interval = pass.times[points] - before;
+    const ProfilePoint begin = moment.position;
+    if (interval > 0.0) moment.position += (since - before) / interval * (pass.path[points] - begin);
+    cut(moment.profile, pass, begin, moment.position);
   }
-  moment.threads = threadsAt(number, points, moment.place);
+  moment.threads = threadsAt(number, points, moment.position);
   return moment;
 }
 
 std::shared_ptr<const PartThreads> PassesReplay::threadsAt(std::size_t pass, std::size_t points,
-                                                           const ProfilePoint& place) const {
+                                                           const ProfilePoint& position) const {
   if (!m_passes[pass]->thread || points == 0) return m_threads[pass];
   TurningPass begun = *m_passes[pass];
   if (points < begun.path.size()) {
     begun.path.resize(points);
-    begun.path.push_back(place);
+    begun.path.push_back(position);
     begun.times.resize(points);
     begun.times.push_back(begun.times.back());
     begun.speeds.clear();

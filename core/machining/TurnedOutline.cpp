@@ -18,7 +18,7 @@ Side outerSide(const TurnedProfile& profile, std::size_t first, std::size_t last
   return side;
 }
 
-// Upwards; reversed where the outline runs down.
+// Returns the inner side upwards; reversed if the outline runs down.
 Side innerSide(const TurnedProfile& profile, std::size_t first, std::size_t last) {
   Side side;
   side.reserve(last - first + 1);
@@ -38,7 +38,7 @@ std::optional<std::size_t> firstSolid(const TurnedProfile& profile, std::size_t 
   return std::nullopt;
 }
 
-// Between two solid samples.
+// Returns the cavities between two solid samples.
 std::vector<Side> cavitiesBetween(const TurnedProfile& profile, std::size_t first, std::size_t last) {
   std::vector<Side> cavities;
   for (std::size_t i = first + 1; i < last; ++i) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-// The lower side of a disc at z; infinite beside it.
+// Returns the lower side of a disc at z; infinite beside it.
 double lowerSide(const ProfilePoint& centre, double radius, double z) {
   const double offset = z - centre.y();
   const double under = radius * radius - offset * offset;
@@ -65,7 +65,7 @@ class SweepEnvelope {
   LowerTangent m_under, m_over;
 };
 
-// Frustum between two circles at a distance 1, over π / 3.
+// Returns the volume of a frustum between two circles at a distance 1, over π / 3.
 double frustum(double r, double s) {
   return r * r + r * s + s * s;
 }

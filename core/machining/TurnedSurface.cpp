@@ -12,7 +12,8 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kLeastRingSegments = 24, kMostRingSegments = 256;
-constexpr double kMostRingPoints = 4e6;  // of all rings, unless they are of the least segments
+constexpr double kMostRingPoints =
+    4e6;  // limit of the points of all rings, unless they have the least number of segments
 
 // Half of the tolerance is for the circle: R (1 - cos(pi / n)) <= chord / 2.
 std::uint32_t segmentsFor(const TurnedProfile& profile, double chord) {
@@ -36,7 +37,7 @@ std::shared_ptr<const std::vector<ProfilePoint>> unitCircle(std::uint32_t segmen
 }
 
 // Adds rings of points around the axis and the bands between them; a ring of radius 0 is one point. The material is on
-// the left of the way from ring to ring, as (r, z) is drawn. Where there is a thread the rings follow its groove.
+// the left of the path from ring to ring, as (r, z) is drawn. On a thread the rings follow its groove.
 class RingBuilder {
  public:
   RingBuilder(TriangleSoup& soup, const std::vector<ProfilePoint>& circle, const PartThreads* threads)
@@ -56,7 +57,7 @@ class RingBuilder {
     m_hasLast = true;
   }
 
-  // No band between the ring before and the one after.
+  // Leaves out the band between the previous ring and the next.
   void interrupt() { m_hasLast = false; }
 
  private:
@@ -92,28 +93,28 @@ class RingBuilder {
   bool m_hasLast = false;
 };
 
-// The samples of a block at which rings stand, from the first to the last: those that a chord to the next one would
-// leave by more than the tolerance.
-class RingPlaces {
+// The samples of a block that have rings, from the first to the last: a chord to the next sample would deviate from the
+// profile by more than the tolerance.
+class RingSamples {
  public:
-  RingPlaces(const TurnedProfile& profile, bool isInner, double chord)
+  RingSamples(const TurnedProfile& profile, bool isInner, double chord)
       : m_profile(profile), m_isInner(isInner), m_chord(chord) {}
 
   double radius(std::size_t i) const { return m_isInner ? m_profile.inner(i) : m_profile.radius(i); }
 
   std::vector<std::size_t> between(std::size_t first, std::size_t last) const {
     constexpr std::size_t kLongest = 64;  // samples between two rings, so that the search for straight ones is short
-    std::vector<std::size_t> places{first};
+    std::vector<std::size_t> samples{first};
     for (std::size_t i = first + 1; i < last; ++i) {
       const bool isAtEnd = !m_profile.hasMaterial(i) && (m_profile.hasMaterial(i - 1) || m_profile.hasMaterial(i + 1));
-      if (isAtEnd || i - places.back() >= kLongest || !isStraight(places.back(), i)) places.push_back(i);
+      if (isAtEnd || i - samples.back() >= kLongest || !isStraight(samples.back(), i)) samples.push_back(i);
     }
-    places.push_back(last);
-    return places;
+    samples.push_back(last);
+    return samples;
   }
 
  private:
-  // Whether the samples from `from` to i lie on the chord to i + 1.
+  // Returns true if the samples from `from` to i lie on the chord to i + 1.
   bool isStraight(std::size_t from, std::size_t i) const {
     const double next = radius(i + 1), first = radius(from);
     const double span = static_cast<double>(i + 1 - from);
@@ -151,7 +152,7 @@ void TurnedSurface::setThreads(const TurnedProfile& profile, std::shared_ptr<con
   update(profile, changed);
 }
 
-// Up the outside with the flat ends of the part, and down the bore.
+// Builds the outside upwards with the flat ends of the part, and the bore downwards.
 std::shared_ptr<const TriangleSoup> TurnedSurface::build(const TurnedProfile& profile, std::size_t block) const {
   auto soup = std::make_shared<TriangleSoup>();
   RingBuilder rings(*soup, *m_circle, m_threads.get());
@@ -164,22 +165,22 @@ std::shared_ptr<const TriangleSoup> TurnedSurface::build(const TurnedProfile& pr
   const std::size_t first = block * kBlockSamples;
   const std::size_t last = std::min(first + kBlockSamples, profile.size() - 1);
   const auto isGap = [&](std::size_t i, std::size_t j) { return !profile.hasMaterial(i) && !profile.hasMaterial(j); };
-  const RingPlaces outside(profile, false, 0.5 * m_chord);
-  std::vector<std::size_t> places = outside.between(first, last);
-  soup->points.reserve((places.size() + 2) * m_circle->size());
-  soup->triangles.reserve(2 * (places.size() + 2) * m_circle->size());
+  const RingSamples outside(profile, false, 0.5 * m_chord);
+  std::vector<std::size_t> samples = outside.between(first, last);
+  soup->points.reserve((samples.size() + 2) * m_circle->size());
+  soup->triangles.reserve(2 * (samples.size() + 2) * m_circle->size());
   if (first == 0 && profile.hasMaterial(0)) inner(0);
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (k > 0 && isGap(places[k - 1], places[k])) rings.interrupt();
-    outer(places[k]);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (k > 0 && isGap(samples[k - 1], samples[k])) rings.interrupt();
+    outer(samples[k]);
   }
   if (last == profile.size() - 1 && profile.hasMaterial(last)) inner(last);
   if (!profile.isBored()) return soup;
   rings.interrupt();
-  places = RingPlaces(profile, true, 0.5 * m_chord).between(first, last);
-  for (std::size_t k = places.size(); k-- > 0;) {
-    if (k + 1 < places.size() && isGap(places[k], places[k + 1])) rings.interrupt();
-    inner(places[k]);
+  samples = RingSamples(profile, true, 0.5 * m_chord).between(first, last);
+  for (std::size_t k = samples.size(); k-- > 0;) {
+    if (k + 1 < samples.size() && isGap(samples[k], samples[k + 1])) rings.interrupt();
+    inner(samples[k]);
   }
   return soup;
 }

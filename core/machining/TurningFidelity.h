@@ -6,14 +6,14 @@
 
 namespace handwheel {
 
-// The setting turn.spacing: distance of the samples of a turned profile, mm (TurnedProfile). A workpiece keeps the one
-// that it was first cut with.
+// The setting turn.spacing: distance of the samples of a turned profile, mm (TurnedProfile). A workpiece keeps the
+// spacing that it was first cut with.
 FidelitySetting turnSpacingSetting();
 
 // The setting turn.method: how a nose cuts (TurningPass::method). Its choices are in the order of TurningMethod.
 FidelitySetting turnMethodSetting();
 
-// The setting turn.resolution: distance of the control points where these are moved, mm (TurningPass::resolution).
+// The setting turn.resolution: distance of the control points that are moved, mm (TurningPass::resolution).
 FidelitySetting turnResolutionSetting();
 
 // The setting turn.step: length of a step of the lathe's simulation, ms. Levers and wheels take effect with the next.

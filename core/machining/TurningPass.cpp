@@ -13,15 +13,15 @@ const ProfilePoint& pointBefore(const TurningPass& pass, std::size_t i) {
   return pass.path[i == 0 ? 0 : i - 1];
 }
 
-// What a point takes that moves straight from a to b: all outside of its way, or all between it and the axis. Straight
-// out or in it takes nothing.
+// Cuts with a point that moves straight from a to b: removes all material outside of its path, or all between the path
+// and the axis. A motion straight out or in removes nothing.
 TurnedProfile::Range cutByPoint(TurnedProfile& profile, TurningSide side, const ProfilePoint& a,
                                 const ProfilePoint& b) {
   TurnedProfile::Range changed;
   const double along = b.y() - a.y();
   if (!a.allFinite() || !b.allFinite() || along == 0.0) return changed;
   const double last = static_cast<double>(profile.size() - 1), spacing = profile.spacing();
-  constexpr double kShare = 1e-9;  // of a spacing: rounding of the ends
+  constexpr double kShare = 1e-9;  // share of a spacing; rounding of the ends
   const double low = std::ceil(std::min(a.y(), b.y()) / spacing - kShare);
   const double high = std::floor(std::max(a.y(), b.y()) / spacing + kShare);
   if (high < 0.0 || low > last || low > high) return changed;
@@ -39,14 +39,14 @@ TurnedProfile::Range cutByPoint(TurnedProfile& profile, TurningSide side, const 
   return changed;
 }
 
-// The wall that a place is certainly in: of all samples from the one below it to the one above. Between two samples
-// that a shoulder lies between the profile does not tell where; so a tool that leaves the shoulder is not in it.
+// The wall that certainly contains a position: of all samples from the one below it to the one above. If a shoulder
+// lies between two samples, its exact position is unknown; so a tool that leaves the shoulder is not in the wall.
 struct Wall {
-  double inner = 0.0, outer = 0.0;  // mm; the same where there is none
+  double inner = 0.0, outer = 0.0;  // mm; equal if there is no wall
 };
 
 Wall wallBetween(const TurnedProfile& profile, double low, double high) {
-  constexpr double kShare = 1e-6;  // of a spacing: on a sample
+  constexpr double kShare = 1e-6;  // share of a spacing: on a sample
   const double first = std::floor(low + kShare) == std::floor(low - kShare) ? std::floor(low) : std::round(low) - 1.0;
   const double last = std::ceil(high + kShare) == std::ceil(high - kShare) ? std::ceil(high) : std::round(high) + 1.0;
   if (first < 0.0 || last > static_cast<double>(profile.size() - 1)) return {};
@@ -58,7 +58,8 @@ Wall wallBetween(const TurnedProfile& profile, double low, double high) {
   return wall;
 }
 
-// How deep a way between two radii is in a wall: where it is as far from both sides, or at an end of the way.
+// Returns the depth of a path between two radii in a wall: at the point equally far from both sides, or at an end of
+// the path.
 double deepestIn(const Wall& wall, double r0, double r1) {
   if (wall.inner >= wall.outer) return 0.0;
   const double low = std::max(0.0, std::min(r0, r1)), high = std::max(0.0, std::max(r0, r1));
@@ -95,7 +96,7 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const P
 }
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress) {
-  constexpr std::size_t kLook = 64;  // points between two looks at the cancel flag
+  constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
   TurnedProfile::Range changed;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     if (i % kLook == 0) {

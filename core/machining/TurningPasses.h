@@ -12,8 +12,8 @@
 
 namespace handwheel {
 
-// The passes that cut a part, in order. A copy shares its pages with the original, so that a part of 100,000 passes
-// costs a version no more than the last page of them.
+// The passes that cut a part, in order. A copy shares its pages with the original, so that a version of a part with
+// 100,000 passes costs no more than the last page of them.
 class TurningPasses {
  public:
   using Pass = std::shared_ptr<const TurningPass>;

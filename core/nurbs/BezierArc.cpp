@@ -56,7 +56,7 @@ ProfilePoint BezierArc::direction(double t) const {
   for (int i = 0; i <= degree; ++i) size = std::max(size, poles[i].head<2>().norm() / poles[i].z());
   const auto derivative = derivatives(t);
   for (int order = 1; order <= kHighestDegree; ++order) {
-    // Below this a derivative is what rounding left of zero.
+    // A smaller derivative is only rounding of zero.
     if (derivative[order].norm() <= 1e-12 * size) continue;
     const double backwards = t >= 1.0 && order % 2 == 0 ? -1.0 : 1.0;
     return backwards * derivative[order].normalized();
@@ -65,7 +65,7 @@ ProfilePoint BezierArc::direction(double t) const {
 }
 
 // With Q the nearest points of the chord to the poles P, the arc is as far from Σ wBQ / Σ wB, a point of the chord, as
-// Σ wB(P - Q) / Σ wB says, where only inner poles count; and their share Σ wB / Σ wB is largest at t = ½ if it is
+// Σ wB(P - Q) / Σ wB gives, with only inner poles in the sum; and their share Σ wB / Σ wB is largest at t = ½ if it is
 // bounded by the least weight of the ends and the largest of the others.
 double BezierArc::chordError() const {
   const double least = std::min(poles[0].z(), poles[degree].z());

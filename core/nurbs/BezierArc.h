@@ -21,14 +21,15 @@ struct BezierArc {
   // (w r, w z, w) relative to the origin; the first degree + 1 of them; all weights are positive.
   std::array<Eigen::Vector3d, kHighestDegree + 1> poles;
 
-  // The point and the derivatives by t of order 1 to 3; those beyond the degree are zero only where no weight varies.
+  // Returns the point and the derivatives by t of order 1 to 3; those beyond the degree are zero only if no weight
+  // varies.
   std::array<ProfilePoint, kHighestDegree + 1> derivatives(double t) const;
 
-  // The unit tangent at t, towards the rest of the arc (at t = 1, from the arc before). Where the derivative vanishes,
-  // as it does at double poles, the limit; zero for an arc that is one point.
+  // Returns the unit tangent at t, towards the rest of the arc (at t = 1, from the arc before). If the derivative
+  // vanishes, as it does at double poles, it is the limit; zero if the arc is one point.
   ProfilePoint direction(double t) const;
 
-  // The Hausdorff distance of the arc from its chord. Exact for polynomials of degree 2; else an upper bound.
+  // Returns the Hausdorff distance of the arc from its chord. Exact for polynomials of degree 2; else an upper bound.
   double chordError() const;
 
   std::pair<BezierArc, BezierArc> halves() const;

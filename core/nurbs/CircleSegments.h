@@ -7,21 +7,21 @@
 
 namespace handwheel {
 
-// The numbers of chords that approximate the circles of one part. Some power of two times 8 to 15 for its largest, and
-// halves, quarters, ... of that for smaller ones, so that chords of neighbouring circles meet in a regular pattern.
+// The numbers of chords that approximate the circles of one part. The largest circle has a power of two times 8 to 15,
+// smaller ones have halves, quarters, ... of that, so that chords of neighbouring circles meet in a regular pattern.
 class CircleSegments {
  public:
   static constexpr std::uint32_t kLeast = 8;
 
-  // For circles up to this radius; no chord is further from its circle than the tolerance (mm). nullopt where that
-  // needs more than 2³⁰ chords.
+  // Returns the segments for circles up to this radius; no chord is further from its circle than the tolerance (mm).
+  // Returns nothing if that needs more than 2³⁰ chords.
   static std::optional<CircleSegments> make(double largestRadius, double tolerance);
 
-  int levels() const { return m_levels; }  // how often the count can be halved
+  int levels() const { return m_levels; }  // number of times that the count can be halved
   std::uint32_t count(int level) const { return m_most >> level; }
-  int levelOf(std::uint32_t count) const;  // of one of these counts
-  int levelAt(double radius) const;        // the last that keeps the tolerance there
-  double reach(int level) const;           // the largest radius (mm) at which a level keeps it
+  int levelOf(std::uint32_t count) const;  // level with this count
+  int levelAt(double radius) const;        // last level that keeps the tolerance at this radius
+  double reach(int level) const;           // largest radius (mm) at which a level keeps the tolerance
 
  private:
   CircleSegments(std::uint32_t most, int levels, double tolerance)

@@ -15,7 +15,7 @@ double cross(const Vec3& a, const Vec3& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Of the axis, to a triangle as it looks along the axis.
+// Returns the distance of the axis to a triangle, projected along the axis.
 double distanceFromAxis(const Corners& p) {
   double distance = HUGE_VAL;
   int left = 0, right = 0;  // sides on which the axis lies
@@ -31,8 +31,8 @@ double distanceFromAxis(const Corners& p) {
   return left == 3 || right == 3 ? 0.0 : distance;
 }
 
-// The radius of a triangle takes every value between those at its nearest and its furthest point, and the height too;
-// of each of the three sheets, the mantle and the ends, the distance is largest at one of them.
+// The radius of a triangle takes every value between those at its nearest and its furthest point, and so does the
+// height; the distance to each of the three sheets, the mantle and the ends, is largest at one of them.
 double distanceToSheets(const Corners& p, double radius, double low, double high) {
   const double inside = radius - distanceFromAxis(p);
   const double outside = std::max({p[0].head<2>().norm(), p[1].head<2>().norm(), p[2].head<2>().norm()}) - radius;

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// The largest distance of triangles from the surface of a cylinder, ends included (mm). In closed form, measured on the
-// triangles and not derived from how they were made. Exact where every triangle belongs to the lateral surface or to
-// one end, else an upper bound. O(triangles).
+// Returns the largest distance of triangles from the surface of a cylinder, ends included (mm). In closed form,
+// measured on the triangles, independently of the tessellation. Exact if every triangle belongs to the lateral surface
+// or to one end, else an upper bound. O(triangles).
 double distanceToCylinder(const TriangleSoup& soup, const StockCylinder& cylinder);
 
 }  // namespace handwheel

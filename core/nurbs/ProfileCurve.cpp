@@ -71,7 +71,7 @@ BezierArc arcOf(const ProfileNurbs& nurbs, std::size_t k) {
   return arc;
 }
 
-// ∫ r² dz over the arc by Gauss and Legendre's rule of eight points: Abramowitz and Stegun, table 25.4. Exact where all
+// ∫ r² dz over the arc by Gauss and Legendre's rule of eight points: Abramowitz and Stegun, table 25.4. Exact if all
 // weights are equal.
 double gauss(const BezierArc& arc) {
   constexpr std::array<std::pair<double, double>, 4> kRule = {{{0.1834346424956498, 0.3626837833783620},
@@ -79,20 +79,21 @@ double gauss(const BezierArc& arc) {
                                                                {0.7966664774136267, 0.2223810344533745},
                                                                {0.9602898564975363, 0.1012285362903763}}};
   double sum = 0.0;
-  for (const auto& [place, weight] : kRule) {
+  for (const auto& [abscissa, weight] : kRule) {
     for (const double side : {-1.0, 1.0}) {
-      const auto at = arc.derivatives(0.5 * (1.0 + side * place));
+      const auto at = arc.derivatives(0.5 * (1.0 + side * abscissa));
       sum += 0.5 * weight * at[0].x() * at[0].x() * at[1].y();
     }
   }
   return sum;
 }
 
-// Halving an arc this often makes all of its weights alike, whatever ProfileCurve::kLargestWeight allows.
+// Halving an arc this often makes all of its weights alike, for any weights up to ProfileCurve::kLargestWeight.
 constexpr int kDeepestSweep = 50;
 
-// ∫ r² dz to an error of "error", mm³; "whole" is what gauss() finds. Halves the arc while its weights differ much,
-// because all of the curve may then lie between two points of the rule, and while the halves find something else.
+// Returns ∫ r² dz to an error of "error", mm³; "whole" is the result of gauss(). Halves the arc while its weights
+// differ much, because all of the curve may then lie between two points of the rule, and while the halves give another
+// result.
 double sweep(const BezierArc& arc, double whole, double error, int depth) {
   double least = arc.poles[0].z(), largest = least;
   for (int i = 1; i <= arc.degree; ++i) {

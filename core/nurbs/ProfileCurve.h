@@ -12,8 +12,8 @@ namespace handwheel {
 
 // The definition of a rational B-spline curve by poles, weights and knots. There are n poles of the (r, z) half plane
 // with their weights, and n + degree + 1 knots in rising order. The first and the last knot have multiplicity degree +
-// 1, so the curve begins and ends in a pole; an inner knot has at most degree, where the curve then has a corner in a
-// pole.
+// 1, so the curve begins and ends in a pole; an inner knot has at most multiplicity degree, and the curve then has a
+// corner in a pole.
 struct ProfileNurbs {
   int degree = 1;
   std::vector<double> knots;
@@ -23,17 +23,18 @@ struct ProfileNurbs {
 
 // The profile of a turned part: a curve in the half plane r ≥ 0. The half plane lies beside the axis z. The curve runs
 // from the lower end of the part to the upper one and has the material on its left, where the axis is: r to the right,
-// z up. A bore that is open at an end belongs to the curve, which then begins or ends at its bottom; of a part that is
+// z up. A bore that is open at an end belongs to the curve, which then begins or ends at its bottom; if the part is
 // bored through, the curve is closed.
 class ProfileCurve {
  public:
   static constexpr std::size_t kMostPoles = 100'000;
   static constexpr double kLargestCoordinate = 1e9;  // mm
-  static constexpr double kLargestWeight = 1e6;      // and the least is 1 over it
+  static constexpr double kLargestWeight = 1e6;      // the least weight is 1 over it
 
-  // O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed {"profile", what is wrong}.
+  // Checks a definition and makes the curve. O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed
+  // {"profile", what is wrong}.
   static Result<ProfileCurve> make(ProfileNurbs nurbs);
-  // Straight lines through at least two points; one unit of the parameter for each.
+  // Returns straight lines through at least two points; one unit of the parameter for each.
   static Result<ProfileCurve> polyline(std::vector<ProfilePoint> points);
 
   const ProfileNurbs& nurbs() const { return m_nurbs; }
@@ -42,15 +43,16 @@ class ProfileCurve {
 
   bool isClosed() const { return m_nurbs.poles.front() == m_nurbs.poles.back() && m_nurbs.poles.front().x() > 0.0; }
 
-  // The volume (mm³) between the curve, the flat ends through its first and last point, and the axis; within a closed
-  // curve. By adaptive quadrature: exact where an arc's weights are equal, else to tolerance::kQuadrature of the
-  // cylinder around the arc, whatever its weights. O(poles).
+  // Returns the volume (mm³) between the curve, the flat ends through its first and last point, and the axis; or within
+  // a closed curve. By adaptive quadrature: exact if the weights of an arc are equal, else to tolerance::kQuadrature of
+  // the cylinder around the arc, for any weights. O(poles).
   double volume() const;
 
-  // The smooth pieces in order, one for each pair of different neighbours among the knots.
+  // Returns the smooth pieces in order, one for each pair of different neighbours among the knots.
   std::span<const BezierArc> arcs() const { return m_arcs; }
 
-  // At u, clamped to the range of the parameter; at a knot, the piece that begins there. O(log poles).
+  // The point and the derivative at u, clamped to the range of the parameter; at a knot, on the piece that begins
+  // there. O(log poles).
   ProfilePoint point(double u) const;
   ProfilePoint derivative(double u) const;
   ProfilePoint direction(double u) const;  // BezierArc::direction
@@ -59,14 +61,14 @@ class ProfileCurve {
   struct Location {
     const BezierArc& arc;
     double t;
-    double length;  // of the arc in the parameter of the curve
+    double length;  // length of the arc in the parameter of the curve
   };
   ProfileCurve() = default;
   Location locate(double u) const;
 
   ProfileNurbs m_nurbs;
   std::vector<BezierArc> m_arcs;
-  std::vector<double> m_breaks;  // different knots: one more than arcs
+  std::vector<double> m_breaks;  // different knots, one more than arcs
 };
 
 }  // namespace handwheel

@@ -31,7 +31,7 @@ bool isCurved(const ProfileCurve& profile) {
   return std::any_of(arcs.begin(), arcs.end(), [](const BezierArc& arc) { return arc.chordError() > 0.0; });
 }
 
-// The profile as chords that leave it by no more than the tolerance.
+// Returns the profile as chords that deviate from it by no more than the tolerance.
 Result<Outline> flatten(const ProfileCurve& profile, double tolerance, std::uint64_t limit, Progress progress) {
   Outline outline;
   outline.points.push_back(profile.arcs().front().start());
@@ -53,7 +53,7 @@ Result<Outline> flatten(const ProfileCurve& profile, double tolerance, std::uint
     }
   }
   outline.isClosed = profile.isClosed();
-  if (outline.isClosed) outline.points.back() = outline.points.front();  // but for rounding
+  if (outline.isClosed) outline.points.back() = outline.points.front();  // equal but for rounding
   for (const ProfilePoint& p : outline.points) outline.largestRadius = std::max(outline.largestRadius, p.x());
   for (ProfilePoint& p : outline.points) {
     if (p.x() <= tolerance::kOnAxis * outline.largestRadius) p.x() = 0.0;
@@ -73,8 +73,8 @@ Ring between(const Ring& a, const Ring& b, double share, std::uint32_t segments)
   return {a.radius + share * (b.radius - a.radius), a.z + share * (b.z - a.z), segments};
 }
 
-// The rings of one straight piece, so that from one to the next the count is at most halved. Chords of a flat end leave
-// nothing, so there the count falls as fast as shapely triangles let it; elsewhere when the radius allows.
+// The rings of one straight piece, so that from one to the next the count is at most halved. Chords of a flat end
+// deviate by nothing, so there the count falls as fast as well-shaped triangles allow; elsewhere as the radius allows.
 class Piece {
  public:
   Piece(const CircleSegments& circle, bool isFlatEnd) : m_circle(circle), m_isFlatEnd(isFlatEnd) {}
@@ -108,7 +108,7 @@ class Piece {
   bool m_isFlatEnd;
 };
 
-// In how many bands to cut the one between two rings; all but one have the finer count.
+// Returns the number of bands between two rings; all but one have the finer count.
 double divisions(const Ring& a, const Ring& b, double aspect) {
   const double mean = (chord(a) + chord(b)) / 2.0;
   return mean > 0.0 ? std::max(1.0, std::ceil(distance(a, b) / (aspect * mean))) : 1.0;
@@ -137,7 +137,7 @@ std::vector<Ring> divide(const std::vector<Ring>& rings, double aspect) {
   return result;
 }
 
-// Rings where the count changes or the outline bends; ends included.
+// Returns rings at changes of the count and bends of the outline; ends included.
 Result<std::vector<Ring>> outlineRings(const Outline& outline, const CircleSegments& circle, std::uint64_t limit,
                                        Progress progress) {
   const auto ringAt = [&](const ProfilePoint& p) -> Ring {

@@ -11,20 +11,20 @@
 
 namespace handwheel {
 
-// A ring of vertices on a circle around the axis, evenly spaced from +x. A single vertex where it is a point of the
+// A ring of vertices on a circle around the axis, evenly spaced from +x. It is a single vertex if it is a point of the
 // axis. Its neighbours in a layout are such points or rings of as many segments, twice or half as many.
 struct Ring {
   double radius, z;  // mm
   std::uint32_t segments;
 };
 
-// The number of triangles of the band between two neighbouring rings.
+// Returns the number of triangles of the band between two neighbouring rings.
 std::uint64_t bandTriangles(const Ring& a, const Ring& b);
 
 // Computes the rings of a turned part for tessellation. In order: the lower end from the axis outwards, the lateral
-// surface, the upper end back to the axis; of a closed profile the surface alone, with the first ring again as the
-// last. O(rings). Errors: FileTooLarge {triangles, "", limit} where the tolerance
-// needs more than the limit, ElementMalformed {profile}, Cancelled.
+// surface, the upper end back to the axis; for a closed profile the surface alone, with the first ring again as the
+// last. O(rings). Errors: FileTooLarge {triangles, "", limit} if the tolerance needs more than the limit,
+// ElementMalformed {profile}, Cancelled.
 Result<std::vector<Ring>> computeRings(const ProfileCurve& profile, const TessellationOptions& options,
                                        Progress progress);
 

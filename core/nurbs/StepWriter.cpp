@@ -19,7 +19,8 @@ Error notLoaded() {
 }
 
 // Open CASCADE has a third of all symbols that the program would look up at each start, and only STEP needs it. The
-// library that links it lies beside this one; its whole path, because sanitizers take the path of ours from dlopen().
+// library that links it lies beside this one; the whole path is used, because sanitizers remove our search path from
+// dlopen().
 Result<const StepFunctions*> loadedStepFunctions() {
   Dl_info ours{};
   if (::dladdr(reinterpret_cast<const void*>(&loadedStepFunctions), &ours) == 0 || !ours.dli_fname) return notLoaded();

@@ -22,8 +22,8 @@ Result<std::string> writeStep(const ProfileCurve& profile, Progress progress = {
 // The properties of the solids in a STEP file.
 struct StepFileReport {
   std::size_t solids = 0;
-  bool isValid = false;  // topology and geometry fit together, as Open CASCADE's analyser sees it
-  double volume = 0.0;   // mm³, of all solids
+  bool isValid = false;  // topology and geometry are consistent according to Open CASCADE's analyser
+  double volume = 0.0;   // mm³, total volume of the solids
   double area = 0.0;     // mm²
   Box bounds;            // mm; may be larger than the solids by their tolerance
 };

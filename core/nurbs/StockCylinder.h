@@ -11,20 +11,20 @@ namespace handwheel {
 struct StockCylinder {
   double diameter = 50.0;  // mm
   double length = 100.0;   // mm
-  double position = 0.0;   // mm, of the lower end
+  double position = 0.0;   // mm, lower end
 
-  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // of diameter and length
-  static constexpr double kFurthest = 1e7;                        // of the position, either way
+  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // limits of diameter and length
+  static constexpr double kFurthest = 1e7;                        // limit of the position, positive or negative
 
-  // Within these limits; false for NaN.
+  // Returns true if all values are within these limits; false for NaN.
   bool isSound() const;
 
   double volume() const;  // mm³
   double area() const;    // mm², lateral surface and both ends
   Box bounds() const;
 
-  // Its profile: the straight line of the lateral surface. The two flat ends are where this begins and ends. The stock
-  // must be sound (isSound()).
+  // Returns its profile: the straight line of the lateral surface. The two flat ends are at its begin and end. The
+  // stock must be sound (isSound()).
   ProfileCurve profile() const;
 
   bool operator==(const StockCylinder&) const = default;

@@ -14,7 +14,7 @@ RevolutionPoint SurfaceOfRevolution::at(double u, double v) const {
   result.position = {p.x() * cosine, p.x() * sine, p.y()};
   result.byCircle = p.x() * circle.speed * Vec3(-sine, cosine, 0.0);
   result.byProfile = {along.x() * cosine, along.x() * sine, along.y()};
-  // From the profile alone and not from the two derivatives, whose cross product is zero on the axis.
+  // The normal follows from the profile alone, since the cross product of the two derivatives is zero on the axis.
   result.normal = {direction.y() * cosine, direction.y() * sine, -direction.x()};
   return result;
 }

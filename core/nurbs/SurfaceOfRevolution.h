@@ -31,7 +31,7 @@ class SurfaceOfRevolution {
 
   const ProfileCurve& profile() const { return m_profile; }
 
-  // u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
+  // Returns a point. u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
   RevolutionPoint at(double u, double v) const;
 
   SurfaceNurbs nurbs() const;

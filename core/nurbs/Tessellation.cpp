@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kFinest = 1e-15;  // share of the part's size that rounding takes anyway
+constexpr double kFinest = 1e-15;  // share of the part's size that rounding needs
 
 void addRing(TriangleSoup& soup, const Ring& ring) {
   for (std::uint32_t i = 0; i < ring.segments; ++i) {
@@ -22,8 +22,8 @@ void addRing(TriangleSoup& soup, const Ring& ring) {
   }
 }
 
-// Triangles between two neighbouring rings, given with the number of their first vertex; the profile runs from low to
-// high.
+// Adds triangles between two neighbouring rings, given with the index of their first vertex; the profile runs from low
+// to high.
 void addBand(TriangleSoup& soup, const Ring& low, std::uint32_t lowFirst, const Ring& high, std::uint32_t highFirst) {
   const auto l = [&](std::uint32_t i) { return lowFirst + i % low.segments; };
   const auto h = [&](std::uint32_t i) { return highFirst + i % high.segments; };
@@ -53,7 +53,7 @@ void addBand(TriangleSoup& soup, const Ring& low, std::uint32_t lowFirst, const 
   }
 }
 
-// The finest tolerance for which there are not too many triangles, up to a factor of two.
+// Returns the finest tolerance with few enough triangles, up to a factor of two.
 Error tooFine(const ProfileCurve& profile, const TessellationOptions& options, Progress progress) {
   double size = 0.0;
   for (const ProfilePoint& pole : profile.nurbs().poles) size = std::max(size, pole.x());

@@ -25,9 +25,9 @@ std::vector<double> knots() {
 }
 
 Point at(double u) {
-  const double place = 4.0 * std::clamp(u, 0.0, 1.0);
-  const int quarter = std::min(3, static_cast<int>(place));
-  const double t = place - quarter, s = 1.0 - t;
+  const double parameter = 4.0 * std::clamp(u, 0.0, 1.0);
+  const int quarter = std::min(3, static_cast<int>(parameter));
+  const double t = parameter - quarter, s = 1.0 - t;
   const double middle = std::numbers::sqrt2 * t * s;
   const double w = s * s + middle + t * t;
   const double cosine = (s * s + middle) / w, sine = (middle + t * t) / w;

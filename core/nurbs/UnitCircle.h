@@ -14,9 +14,9 @@ namespace unit_circle {
 
 std::array<Eigen::Vector2d, 9> poles();
 std::array<double, 9> weights();
-std::vector<double> knots();  // 12 of them, over 0…1
+std::vector<double> knots();  // 12 knots, over 0…1
 
-// A point of the unit circle with its angular speed. For u, clamped to 0…1: (cos θ, sin θ), and dθ/du, which is between
+// A point of the unit circle with its angular speed. At u, clamped to 0…1: (cos θ, sin θ), and dθ/du, which is between
 // 2π · 0.90 and 2π · 1.06.
 struct Point {
   Eigen::Vector2d direction;

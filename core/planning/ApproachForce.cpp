@@ -8,11 +8,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLength = 1000.0;  // mm: lengths are divided by it before they meet angles
-constexpr double kDamping = 1e-6;   // beside the squared singular values of the Jacobian, so divided
+constexpr double kLength = 1000.0;  // mm: divisor of lengths that makes them comparable to angles
+constexpr double kDamping = 1e-6;   // relative to the squared singular values of the Jacobian, with lengths so divided
 
-// The force and the torque at a point that a hand must hold against these torques of the joints (N·mm, N): the virtual
-// work of both is the same.
+// Returns the force and the torque that a hand must apply at a point to balance these torques of the joints (N·mm, N),
+// by the principle of virtual work.
 Eigen::Matrix<double, 6, 1> handWrench(ArmJacobian jacobian, const ArmValues& torques) {
   jacobian.topRows<3>() /= kLength;
   Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();

@@ -32,7 +32,7 @@ class Following {
     m_ik.seconds = 0.1;
   }
 
-  // The joint values at a share of the line, next to those before; none where it cannot go on.
+  // Returns the joint values at a share of the line, next to those before; none if it cannot continue.
   std::optional<ArmValues> at(double share, const ArmValues& before) const {
     const Pose tip = between(m_begin, m_end, share) * m_tool.inverse(Eigen::Isometry);
     const NumericalIkResult found = solvedNumerically(m_arm, tip, before, m_ik);
@@ -41,9 +41,9 @@ class Following {
     return found.values;
   }
 
-  // How far the joints are from the line between two of its places, if that is as near as is asked for. The motion and
-  // the line differ most about half way; there and at the ends the difference is known, in between it is taken for half
-  // as much again at most.
+  // Returns the deviation of the joints from the line between two of its waypoints if it is within the settings. The
+  // motion and the line differ most about half way; the difference is computed there, and assumed to be at most half as
+  // much again in between.
   std::optional<ArmValues> off(const ArmValues& a, double shareA, const ArmValues& b, double shareB) const {
     if ((a - b).cwiseAbs().maxCoeff() > m_settings.largestStep && !isShort(a, b)) return std::nullopt;
     const Pose wanted = between(m_begin, m_end, 0.5 * (shareA + shareB));
@@ -81,7 +81,7 @@ class Following {
 
 FollowedLine followLine(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
                         const LineSettings& settings, Progress progress) {
-  constexpr double kLeastStep = 1e-5;  // of the line: what needs smaller ones is a leap
+  constexpr double kLeastStep = 1e-5;  // share of the line; a smaller step means a leap of a joint
   constexpr double kSameEnd = 1e-3;    // rad, mm
   const Following following(arm, tool, from, to, settings);
   FollowedLine line{{from}, 0.0};

@@ -10,8 +10,8 @@ namespace {
 
 using Pairs = std::map<std::pair<std::uint32_t, std::uint32_t>, double>;
 
-// before, after: distances of pairs, negative in each other; those beyond the reach are missing. travel: mm that two
-// bodies of a pair may have come nearer by.
+// Returns true if no pair gets nearer. before, after: distances of pairs, negative for penetrations; pairs beyond the
+// reach are missing. travel: mm that two bodies of a pair may have approached each other.
 bool noneComesNearer(const Pairs& before, const Pairs& after, double travel, double resolution) {
   return std::ranges::all_of(after, [&](const auto& pair) {
     const auto found = before.find(pair.first);
@@ -41,7 +41,7 @@ bool ContactEscape::mayGo(const ArmValues& from, const ArmValues& to, double res
   if (!(travel <= kLongestStep)) return false;
   const double reach = 2.0 * travel + resolution;
   if (!noneComesNearer(distances(from, reach), distances(to, reach), travel, resolution)) return false;
-  // Links of the robot, which move towards each other.
+  // Both bodies of a pair of links move.
   const auto links = [&](const ArmValues& values) {
     Pairs pairs;
     for (const RobotScene::Nearest& each : m_scene.allTooNear(values, 0.0, reach)) {

@@ -9,24 +9,24 @@
 
 namespace handwheel {
 
-// A path of a robot out of contact, where no motion can be proven free. Small steps on which nothing that it meets gets
-// deeper, and nothing else is reached.
+// A path of a robot out of contact, for a start that collides. It takes small steps in which no contact gets deeper and
+// no new contact begins.
 class ContactEscape {
  public:
-  static constexpr double kLongestStep = 0.5;  // mm that a point of the robot may move
+  static constexpr double kLongestStep = 0.5;  // mm: the longest travel of a point of the robot
 
   // The scene must outlive it. O(pieces of the scene).
   explicit ContactEscape(const RobotScene& scene);
 
-  // Whether the robot may go from one place to another, no point of it further than kLongestStep. resolution: mm; what
-  // is nearer than this counts as met.
+  // Returns true if the robot may move between these values, which move none of its points by more than kLongestStep.
+  // resolution: mm; anything nearer than this counts as contact.
   bool mayGo(const ArmValues& from, const ArmValues& to, double resolution);
 
  private:
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> distances(const ArmValues& values, double reach);
 
   const RobotScene& m_scene;
-  std::vector<std::uint32_t> m_joints;  // of the scene, which carries each of the first bodies
+  std::vector<std::uint32_t> m_joints;  // joint of the scene that carries each of the first bodies
   ProximityQuery m_query;
   std::vector<NearPair> m_near;
 };

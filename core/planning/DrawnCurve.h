@@ -8,18 +8,18 @@
 
 namespace handwheel {
 
-// A curve drawn on a part, as a chain of plane sections. From place to place it goes along the section with the plane
-// through both places and the surface's normal there, the shorter way.
+// A curve drawn on a part, as a chain of plane sections. Between two points it follows the section with the plane
+// through both points and the surface normal there, in the shorter direction.
 class DrawnCurve {
  public:
-  // The curve begins at the place of the surface nearest to this one.
+  // Begins the curve at the surface point nearest to this position.
   DrawnCurve(std::shared_ptr<const PartSurface> surface, const Vec3& begin);
 
-  // Goes on to the place of the surface nearest to this one. False, and nothing changed: no section leads there; it is
-  // on another piece of the part, or straight through it. A place where the curve is already changes nothing.
-  // As PartSurface::sectionNear().
-  bool goOnTo(const Vec3& place);
-  const SurfaceTrack& track() const { return m_track; }  // empty until it goes on
+  // Continues to the surface point nearest to this position. Returns false and changes nothing if no section leads
+  // there: the point is on another piece of the part, or straight through it. A point that the curve is already at
+  // changes nothing. Cost: as PartSurface::sectionNear().
+  bool goOnTo(const Vec3& position);
+  const SurfaceTrack& track() const { return m_track; }  // empty until goOnTo()
 
  private:
   std::shared_ptr<const PartSurface> m_surface;

@@ -9,9 +9,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kEnd = 0.01;      // of the length: so near to an end it is the end
-constexpr double kAhead = 0.1;     // of the length: no further in one step
-constexpr double kBeginning = 20;  // mm: who is nearer to the begin than this, or a tenth of the length, has begun
+constexpr double kEnd = 0.01;   // share of the length: the tolerance at both ends
+constexpr double kAhead = 0.1;  // share of the length: the longest progress in one step
+constexpr double kBeginning =
+    20;  // mm: the curve begins within this distance, or a tenth of the length, of its first point
 
 }  // namespace
 
@@ -31,34 +32,35 @@ GuideCurve::Nearest GuideCurve::nearest(const Vec3& to, double from, double unti
     if (isLast && i > 0) break;
     const double length = isLast ? 0.0 : m_along[i + 1] - m_along[i];
     if (m_along[i] + length < from || m_along[i] > until) continue;
-    const Vec3 way = isLast ? Vec3::Zero() : Vec3((m_points[i + 1] - m_points[i]) / length);
+    const Vec3 direction = isLast ? Vec3::Zero() : Vec3((m_points[i + 1] - m_points[i]) / length);
     const double least = std::clamp(from - m_along[i], 0.0, length);
-    const double along = std::clamp(way.dot(to - m_points[i]), least, std::clamp(until - m_along[i], least, length));
-    const Vec3 place = m_points[i] + along * way;
-    const double distance = (to - place).norm();
-    if (distance < best.distance) best = {place, distance, m_along[i] + along};
+    const double along =
+        std::clamp(direction.dot(to - m_points[i]), least, std::clamp(until - m_along[i], least, length));
+    const Vec3 position = m_points[i] + along * direction;
+    const double distance = (to - position).norm();
+    if (distance < best.distance) best = {position, distance, m_along[i] + along};
   }
   return best;
 }
 
-Vec3 GuideCurve::drawn(const Vec3& place, double snapDistance) const {
-  const Nearest near = nearest(place);
-  if (!(near.distance < snapDistance)) return place;
+Vec3 GuideCurve::drawn(const Vec3& tool, double snapDistance) const {
+  const Nearest near = nearest(tool);
+  if (!(near.distance < snapDistance)) return tool;
   const double share = near.distance / snapDistance;
-  return near.place + share * share * (place - near.place);
+  return near.position + share * share * (tool - near.position);
 }
 
-void FollowingTry::add(double time, const Vec3& place) {
+void FollowingTry::add(double time, const Vec3& tool) {
   const double length = m_curve.length();
-  if (m_isOver || !(length > 0.0) || !place.allFinite() || !std::isfinite(time)) return;
+  if (m_isOver || !(length > 0.0) || !tool.allFinite() || !std::isfinite(time)) return;
   if (!hasBegun()) {
-    m_deviation = (place - m_curve.points().front()).norm();
+    m_deviation = (tool - m_curve.points().front()).norm();
     if (m_deviation > std::min(kBeginning, kAhead * length)) return;
     m_begin = m_time = time;
   }
   const GuideCurve::Nearest near =
-      m_curve.nearest(place, std::max(0.0, m_along - kAhead * length), m_along + kAhead * length);
-  // Over the time since the last place; between the two the deviation changes evenly.
+      m_curve.nearest(tool, std::max(0.0, m_along - kAhead * length), m_along + kAhead * length);
+  // Integrates over the time since the last position; the deviation changes linearly in between.
   const double seconds = std::max(0.0, time - m_time);
   if (seconds > 0.0) {
     const double a = m_deviation, b = near.distance;

@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// A curve that a tool is to be led along by hand: a polyline. Immutable; any thread.
+// A curve along which a tool is guided by hand: a polyline. Immutable; any thread.
 class GuideCurve {
  public:
-  // points: mm; those that are no numbers, and repeated ones, are left out.
+  // points: mm; points that are not finite and repeated points are left out.
   explicit GuideCurve(std::span<const Vec3> points);
 
   bool isEmpty() const { return m_points.empty(); }
@@ -21,44 +21,46 @@ class GuideCurve {
   double length() const { return m_along.empty() ? 0.0 : m_along.back(); }  // mm
 
   struct Nearest {
-    Vec3 place = Vec3::Zero();
+    Vec3 position = Vec3::Zero();
     double distance = std::numeric_limits<double>::infinity();  // mm
-    double along = 0.0;                                         // mm from the curve's begin
+    double along = 0.0;                                         // mm from the beginning of the curve
   };
-  // The nearest place of a part of the curve, from and to so far along it. An empty curve has none. O(points).
+  // Returns the nearest point of a part of the curve, which is given by its arc lengths. An empty curve has none.
+  // O(points).
   Nearest nearest(const Vec3& to, double from = 0.0, double until = std::numeric_limits<double>::infinity()) const;
 
-  // A virtual fixture: what is nearer to the curve than the snap distance is drawn to it, the more the nearer it is; at
-  // the snap distance not at all, so that nothing leaps. What is at a share s of that distance comes to the share s³.
-  Vec3 drawn(const Vec3& place, double snapDistance) const;
+  // Returns the position under a virtual fixture: a point nearer to the curve than the snap distance is drawn to it,
+  // more strongly the nearer it is, and not at all at the snap distance, so that nothing leaps. A distance of the share
+  // s of the snap distance becomes the share s³.
+  Vec3 drawn(const Vec3& tool, double snapDistance) const;
 
  private:
   std::vector<Vec3> m_points;
-  std::vector<double> m_along;  // mm, of each point
+  std::vector<double> m_along;  // arc length at each point, mm
 };
 
-// How well a tool was led along a curve, from where it was first near to the begin until it was at the end (He 2008,
-// chapter 6: eyes, force, force and fixture compared).
+// Deviation of a tool that was led along a curve, from its first approach to the beginning until the end (He 2008,
+// chapter 6, compares vision, force, and force with fixture).
 struct FollowingStatistics {
   double rms = 0.0;      // mm from the curve, over time
   double most = 0.0;     // mm
-  double seconds = 0.0;  // from begin to end
-  double share = 0.0;    // 0 to 1, of the curve that was passed
+  double seconds = 0.0;  // duration from the beginning to the end
+  double share = 0.0;    // share of the curve that was passed, 0 to 1
   bool isComplete() const { return share >= 1.0; }
 };
 
-// Measures a try while it goes on. Only what is led forward counts: after a place on the curve that was reached, the
-// nearest one is sought around it, so that a curve may cross itself or be closed.
+// Measures one attempt to follow a curve, while it goes on. Only forward motion counts: after a point on the curve was
+// reached, the nearest point is sought around it, so that a curve may cross itself or be closed.
 class FollowingTry {
  public:
   // The curve must outlive it.
   explicit FollowingTry(const GuideCurve& curve) : m_curve(curve) {}
 
-  // Where the tool is at a time (s); times do not go back. After the end nothing counts.
-  void add(double time, const Vec3& place);
+  // Adds the position of the tool at a time (s); times must not decrease. Positions after the end are ignored.
+  void add(double time, const Vec3& tool);
   bool hasBegun() const { return m_begin >= 0.0; }
   bool isOver() const { return m_isOver; }
-  double deviation() const { return m_deviation; }  // mm, of the last place
+  double deviation() const { return m_deviation; }  // mm, at the last position
   FollowingStatistics figures() const;
 
  private:

@@ -22,16 +22,16 @@ bool isFreeAt(const RobotScene& scene, const ArmValues& values, const MotionChec
 
 MotionCheck::MotionCheck(const RobotScene& scene, const ArmValues& from, const ArmValues& to,
                          const MotionCheckSettings& settings)
-    : m_scene(&scene), m_from(from), m_to(to), m_way(to - from), m_settings(settings) {
+    : m_scene(&scene), m_from(from), m_to(to), m_displacement(to - from), m_settings(settings) {
   assert(from.size() == scene.size() && to.size() == scene.size());
   if (!from.allFinite() || !to.allFinite()) {
     m_state = State::Blocked;
     return;
   }
   m_open.push_back({0.0, 1.0, 0});
-  for (Eigen::Index i = 0; i < m_way.size(); ++i) {
+  for (Eigen::Index i = 0; i < m_displacement.size(); ++i) {
     const auto& joint = scene.m_joints[static_cast<std::size_t>(i)];
-    m_reach += std::abs(m_way[i]) * (joint.joint.isPrismatic ? 1.0 : joint.reach);
+    m_reach += std::abs(m_displacement[i]) * (joint.joint.isPrismatic ? 1.0 : joint.reach);
   }
 }
 
@@ -39,8 +39,8 @@ double MotionCheck::openLength() const {
   return m_open.empty() ? 0.0 : m_reach * (m_open.front().end - m_open.front().begin);
 }
 
-// Shortens the half interval that is free around the present point to what this distance allows; false: it keeps no
-// clearance.
+// Shortens the free half interval around the present point to the part that this distance proves. Returns false if the
+// clearance is violated.
 bool MotionCheck::cover(double distance, double clearance, double speed, double& half) const {
   const double room = distance - clearance;
   if (!(room > 0.5 * m_settings.resolution)) return false;
@@ -48,23 +48,24 @@ bool MotionCheck::cover(double distance, double clearance, double speed, double&
   return true;
 }
 
-// More than what the motion needs is not asked for.
+// Returns the largest distance that the motion needs; no query asks for more.
 double MotionCheck::enough(double clearance, double speed, double half) const {
   return (clearance + speed * half) * (1.0 + RobotScene::kRounding) + m_settings.resolution;
 }
 
 MotionCheck::Finding MotionCheck::cover(const RobotScene::Group& group, const Look& look, double& half) {
-  if (group.joint == kNone) return Finding::Clear;  // what stands is as near as the cell makes it
+  if (group.joint == kNone) return Finding::Clear;  // bodies that do not move are as near as the cell makes it
   const RobotScene& scene = *m_scene;
   const double clearance = m_settings.clearance;
-  const double fastest = scene.speedOf(m_way, group.joint, group.centre, group.radius, kNone, look.whole, look.places);
-  const auto obstacles = scene.near(group, look.places, enough(clearance, fastest, look.whole), look.counts);
+  const double fastest =
+      scene.speedOf(m_displacement, group.joint, group.centre, group.radius, kNone, look.whole, look.poses);
+  const auto obstacles = scene.near(group, look.poses, enough(clearance, fastest, look.whole), look.counts);
   if (obstacles.empty()) return Finding::Clear;
   for (std::uint32_t p = group.begin; p < group.end; ++p) {
     const RobotScene::Part& part = scene.m_parts[p];
     const double speed =
-        scene.speedOf(m_way, part.joint, part.body.centre(), part.body.radius(), kNone, half, look.places);
-    const auto found = scene.m_obstacles.distance(part.body, look.places.of(part.joint), enough(clearance, speed, half),
+        scene.speedOf(m_displacement, part.joint, part.body.centre(), part.body.radius(), kNone, half, look.poses);
+    const auto found = scene.m_obstacles.distance(part.body, look.poses.of(part.joint), enough(clearance, speed, half),
                                                   part.leftOut, obstacles, look.counts);
     if (cover(found.distance, clearance, speed, half)) continue;
     m_blockedBy = {found.distance, part.link, kNone, found.owner};
@@ -76,20 +77,20 @@ MotionCheck::Finding MotionCheck::cover(const RobotScene::Group& group, const Lo
 MotionCheck::Finding MotionCheck::cover(const RobotScene::GroupPair& pair, const Look& look, double& half) {
   const RobotScene& scene = *m_scene;
   const double clearance = m_settings.ownClearance;
-  // Relative to each other they are no faster than both together.
+  // The relative speed is at most the sum of both.
   const auto speedOf = [&](std::uint32_t joint, const Vec3& centre, double radius, double during) {
-    return scene.speedOf(m_way, joint, centre, radius, pair.common, during, look.places);
+    return scene.speedOf(m_displacement, joint, centre, radius, pair.common, during, look.poses);
   };
   const RobotScene::Group &first = scene.m_groups[pair.first], &second = scene.m_groups[pair.second];
   const double fastest = speedOf(first.joint, first.centre, first.radius, look.whole) +
                          speedOf(second.joint, second.centre, second.radius, look.whole);
-  if (scene.areApart(pair, look.places, enough(clearance, fastest, look.whole))) return Finding::Clear;
+  if (scene.areApart(pair, look.poses, enough(clearance, fastest, look.whole))) return Finding::Clear;
   for (std::uint32_t i = pair.begin; i < pair.end; ++i) {
     const RobotScene::Part &a = scene.m_parts[scene.m_pairs[i].first], &b = scene.m_parts[scene.m_pairs[i].second];
     const double speed = speedOf(a.joint, a.body.centre(), a.body.radius(), half) +
                          speedOf(b.joint, b.body.centre(), b.body.radius(), half);
     const double distance =
-        scene.pairDistance(scene.m_pairs[i], look.places, enough(clearance, speed, half), look.counts);
+        scene.pairDistance(scene.m_pairs[i], look.poses, enough(clearance, speed, half), look.counts);
     if (cover(distance, clearance, speed, half)) continue;
     m_blockedBy = {distance, a.link, b.link, kNone};
     return Finding::Blocked;
@@ -113,10 +114,10 @@ MotionCheck::State MotionCheck::step(QueryCounts* counts) {
   Look look;
   look.whole = 0.5 * (now.end - now.begin);
   look.counts = counts;
-  m_scene->placesAt(m_from + middle * m_way, look.places);
-  double half = look.whole;  // of what is free around the middle
+  m_scene->posesAt(m_from + middle * m_displacement, look.poses);
+  double half = look.whole;  // half of the free interval around the middle
   std::uint64_t suspects = 0;
-  constexpr std::size_t kBits = 63;  // those after them share one
+  constexpr std::size_t kBits = 63;  // groups beyond these share one bit
   const auto bitOf = [](std::size_t suspect) { return std::uint64_t{1} << (suspect < kBits ? suspect : kBits); };
   const bool isFirst = m_steps++ == 0;
   const std::size_t count = isFirst ? m_scene->m_groups.size() + m_scene->m_groupPairs.size() : m_suspects.size();

@@ -16,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-// For the numbers of equal points: those of the first.
+// Returns the index of the first equal point for each point.
 std::vector<std::uint32_t> weldedNumbers(const std::vector<Vec3>& points) {
   std::vector<std::uint32_t> order(points.size()), numbers(points.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -75,7 +75,7 @@ void PartSurface::buildTree() {
   for (const BoxedItem& item : items) m_order.push_back(item.id());
 }
 
-// The edge that goes on straightest at a vertex.
+// Returns the edge that continues straightest at a vertex.
 std::optional<std::uint32_t> PartSurface::next(std::uint32_t edge, std::uint32_t vertex) const {
   const auto away = [&](std::uint32_t e) {
     const std::uint32_t other = m_sharp[e].a == vertex ? m_sharp[e].b : m_sharp[e].a;
@@ -124,11 +124,11 @@ PartSurface::Chain PartSurface::chainThrough(std::uint32_t edge) const {
   return chain;
 }
 
-SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
+SurfaceTrack PartSurface::edgeNear(const Vec3& position, double farthest) const {
   std::optional<std::uint32_t> nearest;
   double least = farthest;
   for (std::uint32_t e = 0; e < m_sharp.size(); ++e) {
-    const double distance = distanceToSegment(place, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
+    const double distance = distanceToSegment(position, m_points[m_sharp[e].a], m_points[m_sharp[e].b]);
     if (!(distance <= least)) continue;
     least = distance;
     nearest = e;
@@ -148,12 +148,12 @@ SurfaceTrack PartSurface::edgeNear(const Vec3& place, double farthest) const {
   return track;
 }
 
-TrackPoint PartSurface::placeNear(const Vec3& place) const {
-  TrackPoint nearest{place, Vec3::Zero(), Vec3::Zero()};
-  if (m_order.empty() || !place.allFinite()) return nearest;
+TrackPoint PartSurface::pointNear(const Vec3& position) const {
+  TrackPoint nearest{position, Vec3::Zero(), Vec3::Zero()};
+  if (m_order.empty() || !position.allFinite()) return nearest;
   double least = std::numeric_limits<double>::infinity();
   std::uint32_t number = kNone;
-  const PointToBox point(m_frame.toFrame(place));
+  const PointToBox point(m_frame.toFrame(position));
   visitBestFirst(
       m_tree, [&](const FloatBox& box) { return point.squaredDistance(box); },
       [&] { return least * m_frame.scale() * m_frame.scale(); },
@@ -161,8 +161,8 @@ TrackPoint PartSurface::placeNear(const Vec3& place) const {
         for (std::uint32_t i = begin; i < end; ++i) {
           const std::uint32_t t = m_order[i];
           const Triangle& corners = m_triangles[t];
-          const Vec3 at = closestOnTriangle(place, m_points[corners[0]], m_points[corners[1]], m_points[corners[2]]);
-          const double distance = (place - at).squaredNorm();
+          const Vec3 at = closestOnTriangle(position, m_points[corners[0]], m_points[corners[1]], m_points[corners[2]]);
+          const double distance = (position - at).squaredNorm();
           if (!(distance < least || (distance == least && t < number))) continue;
           least = distance;
           number = t;
@@ -172,11 +172,11 @@ TrackPoint PartSurface::placeNear(const Vec3& place) const {
   return nearest;
 }
 
-// In their order; among them all that the plane cuts.
+// Returns triangles in their order; includes all that the plane cuts.
 std::vector<std::uint32_t> PartSurface::trianglesNear(const Vec3& onPlane, const Vec3& normal) const {
   std::vector<std::uint32_t> near;
   const Vec3 on = m_frame.toFrame(onPlane);
-  constexpr double kRounding = 1e-9;  // in the frame, where coordinates are about 1
+  constexpr double kRounding = 1e-9;  // in the frame of the tree, where coordinates are about 1
   const double slack = kRounding * (1.0 + on.cwiseAbs().maxCoeff());
   for (std::uint32_t node = 0; node < m_tree.nodeCount();) {
     const BoxNode& n = m_tree.node(node);
@@ -196,7 +196,8 @@ std::vector<std::uint32_t> PartSurface::trianglesNear(const Vec3& onPlane, const
 }
 
 struct PartSurface::Section {
-  using EndEdge = std::pair<std::uint32_t, std::uint32_t>;  // of the surface, which the plane cuts in an end
+  using EndEdge =
+      std::pair<std::uint32_t, std::uint32_t>;  // an edge of the surface that the plane cuts, at an end of a segment
   struct Segment {
     std::array<EndEdge, 2> ends;
     std::uint32_t triangle;
@@ -204,11 +205,11 @@ struct PartSurface::Section {
   std::vector<Segment> segments;
   std::map<EndEdge, std::vector<std::uint32_t>> segmentsAt;
   std::map<EndEdge, Vec3> pointAt;
-  std::uint32_t nearest = 0;  // segment, to the place
+  std::uint32_t nearest = 0;  // index of the segment nearest to the position
 };
 
-PartSurface::Section PartSurface::sectionOf(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
-  // Points in the plane count as above it, so that it never goes through a vertex.
+PartSurface::Section PartSurface::sectionOf(const Vec3& onPlane, const Vec3& normal, const Vec3& position) const {
+  // Points in the plane count as above it, so that the plane never goes through a vertex.
   const auto isAbove = [&](std::uint32_t i) { return (m_points[i] - onPlane).dot(normal) >= 0.0; };
   const auto pointOn = [&](const Section::EndEdge& edge) {
     const Vec3 &a = m_points[edge.first], &b = m_points[edge.second];
@@ -232,7 +233,7 @@ PartSurface::Section PartSurface::sectionOf(const Vec3& onPlane, const Vec3& nor
       section.pointAt.emplace(end, pointOn(end));
     }
     const double distance =
-        distanceToSegment(place, section.pointAt.at(segment.ends[0]), section.pointAt.at(segment.ends[1]));
+        distanceToSegment(position, section.pointAt.at(segment.ends[0]), section.pointAt.at(segment.ends[1]));
     if (distance < least) {
       least = distance;
       section.nearest = number;
@@ -242,8 +243,8 @@ PartSurface::Section PartSurface::sectionOf(const Vec3& onPlane, const Vec3& nor
   return section;
 }
 
-SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& place) const {
-  const Section section = sectionOf(onPlane, normal, place);
+SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& position) const {
+  const Section section = sectionOf(onPlane, normal, position);
   SurfaceTrack track;
   if (section.segments.empty()) return track;
   std::vector<bool> isUsed(section.segments.size(), false);
@@ -269,8 +270,8 @@ SurfaceTrack PartSurface::sectionNear(const Vec3& onPlane, const Vec3& normal, c
   track.points = follow(section.segments[section.nearest].ends[0]);
   std::reverse(track.points.begin(), track.points.end());
   track.points.insert(track.points.end(), ahead.begin(), ahead.end());
-  // Cut vertices give points at one place.
-  const auto isSame = [](const TrackPoint& a, const TrackPoint& b) { return (a.place - b.place).norm() < 1e-9; };
+  // Cut vertices give coincident points.
+  const auto isSame = [](const TrackPoint& a, const TrackPoint& b) { return (a.position - b.position).norm() < 1e-9; };
   track.points.erase(std::unique(track.points.begin(), track.points.end(), isSame), track.points.end());
   if (track.points.size() < 2) return {};
   track.isClosed = track.points.size() > 2 && isSame(track.points.front(), track.points.back());

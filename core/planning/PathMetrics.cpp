@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMetre = 1e-3;  // of a mm
+constexpr double kMetre = 1e-3;  // metres per mm
 
 double limitMarginOf(const RobotScene& scene, const ArmValues& values) {
   double least = 0.5;
@@ -25,7 +25,7 @@ double limitMarginOf(const RobotScene& scene, const ArmValues& values) {
   return least;
 }
 
-// The largest move of a joint in a motion.
+// Returns the largest move of a joint in a motion.
 double largestMove(const RobotScene& scene, const ArmValues& from, const ArmValues& to) {
   double most = 0.0;
   for (Eigen::Index i = 0; i < scene.size(); ++i)

@@ -16,7 +16,7 @@ bool isFree(const RobotScene& scene, const ArmValues& a, const ArmValues& b, con
   return MotionCheck(scene, a, b, check).run(progress) == MotionCheck::State::Free;
 }
 
-// Leaves out each point that its neighbours can do without, the ends of long ways first.
+// Removes each waypoint that its neighbours can do without, the longest spans first.
 void leaveOut(const RobotScene& scene, JointPath& path, const MotionCheckSettings& check, const Progress& progress) {
   for (std::size_t span = path.size() - 1; span >= 2; --span) {
     for (std::size_t i = 0; i + span < path.size() && !progress.cancelled();) {
@@ -35,8 +35,8 @@ void leaveOut(const RobotScene& scene, JointPath& path, const MotionCheckSetting
 double lengthOf(const RobotScene& scene, const ArmValues& from, const ArmValues& to) {
   double square = 0.0;
   for (Eigen::Index i = 0; i < from.size(); ++i) {
-    const double way = (to[i] - from[i]) * (scene.joint(i).isPrismatic ? 1e-3 : 1.0);
-    square += way * way;
+    const double difference = (to[i] - from[i]) * (scene.joint(i).isPrismatic ? 1e-3 : 1.0);
+    square += difference * difference;
   }
   return std::sqrt(square);
 }
@@ -56,7 +56,7 @@ JointPath shortened(const RobotScene& scene, JointPath path, const MotionCheckSe
   RandomSequence random(seed);
   for (int round = 0; round < rounds && path.size() > 2; ++round) {
     if (progress.cancelled() || std::chrono::duration<double>(Clock::now() - begin).count() > seconds) break;
-    // From a place on one motion to a place on another.
+    // A shortcut from a point on one motion to a point on another.
     std::size_t i = random.below(path.size() - 1), j = random.below(path.size() - 1);
     if (i == j) continue;
     if (i > j) std::swap(i, j);
@@ -65,7 +65,7 @@ JointPath shortened(const RobotScene& scene, JointPath path, const MotionCheckSe
     double before = lengthOf(scene, a, path[i + 1]) + lengthOf(scene, path[j], b);
     for (std::size_t k = i + 1; k < j; ++k) before += lengthOf(scene, path[k], path[k + 1]);
     if (lengthOf(scene, a, b) > 0.98 * before || !isFree(scene, a, b, check, progress)) continue;
-    // The pieces of the motions that are left are parts of what is known to be free.
+    // The remaining pieces of the motions are parts of motions that are proven free.
     path.erase(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     path.insert(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, {a, b});
   }

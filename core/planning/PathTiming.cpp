@@ -46,32 +46,32 @@ double RestToRest::at(double time) const {
   return 0.5 * velocity * m_ramp + velocity * (time - m_ramp);
 }
 
-double RestToRest::timeOf(double way) const {
+double RestToRest::timeOf(double distance) const {
   double before = 0.0, after = duration();
   constexpr int kHalvings = 60;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (before + after);
-    (at(middle) < way ? before : after) = middle;
+    (at(middle) < distance ? before : after) = middle;
   }
   return 0.5 * (before + after);
 }
 
 namespace {
 
-// The largest speed that the joints have for a motion, in shares of it a second; infinity: nothing moves.
-double largestShares(const RobotScene& scene, const ArmValues& way, const PathTimingSettings& settings) {
+// Returns the largest joint speed for a motion, in shares of it per second; infinity: nothing moves.
+double largestShares(const RobotScene& scene, const ArmValues& displacement, const PathTimingSettings& settings) {
   double shares = std::numeric_limits<double>::infinity();
   for (Eigen::Index k = 0; k < scene.size(); ++k) {
     const ArmJoint& joint = scene.joint(k);
     const double known = joint.velocity.value_or(0.0) > 0.0 ? *joint.velocity
                          : joint.isPrismatic                ? settings.sliding
                                                             : settings.turning;
-    if (way[k] != 0.0) shares = std::min(shares, known / std::abs(way[k]));
+    if (displacement[k] != 0.0) shares = std::min(shares, known / std::abs(displacement[k]));
   }
   return shares;
 }
 
-// What the tool has to go: mm where its speed counts, otherwise a share.
+// Returns true if the distance of the motion is in mm of the tool, and false if it is a share.
 bool isOfTool(const MotionPace& pace) {
   return pace.length > 0.0 && pace.toolSpeed > 0.0;
 }
@@ -81,13 +81,13 @@ bool isOfTool(const MotionPace& pace) {
 TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
                      std::span<const MotionPace> paces)
     : m_path(std::move(path)) {
-  constexpr double kSlowest = 1e-3;  // of the largest velocities
+  constexpr double kSlowest = 1e-3;  // share of the largest velocities
   const auto paceOf = [&](std::size_t motion) { return motion < paces.size() ? paces[motion] : MotionPace{}; };
   const std::size_t count = m_path.empty() ? 0 : m_path.size() - 1;
   double time = 0.0;
   for (std::size_t first = 0, end = 0; first < count; first = end) {
-    // The fastest of the joints bounds the whole run.
-    double largest = std::numeric_limits<double>::infinity(), wanted = largest, way = 0.0;
+    // The slowest joint limits the whole run.
+    double largest = std::numeric_limits<double>::infinity(), wanted = largest, distance = 0.0;
     for (bool isOn = true; isOn && end < count; ++end) {
       const MotionPace pace = paceOf(end);
       if (end > first && !isOfTool(pace)) break;
@@ -95,10 +95,10 @@ TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSe
       const double joints = own * largestShares(scene, m_path[end + 1] - m_path[end], settings);
       largest = std::min(largest, joints);
       wanted = std::min(wanted, isOfTool(pace) ? pace.toolSpeed : joints * std::clamp(pace.speed, kSlowest, 1.0));
-      m_ways.push_back(own);
-      m_waysBefore.push_back(way);
+      m_distances.push_back(own);
+      m_distancesBefore.push_back(distance);
       m_runOf.push_back(m_runs.size());
-      way += own;
+      distance += own;
       isOn = isOfTool(pace) && pace.isContinued;
     }
     if (!std::isfinite(largest)) {  // nothing moves
@@ -107,11 +107,11 @@ TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSe
       const double acceleration = largest / settings.timeToSpeed;
       const double velocity = std::max(std::min(wanted, largest) * std::clamp(settings.speed, kSlowest, 1.0),
                                        kSlowest * std::min(wanted, largest));
-      m_runs.push_back({first, time, RestToRest(way, velocity, acceleration, acceleration / settings.timeToRamp)});
+      m_runs.push_back({first, time, RestToRest(distance, velocity, acceleration, acceleration / settings.timeToRamp)});
     }
     const RestToRest& profile = m_runs.back().profile;
     for (std::size_t motion = first; motion < end; ++motion)
-      m_begins.push_back(motion == first ? time : time + profile.timeOf(m_waysBefore[motion]));
+      m_begins.push_back(motion == first ? time : time + profile.timeOf(m_distancesBefore[motion]));
     time += profile.duration();
   }
   m_begins.push_back(time);
@@ -128,7 +128,7 @@ double TimedPath::shareAt(double time) const {
   const std::size_t motion = motionAt(time);
   if (time >= m_begins[motion + 1]) return 1.0;
   const Run& run = m_runs[m_runOf[motion]];
-  return std::clamp((run.profile.at(time - run.begin) - m_waysBefore[motion]) / m_ways[motion], 0.0, 1.0);
+  return std::clamp((run.profile.at(time - run.begin) - m_distancesBefore[motion]) / m_distances[motion], 0.0, 1.0);
 }
 
 ArmValues TimedPath::valuesAt(double time) const {

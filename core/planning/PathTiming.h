@@ -10,55 +10,56 @@ namespace handwheel {
 // Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
 class RestToRest {
  public:
-  // All above 0, but the distance, which may be 0.
+  // All values must be above 0, except the distance, which may be 0.
   RestToRest(double distance, double velocity, double acceleration, double jerk);
 
   double duration() const { return 2.0 * m_ramp + m_cruise; }
-  double timeOf(double way) const;  // s, when it is done; 0 to the distance
-  double at(double time) const;     // the way done, 0 to the distance; before and after the motion these
+  double timeOf(double distance) const;  // s at which this distance is covered; 0 to the whole distance
+  double at(double time) const;          // the distance covered, clamped before and after the motion
 
  private:
-  double rampAt(double time) const;  // the way done in the first ramp
+  double rampAt(double time) const;  // the distance covered in the first ramp
 
   double m_distance, m_jerk;
-  double m_turn = 0.0;    // s, with the jerk on, at each end of a ramp
-  double m_ramp = 0.0;    // s, speeding up
+  double m_turn = 0.0;    // s with constant jerk, at each end of a ramp
+  double m_ramp = 0.0;    // s of acceleration
   double m_cruise = 0.0;  // s
 };
 
-// How fast the joints of a robot may be.
+// The limits of the velocities of a robot.
 struct PathTimingSettings {
   double speed = 1.0;         // share of the largest velocities, 0…1
-  double turning = M_PI;      // rad/s of revolute joints whose velocity is not known, or 0
+  double turning = M_PI;      // rad/s of revolute joints whose velocity is unknown or 0
   double sliding = 500.0;     // mm/s of slides
-  double timeToSpeed = 0.25;  // s from rest to the largest velocity, which gives the acceleration, whatever the speed
-  double timeToRamp = 0.1;    // s until the acceleration is there: gives the jerk
+  double timeToSpeed = 0.25;  // s from rest to the largest velocity; determines the acceleration at any speed
+  double timeToRamp = 0.1;    // s until the full acceleration; determines the jerk
 };
 
-// How a motion of a path is gone through.
+// The speed of one motion of a path.
 struct MotionPace {
-  double speed = 1.0;        // share of the largest velocities
-  double length = 0.0;       // mm of the tool's way, where its speed is asked for; 0: the joints alone count
-  double toolSpeed = 0.0;    // mm/s, then
-  bool isContinued = false;  // the robot does not stop where the motion ends; its tool's speed goes on in the next
+  double speed = 1.0;      // share of the largest velocities
+  double length = 0.0;     // mm: distance that the tool covers, if its speed is given; 0: only the joint speeds count
+  double toolSpeed = 0.0;  // mm/s, if a length is given
+  // The robot does not stop at the end of the motion; its tool keeps its speed in the next one.
+  bool isContinued = false;
 };
 
-// A path in time: it stops at each place, but where a motion is continued.
+// A path in time. It stops at each waypoint, unless a motion is continued.
 class TimedPath {
  public:
-  // paces: of each motion; empty: as fast as the joints can.
+  // paces: one of each motion; empty: as fast as the joints can.
   TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
             std::span<const MotionPace> paces = {});
 
   double duration() const { return m_begins.back(); }
-  double beginOf(std::size_t motion) const { return m_begins[motion]; }  // also of the one after the last: the end
+  double beginOf(std::size_t motion) const { return m_begins[motion]; }  // also for the index after the last: the end
   std::size_t motionAt(double time) const;
-  double shareAt(double time) const;      // of motionAt()
-  ArmValues valuesAt(double time) const;  // the path must have a place
+  double shareAt(double time) const;      // share of motionAt()
+  ArmValues valuesAt(double time) const;  // the path must have a waypoint
   const JointPath& path() const { return m_path; }
 
  private:
-  // Motions from a stop to the next, with the way in mm of the tool, or in shares of a single motion.
+  // The motions from one stop to the next. Distances are in mm of the tool, or in shares of a single motion.
   struct Run {
     std::size_t first;  // motion
     double begin;       // s
@@ -67,10 +68,10 @@ class TimedPath {
 
   JointPath m_path;
   std::vector<Run> m_runs;
-  std::vector<std::size_t> m_runOf;  // of each motion
-  std::vector<double> m_ways;        // of each motion, in the measure of its run
-  std::vector<double> m_waysBefore;  // of the motions before it in its run
-  std::vector<double> m_begins;      // s; one more than motions
+  std::vector<std::size_t> m_runOf;       // run of each motion
+  std::vector<double> m_distances;        // distance of each motion, in the unit of its run
+  std::vector<double> m_distancesBefore;  // distance of the motions before it in its run
+  std::vector<double> m_begins;           // s; one more than motions
 };
 
 }  // namespace handwheel

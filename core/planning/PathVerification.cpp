@@ -38,11 +38,13 @@ class CollisionList {
   std::size_t m_begin;
 };
 
-// Shares of a motion at which no joint has moved by more than the step (slides a metre a radian), and one more.
-std::vector<double> marksOf(const RobotScene& scene, ArmValues way, double step, double also) {
-  for (Eigen::Index k = 0; k < way.size(); ++k) way[k] *= scene.joint(k).isPrismatic ? 1e-3 : 1.0;
+// Returns shares of a motion between which no joint moves by more than the step (for slides a metre counts as a
+// radian), and one more.
+std::vector<double> marksOf(const RobotScene& scene, ArmValues displacement, double step, double also) {
+  for (Eigen::Index k = 0; k < displacement.size(); ++k) displacement[k] *= scene.joint(k).isPrismatic ? 1e-3 : 1.0;
   constexpr double kMostMarks = 1e5;
-  const auto parts = static_cast<std::size_t>(std::clamp(std::ceil(way.cwiseAbs().maxCoeff() / step), 1.0, kMostMarks));
+  const auto parts =
+      static_cast<std::size_t>(std::clamp(std::ceil(displacement.cwiseAbs().maxCoeff() / step), 1.0, kMostMarks));
   std::vector<double> shares{also};
   for (std::size_t k = 0; k <= parts; ++k) shares.push_back(static_cast<double>(k) / static_cast<double>(parts));
   std::sort(shares.begin(), shares.end());
@@ -65,15 +67,15 @@ VerifiedPath verified(const RobotScene& scene, const JointPath& path, const Moti
     result.certified.push_back(motion.state() == MotionCheck::State::Free);
     if (result.certified.back() || progress.cancelled()) continue;
     CollisionList list(result.collisions);
-    const ArmValues way = to - from;
-    if (way.allFinite()) {
+    const ArmValues displacement = to - from;
+    if (displacement.allFinite()) {
       double before = -1.0;
-      for (const double share : marksOf(scene, way, step, motion.blockedAt())) {
+      for (const double share : marksOf(scene, displacement, step, motion.blockedAt())) {
         if (progress.cancelled()) break;
-        constexpr double kTouch = 1e-9;  // mm: what is as near as it may be is listed, too
+        constexpr double kTouch = 1e-9;  // mm: touching the clearance is listed, too
         ++result.steps;
         for (const RobotScene::Nearest& each :
-             scene.allTooNear(from + share * way, check.clearance + kTouch, check.ownClearance + kTouch))
+             scene.allTooNear(from + share * displacement, check.clearance + kTouch, check.ownClearance + kTouch))
           list.add(i, share, before, each);
         before = share;
       }

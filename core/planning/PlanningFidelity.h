@@ -6,14 +6,14 @@
 
 namespace handwheel {
 
-// The setting plan.resolution: MotionCheckSettings::resolution, mm.
+// Returns the setting plan.resolution: MotionCheckSettings::resolution, mm.
 FidelitySetting planResolutionSetting();
 
-// The setting plan.shortcuts: attempts to make a planned path shorter (RouteSettings::shortcuts).
+// Returns the setting plan.shortcuts: attempts to shorten a planned path (RouteSettings::shortcuts).
 FidelitySetting planShortcutsSetting();
 
-// The setting verify.step: rad of a joint between the places at which a motion that could not be proven free is looked
-// at (verified()).
+// Returns the setting verify.step: rad of a joint between the samples of a motion that could not be proven free
+// (verified()).
 FidelitySetting verifyStepSetting();
 
 }  // namespace handwheel

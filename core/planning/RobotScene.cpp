@@ -18,7 +18,7 @@ Error noScene(std::string reason) {
   return {ErrorCode::ElementMalformed, {"robot", std::move(reason)}, {}, {}};
 }
 
-// What a joint does at this position, rad or mm, in its own frame.
+// Returns the displacement by a joint at this position, rad or mm, in its own frame.
 Pose motionOf(const Joint& joint, double position) {
   Pose motion = Pose::Identity();
   if (joint.kind == JointKind::Prismatic)
@@ -164,14 +164,14 @@ std::set<LinkPair> RobotScene::alwaysMeeting(int samples) const {
   RandomSequence random(1);
   std::vector<Pair> meeting = m_pairs;
   ArmValues values(size());
-  Places places;
+  Poses poses;
   for (int i = 0; i < samples && !meeting.empty(); ++i) {
     for (Eigen::Index k = 0; k < size(); ++k) {
       const double far = joint(k).isPrismatic ? 1000.0 : M_PI;
       values[k] = random.between(std::max(joint(k).lower, -far), std::min(joint(k).upper, far));
     }
-    placesAt(values, places);
-    std::erase_if(meeting, [&](const Pair& pair) { return pairDistance(pair, places, 1.0, nullptr) > 0.0; });
+    posesAt(values, poses);
+    std::erase_if(meeting, [&](const Pair& pair) { return pairDistance(pair, poses, 1.0, nullptr) > 0.0; });
   }
   std::set<LinkPair> pairs;
   for (const Pair& pair : meeting) pairs.insert(std::minmax(m_parts[pair.first].link, m_parts[pair.second].link));
@@ -180,10 +180,10 @@ std::set<LinkPair> RobotScene::alwaysMeeting(int samples) const {
 
 std::set<LinkPair> RobotScene::closePairsMeeting(const ArmValues& values) const {
   std::set<LinkPair> pairs;
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   for (const Pair& pair : m_pairs) {
-    if (jointsBetween(pair) > 2 || pairDistance(pair, places, 1.0, nullptr) > 0.0) continue;
+    if (jointsBetween(pair) > 2 || pairDistance(pair, poses, 1.0, nullptr) > 0.0) continue;
     pairs.insert(std::minmax(m_parts[pair.first].link, m_parts[pair.second].link));
   }
   return pairs;

@@ -10,8 +10,7 @@ namespace handwheel {
 
 namespace {
 
-// mm: with no clearance to be kept, what meets is too near, and of most shapes no more is known of it than a distance
-// of 0.
+// mm: without a clearance, shapes that meet are too near, and for most shapes only a distance of 0 is known then.
 constexpr double kTouching = 1e-9;
 
 struct PlacedBodies {
@@ -23,7 +22,7 @@ struct PlacedBodies {
   }
 };
 
-// The contacts of the first `own` with the others, the deepest first; where there are none, the closest points.
+// Returns the contacts of the first `own` with the others, the deepest first; if there are none, the closest points.
 std::vector<ClosestPoints> touchesOf(PlacedBodies placed, std::size_t own, std::size_t most) {
   std::vector<BodyPair> pairs;
   for (std::uint32_t i = 0; i < own; ++i) {
@@ -63,23 +62,23 @@ void RobotScene::jointPoses(const ArmValues& values, std::span<Pose> poses) cons
   }
 }
 
-void RobotScene::placesAt(const ArmValues& values, Places& places) const {
-  jointPoses(values, std::span(places.joints.data(), m_joints.size()));
+void RobotScene::posesAt(const ArmValues& values, Poses& poses) const {
+  jointPoses(values, std::span(poses.joints.data(), m_joints.size()));
 }
 
-// From the sphere towards the base: what the joints nearer to it may have moved it by adds to its distance from the
-// axes of those before.
+// From the sphere towards the base: the possible displacement by the outer joints adds to its distance from the axes of
+// the inner ones.
 double RobotScene::speedOf(const ArmValues& rates, std::uint32_t joint, const Vec3& centre, double radius,
-                           std::uint32_t below, double half, const Places& places) const {
+                           std::uint32_t below, double half, const Poses& poses) const {
   if (joint == below) return 0.0;
-  const Vec3 at = places.of(joint) * centre;
+  const Vec3 at = poses.of(joint) * centre;
   double speed = 0.0;
   for (std::uint32_t j = joint; j != below; j = m_joints[j].parent) {
     const double rate = std::abs(rates[j]);
     if (m_joints[j].joint.isPrismatic) {
       speed += rate;
     } else if (rate > 0.0) {
-      const Pose& pose = places.joints[j];
+      const Pose& pose = poses.joints[j];
       const Vec3 away = at - pose.translation();
       speed += rate * (away.cross(Vec3(pose.linear().col(2))).norm() + radius + half * speed);
     }
@@ -88,35 +87,35 @@ double RobotScene::speedOf(const ArmValues& rates, std::uint32_t joint, const Ve
 }
 
 double RobotScene::travelBound(const ArmValues& values, const ArmValues& spread) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   double most = 0.0;
   for (const Part& part : m_parts)
-    most = std::max(most, speedOf(spread, part.joint, part.body.centre(), part.body.radius(), kNone, 1.0, places));
+    most = std::max(most, speedOf(spread, part.joint, part.body.centre(), part.body.radius(), kNone, 1.0, poses));
   return most;
 }
 
 double RobotScene::travelBound(const ArmValues& from, const ArmValues& to, const ArmValues& spread) const {
-  Places places;
-  placesAt(0.5 * (from + to), places);
+  Poses poses;
+  posesAt(0.5 * (from + to), poses);
   double most = 0.0;
   for (const Part& part : m_parts) {
     if (part.joint == kNone) continue;
-    const Vec3 at = places.of(part.joint) * part.body.centre();
-    // From the part to the base: what the joints so far move it by to either end, and what they may be off.
+    const Vec3 at = poses.of(part.joint) * part.body.centre();
+    // From the part to the base: the displacement by the joints so far towards either end, and their deviation.
     double moved = 0.0, off = 0.0;
     for (std::uint32_t j = part.joint; j != kNone; j = m_joints[j].parent) {
-      const double way = 0.5 * std::abs(to[j] - from[j]), own = std::abs(spread[j]);
+      const double motion = 0.5 * std::abs(to[j] - from[j]), own = std::abs(spread[j]);
       if (m_joints[j].joint.isPrismatic) {
-        moved += way;
+        moved += motion;
         off += own;
         continue;
       }
-      const Pose& pose = places.joints[j];
+      const Pose& pose = poses.joints[j];
       const Vec3 away = at - pose.translation();
       const double lever = away.cross(Vec3(pose.linear().col(2))).norm() + part.body.radius() + moved;
       off += own * (lever + off);
-      moved += way * lever;
+      moved += motion * lever;
     }
     most = std::max(most, off);
   }
@@ -125,109 +124,109 @@ double RobotScene::travelBound(const ArmValues& from, const ArmValues& to, const
 
 bool RobotScene::isFreeAround(const ArmValues& values, const ArmValues& spread, double clearance,
                               double ownClearance) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   const auto travel = [&](const Part& part, std::uint32_t below) {
-    return speedOf(spread, part.joint, part.body.centre(), part.body.radius(), below, 1.0, places);
+    return speedOf(spread, part.joint, part.body.centre(), part.body.radius(), below, 1.0, poses);
   };
   const auto isNear = [&](const Part& part) {
     if (part.joint == kNone) return false;
     const double least = std::max(clearance + travel(part, kNone), kTouching);
-    return m_obstacles.distance(part.body, places.of(part.joint), least, part.leftOut).owner != kNone;
+    return m_obstacles.distance(part.body, poses.of(part.joint), least, part.leftOut).owner != kNone;
   };
   const auto isPairNear = [&](const Pair& pair) {
     const double moved = travel(m_parts[pair.first], pair.common) + travel(m_parts[pair.second], pair.common);
     const double least = std::max(ownClearance + moved, kTouching);
-    return pairDistance(pair, places, least, nullptr) < least;
+    return pairDistance(pair, poses, least, nullptr) < least;
   };
   return std::ranges::none_of(m_parts, isNear) && std::ranges::none_of(m_pairs, isPairNear);
 }
 
-double RobotScene::pairDistance(const Pair& pair, const Places& places, double enough, QueryCounts* counts) const {
+double RobotScene::pairDistance(const Pair& pair, const Poses& poses, double enough, QueryCounts* counts) const {
   const Part &first = m_parts[pair.first], &second = m_parts[pair.second];
-  return distanceBetween(first.body, places.of(first.joint), second.body, places.of(second.joint), enough, counts);
+  return distanceBetween(first.body, poses.of(first.joint), second.body, poses.of(second.joint), enough, counts);
 }
 
-bool RobotScene::areApart(const GroupPair& pair, const Places& places, double enough) const {
+bool RobotScene::areApart(const GroupPair& pair, const Poses& poses, double enough) const {
   const Group &a = m_groups[pair.first], &b = m_groups[pair.second];
   const double least = enough + a.radius + b.radius;
-  return (places.of(a.joint) * a.centre - places.of(b.joint) * b.centre).squaredNorm() >= least * least;
+  return (poses.of(a.joint) * a.centre - poses.of(b.joint) * b.centre).squaredNorm() >= least * least;
 }
 
-std::span<const std::uint32_t> RobotScene::near(const Group& group, const Places& places, double enough,
+std::span<const std::uint32_t> RobotScene::near(const Group& group, const Poses& poses, double enough,
                                                 QueryCounts* counts) const {
   static thread_local std::vector<std::uint32_t> found;  // keeps its memory
-  m_obstacles.findNear(places.of(group.joint) * group.centre, group.radius, enough, found, counts);
+  m_obstacles.findNear(poses.of(group.joint) * group.centre, group.radius, enough, found, counts);
   return found;
 }
 
-RobotScene::Nearest RobotScene::nearestOf(const Group& group, const Places& places, double enough,
+RobotScene::Nearest RobotScene::nearestOf(const Group& group, const Poses& poses, double enough,
                                           QueryCounts* counts) const {
   Nearest least{enough};
-  if (group.joint == kNone) return least;  // what stands is as near as the cell makes it
-  const auto obstacles = near(group, places, enough, counts);
+  if (group.joint == kNone) return least;  // bodies that do not move are as near as the cell makes it
+  const auto obstacles = near(group, poses, enough, counts);
   if (obstacles.empty()) return least;
   for (std::uint32_t p = group.begin; p < group.end; ++p) {
     const Part& part = m_parts[p];
     const auto found =
-        m_obstacles.distance(part.body, places.of(part.joint), least.distance, part.leftOut, obstacles, counts);
+        m_obstacles.distance(part.body, poses.of(part.joint), least.distance, part.leftOut, obstacles, counts);
     if (found.owner != kNone) least = {found.distance, part.link, kNone, found.owner};
   }
   return least;
 }
 
-RobotScene::Nearest RobotScene::nearestOf(const GroupPair& pair, const Places& places, double enough,
+RobotScene::Nearest RobotScene::nearestOf(const GroupPair& pair, const Poses& poses, double enough,
                                           QueryCounts* counts) const {
   Nearest least{enough};
-  if (areApart(pair, places, enough)) return least;
+  if (areApart(pair, poses, enough)) return least;
   for (std::uint32_t i = pair.begin; i < pair.end; ++i) {
-    const double distance = pairDistance(m_pairs[i], places, least.distance, counts);
+    const double distance = pairDistance(m_pairs[i], poses, least.distance, counts);
     if (distance < least.distance)
       least = {distance, m_parts[m_pairs[i].first].link, m_parts[m_pairs[i].second].link, kNone};
   }
   return least;
 }
 
-RobotScene::Nearest RobotScene::nearestObstacle(const Places& places, double enough, QueryCounts* counts) const {
+RobotScene::Nearest RobotScene::nearestObstacle(const Poses& poses, double enough, QueryCounts* counts) const {
   Nearest least{enough};
   for (const Group& group : m_groups) {
-    const Nearest found = nearestOf(group, places, least.distance, counts);
+    const Nearest found = nearestOf(group, poses, least.distance, counts);
     if (found.link != kNone) least = found;
   }
   return least;
 }
 
-RobotScene::Nearest RobotScene::nearestLinks(const Places& places, double enough, QueryCounts* counts) const {
+RobotScene::Nearest RobotScene::nearestLinks(const Poses& poses, double enough, QueryCounts* counts) const {
   Nearest least{enough};
   for (const GroupPair& pair : m_groupPairs) {
-    const Nearest found = nearestOf(pair, places, least.distance, counts);
+    const Nearest found = nearestOf(pair, poses, least.distance, counts);
     if (found.link != kNone) least = found;
   }
   return least;
 }
 
 RobotScene::Nearest RobotScene::nearest(const ArmValues& values, double enough, QueryCounts* counts) const {
-  Places places;
-  placesAt(values, places);
-  const Nearest obstacle = nearestObstacle(places, enough, counts);
-  const Nearest links = nearestLinks(places, obstacle.distance, counts);
+  Poses poses;
+  posesAt(values, poses);
+  const Nearest obstacle = nearestObstacle(poses, enough, counts);
+  const Nearest links = nearestLinks(poses, obstacle.distance, counts);
   return links.link == kNone ? obstacle : links;
 }
 
 RobotScene::Nearest RobotScene::nearestObstacle(const ArmValues& values, double enough, QueryCounts* counts) const {
-  Places places;
-  placesAt(values, places);
-  return nearestObstacle(places, enough, counts);
+  Poses poses;
+  posesAt(values, poses);
+  return nearestObstacle(poses, enough, counts);
 }
 
 RobotScene::Nearest RobotScene::nearestTo(const CollisionBody& body, const Pose& pose, const ArmValues& values,
                                           double enough, std::span<const std::uint32_t> without) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   Nearest least{enough};
   for (const Part& part : m_parts) {
     if (std::ranges::find(without, part.link) != without.end()) continue;
-    const double distance = distanceBetween(part.body, places.of(part.joint), body, pose, least.distance);
+    const double distance = distanceBetween(part.body, poses.of(part.joint), body, pose, least.distance);
     if (distance < least.distance) least = {distance, part.link};
   }
   return least;
@@ -235,20 +234,20 @@ RobotScene::Nearest RobotScene::nearestTo(const CollisionBody& body, const Pose&
 
 RobotScene::Nearest RobotScene::tooNear(const ArmValues& values, double clearance, double ownClearance,
                                         QueryCounts* counts) const {
-  Places places;
-  placesAt(values, places);
-  const Nearest obstacle = nearestObstacle(places, std::max(clearance, kTouching), counts);
-  const Nearest links = nearestLinks(places, std::max(ownClearance, kTouching), counts);
+  Poses poses;
+  posesAt(values, poses);
+  const Nearest obstacle = nearestObstacle(poses, std::max(clearance, kTouching), counts);
+  const Nearest links = nearestLinks(poses, std::max(ownClearance, kTouching), counts);
   if (links.link == kNone) return obstacle;
   if (obstacle.link == kNone) return links;
   return obstacle.distance - clearance < links.distance - ownClearance ? obstacle : links;
 }
 
 bool RobotScene::isFree(const ArmValues& values, double clearance, double ownClearance, QueryCounts* counts) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   const auto isBlocked = [&](const auto& of, double distance) {
-    return nearestOf(of, places, std::max(distance, kTouching), counts).link != kNone;
+    return nearestOf(of, poses, std::max(distance, kTouching), counts).link != kNone;
   };
   return std::ranges::none_of(m_groups, [&](const Group& group) { return isBlocked(group, clearance); }) &&
          std::ranges::none_of(m_groupPairs, [&](const GroupPair& pair) { return isBlocked(pair, ownClearance); });
@@ -265,15 +264,15 @@ void RobotScene::listNear(const Part& part, const Pose& pose, double clearance, 
 }
 
 std::vector<RobotScene::Nearest> RobotScene::overlappingLinks(const ArmValues& values) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   std::vector<Nearest> all;
   for (const Pair& pair : m_pairs) {
-    if (pairDistance(pair, places, kTouching, nullptr) >= kTouching) continue;
+    if (pairDistance(pair, poses, kTouching, nullptr) >= kTouching) continue;
     const Part &first = m_parts[pair.first], &second = m_parts[pair.second];
     ProximityQuery query({first.body, second.body}, {{0, 1}});
-    query.place(0, places.of(first.joint));
-    query.place(1, places.of(second.joint));
+    query.place(0, poses.of(first.joint));
+    query.place(1, poses.of(second.joint));
     const std::optional<NearPair> deepest = query.closest();
     all.push_back({deepest ? std::min(deepest->points.distance, 0.0) : 0.0, first.link, second.link});
   }
@@ -281,13 +280,13 @@ std::vector<RobotScene::Nearest> RobotScene::overlappingLinks(const ArmValues& v
 }
 
 std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Nearest& nearest, std::size_t most,
-                                               const Pose& way) const {
-  Places places;
-  placesAt(values, places);
+                                               const Pose& displacement) const {
+  Poses poses;
+  posesAt(values, poses);
   PlacedBodies placed;
   const auto addLink = [&](std::uint32_t link) {
     for (const Part& part : m_parts) {
-      if (part.link == link) placed.add(part.body, way * places.of(part.joint));
+      if (part.link == link) placed.add(part.body, displacement * poses.of(part.joint));
     }
   };
   addLink(nearest.link);
@@ -303,29 +302,29 @@ std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const Ne
 
 std::vector<ClosestPoints> RobotScene::touches(const ArmValues& values, const CollisionBody& body, const Pose& pose,
                                                std::size_t most, std::span<const std::uint32_t> without) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   PlacedBodies placed;
   for (const Part& part : m_parts) {
-    if (std::ranges::find(without, part.link) == without.end()) placed.add(part.body, places.of(part.joint));
+    if (std::ranges::find(without, part.link) == without.end()) placed.add(part.body, poses.of(part.joint));
   }
   const std::size_t own = placed.bodies.size();
   placed.add(body, pose);
   return touchesOf(std::move(placed), own, most);
 }
 
-std::vector<RobotScene::Nearest> RobotScene::metWhenMoved(const ArmValues& values, const Pose& way,
+std::vector<RobotScene::Nearest> RobotScene::metWhenMoved(const ArmValues& values, const Pose& displacement,
                                                           const std::function<bool()>& isOver) const {
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   std::vector<Nearest> all;
   for (const Part& part : m_parts) {
     if (isOver && isOver()) break;
     std::vector<std::uint32_t> leftOut = part.leftOut;
     std::vector<Nearest> here;
-    if (part.joint == kNone) listNear(part, places.world, kTouching, leftOut, here);
+    if (part.joint == kNone) listNear(part, poses.world, kTouching, leftOut, here);
     for (const Nearest& each : here) leftOut.push_back(each.owner);
-    listNear(part, way * places.of(part.joint), kTouching, std::move(leftOut), all);
+    listNear(part, displacement * poses.of(part.joint), kTouching, std::move(leftOut), all);
   }
   return all;
 }
@@ -334,14 +333,14 @@ std::vector<RobotScene::Nearest> RobotScene::allTooNear(const ArmValues& values,
                                                         double ownClearance) const {
   clearance = std::max(clearance, kTouching);
   ownClearance = std::max(ownClearance, kTouching);
-  Places places;
-  placesAt(values, places);
+  Poses poses;
+  posesAt(values, poses);
   std::vector<Nearest> all;
   for (const Part& part : m_parts) {
-    if (part.joint != kNone) listNear(part, places.of(part.joint), clearance, part.leftOut, all);
+    if (part.joint != kNone) listNear(part, poses.of(part.joint), clearance, part.leftOut, all);
   }
   for (const Pair& pair : m_pairs) {
-    const double distance = pairDistance(pair, places, ownClearance, nullptr);
+    const double distance = pairDistance(pair, poses, ownClearance, nullptr);
     if (distance < ownClearance) all.push_back({distance, m_parts[pair.first].link, m_parts[pair.second].link, kNone});
   }
   return all;

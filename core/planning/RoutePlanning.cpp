@@ -8,23 +8,23 @@
 
 namespace handwheel {
 
-Route planRoute(const RobotScene& scene, std::span<const ArmValues> places, const RouteSettings& settings,
+Route planRoute(const RobotScene& scene, std::span<const ArmValues> waypoints, const RouteSettings& settings,
                 Progress progress) {
-  assert(places.size() >= 2);
+  assert(waypoints.size() >= 2);
   Route route;
-  const double share = 1.0 / static_cast<double>(places.size() - 1);
-  for (std::size_t i = 1; i < places.size(); ++i) {
+  const double share = 1.0 / static_cast<double>(waypoints.size() - 1);
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const double done = share * static_cast<double>(i - 1);
     const Progress part = progress.part(done, done + share);
-    MotionCheck direct(scene, places[i - 1], places[i], settings.plan.check);
-    const bool isWithin = scene.isWithinLimits(places[i - 1]) && scene.isWithinLimits(places[i]);
+    MotionCheck direct(scene, waypoints[i - 1], waypoints[i], settings.plan.check);
+    const bool isWithin = scene.isWithinLimits(waypoints[i - 1]) && scene.isWithinLimits(waypoints[i]);
     if (isWithin && direct.run(part) == MotionCheck::State::Free) {
       route.steps += direct.steps();
-      route.legs.push_back({places[i - 1], places[i]});
+      route.legs.push_back({waypoints[i - 1], waypoints[i]});
       continue;
     }
     PlanResult planned =
-        planPath(scene, places[i - 1], places[i], settings.plan, settings.planner, part.part(0.0, 0.7));
+        planPath(scene, waypoints[i - 1], waypoints[i], settings.plan, settings.planner, part.part(0.0, 0.7));
     route.steps += planned.steps;
     if (planned.outcome != PlanResult::Outcome::Solved) {
       route.outcome = planned.outcome;

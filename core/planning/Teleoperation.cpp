@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kLongestStep = 10.0;  // mm of the tool
 constexpr double kLargestTurn = 0.05;  // rad
-constexpr double kStepSeconds = 0.05;  // what the joints have for such a step
-constexpr int kMostSteps = 40;         // of a lead; a hand that leaps further is followed less closely
-constexpr double kLongestLead = 0.05;  // rad, of a joint that follows the hand itself
+constexpr double kStepSeconds = 0.05;  // duration of such a step for the joints
+constexpr int kMostSteps = 40;         // limit for one lead; a hand that leaps further is followed less closely
+constexpr double kLongestLead = 0.05;  // rad, for a joint that follows the hand itself
 constexpr double kNoNearer = 1e-3;     // mm
 constexpr double kStill = 1e-7;        // rad, mm: of the joints
 
@@ -33,7 +33,7 @@ Teleoperation::Teleoperation(const RobotScene& scene, const SerialArm& arm, cons
       m_values(start),
       m_wanted(Teleoperation::tool()) {}
 
-// A joint that is beyond a limit may only come back.
+// Clamps values to the limits. A joint beyond a limit may only return.
 ArmValues Teleoperation::withinLimits(ArmValues to) const {
   for (Eigen::Index i = 0; i < to.size(); ++i) {
     const ArmJoint& joint = m_scene.joint(i);
@@ -43,41 +43,41 @@ ArmValues Teleoperation::withinLimits(ArmValues to) const {
   return to;
 }
 
-// The joint values next to those now that are nearest to what is wanted, no further than the joints get in that time.
+// Returns the joint values nearest to the wanted pose, no further than the joints get in that time.
 ArmValues Teleoperation::towards(const Pose& wanted, double seconds) const {
   NumericalIkSettings ik;
   ik.mostStarts = 1;
   ik.tolerance = m_settings.tolerance;
   NumericalIkResult found = solvedNumerically(m_arm, wanted, m_values, ik);
-  if (!found.isSolved && m_arm.size() < kJointsOfAnyPose) found = solvedForPlace(m_arm, wanted, m_values, ik);
-  const ArmValues way = found.values - m_values;
+  if (!found.isSolved && m_arm.size() < kJointsOfAnyPose) found = solvedForPosition(m_arm, wanted, m_values, ik);
+  const ArmValues change = found.values - m_values;
   double slower = 1.0;
-  for (Eigen::Index i = 0; i < way.size(); ++i) {
+  for (Eigen::Index i = 0; i < change.size(); ++i) {
     const ArmJoint& joint = m_scene.joint(i);
     const double most = seconds * joint.velocity.value_or(joint.isPrismatic ? m_settings.sliding : m_settings.turning);
-    if (std::abs(way[i]) > most) slower = std::min(slower, most / std::abs(way[i]));
+    if (std::abs(change[i]) > most) slower = std::min(slower, most / std::abs(change[i]));
   }
-  return withinLimits(m_values + slower * way);
+  return withinLimits(m_values + slower * change);
 }
 
-// Goes there, or as near as halving the way shows to be free by this check. None: nowhere. Otherwise whether it is all
-// of the way.
+// Moves to these values, or as near as bisection of the motion proves free by this check. None: no motion. Otherwise
+// true if it arrived.
 std::optional<bool> Teleoperation::advanceProven(const ArmValues& to, const MotionCheckSettings& check, double least) {
   constexpr int kHalvings = 4;
   const ArmValues from = m_values;
   double share = 1.0;
   for (int i = 0; i <= kHalvings; ++i, share *= 0.5) {
-    const ArmValues place = i == 0 ? to : ArmValues(from + share * (to - from));
-    if (MotionCheck(m_scene, from, place, check).run() != MotionCheck::State::Free) continue;
-    if (least > 0.0 && m_scene.nearestObstacle(place, least).distance < least) continue;
-    m_values = place;
+    const ArmValues values = i == 0 ? to : ArmValues(from + share * (to - from));
+    if (MotionCheck(m_scene, from, values, check).run() != MotionCheck::State::Free) continue;
+    if (least > 0.0 && m_scene.nearestObstacle(values, least).distance < least) continue;
+    m_values = values;
     return i == 0;
   }
   return std::nullopt;
 }
 
-// False: not all of the way. Where the robot is nearer to something than it may be, it may go where it gets no nearer;
-// where it meets something, in small steps out of it.
+// Returns false if it did not arrive. A robot that violates its clearance may move if it gets no nearer; one in
+// collision, in small steps out of it.
 bool Teleoperation::advance(const ArmValues& to) {
   if (const auto went = advanceProven(to, m_settings.check, 0.0)) return *went;
   if (isFreeAt(m_scene, m_values, m_settings.check)) return false;
@@ -89,16 +89,16 @@ bool Teleoperation::advance(const ArmValues& to) {
     if (isFreeAt(m_scene, m_values, nearer)) return false;
   }
   if (!m_escape) m_escape.emplace(m_scene);
-  const ArmValues way = to - m_values;
-  const double travel = m_scene.travelBound(m_values, way.cwiseAbs());
+  const ArmValues change = to - m_values;
+  const double travel = m_scene.travelBound(m_values, change.cwiseAbs());
   const double share = travel > ContactEscape::kLongestStep ? ContactEscape::kLongestStep / travel : 1.0;
-  const ArmValues place = m_values + 0.99 * share * way;
-  if (!m_escape->mayGo(m_values, place, m_settings.check.resolution)) return false;
-  m_values = place;
+  const ArmValues values = m_values + 0.99 * share * change;
+  if (!m_escape->mayGo(m_values, values, m_settings.check.resolution)) return false;
+  m_values = values;
   return true;
 }
 
-// Where the straight way is blocked, joints that bring the tool nearer go on alone.
+// Moves joints that bring the tool nearer one by one if the straight motion is blocked.
 bool Teleoperation::slide(const ArmValues& to, const Pose& wanted) {
   if (advance(to)) return true;
   for (Eigen::Index i = 0; i < to.size(); ++i) {
@@ -139,15 +139,16 @@ Teleoperation::Step Teleoperation::follow(const Pose& wanted, double seconds) {
 Teleoperation::Step Teleoperation::lead(const Pose& wanted) {
   if (!wanted.matrix().allFinite()) return stepTo(m_wanted);
   const Pose from = m_wanted;
-  const Vec3 way = wanted.translation() - from.translation();
+  const Vec3 translation = wanted.translation() - from.translation();
   const Eigen::Quaterniond before(from.linear()), after(wanted.linear());
-  const double steps = std::ceil(std::max(way.norm() / kLongestStep, angleBetween(from, wanted) / kLargestTurn));
+  const double steps =
+      std::ceil(std::max(translation.norm() / kLongestStep, angleBetween(from, wanted) / kLargestTurn));
   const int count = static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(kMostSteps)));
   Step step;
-  int held = 0;  // steps on which nothing moved: a hand that pushes on gets nowhere
+  int held = 0;  // steps without any motion: pushing on has no effect
   for (int i = 1; i <= count && held < 2; ++i) {
     const double share = static_cast<double>(i) / count;
-    m_wanted = Eigen::Translation3d(from.translation() + share * way) * before.slerp(share, after);
+    m_wanted = Eigen::Translation3d(from.translation() + share * translation) * before.slerp(share, after);
     const ArmValues values = m_values;
     step = follow(i == count ? wanted : m_wanted, kStepSeconds);
     held = step.isBlocked && (m_values - values).cwiseAbs().maxCoeff() < kStill ? held + 1 : 0;

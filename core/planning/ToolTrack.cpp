@@ -17,17 +17,17 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// Slides count a thousandth: 1 m as 1 rad.
-double wayOf(const SerialArm& arm, const ArmValues& from, const ArmValues& to) {
+// Returns the largest move of a joint. Slides count a thousandth: 1 m as 1 rad.
+double distanceOf(const SerialArm& arm, const ArmValues& from, const ArmValues& to) {
   double most = 0.0;
   for (Eigen::Index i = 0; i < arm.size(); ++i) {
-    const double way = std::abs(to[i] - from[i]);
-    most = std::max(most, arm.joints()[static_cast<std::size_t>(i)].isPrismatic ? 1e-3 * way : way);
+    const double difference = std::abs(to[i] - from[i]);
+    most = std::max(most, arm.joints()[static_cast<std::size_t>(i)].isPrismatic ? 1e-3 * difference : difference);
   }
   return most;
 }
 
-// The steps of the ladder and the shortest way up.
+// The steps of the ladder graph and the shortest path through it.
 class Ladder {
  public:
   Ladder(const RobotScene& scene, const SerialArm& arm, const Pose& tool, std::span<const Pose> poses,
@@ -49,14 +49,14 @@ class Ladder {
       if (m_rungs.back().empty()) return {.outcome = FollowedTrack::Outcome::OutOfReach, .failedAt = i};
     }
     for (;;) {
-      const std::size_t reached = findWays();
+      const std::size_t reached = findPaths();
       if (reached < m_poses.size()) return failedAt(reached);
-      const std::vector<std::size_t> way = shortest();
-      const std::size_t checked = firstBad(way, progress);
+      const std::vector<std::size_t> path = shortest();
+      const std::size_t checked = firstBad(path, progress);
       if (progress.cancelled()) return {.outcome = FollowedTrack::Outcome::Cancelled};
-      if (checked < way.size()) continue;
+      if (checked < path.size()) continue;
       found.outcome = FollowedTrack::Outcome::Solved;
-      for (std::size_t i = 0; i < way.size(); ++i) found.values.push_back(m_rungs[i][way[i]].values);
+      for (std::size_t i = 0; i < path.size(); ++i) found.values.push_back(m_rungs[i][path[i]].values);
       return found;
     }
   }
@@ -69,22 +69,22 @@ class Ladder {
     bool isBlocked = false;  // known to be
     RobotScene::Nearest blocked{};
     double cost = kFar;
-    std::size_t before = 0;             // in the rung below
-    std::set<std::size_t> badBefore{};  // from which no line leads here
+    std::size_t before = 0;             // index in the rung below
+    std::set<std::size_t> badBefore{};  // steps below without a valid line to this one
     RobotScene::Nearest lineBlocked{};
   };
 
-  // The joints are moved by whole turns as near to these as their limits let them be.
+  // Adds a step. The joints are shifted by whole turns as near to the reference as their limits allow.
   void add(std::vector<Step>& rung, const ArmValues& values, int spin, const ArmValues& reference) const {
     const auto within = withinLimits(m_arm, values, reference);
     if (!within) return;
     const auto isSame = [&](const Step& step) {
-      return step.spin == spin && wayOf(m_arm, step.values, *within) < 1e-4;
+      return step.spin == spin && distanceOf(m_arm, step.values, *within) < 1e-4;
     };
     if (std::none_of(rung.begin(), rung.end(), isSame)) rung.push_back({.values = *within, .spin = spin});
   }
 
-  // Whole turns count from where the first rung begins: a joint that turns on and on stays on its way.
+  // Whole turns are counted from the first rung: a joint that keeps turning stays on its path.
   void addRung(std::size_t i) {
     std::vector<Step> rung;
     const std::vector<Step> none;
@@ -108,7 +108,7 @@ class Ladder {
     m_rungs.push_back(std::move(rung));
   }
 
-  // From the steps below, and at first from random places.
+  // Adds solutions found from the steps below, and for the first rung from random starts.
   void addNumerically(std::vector<Step>& rung, const Pose& tip, int spin, const std::vector<Step>& below) const {
     constexpr std::uint64_t kRandomStarts = 12;
     NumericalIkSettings ik{.tolerance = 1e-9, .seconds = 0.05};
@@ -136,13 +136,13 @@ class Ladder {
     return std::min(apart, m_settings.spins - apart) <= 1;
   }
 
-  // The cheapest way to every step. Returns how many rungs can be reached.
-  std::size_t findWays() {
+  // Finds the cheapest path to every step. Returns the number of rungs that can be reached.
+  std::size_t findPaths() {
     for (std::size_t i = 0; i < m_rungs.size(); ++i) {
       bool isReached = false;
       for (Step& step : m_rungs[i]) {
-        step.cost = step.isBlocked ? kFar : i == 0 ? wayOf(m_arm, m_near, step.values) : kFar;
-        if (i > 0 && !step.isBlocked) findWayTo(step, m_rungs[i - 1]);
+        step.cost = step.isBlocked ? kFar : i == 0 ? distanceOf(m_arm, m_near, step.values) : kFar;
+        if (i > 0 && !step.isBlocked) findPathTo(step, m_rungs[i - 1]);
         isReached |= step.cost < kFar;
       }
       if (!isReached) return i;
@@ -151,60 +151,60 @@ class Ladder {
   }
 
   // A line of the tool on which a joint makes a quarter turn or more is a leap from one configuration to another.
-  void findWayTo(Step& step, const std::vector<Step>& below) const {
+  void findPathTo(Step& step, const std::vector<Step>& below) const {
     constexpr double kLeap = 0.5 * std::numbers::pi;
     for (std::size_t j = 0; j < below.size(); ++j) {
       if (!(below[j].cost < step.cost) || !isNextSpin(below[j].spin, step.spin) || step.badBefore.contains(j)) continue;
-      const double way = wayOf(m_arm, below[j].values, step.values);
-      if (way >= kLeap || below[j].cost + way >= step.cost) continue;
-      step.cost = below[j].cost + way;
+      const double distance = distanceOf(m_arm, below[j].values, step.values);
+      if (distance >= kLeap || below[j].cost + distance >= step.cost) continue;
+      step.cost = below[j].cost + distance;
       step.before = j;
     }
   }
 
   std::vector<std::size_t> shortest() const {
-    std::vector<std::size_t> way(m_rungs.size());
+    std::vector<std::size_t> path(m_rungs.size());
     const auto isCheaper = [](const Step& a, const Step& b) { return a.cost < b.cost; };
     const auto& last = m_rungs.back();
-    way.back() = static_cast<std::size_t>(std::min_element(last.begin(), last.end(), isCheaper) - last.begin());
-    for (std::size_t i = way.size() - 1; i > 0; --i) way[i - 1] = m_rungs[i][way[i]].before;
-    return way;
+    path.back() = static_cast<std::size_t>(std::min_element(last.begin(), last.end(), isCheaper) - last.begin());
+    for (std::size_t i = path.size() - 1; i > 0; --i) path[i - 1] = m_rungs[i][path[i]].before;
+    return path;
   }
 
-  // Marks what cannot be used of a way: all steps first, then lines up to the first bad one. Returns how far it is
-  // good.
-  std::size_t firstBad(const std::vector<std::size_t>& way, Progress progress) {
-    std::size_t good = way.size();
-    for (std::size_t i = 0; i < way.size() && !progress.cancelled(); ++i) {
-      Step& step = m_rungs[i][way[i]];
+  // Marks the unusable parts of a path: all steps first, then lines up to the first bad one. Returns the number of good
+  // steps.
+  std::size_t firstBad(const std::vector<std::size_t>& path, Progress progress) {
+    std::size_t good = path.size();
+    for (std::size_t i = 0; i < path.size() && !progress.cancelled(); ++i) {
+      Step& step = m_rungs[i][path[i]];
       if (step.isFree) continue;
       step.blocked = blockerAt(m_scene, step.values, m_settings.check);
       step.isFree = step.blocked.link == kNone;
       step.isBlocked = !step.isFree;
       if (step.isBlocked) good = std::min(good, i);
     }
-    if (good < way.size()) return good;
-    for (std::size_t i = 1; i < way.size() && !progress.cancelled(); ++i) {
-      Step& step = m_rungs[i][way[i]];
-      const std::pair<std::size_t, std::pair<std::size_t, std::size_t>> line{i, {way[i - 1], way[i]}};
+    if (good < path.size()) return good;
+    for (std::size_t i = 1; i < path.size() && !progress.cancelled(); ++i) {
+      Step& step = m_rungs[i][path[i]];
+      const std::pair<std::size_t, std::pair<std::size_t, std::size_t>> line{i, {path[i - 1], path[i]}};
       if (m_goodLines.contains(line)) continue;
-      const double share = 0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(way.size());
-      const CheckedLine checked = checkLine(m_scene, m_arm, m_tool, m_rungs[i - 1][way[i - 1]].values, step.values,
+      const double share = 0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(path.size());
+      const CheckedLine checked = checkLine(m_scene, m_arm, m_tool, m_rungs[i - 1][path[i - 1]].values, step.values,
                                             m_settings.line, m_settings.check, progress.part(share, share));
       if (checked.isFree()) {
         m_goodLines.insert(line);
         continue;
       }
-      step.badBefore.insert(way[i - 1]);
+      step.badBefore.insert(path[i - 1]);
       if (checked.blocked.link != kNone) step.lineBlocked = checked.blocked;
       return i;
     }
-    return way.size();
+    return path.size();
   }
 
-  // Every step there is blocked, or cannot be reached from below: what is in the way tells more than a leap.
+  // Reports a rung at which every step is blocked, or cannot be reached from below; a collision says more than a leap.
   FollowedTrack failedAt(std::size_t rung) const {
-    FollowedTrack failed{.outcome = FollowedTrack::Outcome::NoWay, .failedAt = rung};
+    FollowedTrack failed{.outcome = FollowedTrack::Outcome::NoPath, .failedAt = rung};
     for (const Step& step : m_rungs[rung]) {
       const RobotScene::Nearest& found = step.blocked.link != kNone ? step.blocked : step.lineBlocked;
       if (found.link == kNone) continue;
@@ -234,7 +234,7 @@ std::vector<Pose> toolPoses(const SurfaceTrack& track, const ToolAttitude& attit
     pose.linear().col(0) = point.direction;
     pose.linear().col(2) = -point.normal;
     pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
-    pose.translation() = point.place;
+    pose.translation() = point.position;
     pose.rotate(Eigen::AngleAxisd(attitude.tilt, Vec3::UnitX()));
     pose.rotate(Eigen::AngleAxisd(attitude.lead, Vec3::UnitY()));
     pose.rotate(Eigen::AngleAxisd(attitude.spin, Vec3::UnitZ()));
@@ -256,7 +256,7 @@ CheckedLine checkLine(const RobotScene& scene, const SerialArm& arm, const Pose&
   CheckedLine checked{.reached = followed.reached};
   for (std::size_t i = 1; i < followed.path.size() && checked.reached >= 1.0; ++i) {
     const double off = scene.travelBound(followed.path[i - 1], followed.path[i], followed.offs[i - 1]);
-    const MotionCheckSettings wider = widened(check, off);  // by which the arm may be off
+    const MotionCheckSettings wider = widened(check, off);  // deviation of the arm from the line
     MotionCheck motion(scene, followed.path[i - 1], followed.path[i], wider);
     motion.run(progress);
     checked.steps += motion.steps();

@@ -15,42 +15,43 @@ namespace handwheel {
 // along the curve. Angles in rad.
 struct ToolAttitude {
   double lead = 0.0;      // the tool leans back and points ahead; below 0 it leans ahead and drags its tip (lag)
-  double tilt = 0.0;      // it leans to the right, as one goes along the curve on the surface
+  double tilt = 0.0;      // it leans to the right, seen along the curve on the surface
   double spin = 0.0;      // about the tool's own axis
   double standoff = 0.0;  // mm from the curve, back along the tool
 };
 
-// The poses of the tool's centre point along a curve.
+// Returns the poses of the tool's centre point along a curve.
 std::vector<Pose> toolPoses(const SurfaceTrack& track, const ToolAttitude& attitude);
 
-// How the joints for such poses are looked for.
+// Settings of the search for the joint values of such poses.
 struct TrackSettings {
   MotionCheckSettings check = {};
   LineSettings line = {};
-  int spins = 1;  // turns of the tool about its own axis that may be chosen among, in equal steps; 1: only as it is
+  int spins =
+      1;  // number of rotations of the tool about its own axis to choose from, in equal steps; 1: only the given one
 };
 
-// The joints that bring a tool to poses one after the other.
+// The joint values that bring a tool to poses one after the other.
 struct FollowedTrack {
-  enum class Outcome { Solved, OutOfReach, Blocked, NoWay, Cancelled };
-  Outcome outcome = Outcome::NoWay;
-  std::vector<ArmValues> values = {};  // one for each pose, when it is solved
+  enum class Outcome { Solved, OutOfReach, Blocked, NoPath, Cancelled };
+  Outcome outcome = Outcome::NoPath;
+  std::vector<ArmValues> values = {};  // one for each pose, if it is solved
   std::size_t failedAt = 0;            // the pose that cannot be reached, or not from the one before
-  RobotScene::Nearest blocked{};       // what blocks the robot there
+  RobotScene::Nearest blocked{};       // the collision of the robot there
 };
 
-// Looks for the joints with the shortest way through all poses, each reached from the one before along a straight line
-// of the tool, free of collisions all the way: among all ways in which the arm reaches each pose, as steps of a ladder
-// (De Maeyer, Moyaers and Demeester 2017, Cartesian path planning for arc welding robots), beginning nearest to `near`.
-// Steps and lines are checked only where the shortest way uses them. tool: of its centre point in the arm's tip.
+// Finds the joint values of the shortest path through all poses. Each is reached from the one before along a straight
+// line of the tool that is free of collisions. The IK solutions of each pose are the rungs of a ladder graph (De
+// Maeyer, Moyaers and Demeester 2017, Cartesian path planning for arc welding robots), and the path begins nearest to
+// `near`. Solutions and lines are checked only if the shortest path uses them. tool: centre point in the arm's tip.
 FollowedTrack followTrack(const RobotScene& scene, const SerialArm& arm, const Pose& tool, std::span<const Pose> poses,
                           const ArmValues& near, const TrackSettings& settings, Progress progress = {});
 
-// What became of a straight line of the tool, checked for collisions.
+// The result of the collision check of a straight line of the tool.
 struct CheckedLine {
-  double reached = 0.0;           // share of it that the arm can follow
-  RobotScene::Nearest blocked{};  // no link: nothing is in the way
-  std::uint64_t steps = 0;        // points that were looked at
+  double reached = 0.0;           // share of the line that the arm can follow
+  RobotScene::Nearest blocked{};  // no link: there is no collision
+  std::uint64_t steps = 0;        // number of points that were checked
   bool isFree() const { return reached >= 1.0 && blocked.link == kNone; }
 };
 CheckedLine checkLine(const RobotScene& scene, const SerialArm& arm, const Pose& tool, const ArmValues& from,

@@ -14,35 +14,37 @@ namespace handwheel {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;  // of sums of costs
+constexpr double kRounding = 1e-9;  // relative to sums of costs
 
-using Order = std::vector<std::size_t>;  // of stops
+using Order = std::vector<std::size_t>;  // indices of stops
 
-// The costs as far as they are known, of every way of every stop.
+// The known costs for every alternative of every stop.
 class CostTable {
  public:
-  CostTable(std::span<const std::size_t> ways, const VisitCosts& costs) : m_ways(ways), m_costs(costs) {
-    for (const std::size_t count : ways) {
+  CostTable(std::span<const std::size_t> alternatives, const VisitCosts& costs)
+      : m_alternatives(alternatives), m_costs(costs) {
+    for (const std::size_t count : alternatives) {
       m_first.push_back(m_nodes);
       m_nodes += count;
     }
     m_values.assign(m_nodes * m_nodes, kNever);
     m_isExact.assign(m_nodes * m_nodes, false);
-    for (std::size_t from = 0; from + 1 < ways.size(); ++from) {  // nothing leaves the last stop,
-      for (std::size_t to = 1; to < ways.size(); ++to) {          // and nothing comes to the first
+    for (std::size_t from = 0; from + 1 < alternatives.size(); ++from) {  // nothing leaves the last stop,
+      for (std::size_t to = 1; to < alternatives.size(); ++to) {          // and nothing comes to the first
         if (from == to) continue;
-        for (std::size_t a = 0; a < ways[from]; ++a) {
-          for (std::size_t b = 0; b < ways[to]; ++b) m_values[at({from, a}, {to, b})] = costs.least({from, a}, {to, b});
+        for (std::size_t a = 0; a < alternatives[from]; ++a) {
+          for (std::size_t b = 0; b < alternatives[to]; ++b)
+            m_values[at({from, a}, {to, b})] = costs.least({from, a}, {to, b});
         }
       }
     }
   }
 
-  std::size_t stops() const { return m_ways.size(); }
-  std::size_t ways(std::size_t stop) const { return m_ways[stop]; }
+  std::size_t stops() const { return m_alternatives.size(); }
+  std::size_t alternatives(std::size_t stop) const { return m_alternatives[stop]; }
   double operator()(const Visit& from, const Visit& to) const { return m_values[at(from, to)]; }
 
-  // Asks for what is not known exactly yet. False: all was known.
+  // Requests the exact costs that are not known yet. Returns false if all were known.
   bool learn(const std::vector<Visit>& visits, const std::function<bool()>& isOver, Progress progress) {
     bool isNew = false;
     for (std::size_t i = 1; i < visits.size() && !isOver(); ++i) {
@@ -69,23 +71,23 @@ class CostTable {
 
  private:
   std::size_t at(const Visit& from, const Visit& to) const {
-    return (m_first[from.stop] + from.way) * m_nodes + m_first[to.stop] + to.way;
+    return (m_first[from.stop] + from.alternative) * m_nodes + m_first[to.stop] + to.alternative;
   }
 
-  std::span<const std::size_t> m_ways;
+  std::span<const std::size_t> m_alternatives;
   const VisitCosts& m_costs;
-  std::vector<std::size_t> m_first;  // node of each stop's first way
+  std::vector<std::size_t> m_first;  // node of each stop's first alternative
   std::size_t m_nodes = 0;
   std::vector<double> m_values;
   std::vector<bool> m_isExact;
 };
 
-// The best ways for an order, stop by stop (dynamic programming).
-VisitOrder bestWays(const CostTable& costs, const Order& order) {
+// Returns the best alternatives for an order, stop by stop (dynamic programming).
+VisitOrder bestAlternatives(const CostTable& costs, const Order& order) {
   std::vector<std::vector<std::size_t>> before(order.size());
-  std::vector<double> least(costs.ways(order.front()), 0.0), next;
+  std::vector<double> least(costs.alternatives(order.front()), 0.0), next;
   for (std::size_t i = 1; i < order.size(); ++i) {
-    next.assign(costs.ways(order[i]), kNever);
+    next.assign(costs.alternatives(order[i]), kNever);
     before[i].assign(next.size(), 0);
     for (std::size_t b = 0; b < next.size(); ++b) {
       for (std::size_t a = 0; a < least.size(); ++a) {
@@ -101,20 +103,21 @@ VisitOrder bestWays(const CostTable& costs, const Order& order) {
   const auto last = std::min_element(least.begin(), least.end());
   best.cost = *last;
   best.visits.resize(order.size());
-  auto way = static_cast<std::size_t>(last - least.begin());
+  auto alternative = static_cast<std::size_t>(last - least.begin());
   for (std::size_t i = order.size(); i-- > 0;) {
-    best.visits[i] = {order[i], way};
-    if (i > 0) way = before[i][way];
+    best.visits[i] = {order[i], alternative};
+    if (i > 0) alternative = before[i][alternative];
   }
   return best;
 }
 
-// All orders at once: the least cost of having been at a set of stops, and being at one of them.
+// Considers all orders at once: the least cost of having visited a set of stops, and being at one of them.
 class AllOrders {
  public:
   explicit AllOrders(const CostTable& costs) : m_costs(costs), m_between(costs.stops() - 2) {
     for (std::size_t stop = 1; stop + 1 < costs.stops(); ++stop) {
-      for (std::size_t way = 0; way < costs.ways(stop); ++way) m_nodes.push_back({stop, way});
+      for (std::size_t alternative = 0; alternative < costs.alternatives(stop); ++alternative)
+        m_nodes.push_back({stop, alternative});
     }
   }
 
@@ -133,15 +136,15 @@ class AllOrders {
     std::size_t bestEnd = 0;
     Visit end;
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
-      for (std::size_t way = 0; way < m_costs.ways(last); ++way) {
-        const double cost = m_least[(sets - 1) * m_nodes.size() + i] + m_costs(m_nodes[i], {last, way});
+      for (std::size_t alternative = 0; alternative < m_costs.alternatives(last); ++alternative) {
+        const double cost = m_least[(sets - 1) * m_nodes.size() + i] + m_costs(m_nodes[i], {last, alternative});
         if (cost >= best.cost) continue;
         best.cost = cost;
         bestEnd = i;
-        end = {last, way};
+        end = {last, alternative};
       }
     }
-    if (best.cost < kNever) best.visits = wayTo(sets - 1, bestEnd, end);
+    if (best.cost < kNever) best.visits = visitsTo(sets - 1, bestEnd, end);
     return best;
   }
 
@@ -150,8 +153,8 @@ class AllOrders {
 
   void reachFromFirst(std::size_t i) {
     const std::size_t index = bitOf(m_nodes[i].stop) * m_nodes.size() + i;
-    for (std::size_t way = 0; way < m_costs.ways(0); ++way)
-      m_least[index] = std::min(m_least[index], m_costs({0, way}, m_nodes[i]));
+    for (std::size_t alternative = 0; alternative < m_costs.alternatives(0); ++alternative)
+      m_least[index] = std::min(m_least[index], m_costs({0, alternative}, m_nodes[i]));
   }
 
   void goOn(std::size_t set, std::size_t i) {
@@ -167,7 +170,7 @@ class AllOrders {
     }
   }
 
-  std::vector<Visit> wayTo(std::size_t set, std::size_t i, const Visit& end) const {
+  std::vector<Visit> visitsTo(std::size_t set, std::size_t i, const Visit& end) const {
     std::vector<Visit> visits{end};
     while (true) {
       visits.push_back(m_nodes[i]);
@@ -177,8 +180,8 @@ class AllOrders {
       i = before;
     }
     Visit first{0, 0};
-    for (std::size_t way = 1; way < m_costs.ways(0); ++way) {
-      if (m_costs({0, way}, visits.back()) < m_costs(first, visits.back())) first.way = way;
+    for (std::size_t alternative = 1; alternative < m_costs.alternatives(0); ++alternative) {
+      if (m_costs({0, alternative}, visits.back()) < m_costs(first, visits.back())) first.alternative = alternative;
     }
     visits.push_back(first);
     std::reverse(visits.begin(), visits.end());
@@ -187,12 +190,12 @@ class AllOrders {
 
   const CostTable& m_costs;
   std::size_t m_between;
-  std::vector<Visit> m_nodes;  // of the stops in between
+  std::vector<Visit> m_nodes;  // the stops in between
   std::vector<double> m_least;
   std::vector<std::uint32_t> m_before;
 };
 
-// From each stop to the nearest one that is left, by the best ways of both.
+// Connects each stop to the nearest one that is left, by the best alternatives of both.
 Order nearestNeighbours(const CostTable& costs) {
   const std::size_t last = costs.stops() - 1;
   Order order{0};
@@ -204,8 +207,8 @@ Order nearestNeighbours(const CostTable& costs) {
     for (std::size_t to = 1; to < last; ++to) {
       if (!isLeft[to]) continue;
       double cost = kNever;
-      for (std::size_t a = 0; a < costs.ways(from); ++a) {
-        for (std::size_t b = 0; b < costs.ways(to); ++b) cost = std::min(cost, costs({from, a}, {to, b}));
+      for (std::size_t a = 0; a < costs.alternatives(from); ++a) {
+        for (std::size_t b = 0; b < costs.alternatives(to); ++b) cost = std::min(cost, costs({from, a}, {to, b}));
       }
       if (nearest != 0 && cost >= least) continue;
       least = cost;
@@ -218,11 +221,11 @@ Order nearestNeighbours(const CostTable& costs) {
   return order;
 }
 
-// Turns pieces of the order round, and moves stops, while that costs less.
+// Reverses pieces of the order, and moves stops, while that costs less.
 VisitOrder improved(const CostTable& costs, Order order, const std::function<bool()>& isOver) {
-  VisitOrder best = bestWays(costs, order);
+  VisitOrder best = bestAlternatives(costs, order);
   const auto take = [&](const Order& other) {
-    VisitOrder found = bestWays(costs, other);
+    VisitOrder found = bestAlternatives(costs, other);
     if (!(found.cost < best.cost * (1.0 - kRounding))) return false;
     best = std::move(found);
     order = other;
@@ -253,25 +256,26 @@ VisitOrder improved(const CostTable& costs, Order order, const std::function<boo
 
 }  // namespace
 
-std::optional<VisitOrder> cheapestOrder(std::span<const std::size_t> ways, const VisitCosts& costs,
+std::optional<VisitOrder> cheapestOrder(std::span<const std::size_t> alternatives, const VisitCosts& costs,
                                         const VisitSettings& settings, Progress progress) {
-  assert(ways.size() >= 2);
+  assert(alternatives.size() >= 2);
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   const auto isOver = [&] { return progress.cancelled() || spent() > settings.seconds; };
-  CostTable table(ways, costs);
-  const bool isExact = settings.mayReorder && ways.size() <= kMostExact + 2 && ways.size() > 2;
-  Order present(ways.size());
+  CostTable table(alternatives, costs);
+  const bool isExact = settings.mayReorder && alternatives.size() <= kMostExact + 2 && alternatives.size() > 2;
+  Order present(alternatives.size());
   std::iota(present.begin(), present.end(), std::size_t{0});
-  // The order that is there is known first: whatever happens, no worse one is returned.
-  VisitOrder best = bestWays(table, present);
-  while (best.cost < kNever && table.learn(best.visits, isOver, progress) && !isOver()) best = bestWays(table, present);
+  // The costs of the given order are known first: the result is never worse.
+  VisitOrder best = bestAlternatives(table, present);
+  while (best.cost < kNever && table.learn(best.visits, isOver, progress) && !isOver())
+    best = bestAlternatives(table, present);
   if (!table.isExact(best.visits)) best.cost = kNever;
   if (settings.mayReorder && !isExact) present = nearestNeighbours(table);
-  while (settings.mayReorder && ways.size() > 2 && !isOver()) {
+  while (settings.mayReorder && alternatives.size() > 2 && !isOver()) {
     VisitOrder found = isExact ? AllOrders(table).best() : improved(table, present, isOver);
-    if (!(found.cost < best.cost * (1.0 - kRounding))) break;  // by bounds already it costs more
+    if (!(found.cost < best.cost * (1.0 - kRounding))) break;  // it costs more already by the bounds
     if (!table.learn(found.visits, isOver, progress) && table.isExact(found.visits)) {
       best = std::move(found);
       continue;

@@ -12,37 +12,37 @@
 
 namespace handwheel {
 
-// A stop of a tour, with one of the alternative ways to be there.
+// A stop of a tour, with one of the alternatives for it.
 struct Visit {
-  std::size_t stop = 0, way = 0;
+  std::size_t stop = 0, alternative = 0;
   bool operator==(const Visit&) const = default;
 };
 
-// What it costs to go from one visit to another.
+// The costs of moving from one visit to another.
 struct VisitCosts {
-  // At least so much; infinity: there is no way. Cheap.
+  // Returns a lower bound; infinity: there is no connection. Cheap.
   std::function<double(const Visit& from, const Visit& to)> least;
-  // So much; asked for once. Expensive.
+  // Returns the cost; called once for each pair. Expensive.
   std::function<double(const Visit& from, const Visit& to, Progress progress)> exact;
 };
 
 struct VisitOrder {
-  std::vector<Visit> visits;  // one of each stop
+  std::vector<Visit> visits;  // one for each stop
   double cost = std::numeric_limits<double>::infinity();
 };
 
-// How an order is looked for.
+// Settings of the search for an order.
 struct VisitSettings {
-  bool mayReorder = true;  // else only the ways are chosen
-  double seconds = 30.0;   // after which the best one so far is taken
+  bool mayReorder = true;  // false: only the alternatives are chosen
+  double seconds = 30.0;   // time limit, after which the best order so far is returned
 };
 
-// The cheapest order of stops, from the first to the last, which stay where they are, and the cheapest way to be at
-// each (ways: how many there are). Up to kMostExact stops in between all orders are looked at (Held and Karp 1962);
-// beyond, the nearest neighbour goes first, and pieces of the order are turned round and stops moved while that costs
-// less (2-opt: Croes 1958), with the best ways of each order. Exact costs are asked for only along orders that are the
-// cheapest by what is known. None: there is no way.
-std::optional<VisitOrder> cheapestOrder(std::span<const std::size_t> ways, const VisitCosts& costs,
+// Returns the cheapest order of stops, with the cheapest alternative for each. The first and the last stop stay at the
+// ends. alternatives: their number for each stop. Up to kMostExact stops in between all orders are compared (Held and
+// Karp 1962); beyond, the nearest neighbour goes first, and pieces of the order are reversed and stops moved while that
+// costs less (2-opt: Croes 1958), with the best alternatives for each order. Exact costs are requested only along
+// orders that are the cheapest by the known costs. None: there is no connection.
+std::optional<VisitOrder> cheapestOrder(std::span<const std::size_t> alternatives, const VisitCosts& costs,
                                         const VisitSettings& settings = {}, Progress progress = {});
 inline constexpr std::size_t kMostExact = 8;
 

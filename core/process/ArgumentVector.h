@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The argument vector of a command for exec, which changes none. They must outlive it.
+// Returns the argument vector of a command for exec, which does not change it. The words must outlive it.
 inline std::vector<char*> argumentVector(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);

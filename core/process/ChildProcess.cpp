@@ -21,7 +21,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostErrors = 64 << 10;  // bytes of stderr that are kept
-constexpr int kNotStarted = 127;               // as shells report it
+constexpr int kNotStarted = 127;               // the code that shells report
 constexpr int kUnknownCode = 255;
 
 int codeOf(int status) {
@@ -49,7 +49,7 @@ class SignalsHeld {
   sigset_t m_before;
 };
 
-// What the child needs of us until it has become another program.
+// The data that the child needs from us until it has become another program.
 struct ChildStart {
   char* const* argv;
   pid_t parent;
@@ -57,8 +57,8 @@ struct ChildStart {
   std::optional<ProcessLimits> limits;
 };
 
-// From here on to execv() only what a signal handler may call is allowed: another thread may hold any lock. And nothing
-// but the stack may be written, as the memory is ours.
+// From here on to execv() only functions that a signal handler may call are allowed: another thread may hold any lock.
+// And only the stack may be written, as the memory is ours.
 
 bool lowerLimit(decltype(RLIMIT_AS) resource, rlim_t soft, rlim_t hard) {
   rlimit limit{};
@@ -81,13 +81,14 @@ bool confine(const ProcessLimits& limits) {
 void forgetHandler(int signal) {
   struct sigaction action {};
   sigaction(signal, nullptr, &action);
-  if (action.sa_handler == SIG_IGN) return;  // as nohup wants it
+  if (action.sa_handler == SIG_IGN) return;  // nohup requires this
   action = {};
   action.sa_handler = SIG_DFL;
   sigaction(signal, &action, nullptr);
 }
 
-// The streams at their places, and nothing else open. Moved up first: one may stand where another is to go.
+// Sets the standard streams, and closes all other files. The descriptors are moved up first: one may have the number
+// that another is to get.
 bool placeStreams(const ChildStart& start) {
   const int input = start.input < 0 ? ::open("/dev/null", O_RDONLY) : start.input;
   int streams[] = {input, start.output, start.errors};
@@ -95,10 +96,11 @@ bool placeStreams(const ChildStart& start) {
     stream = fcntl(stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     if (stream < 0) return false;
   }
-  for (int place : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (dup2(streams[place], place) < 0) return false;
+  for (int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (dup2(streams[descriptor], descriptor) < 0) return false;
   }
-  // Those of a library that did not ask for it, too. Kernels before 5.11 cannot, and leave it at what we ask for.
+  // For descriptors of libraries that did not ask for it, too. With kernels before 5.11 only those that we asked for
+  // are closed.
   close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
   return true;
 }
@@ -115,8 +117,8 @@ bool placeStreams(const ChildStart& start) {
   _exit(kNotStarted);
 }
 
-// As vfork() it copies no page tables, which takes a tenth of a second at 4 GB and makes other threads wait, the servo
-// loop among them. Returns when the child is another program; -1 on failure.
+// Starts the child like vfork(), without copying page tables, which takes a tenth of a second at 4 GB and makes other
+// threads wait, the servo loop among them. Returns when the child is another program; -1 on failure.
 pid_t startChild(const ChildStart& start) {
   const SignalsHeld held;
   const pid_t process = vfork();  // NOLINT(clang-analyzer-security.insecureAPI.vfork): see above
@@ -124,7 +126,8 @@ pid_t startChild(const ChildStart& start) {
   return process;
 }
 
-// Where memory runs out the largest program is to be ended by the system, and that is to be the child. Failure is none.
+// Makes the child the first program that the system ends when memory runs out, although it is not the largest. A
+// failure is ignored.
 void letGoFirst(pid_t process) {
   const int file = ::open(("/proc/" + std::to_string(process) + "/oom_score_adj").c_str(), O_WRONLY | O_CLOEXEC);
   if (file < 0) return;
@@ -132,7 +135,7 @@ void letGoFirst(pid_t process) {
   ::close(file);
 }
 
-// Hands on what is there.
+// Passes the available bytes on.
 template <class Take>
 void takeIn(int& pipe, const Take& take) {
   char block[4096];
@@ -198,7 +201,7 @@ bool ChildProcess::hasEnded() {
   m_process = 0;
   closeDescriptor(m_end);
   m_code = ended > 0 ? codeOf(status) : kUnknownCode;
-  listen();  // what it said in between
+  listen();  // for output written in between
   return true;
 }
 

@@ -16,22 +16,22 @@ namespace handwheel {
 
 // Resource limits of a child process.
 struct ProcessLimits {
-  std::uint64_t memory = 0;      // bytes of addresses; 0: as many as there are
-  std::uint64_t cpuSeconds = 0;  // and then SIGXCPU ends it
+  std::uint64_t memory = 0;      // bytes of address space; 0: unlimited
+  std::uint64_t cpuSeconds = 0;  // when they are over, SIGXCPU ends it
 };
 
 // Options of starting a child process.
 struct ChildOptions {
-  int input = -1;                     // the descriptor that it gets as its stdin; -1: there is nothing to read
+  int input = -1;                     // the descriptor of its stdin; -1: there is nothing to read
   std::size_t mostOutput = 64 << 10;  // bytes of its output that are kept
-  // Confined to these. It leaves no core, gains no rights, gets no keys of the terminal, and is killed as soon as the
-  // thread that started it ends.
+  // Limits to which it is confined. It leaves no core, gains no rights, gets no keys of the terminal, and is killed as
+  // soon as the thread that started it ends.
   std::optional<ProcessLimits> limits = {};
 };
 
 // A child process that runs in parallel and whose output is captured. Unless it is confined it belongs to our process
-// group, so that the terminal's keys reach it too, and is asked to end when we end, however that comes. It gets no
-// other open files, and blocks no signals. When memory runs out the system kills it before us. One thread at a time.
+// group, so that the terminal's keys reach it too, and is asked to end when we end for any reason. It gets no other
+// open files, and blocks no signals. When memory runs out the system kills it before us. One thread at a time.
 class ChildProcess {
  public:
   // Starts a program given by its path; any thread. Returns null on failure; errno then has the reason.
@@ -44,13 +44,13 @@ class ChildProcess {
   bool hasEnded();
   void send(int signal);
 
-  // The exit code once it has ended; 127 when there is no such program, 128 + n when signal n ended it, 255 when the
-  // system did not keep it for us.
+  // Returns the exit code once it has ended; 127 when there is no such program, 128 + n when signal n ended it, 255
+  // when the system did not keep it for us.
   int code() const { return m_code; }
-  // The beginning of what it wrote to its output, and the last 64 KiB of its stderr.
+  // Return the beginning of what it wrote to its output, and the last 64 KiB of its stderr.
   const std::string& output() const { return m_output; }
   std::string takeOutput() { return std::move(m_output); }
-  bool hasMoreOutput() const { return m_hasMoreOutput; }  // than is kept
+  bool hasMoreOutput() const { return m_hasMoreOutput; }  // more than is kept
   const std::string& errors() const { return m_errors; }
 
   // Waits until one of them has written output or ended, a signal arrives, or the time is over.

@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPoll = 20ms;  // how late a cancel may be
+constexpr auto kPoll = 20ms;  // largest delay of a cancel
 constexpr double kMemoryShare = 0.5;
 // Bytes that libraries take before they have read anything: Open CASCADE 0.3 GB.
 constexpr std::uint64_t kLeastMemory = std::uint64_t{1} << 30;
@@ -73,7 +73,7 @@ class UnnamedFile {
   int m_descriptor;
 };
 
-// The share of the work that it last reported, a number on a line of its own.
+// Sets the progress to the share of the work that it last reported, a number on a line of its own.
 void showProgress(std::string_view lines, Progress progress) {
   lines = lines.substr(0, lines.rfind('\n'));
   const std::string_view last = lines.substr(lines.rfind('\n') + 1);

@@ -38,7 +38,7 @@ bool writeAll(int descriptor, std::string_view bytes) {
   return true;
 }
 
-// A stream's descriptor for us alone; what others write to the stream is lost.
+// Takes the descriptor of a stream for us alone; output of others to the stream is lost.
 int takeStream(int stream) {
   const int own = fcntl(stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -51,7 +51,7 @@ bool isFile(int descriptor) {
   return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-// All bytes of a file. Stays as long as the program.
+// Maps all bytes of a file. The mapping lasts until the program ends.
 std::string_view mapped(int file) {
   struct stat status {};
   if (fstat(file, &status) != 0 || status.st_size == 0) return {};
@@ -75,7 +75,7 @@ std::string_view mapped(int file) {
   }
 }
 
-// On a thread of its own, which ends with the program.
+// Reports the progress on a thread of its own, which ends with the program.
 void startTelling(const JobState& state, int descriptor) {
   try {
     std::thread(tellProgress, std::cref(state), descriptor).detach();
@@ -111,7 +111,7 @@ void runReaderProgram(int argc, char** argv, const ReadInReader& read) {
   const std::span<char* const> options(argv + 1, static_cast<std::size_t>(argc - 1));
   const ReaderAnswer answer = answerTo([&] { return read(mapped(STDIN_FILENO), options, Progress(state)); });
   const char kind = static_cast<char>(answer.kind);
-  // Not through the destructors of the library, which may stumble over what the file made of it.
+  // Ends without the destructors of the library, which may fail after a hostile file.
   std::_Exit(writeAll(output, answer.text) && writeAll(output, {&kind, 1}) ? EXIT_SUCCESS : kNotAnswered);
 }
 

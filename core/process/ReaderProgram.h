@@ -17,7 +17,7 @@ namespace handwheel {
 using ReadInReader =
     std::function<Result<std::string>(std::string_view bytes, std::span<char* const> options, Progress progress)>;
 
-// The main function of a program that readIsolated() starts. Its stdin is the file; the answer goes to stdout, the
+// Runs a program that readIsolated() starts; its main function. Its stdin is the file; the answer goes to stdout, the
 // progress to stderr. What a library prints itself goes nowhere. Ends the program.
 [[noreturn]] void runReaderProgram(int argc, char** argv, const ReadInReader& read);
 

@@ -13,8 +13,8 @@
 
 namespace handwheel {
 
-// A bound on the relative rounding error of a query's coordinates. A handful of roundings of 2^-53. That of the
-// triangles' own coordinates lies within the margins of their boxes.
+// A bound on the relative rounding error of a query's coordinates. It allows for some roundings of 2^-53. The error of
+// the triangles' own coordinates is within the margins of their boxes.
 inline constexpr double kQueryRounding = 0x1p-48;
 // The same for a quotient or a sum of squares computed from them.
 inline constexpr double kResultRounding = 1e-15;
@@ -29,14 +29,14 @@ class RaySlabs {
       const bool backward = std::signbit(direction[k]);
       Slab& slab = m_slabs[static_cast<std::size_t>(k)];
       slab.backward = backward;
-      // Finite, so that no 0 times infinity arises.
+      // The value is finite, so that no 0 times infinity arises.
       slab.inverse = std::copysign(std::min(1.0 / std::abs(direction[k]), 1e300), direction[k]);
       slab.near = origin[k] + (backward ? -margin : margin);
       slab.far = origin[k] - (backward ? -margin : margin);
     }
   }
 
-  // The entry point, in lengths of the direction; infinite when the ray misses.
+  // Returns the entry point as a multiple of the direction's length; infinite if the ray misses.
   double enter(const FloatBox& box) const {
     double in = 0.0;
     double out = std::numeric_limits<double>::infinity();
@@ -58,7 +58,8 @@ class RaySlabs {
   std::array<Slab, 3> m_slabs;
 };
 
-// A lower bound of the squared distance from a point to a box. Never more than the squared distance of what is in it.
+// A lower bound of the squared distance from a point to a box. It never exceeds the squared distance to the contents of
+// the box.
 class PointToBox {
  public:
   explicit PointToBox(const Vec3& p) {
@@ -82,8 +83,8 @@ class PointToBox {
 };
 
 // Traverses a box tree depth-first, the better child first, and prunes by bounds. Calls leaf(begin, end) with the items
-// of each leaf that may matter. bound(box) is the least value that anything in the box can have, infinite for none;
-// boxes above limit(), which may decrease on the way, are left out.
+// of each leaf that is not pruned. bound(box) is the least value that an item in the box can have, infinite for none;
+// boxes above limit(), which may decrease during the traversal, are skipped.
 template <class Bound, class Limit, class Leaf>
 void visitBestFirst(const BoxTree& tree, Bound bound, Limit limit, Leaf leaf) {
   struct Visit {

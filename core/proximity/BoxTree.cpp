@@ -120,8 +120,8 @@ class Builder {
   Builder(std::span<BoxedItem> items, Progress progress, std::optional<Progress> whole)
       : m_items(items), m_progress(progress), m_whole(whole) {}
 
-  // Appends the subtree of the range. Every range is cut without a look at the others: the tree does not depend on
-  // which thread takes which.
+  // Appends the subtree of the range. Ranges are cut independently of each other, so the tree does not depend on the
+  // threads.
   void append(std::vector<BoxNode>& out, const Range& range, int depth) {
     const std::size_t self = out.size();
     out.push_back({kNothing});
@@ -158,7 +158,7 @@ class Builder {
     if (m_whole) m_whole->set(static_cast<double>(m_done) / static_cast<double>(m_items.size()));
   }
 
-  // After the box, whose making spoils the numbers beside it.
+  // The numbers are set after the box, whose computation overwrites them.
   static void finish(std::vector<BoxNode>& out, std::size_t self, const Range& range) {
     out[self].setSize(out.size() - self);
     out[self].setFirst(range.begin);

@@ -14,8 +14,8 @@
 
 namespace handwheel {
 
-// An axis-aligned box in single precision. Its corners are rows of four, each the work of one instruction; the fourth
-// of a row is no coordinate but free to store a number.
+// An axis-aligned box in single precision. Its corners are rows of four numbers, each processed by one instruction; the
+// fourth number of a row is free to store an index.
 struct FloatBox {
   Eigen::Array4f low;
   Eigen::Array4f high;
@@ -38,11 +38,11 @@ struct BoxedItem {
 struct BoxNode {
   FloatBox box;
 
-  // Nodes in the subtree, this one included; a leaf has 1.
+  // Returns the number of nodes in the subtree, including this one; 1 for a leaf.
   std::uint32_t size() const { return std::bit_cast<std::uint32_t>(box.low[3]); }
   void setSize(std::size_t size) { box.low[3] = std::bit_cast<float>(static_cast<std::uint32_t>(size)); }
 
-  // The index of its first item, in the order of the items after build().
+  // Returns the index of its first item, in the order of the items after build().
   std::uint32_t first() const { return std::bit_cast<std::uint32_t>(box.high[3]); }
   void setFirst(std::size_t first) { box.high[3] = std::bit_cast<float>(static_cast<std::uint32_t>(first)); }
 
@@ -52,23 +52,23 @@ struct BoxNode {
 // A binary bounding volume hierarchy over boxes.
 class BoxTree {
  public:
-  // The most items in a leaf, and the most nodes from the root to a leaf.
+  // The largest number of items in a leaf, and of nodes from the root to a leaf.
   static constexpr std::uint32_t kLeafSize = 4;
   static constexpr int kMaxDepth = 80;
 
-  // Sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the same tree for any number
-  // of threads. False when cancelled: then the tree is empty. whole: a range in which the progress of the whole build
-  // is reported.
+  // Builds the tree and sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the tree
+  // is the same for any number of threads. Returns false and leaves the tree empty if cancelled. whole is a range in
+  // which the progress of the whole build is reported.
   bool build(std::span<BoxedItem> items, Progress progress = {}, std::optional<Progress> whole = std::nullopt);
 
   bool empty() const { return m_nodes.empty(); }
   std::uint32_t nodeCount() const { return m_nodes.empty() ? 0 : static_cast<std::uint32_t>(m_nodes.size() - 1); }
   const BoxNode& node(std::uint32_t i) const { return m_nodes[i]; }
-  // One past the last item of a leaf.
+  // Returns the index after the last item of a leaf.
   std::uint32_t leafEnd(std::uint32_t leaf) const { return m_nodes[leaf + 1].first(); }
 
  private:
-  std::vector<BoxNode> m_nodes;  // and one more, whose first is the number of items
+  std::vector<BoxNode> m_nodes;  // followed by an end node, whose first() is the number of items
 };
 
 }  // namespace handwheel

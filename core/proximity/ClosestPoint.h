@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// The point of the segment nearest to p. The segment may be a point.
+// Returns the point of the segment nearest to p. The segment may be a point.
 Vec3 closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 
-// The point of the triangle nearest to p. The triangle may be a segment or a point; a needle's point is off by no more
-// than its width.
+// Returns the point of the triangle nearest to p. The triangle may be a segment or a point; for a needle the error is
+// at most its width.
 Vec3 closestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace handwheel

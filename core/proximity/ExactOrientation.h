@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-// Exact orientation predicates for lines and planes. Computed in floating point with a bound on the error first; where
-// that is inconclusive, by CGAL's exact predicates. All coordinates are finite. Thread-safe.
+// Exact orientation predicates for lines and planes. They are computed in floating point with an error bound first; if
+// that is inconclusive, by CGAL's exact predicates. All coordinates must be finite. Thread-safe.
 namespace handwheel {
 
 using Vec2 = Eigen::Vector2d;
@@ -18,7 +18,7 @@ namespace exact {
 // bounds of orient2d and orient3d, rounded up, are these shares of the sum of the absolute products.
 inline constexpr double kLineError = 3.4e-16;
 inline constexpr double kPlaneError = 8.0e-16;
-// Far above what products that fall below the smallest normal number can lose per unit of their other factor.
+// Far above the loss, per unit of the other factor, of products below the smallest normal number.
 inline constexpr double kUnderflow = 1e-300;
 
 int side(const Vec2& p, const Vec2& q, const Vec2& r);
@@ -26,7 +26,7 @@ int side(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
 
 }  // namespace exact
 
-// The side of the line from p to q on which r lies. 1 for the left, -1 for the right, 0 on it (or when p is q).
+// Returns the side of the line from p to q on which r lies: 1 for the left, -1 for the right, 0 on it (or if p is q).
 inline int sideOfLine(const Vec2& p, const Vec2& q, const Vec2& r) {
   const double left = (q.x() - p.x()) * (r.y() - p.y());
   const double right = (q.y() - p.y()) * (r.x() - p.x());
@@ -49,7 +49,7 @@ class ExactPlane {
     }
   }
 
-  // The sign of det(q - p, r - p, s - p): 1 where p, q, r are seen counter-clockwise from s, 0 on the plane.
+  // Returns the sign of det(q - p, r - p, s - p): 1 if p, q, r are seen counter-clockwise from s, 0 on the plane.
   int side(const Vec3& s) const {
     const Vec3 c = s - m_p;
     const Vec3 size = c.cwiseAbs();
@@ -57,7 +57,8 @@ class ExactPlane {
     const double bound = exact::kPlaneError * size.dot(m_sum) + exact::kUnderflow * (size.sum() + 1.0);
     if (determinant > bound) return 1;
     if (-determinant > bound) return -1;
-    // Flat in an axis direction: frequent in designed parts, and certain, because a difference is 0 only of equals.
+    // All four points are in a plane across an axis: frequent in designed parts, and exact, because only the difference
+    // of equal numbers is 0.
     for (int k = 0; k < 3; ++k)
       if (m_a[k] == 0.0 && m_b[k] == 0.0 && c[k] == 0.0) return 0;
     return exact::side(m_p, m_q, m_r, s);
@@ -66,7 +67,7 @@ class ExactPlane {
  private:
   const Vec3 &m_p, &m_q, &m_r;
   Vec3 m_a, m_b, m_normal;
-  Vec3 m_sum;  // of the absolute products in the normal
+  Vec3 m_sum;  // sums of the absolute products in the normal
 };
 
 }  // namespace handwheel

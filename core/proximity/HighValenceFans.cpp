@@ -8,11 +8,12 @@
 namespace handwheel {
 namespace {
 
-// How far the box around an arc of the unit sphere reaches beyond its ends at least: what single precision and the
-// lengths round.
+// Least margin of the box around an arc of the unit sphere beyond its ends: covers the rounding of single precision and
+// of the lengths.
 constexpr double kArcMargin = 1e-6;
 
-// Around the arc between two unit vectors. Over a chord of length c it rises by 1 - cos(a / 2) <= c² / 4.
+// Returns the box around the arc between two unit vectors. Over a chord of length c the arc rises by 1 - cos(a / 2) <=
+// c² / 4.
 FloatBox boxOfArc(const Vec3& a, const Vec3& b) {
   const double margin = 0.25 * (b - a).squaredNorm() + kArcMargin;
   FloatBox box{Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};

@@ -12,23 +12,23 @@
 
 namespace handwheel {
 
-// Fans of very many triangles around a vertex, for intersection search. In a fan of n their boxes all meet at the
-// vertex, so n² pairs would have to be tested. Triangles that share no more than this corner meet elsewhere exactly
-// when the arcs meet that they cut out of a sphere around it; the arcs are boxed instead.
+// Fans of very many triangles around a vertex, for intersection search. In a fan of n triangles, all boxes meet at the
+// vertex, so n² pairs would be tested. Two triangles that share only this corner meet elsewhere if and only if their
+// arcs on a sphere around it meet; therefore the boxes of the arcs are used instead.
 class HighValenceFans {
  public:
-  static constexpr std::uint32_t kCrowd = 64;  // the most triangles of an ordinary fan
+  static constexpr std::uint32_t kCrowd = 64;  // largest number of triangles of an ordinary fan
 
   HighValenceFans() = default;
-  // Finds the fans of the triangles of these items, which have area. Each is in one fan at most. O(n).
+  // Finds the fans among the triangles of these items, which must have area. Each is in at most one fan. O(n).
   HighValenceFans(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const BoxedItem> items);
 
   bool empty() const { return m_fanOf.empty(); }
-  // The vertex of a triangle's fan; kNone when it is in none.
+  // Returns the vertex of a triangle's fan; kNone if it is in none.
   std::uint32_t of(std::uint32_t triangle) const { return m_fanOf.empty() ? kNone : m_fanOf[triangle]; }
 
-  // Visits pairs of triangles of one fan until the visit returns false: all that meet, and some more. O(n log n + c)
-  // for c pairs visited. False when a visit returned false, or when cancelled.
+  // Visits the pairs of triangles of one fan that meet, and some more, until a visit returns false. O(n log n + c) for
+  // c pairs visited. Returns false if a visit did, or if cancelled.
   bool forEachPair(const std::function<bool(std::uint32_t, std::uint32_t)>& visit, Progress progress) const;
 
  private:
@@ -36,8 +36,8 @@ class HighValenceFans {
 
   std::span<const Vec3> m_points;
   std::span<const Triangle> m_triangles;
-  std::vector<std::uint32_t> m_fanOf;              // by triangle
-  std::vector<std::vector<std::uint32_t>> m_fans;  // in order of their vertices; rising
+  std::vector<std::uint32_t> m_fanOf;              // per triangle
+  std::vector<std::vector<std::uint32_t>> m_fans;  // in order of their vertices; each ascending
 };
 
 }  // namespace handwheel

@@ -13,17 +13,17 @@ namespace handwheel {
 // 2013).
 class RayTriangleTest {
  public:
-  // The direction is finite and not zero.
+  // The direction must be finite and not zero.
   RayTriangleTest(const Vec3& origin, const Vec3& direction);
 
-  // The distance in lengths of the direction, >= 0. A triangle seen exactly edge-on is not hit.
+  // Returns the distance as a multiple of the direction's length, >= 0. A triangle seen exactly edge-on is not hit.
   std::optional<double> hit(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
  private:
   Vec3 sheared(const Vec3& p) const;
 
   Vec3 m_origin;
-  std::array<int, 3> m_axes;  // the last is the direction's longest
+  std::array<int, 3> m_axes;  // the last is the axis of the direction's largest component
   Vec3 m_shear;
 };
 

@@ -19,10 +19,10 @@
 namespace handwheel {
 namespace {
 
-// What takes as long as one step of Effort.
+// Numbers of operations that take as long as one step of Effort.
 constexpr std::size_t kNodesPerStep = 256;
-constexpr std::size_t kTestsPerStep = 8;    // of two triangles
-constexpr std::size_t kFewItems = 2048;     // cost less as they are than in pieces
+constexpr std::size_t kTestsPerStep = 8;    // tests of two triangles
+constexpr std::size_t kFewItems = 2048;     // fewer items are cheaper without pieces
 constexpr double kPrepared = 0.3;           // the share of the time until the search begins
 constexpr std::uint32_t kBlockNodes = 256;  // nodes of the tree that one worker takes at a time
 
@@ -35,7 +35,7 @@ class Search {
   Search(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress, std::size_t maxPairs)
       : m_points(points), m_triangles(triangles), m_progress(progress), m_maxPairs(maxPairs) {}
 
-  // False when cancelled.
+  // Returns false if cancelled.
   bool prepare() {
     const BoxFrame frame(m_points);
     m_items = boxedTriangles(m_points, m_triangles, frame, FlatTriangles::LeaveOut, m_progress);
@@ -51,7 +51,7 @@ class Search {
   }
 
   // Workers take blocks in their order and finish those that they took. So the finished blocks are always the first
-  // ones, and what is cut off at maxPairs does not depend on the threads. False when cancelled.
+  // ones, and the limit maxPairs cuts off the same pairs for any number of threads. Returns false if cancelled.
   bool run() {
     const std::size_t blocks = (m_tree.nodeCount() + kBlockNodes - 1) / kBlockNodes;
     m_found.resize(blocks + 1);  // the last: of fans
@@ -69,7 +69,7 @@ class Search {
     return !m_progress.cancelled();
   }
 
-  // The pairs found, sorted by counting: bounded time between two looks at the cancel flag, however many there are.
+  // The pairs found, sorted by counting: the time between two polls of the cancel flag is bounded.
   std::optional<std::vector<TrianglePair>> sorted();
 
  private:
@@ -81,7 +81,7 @@ class Search {
       if (m_tree.node(node).isLeaf() && !searchFrom(node, out)) return;
   }
 
-  // Pairs within the leaf, and with everything behind it in preorder: so each pair is looked at once.
+  // Pairs within the leaf, and with everything behind it in preorder: so each pair is tested once.
   bool searchFrom(std::uint32_t leaf, std::vector<TrianglePair>& out) {
     if (m_progress.cancelled()) return false;
     std::size_t tests = 0, nodes = 0;
@@ -171,15 +171,16 @@ class Search {
     return std::span(m_pieces).subspan(m_firstPiece[triangle], m_firstPiece[triangle + 1] - m_firstPiece[triangle]);
   }
 
-  // Pieces of two triangles may meet in several places: the pair is looked at in the first. Never for two pieces of
-  // one.
+  // Returns true for the first meeting of pieces of two triangles, where the pair is tested. False for two pieces of
+  // one triangle.
   bool isFirstOf(const BoxedItem& a, const BoxedItem& b) const {
     if (a.id() == b.id()) return false;
     if (m_pieces.empty()) return true;
     const bool isTurned = b.id() < a.id();
     const BoxedItem &low = isTurned ? b : a, &high = isTurned ? a : b;
     const std::span<const BoxedItem> pieces = piecesOf(low.id()), others = piecesOf(high.id());
-    // Both have pieces. As a and b meet, some pair of these does: the last one, if none before it.
+    // Both triangles have pieces. Because a and b meet, some pair of their pieces does: the last one, if none before
+    // it.
     const std::size_t n = others.size(), last = pieces.size() * n - 1;
     std::size_t first = 0;
     while (first < last && !pieces[first / n].box.meets(others[first % n].box)) ++first;
@@ -208,7 +209,7 @@ class Search {
 };
 
 std::optional<std::vector<TrianglePair>> Search::sorted() {
-  std::vector<std::size_t> begin(m_triangles.size() + 1, 0);  // of the pairs with this first triangle
+  std::vector<std::size_t> begin(m_triangles.size() + 1, 0);  // start of the pairs with this first triangle
   std::size_t left = std::min(m_total.load(), m_maxPairs);
   for (auto& block : m_found) {
     if (m_progress.cancelled()) return std::nullopt;

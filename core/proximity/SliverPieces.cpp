@@ -15,8 +15,8 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 constexpr double kOverlapping = 16.0;  // boxes over triangles, by area; ordinary surfaces have 3 or 4
-constexpr double kRoom = 8.0;          // that a piece's box may have, by the same measure
-constexpr double kMostPieces = 32.0;   // of a triangle
+constexpr double kRoom = 8.0;          // allowed for a piece's box, by the same measure
+constexpr double kMostPieces = 32.0;   // per triangle
 constexpr double kMostMore = 1e6;      // pieces altogether, or as many as there are triangles
 
 double halfAreaOf(const FloatBox& box) {
@@ -24,7 +24,7 @@ double halfAreaOf(const FloatBox& box) {
   return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
 }
 
-// Cut across its longest edge, into slices of the same length.
+// A sliver, cut across its longest edge into slices of the same length.
 class Sliver {
  public:
   Sliver(Corners t, const BoxFrame& frame) : m_frame(frame) {
@@ -36,7 +36,7 @@ class Sliver {
     m_apexAt = at > 0.0 && at < 1.0 ? at : std::round(std::clamp(at, 0.0, 1.0));
   }
 
-  // Around what lies between two places along the edge, from 0 to 1.
+  // Returns the box of the part between two parameters along the edge, from 0 to 1.
   FloatBox boxOf(double begin, double end) const {
     FloatBox box = m_frame.around(onEdge(begin), onEdge(end), opposite(begin));
     const bool holdsApex = begin <= m_apexAt && m_apexAt <= end;
@@ -60,7 +60,7 @@ class Sliver {
   double m_apexAt = 0.0;  // along the edge
 };
 
-// How many pieces each is worth, without regard to their sum; empty where the whole is no worse than others.
+// Returns the wanted number of pieces of each triangle, regardless of their sum; empty if the surface is ordinary.
 std::vector<double> piecesWanted(const std::vector<BoxedItem>& items, std::span<const Vec3> points,
                                  std::span<const Triangle> triangles, const BoxFrame& frame) {
   double boxes = 0.0, surface = 0.0;

@@ -32,7 +32,7 @@ std::array<Vec3, 3> TriangleHierarchy::corners(std::uint32_t triangle) const {
 std::optional<RayHit> TriangleHierarchy::firstHit(const Vec3& origin, const Vec3& direction) const {
   const double length = direction.cwiseAbs().maxCoeff();
   if (empty() || !(length > 0.0) || !direction.allFinite() || !m_frame.toFrame(origin).allFinite()) return std::nullopt;
-  // By a power of two: exact, and nothing overflows below.
+  // Scaling by a power of two is exact and prevents overflow below.
   const int exponent = std::ilogb(length);
   const Vec3 unit = direction.unaryExpr([&](double v) { return std::ldexp(v, -exponent); });
   const RaySlabs slabs(m_frame.toFrame(origin), unit);
@@ -96,7 +96,7 @@ bool TriangleHierarchy::isWithin(const Vec3& p, double distance) const {
 }
 
 bool TriangleHierarchy::forEachInBox(const Box& box, const std::function<bool(std::uint32_t)>& visit) const {
-  // Exactly as the boxes in the frame were made, so that nothing is lost to rounding.
+  // Computed exactly like the boxes in the frame, so that rounding loses no triangle.
   const Vec3 low = m_frame.toFrame(box.min());
   const Vec3 high = m_frame.toFrame(box.max());
   const auto apart = [&](const FloatBox& b) {

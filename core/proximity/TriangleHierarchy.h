@@ -17,7 +17,7 @@ namespace handwheel {
 // The intersection of a ray with a triangle.
 struct RayHit {
   std::uint32_t triangle = kNone;
-  double distance = 0.0;  // in lengths of the direction
+  double distance = 0.0;  // multiple of the direction's length
 };
 
 // The point of a surface nearest to a query point.
@@ -27,17 +27,17 @@ struct NearestPoint {
   double squaredDistance = 0.0;
 };
 
-// Whether long, slanted triangles get several boxes (splitSliverBoxes()) or one. Several are made where single boxes
-// would overlap each other; this is slower to build, and around a vertex with thousands of faces the only way to fast
-// queries.
+// The number of boxes for long, slanted triangles: one, or several (splitSliverBoxes()). Several are made if single
+// boxes would overlap each other; this is slower to build, but necessary for fast queries around a vertex with
+// thousands of faces.
 enum class Slivers { Whole, Cut };
 
 // A bounding volume hierarchy over triangles, for picking, nearest points and intersection tests. Keeps its own copy of
 // the corner positions, so the mesh may change or be deleted while the hierarchy is used on another thread. Reading is
-// thread-safe. Triangles with a coordinate that is not finite are left out; triangles without area are included, as the
-// segments or points that they are. Build O(n log n) on all threads of the arena; queries O(log n) on ordinary
-// surfaces, O(n) where all boxes overlap. About 60 bytes a triangle. Coordinates below 1e150, so that distances can be
-// squared.
+// thread-safe. Triangles with a coordinate that is not finite are left out; triangles without area are included, as
+// segments or points. Construction is O(n log n) on all threads of the arena; queries O(log n) on ordinary surfaces,
+// O(n) if all boxes overlap. Uses about 60 bytes per triangle. Coordinates must be below 1e150, so that distances can
+// be squared.
 class TriangleHierarchy {
  public:
   TriangleHierarchy() = default;
@@ -48,23 +48,23 @@ class TriangleHierarchy {
   bool empty() const { return m_order.empty(); }
   const Box& bounds() const { return m_bounds; }
 
-  // The first triangle that the ray from origin along direction meets, from either side; distance >= 0. Of triangles
-  // met at the same distance the one with the lowest number. A ray through a shared edge or corner does not slip
-  // between the triangles. Triangles seen exactly edge-on, and those without area, are not hit. None for a direction of
-  // length 0.
+  // Returns the first triangle that the ray from origin along direction meets, from either side; distance >= 0. Of
+  // triangles at the same distance, the one with the lowest number is returned. A ray through a shared edge or corner
+  // hits one of the triangles. Triangles seen exactly edge-on, and those without area, are not hit. Returns nothing for
+  // a direction of length 0.
   std::optional<RayHit> firstHit(const Vec3& origin, const Vec3& direction) const;
 
-  // The nearest point of the surface; none when the hierarchy is empty or nothing is nearer than the limit. Of
-  // triangles at the same distance the one with the lowest number.
+  // Returns the nearest point of the surface; nothing if the hierarchy is empty or no point is nearer than the limit.
+  // Of triangles at the same distance, the one with the lowest number is returned.
   std::optional<NearestPoint> nearest(const Vec3& p, double limit = 1e300) const;
 
-  // Whether a point of the surface is nearer than the distance: as nearest() finds one, but the search ends with the
-  // first.
+  // Returns true if a point of the surface is nearer than the distance. Equivalent to nearest(), but the search stops
+  // at the first such point.
   bool isWithin(const Vec3& p, double distance) const;
 
   // Calls visit(triangle) for each triangle whose box meets the box (boundaries included) until it returns false.
-  // Returns false when a visit did. Slivers that were cut may come more than once, or not at all where no piece's box
-  // meets it.
+  // Returns false if a visit did. Slivers that were cut may occur more than once, or not at all if no piece's box meets
+  // the box.
   bool forEachInBox(const Box& box, const std::function<bool(std::uint32_t)>& visit) const;
 
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;

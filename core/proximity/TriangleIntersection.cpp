@@ -22,9 +22,9 @@ class Projection {
     }
   }
 
-  // 1 when p, q, r turn left there, -1 when they turn right, 0 on a line.
+  // Returns 1 if p, q, r turn left in the projection, -1 if they turn right, 0 on a line.
   int turn(const Vec3& p, const Vec3& q, const Vec3& r) const { return sideOfLine(flat(p), flat(q), flat(r)); }
-  // That of the triangle itself.
+  // Returns the turn of the triangle itself.
   int turn() const { return m_turn; }
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kControllersLink = "base";
 
-// "left_base" beside "left_base_link", which a world may carry: then it has its own name alone.
+// Returns "left_base" for "left_base_link". A world link may carry that: then its own name is used.
 std::string controllersLinkBeside(std::string_view base) {
   for (const std::string_view ending : {std::string_view("base_link"), kControllersLink, std::string_view("world")}) {
     if (base.ends_with(ending))

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// The base that a controller counts from, in that of its robot. A built-in robot has its own there, a description the
-// link "base", as ROS calls it (REP 199), with what its base_link has before its name; it must be fixed to the base of
-// the robot. None: the description does not say.
+// Returns the base frame of a controller, in the base of its robot. For a built-in robot both are the same; in a
+// description it is the link "base" of ROS (REP 199), with the same prefix as its base_link; it must be fixed to the
+// base of the robot. None: the description does not define it.
 std::optional<Pose> controllerBaseFrame(const RobotModel& robot, const RobotArm& arm);
 
 }  // namespace handwheel

@@ -33,7 +33,7 @@ Jacobian jacobian(const RobotModel& robot, const std::vector<Pose>& poses, std::
        j = robot.links[robot.joints[j].parent].parentJoint) {
     const Joint& joint = robot.joints[j];
     if (joint.dof == kNone || joint.kind == JointKind::Fixed) continue;
-    // A joint's own motion leaves its axis, and when it turns its origin, where they are.
+    // A joint's own motion does not move its axis, nor its origin if it is revolute.
     const Pose& frame = poses[joint.child];
     const Vec3 axis = joint.factor * (frame.linear() * joint.axis);
     if (joint.kind == JointKind::Prismatic) {

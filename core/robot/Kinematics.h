@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The position of a joint; rad, mm.
+// Returns the position of a joint; rad, mm.
 double jointPosition(const Joint& joint, const JointValues& values);
 
 // Computes the pose of every link in the frame of the root (forward kinematics). O(joints).

@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFoldersUp = 4;      // that a relative name may climb
-constexpr int kPackageClimb = 16;  // folders above the description in which a package is looked for
+constexpr int kFoldersUp = 4;      // levels that a relative name may climb
+constexpr int kPackageClimb = 16;  // levels above the description in which a package is sought
 
-// How many folders a relative path leaves upwards.
+// Returns the number of levels that a relative path climbs.
 int climbOf(const fs::path& normal) {
   return static_cast<int>(std::count(normal.begin(), normal.end(), fs::path("..")));
 }

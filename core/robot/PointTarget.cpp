@@ -14,14 +14,14 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLongestPullTurn = 0.3;    // rad a step: the Jacobian says nothing of what is further away
-constexpr double kLeastPullDamping = 1e-9;  // of (lengths / reach)²
-constexpr double kPullErrorDamping = 2e-3;  // the same, for each (error / reach)²
-constexpr double kStrongerDamping = 16.0;   // after a step that led away
-constexpr int kStalls = 6;                  // steps that led away, one after the other: this is as near as it gets
+constexpr double kLongestPullTurn = 0.3;    // rad per step: the Jacobian is valid only nearby
+constexpr double kLeastPullDamping = 1e-9;  // relative to (lengths / reach)²
+constexpr double kPullErrorDamping = 2e-3;  // additional damping, for each (error / reach)²
+constexpr double kStrongerDamping = 16.0;   // factor after a step that led away
+constexpr int kStalls = 6;                  // number of successive steps that led away, after which the search ends
 
-// A step along the degrees of freedom that are still free. Lengths are divided by the reach, so that turning by a
-// radian and sliding by the reach weigh alike.
+// One step along the degrees of freedom that are still free. Lengths are divided by the reach, so that turning by a
+// radian and sliding by the reach have the same weight.
 class Step {
  public:
   Step(const RobotModel& robot, const JointValues& values, const PointTarget& pull, double reach)
@@ -41,8 +41,8 @@ class Step {
 
   double distance() const { return m_distance; }  // mm
 
-  // (JᵀJ + λI) δ = Jᵀe, which is δ = Jᵀ(JJᵀ + λI)⁻¹e; what meets a limit is set there, and the rest solved again for
-  // what is left.
+  // Solves (JᵀJ + λI) δ = Jᵀe, or equivalently δ = Jᵀ(JJᵀ + λI)⁻¹e; joints that meet a limit are set to it, and the
+  // others solved again for the remaining error.
   JointValues taken(double damping) const {
     Eigen::Matrix3Xd columns = m_columns;
     Vec3 error = m_error;
@@ -80,12 +80,12 @@ class Step {
   const RobotModel& m_robot;
   const JointValues& m_values;
   double m_distance;
-  Vec3 m_error;                // of the reach; what is further away draws no harder
-  Eigen::Matrix3Xd m_columns;  // of the reach, for each radian or reach
-  Eigen::VectorXd m_units;     // of the degrees of freedom
+  Vec3 m_error;                // relative to the reach; larger errors pull no harder
+  Eigen::Matrix3Xd m_columns;  // relative to the reach, per radian or reach
+  Eigen::VectorXd m_units;     // units of the degrees of freedom
 };
 
-// The length of the chain that moves the point, slides as long as they are of use; never 0.
+// Returns the length of the chain that moves the point, with slides at their useful length; never 0.
 double reachOf(const RobotModel& robot, const PointTarget& pull, double distance) {
   double reach = pull.point.norm();
   for (std::uint32_t j = robot.links[pull.link].parentJoint; j != kNone;

@@ -9,18 +9,18 @@ namespace handwheel {
 // A point of a link with its target position, for inverse kinematics.
 struct PointTarget {
   std::uint32_t link = kNone;
-  Vec3 point = Vec3::Zero();   // in the link; mm
+  Vec3 point = Vec3::Zero();   // in the frame of the link; mm
   Vec3 target = Vec3::Zero();  // in the frame of the root; mm
   std::uint32_t dof = kNone;   // the only one that may move; kNone: all
 };
 
-// The distance of the point from its target; mm.
+// Returns the distance of the point from its target; mm.
 double targetDistance(const RobotModel& robot, const JointValues& values, const PointTarget& pull);
 
 // Solves the inverse kinematics of a point by damped least squares. The result is as near to the target as a number of
 // steps gets it, and never further away. The error enters the damping (Chan and Lawrence 1988; Sugihara 2011), so the
-// motion stays calm where the arm is stretched or folded. Limits are kept: a joint that meets its limit stays there and
-// the others go on. Finite for every finite input. O(steps · joints), times the joints that meet their limits.
+// motion stays calm if the arm is stretched or folded. Limits are kept: a joint that meets its limit stays there and
+// the others continue. Finite for every finite input. O(steps · joints), times the joints that meet their limits.
 JointValues pulled(const RobotModel& robot, const JointValues& values, const PointTarget& pull, int steps = 40);
 
 }  // namespace handwheel

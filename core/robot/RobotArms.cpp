@@ -16,7 +16,7 @@ std::uint32_t shifted(std::uint32_t number, std::size_t by) {
   return number == kNone ? kNone : number + static_cast<std::uint32_t>(by);
 }
 
-// The new numbers of what is kept, in order; kNone for the rest.
+// Returns the new indices of the kept elements, in order; kNone for the others.
 std::vector<std::uint32_t> numbersOf(const std::vector<bool>& kept) {
   std::vector<std::uint32_t> numbers(kept.size(), kNone);
   std::uint32_t next = 0;
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> numbersOf(const std::vector<bool>& kept) {
   return numbers;
 }
 
-// With letters, digits, "-" and "_" only; letters beyond ASCII are kept.
+// Returns the name with letters, digits, "-" and "_" only; letters beyond ASCII are kept.
 std::string plainName(std::string_view name) {
   std::string plain;
   for (const char c : name) {
@@ -42,7 +42,7 @@ std::string freeLinkName(const RobotModel& robot, const std::string& preferred) 
   return name;
 }
 
-// Drops the shapes that no link has any more.
+// Removes the shapes that no link uses any more.
 void dropShapes(RobotModel& robot) {
   std::vector<bool> isUsed(robot.shapes.size());
   const auto each = [&](const auto& visit) {

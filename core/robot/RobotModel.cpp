@@ -50,8 +50,8 @@ std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link) {
 
 namespace {
 
-// By degree of freedom: whether a whole turn changes nothing. It does of those that others follow, as it is not a whole
-// turn of these.
+// Returns true for each degree of freedom for which a whole turn changes nothing. For those with followers it does, as
+// their turn is not whole.
 std::vector<bool> turnFreely(const RobotModel& robot) {
   std::vector<bool> all(robot.dofs.size());
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)

@@ -23,19 +23,18 @@ enum class JointKind {
   Prismatic,
 };
 
-// No joint goes further than this, whatever its limits, so that what follows it stays finite; rad, mm.
+// The limit of every joint's position, so that dependent values stay finite; rad, mm.
 inline constexpr double kFarthestTravel = 1e9;
 
-// No revolute joint of a path turns further than this from 0, whatever its limits (150 turns), so that a motion stays
-// so short that it can be proven; rad.
+// The limit of revolute joints in paths, ± from 0 (150 turns), so that motions are short enough to be proven; rad.
 inline constexpr double kMostTurn = 1e3;
 
 // The limits of a joint's position, velocity and effort.
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();  // rad, mm
   double upper = std::numeric_limits<double>::infinity();
-  std::optional<double> velocity = {};  // rad/s, mm/s; none where the file gives none, or 0
-  std::optional<double> effort = {};    // N m, N; the same
+  std::optional<double> velocity = {};  // rad/s, mm/s; none if the file gives none, or 0
+  std::optional<double> effort = {};    // N m, N; likewise
 
   bool areClosed() const { return lower == upper; }  // the joint cannot move
 };
@@ -47,15 +46,15 @@ struct Joint {
   JointKind kind = JointKind::Fixed;
   std::uint32_t parent = kNone;    // link
   std::uint32_t child = kNone;     // link
-  Pose origin = Pose::Identity();  // of the child in the parent at position 0
+  Pose origin = Pose::Identity();  // pose of the child in the parent at position 0
   Vec3 axis = Vec3::UnitX();       // in the child's frame, of unit length
   JointLimits limits = {};
   std::uint32_t dof = kNone;  // none: the joint stays at offset
   double factor = 1.0;        // from the unit of the degree of freedom to the joint's
   double offset = 0.0;        // rad, mm
 
-  // The nearest allowed value: none beyond kFarthestTravel, of a revolute joint with limits none beyond kMostTurn. The
-  // reader lets only joints through that have one.
+  // Returns the nearest allowed value: none beyond kFarthestTravel, and for a revolute joint with limits none beyond
+  // kMostTurn. The reader accepts only joints that have such a value.
   double nearest(double value) const {
     const double most = kind == JointKind::Revolute ? kMostTurn : kFarthestTravel;
     return std::min(std::max({std::min(value, limits.upper), limits.lower, -most}), most);
@@ -79,8 +78,8 @@ struct SphereShape {
 };
 // A triangle mesh in a file as the shape of a link.
 struct MeshShape {
-  std::string file;  // as the description names it: "package://name/part.stl"
-  Vec3 scale;        // of the numbers in the file, which are metres
+  std::string file;  // the name in the description: "package://name/part.stl"
+  Vec3 scale;        // factor of the numbers in the file, which are metres
   bool operator==(const MeshShape&) const = default;
 };
 using Shape = std::variant<BoxShape, CylinderShape, SphereShape, MeshShape>;
@@ -89,8 +88,8 @@ using ShapeColour = std::array<float, 3>;  // sRGB, 0…1
 
 // A shape at a pose in a link.
 struct PlacedShape {
-  std::uint32_t shape = kNone;     // in RobotModel::shapes
-  Pose origin = Pose::Identity();  // in the link
+  std::uint32_t shape = kNone;     // index in RobotModel::shapes
+  Pose origin = Pose::Identity();  // in the frame of the link
   std::optional<ShapeColour> colour;
 };
 
@@ -108,7 +107,7 @@ struct RobotModel {
   std::string name;
   std::vector<Link> links;
   std::vector<Joint> joints;
-  std::vector<Shape> shapes;         // each once, however often it is placed
+  std::vector<Shape> shapes;         // each once, even if it is used several times
   std::vector<std::uint32_t> order;  // all joints, each after the one that moves its parent
   std::vector<std::uint32_t> dofs;   // per degree of freedom: the joint that gives it name, kind and limits
   std::uint32_t root = kNone;        // link
@@ -119,27 +118,27 @@ struct RobotModel {
 // One value per degree of freedom; rad, mm.
 using JointValues = Eigen::VectorXd;
 
-// Finds a link by its name. kNone when there is no such link. O(links).
+// Finds a link by its name. Returns kNone if there is no such link. O(links).
 std::uint32_t linkNamed(const RobotModel& robot, std::string_view name);
 
-// Finds the link to which a tool is attached. A leaf, if possible a fixed one without a body ("tool0", "flange") behind
-// at least half of the degrees of freedom, since beside it there may be fingers that move; of these the one that most
-// of them move, then the one at the end of most joints, then the first in the file.
+// Finds the link to which a tool is attached. This is a leaf, if possible a fixed one without a body ("tool0",
+// "flange") behind at least half of the degrees of freedom, since there may be fingers that move beside it; of these
+// the one that most of them move, then the one at the end of most joints, then the first in the file.
 std::uint32_t toolLink(const RobotModel& robot);
 
 // Finds the degree of freedom nearest to a link in its chain of joints. kNone for links that cannot move.
 std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link);
 
-// Clamps joint values to their limits, revolute joints to ±kMostTurn, too: what paths and their files take. Continuous
-// joints keep their turns, as a path may be wound up; those that no other follows lose them beyond kMostTurn, which
-// leaves them within -π…π. Values must be finite. O(joints).
+// Clamps joint values to their limits, revolute joints to ±kMostTurn, too: the range in paths and their files.
+// Continuous joints keep their turns, as a path may be wound up; those that no other follows lose them beyond
+// kMostTurn, and are then within -π…π. Values must be finite. O(joints).
 JointValues withinLimits(const RobotModel& robot, JointValues values);
 
-// The values reached from others by the shortest turn: of continuous joints that no other follows, whole turns are left
-// out of the way. O(joints).
+// Returns the values to reach by the shortest turn: whole turns of continuous joints that no other follows are removed.
+// O(joints).
 JointValues byShortestTurn(const RobotModel& robot, const JointValues& from, JointValues to);
 
-// The rest values of the joints: zero, or the limit nearest to it.
+// Returns the rest values of the joints: zero, or the limit nearest to it.
 JointValues restValues(const RobotModel& robot);
 
 }  // namespace handwheel

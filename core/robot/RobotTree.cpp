@@ -12,14 +12,14 @@ namespace handwheel {
 
 namespace {
 
-// Of everything in metres and radians: the unit of a joint's position.
+// Returns the unit of a joint's position, in metres or radians.
 double unitOf(const Joint& joint) {
   return joint.kind == JointKind::Prismatic ? kMillimetresPerMetre : 1.0;
 }
 
 class Tree {
  public:
-  Tree(RobotModel& robot, const RobotPlaces& places) : m_robot(robot), m_places(places) {}
+  Tree(RobotModel& robot, const RobotInputPositions& positions) : m_robot(robot), m_positions(positions) {}
 
   Status follow(std::span<const MimicJoint> following);
   Status findParents();
@@ -28,7 +28,7 @@ class Tree {
   void numberDofs();
 
  private:
-  // What moves a joint: position = factor · position of the leader + offset; metres, radians.
+  // The source of a joint's motion: position = factor · position of the leader + offset; metres, radians.
   struct Motion {
     enum class State { Unknown, Sought, Known } state = State::Unknown;
     std::uint32_t leader = kNone;
@@ -40,12 +40,12 @@ class Tree {
   Error wrong(std::uint32_t joint, std::string what) const {
     return {ErrorCode::ElementMalformed,
             {"joint " + m_robot.joints[joint].name, std::move(what)},
-            m_places.joints[joint],
+            m_positions.joints[joint],
             {}};
   }
 
   RobotModel& m_robot;
-  const RobotPlaces& m_places;
+  const RobotInputPositions& m_positions;
   std::map<std::string_view, std::uint32_t> m_numbers;
   std::vector<Motion> m_motions;  // per joint
 };
@@ -62,7 +62,7 @@ Status Tree::follow(std::span<const MimicJoint> following) {
   return Done{};
 }
 
-// Along the chain of leaders to the first that follows nobody, and back.
+// Follows the chain of leaders to the first that follows no other, and back.
 Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const MimicJoint*>& following) {
   std::vector<const MimicJoint*> chain;
   for (std::uint32_t j = joint; m_motions[j].state != Motion::State::Known;) {
@@ -77,7 +77,7 @@ Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const Mi
     chain.push_back(own->second);
     const auto leader = m_numbers.find(own->second->leader);
     if (leader == m_numbers.end())
-      return Error{ErrorCode::ReferenceMissing, {"the joint", own->second->leader}, m_places.joints[j], {}};
+      return Error{ErrorCode::ReferenceMissing, {"the joint", own->second->leader}, m_positions.joints[j], {}};
     j = leader->second;
   }
   for (; !chain.empty(); chain.pop_back()) {
@@ -110,17 +110,18 @@ Status Tree::findRoot() {
     if (m_robot.links[link].parentJoint != kNone) continue;
     if (m_robot.root != kNone) {
       const std::string what = "no joint links it with " + m_robot.links[m_robot.root].name;
-      return Error{ErrorCode::ElementMalformed, {"link " + m_robot.links[link].name, what}, m_places.links[link], {}};
+      return Error{
+          ErrorCode::ElementMalformed, {"link " + m_robot.links[link].name, what}, m_positions.links[link], {}};
     }
     m_robot.root = link;
   }
   if (m_robot.root != kNone) return Done{};
-  std::uint32_t j = 0;  // as many steps upwards as there are joints end in a ring
+  std::uint32_t j = 0;  // after as many steps upwards as there are joints it is in a cycle
   for (std::size_t i = 0; i < m_robot.joints.size(); ++i) j = m_robot.links[m_robot.joints[j].parent].parentJoint;
   return wrong(j, "it belongs to a closed loop of joints");
 }
 
-// Depth first, so that the joints of an arm stand together.
+// Depth first, so that the joints of an arm are consecutive.
 Status Tree::findOrder() {
   std::vector<std::vector<std::uint32_t>> jointsBelow(m_robot.links.size());
   for (std::uint32_t j = 0; j < m_robot.joints.size(); ++j) jointsBelow[m_robot.joints[j].parent].push_back(j);
@@ -159,8 +160,9 @@ void Tree::numberDofs() {
 
 }  // namespace
 
-Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following, const RobotPlaces& places) {
-  Tree tree(robot, places);
+Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following,
+                          const RobotInputPositions& positions) {
+  Tree tree(robot, positions);
   for (const auto step : {&Tree::findParents, &Tree::findRoot, &Tree::findOrder}) {
     if (const Status status = (tree.*step)(); !status) return status;
   }

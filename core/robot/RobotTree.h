@@ -19,14 +19,15 @@ struct MimicJoint {
   double multiplier, offset;
 };
 
-// The line numbers of links and joints in a description, for errors.
-struct RobotPlaces {
+// The positions of links and joints in a description, for errors.
+struct RobotInputPositions {
   std::vector<InputPosition> links, joints;
 };
 
-// Builds the kinematic tree of a robot from its links and joints. Finds which joint follows which and what degrees of
-// freedom there are, each link's joint, the root and the order. places: of each link and joint. The links must form one
-// tree. O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
-Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following, const RobotPlaces& places);
+// Builds the kinematic tree of a robot from its links and joints. Determines the mimic joints and the degrees of
+// freedom, each link's joint, the root and the order. positions: of each link and joint. The links must form one tree.
+// O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
+Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following,
+                          const RobotInputPositions& positions);
 
 }  // namespace handwheel

@@ -27,7 +27,7 @@ TriangleSoup surface(const BoxShape& box, std::uint32_t) {
   return soup;
 }
 
-// A surface of revolution about z: a pole, rings of so many points from the lowest to the highest, a pole.
+// A surface of revolution about z: a pole, rings with the same number of points from the lowest to the highest, a pole.
 struct Ring {
   double radius, z;
 };

@@ -13,10 +13,10 @@ inline constexpr std::uint32_t kLeastShapeSides = 4;
 
 // Tessellates a shape into a closed surface that faces outwards, in mm. Empty for a mesh, which is in a file. Round
 // shapes have this many sides, a ball half as many bands: with 48 within 0.5 % of the radius. O(sides) triangles for a
-// cylinder, O(sides^2) for a ball.
+// cylinder, O(sides²) for a ball.
 TriangleSoup surfaceOf(const Shape& shape, std::uint32_t sides = kShapeSides);
 
-// Applies the scale of a mesh shape to the mesh of its file. The points, in metres, become mm; faces are reversed where
+// Applies the scale of a mesh shape to the mesh of its file. The points, in metres, become mm; faces are reversed if
 // the scale mirrors.
 void place(const MeshShape& shape, TriangleSoup& soup);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr XmlLimits kSrdfLimits{kLargestSrdf, 100'000, 64};
 constexpr std::size_t kMostDamage = 100;
-constexpr double kMetre = 1000.0;  // of a metre
+constexpr double kMetre = 1000.0;  // mm per metre
 
 class Semantics {
  public:
@@ -32,7 +32,7 @@ class Semantics {
     for (std::uint32_t i = 0; i < robot.dofs.size(); ++i) {
       if (ofDofs[i] == arm) m_joints.emplace(ownName(robot.jointOfDof(i).name), i);
     }
-    // What has no such name may be called as in the model.
+    // Other names are those of the model.
     for (std::uint32_t i = 0; i < robot.links.size(); ++i) m_links.emplace(robot.links[i].name, i);
     for (std::uint32_t i = 0; i < robot.dofs.size(); ++i) m_joints.emplace(robot.jointOfDof(i).name, i);
   }
@@ -96,7 +96,7 @@ class Semantics {
   }
 
   const RobotModel& m_robot;
-  std::vector<std::uint32_t> m_owners;                     // of each link: its robot
+  std::vector<std::uint32_t> m_owners;                     // robot of each link
   std::map<std::string, std::uint32_t> m_links, m_joints;  // joints: degrees of freedom
   RobotSemantics m_read;
 };
@@ -115,7 +115,7 @@ Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot,
     if (!root) return root.error();
     if (root->name != "robot") return malformed(*root, "a semantic description of a robot was expected");
     Semantics semantics(robot, arms, arm);
-    // What is allowed for a link in general first, the pairs that are excepted last.
+    // The order matters: defaults of a link first, excepted pairs last.
     for (const char* name : {"disable_default_collisions", "disable_collisions", "enable_collisions", "group_state"}) {
       for (const XmlElement& element : root->children) {
         if (element.name == name) semantics.read(element);
@@ -128,7 +128,7 @@ Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot,
 }
 
 std::set<LinkPair> neighbours(const RobotModel& robot) {
-  // The nearest link with a shape, of each link upwards, itself included.
+  // Finds the nearest link with a shape for each link, upwards, including itself.
   std::vector<std::uint32_t> shaped(robot.links.size(), kNone);
   const auto hasShape = [&](std::uint32_t link) { return !robot.links[link].collisions.empty(); };
   if (robot.root != kNone && hasShape(robot.root)) shaped[robot.root] = robot.root;

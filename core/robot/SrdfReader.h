@@ -12,31 +12,32 @@
 
 namespace handwheel {
 
-// Two links, the one with the smaller number first.
+// Two links, the one with the smaller index first.
 using LinkPair = std::pair<std::uint32_t, std::uint32_t>;
 
-// What a semantic description (SRDF) adds to a robot.
+// The semantic description (SRDF) of a robot.
 struct RobotSemantics {
-  std::set<LinkPair> allowed;  // whose collisions do not count
+  std::set<LinkPair> allowed;  // pairs whose collisions are ignored
   struct State {
     std::string name, group;
     std::map<std::uint32_t, double> values;  // by degree of freedom; rad, mm
   };
   std::vector<State> states;
-  std::vector<Error> damage;  // what was left out, as it names links or joints that are not there; the first hundred
+  std::vector<Error> damage;  // parts that name unknown links or joints and were left out; the first hundred
 };
 
-constexpr std::size_t kLargestSrdf = std::size_t{16} << 20;  // bytes that are read
+constexpr std::size_t kLargestSrdf = std::size_t{16} << 20;  // limit of a file, bytes
 
 // Reads an SRDF of this robot: disable_collisions, disable_default_collisions with enable_collisions, and group_state.
 // O(bytes log links). Errors: ElementMalformed, FileTooLarge, Unsupported, OutOfMemory, Cancelled; with the line.
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, Progress progress = {});
-// The same of one of the robots in a model: the file calls its links and joints as its own description does; those of
-// the others, to allow pairs of two robots, as the model does.
+// Reads the SRDF of one of the robots in a model. The file uses the names of its links and joints in its own
+// description; for those of the other robots, to allow pairs of two robots, the names in the model.
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, std::span<const RobotArm> arms,
                                 std::size_t arm, Progress progress = {});
 
-// The pairs of links that a joint joins: these always touch. Links without a shape count as part of what they hang on.
+// Returns the pairs of links that a joint connects: these always touch. Links without a shape count as part of their
+// parent.
 std::set<LinkPair> neighbours(const RobotModel& robot);
 
 }  // namespace handwheel

@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-// A limit of travel in rad or m; infinite ones are allowed.
+// Reads a limit of travel in rad or m; infinite ones are allowed.
 Result<double> readBound(const XmlElement& limit, std::string_view attribute) {
   const std::string* text = limit.attribute(attribute);
   if (!text) return 0.0;
@@ -51,7 +51,7 @@ Status UrdfJoints::read(const XmlElement& element) {
     if (const Status status = readMotion(element, joint); !status) return status;
   }
   m_robot.joints.push_back(std::move(joint));
-  m_places.joints.push_back(InputPosition::line(element.line));
+  m_positions.joints.push_back(InputPosition::line(element.line));
   return Done{};
 }
 
@@ -122,7 +122,7 @@ Result<JointLimits> UrdfJoints::readLimits(const XmlElement& element, const Join
   return limits;
 }
 
-// Generators write 0 where they do not know.
+// Generators write 0 for unknown values.
 std::optional<double> UrdfJoints::readKnown(const XmlElement& limit, std::string_view attribute, double unit) {
   const std::string* text = limit.attribute(attribute);
   if (!text) return {};

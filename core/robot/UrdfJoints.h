@@ -12,10 +12,10 @@ namespace handwheel {
 // Reads the joints of a URDF description, one by one.
 class UrdfJoints {
  public:
-  // links: all of them, by name. places receives the joints' lines, shapes the notes.
-  UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, RobotPlaces& places,
+  // links: all of them, by name. positions receives the joints' positions in the file, shapes the notes.
+  UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, RobotInputPositions& positions,
              UrdfShapes& shapes)
-      : m_robot(robot), m_links(links), m_places(places), m_shapes(shapes) {}
+      : m_robot(robot), m_links(links), m_positions(positions), m_shapes(shapes) {}
 
   Status read(const XmlElement& element);
 
@@ -31,7 +31,7 @@ class UrdfJoints {
 
   RobotModel& m_robot;
   const std::map<std::string, std::uint32_t>& m_links;
-  RobotPlaces& m_places;
+  RobotInputPositions& m_positions;
   UrdfShapes& m_shapes;
   std::map<std::string, std::uint32_t> m_numbers;
   std::vector<MimicJoint> m_following;

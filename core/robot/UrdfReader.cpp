@@ -20,7 +20,7 @@ bool isOfXacro(const XmlElement& element) {
 }
 
 Status readLinks(const XmlElement& root, ImportedRobot& read, UrdfShapes& shapes,
-                 std::map<std::string, std::uint32_t>& numbers, std::vector<InputPosition>& places) {
+                 std::map<std::string, std::uint32_t>& numbers, std::vector<InputPosition>& positions) {
   for (const XmlElement& element : root.children) {
     if (isOfXacro(element)) {
       return Error{
@@ -33,7 +33,7 @@ Status readLinks(const XmlElement& root, ImportedRobot& read, UrdfShapes& shapes
       return malformed(element, "there are two of that name");
     Link& link = read.robot.links.emplace_back();
     link.name = *name;
-    places.push_back(InputPosition::line(element.line));
+    positions.push_back(InputPosition::line(element.line));
     shapes.readInto(link, element);
   }
   if (read.robot.links.empty()) return malformed(root, "it has no links");
@@ -46,14 +46,14 @@ Result<ImportedRobot> readRobot(const XmlElement& root) {
   UrdfShapes shapes(read);
   shapes.collectMaterials(root);
   std::map<std::string, std::uint32_t> links;
-  RobotPlaces places;
-  if (const Status status = readLinks(root, read, shapes, links, places.links); !status) return status.error();
-  UrdfJoints joints(read.robot, links, places, shapes);
+  RobotInputPositions positions;
+  if (const Status status = readLinks(root, read, shapes, links, positions.links); !status) return status.error();
+  UrdfJoints joints(read.robot, links, positions, shapes);
   for (const XmlElement& element : root.children) {
     if (element.name != "joint") continue;
     if (const Status status = joints.read(element); !status) return status.error();
   }
-  const Status status = buildKinematicTree(read.robot, joints.following(), places);
+  const Status status = buildKinematicTree(read.robot, joints.following(), positions);
   if (!status) return status.error();
   return read;
 }

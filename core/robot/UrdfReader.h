@@ -17,14 +17,14 @@ struct ImportedRobot {
   std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
 };
 
-// Reads a robot description in URDF. Lengths become millimetres. Whatever determines how the robot moves must be valid:
-// names unique, links joined to one tree, numbers finite, axes with a direction, limits in order. Damage elsewhere is
-// listed, and the robot opens without that part. Floating and planar joints are held still, and listed. Mesh files are
-// not read. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed, NumberNotFinite, CountMismatch,
-// ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled; with the line.
+// Reads a robot description in URDF. Lengths become millimetres. Everything that determines the motion of the robot
+// must be valid: names unique, links joined to one tree, numbers finite, axes with a direction, limits in order. Damage
+// elsewhere is listed, and the robot opens without that part. Floating and planar joints are held still, and listed.
+// Mesh files are not read. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed, NumberNotFinite,
+// CountMismatch, ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled; with the line.
 Result<ImportedRobot> readUrdf(std::string_view bytes, Progress progress = {});
 
-// Whether a file is a robot description, by its first bytes.
+// Returns true if a file is a robot description, by its first bytes.
 bool looksLikeUrdf(std::string_view head);
 
 }  // namespace handwheel

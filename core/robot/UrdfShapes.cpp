@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostNotes = 1000;
 
-// A length in mm: more than nothing, and below kLargestLength.
+// Reads a length in mm: above 0, and below kLargestLength.
 Result<double> readLength(const XmlElement& element, std::string_view attribute) {
   const Result<double> metres = readNumber(element, attribute, 0.0);
   if (!metres) return metres.error();

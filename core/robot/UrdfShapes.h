@@ -17,9 +17,9 @@ class UrdfShapes {
  public:
   explicit UrdfShapes(ImportedRobot& read) : m_read(read) {}
 
-  // The colours of all materials of the description: a link may name one that another link defines.
+  // Collects the colours of all materials of the description: a link may name one that another link defines.
   void collectMaterials(const XmlElement& robot);
-  // The visual and collision elements of a link.
+  // Reads the visual and collision elements of a link.
   void readInto(Link& link, const XmlElement& element);
   void note(Error error);
 

@@ -10,19 +10,19 @@
 
 namespace handwheel {
 
-// Reads a numeric attribute of a URDF element. Here and below, missing ones have the fallback, and present ones must be
-// valid. Errors carry the line: NumberMalformed, NumberNotFinite, CountMismatch, ValueOutOfRange.
+// Reads a numeric attribute of a URDF element. In these functions a missing attribute has the fallback, and a present
+// one must be valid. Errors carry the line: NumberMalformed, NumberNotFinite, CountMismatch, ValueOutOfRange.
 
 Result<double> readNumber(const XmlElement& element, std::string_view attribute, double fallback);
-// Reads an attribute of several numbers. They stay as they are when the attribute is missing.
+// Reads an attribute of several numbers. They stay unchanged if the attribute is missing.
 Status readNumbers(const XmlElement& element, std::string_view attribute, std::span<double> numbers);
 Result<Vec3> readVector(const XmlElement& element, std::string_view attribute, const Vec3& fallback);
 
-// Reads the child "origin" of an element as a pose, in mm. The identity where there is none. Roll, pitch and yaw are
-// rotations about fixed x, y, z.
+// Reads the child "origin" of an element as a pose, in mm. Returns the identity if there is none. Roll, pitch and yaw
+// are rotations about fixed x, y, z.
 Result<Pose> readOrigin(const XmlElement& element);
 
-// Lengths in a description stay below this; m. It keeps sums and products of them finite.
+// Limit of the lengths in a description; m. It keeps their sums and products finite.
 inline constexpr double kLargestLength = 1e6;
 inline constexpr double kMillimetresPerMetre = 1000.0;
 

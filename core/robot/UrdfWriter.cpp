@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMetresPerMillimetre = 1e-3;  // of a mm
+constexpr double kMetresPerMillimetre = 1e-3;  // metres per mm
 
 std::string escaped(std::string_view text) {
   std::string made;
@@ -30,7 +30,7 @@ std::string escaped(std::string_view text) {
         break;
       case '\n':
       case '\r':
-      case '\t':  // as they are, readers of attributes take them for a space
+      case '\t':  // written as it is, it would be read as a space in an attribute
         made += "&#" + std::to_string(static_cast<int>(c)) + ';';
         break;
       default:
@@ -48,7 +48,7 @@ std::string numbersText(const Vec3& v) {
   return shortestText(v.x()) + ' ' + shortestText(v.y()) + ' ' + shortestText(v.z());
 }
 
-// Turns about x, y and z, in this order, about fixed axes; where two axes are in line, none about x.
+// Returns the rotations about x, y and z, in this order, about fixed axes; if two axes are in line, none about x.
 Vec3 rollPitchYaw(const Eigen::Matrix3d& turn) {
   const double across = std::hypot(turn(0, 0), turn(1, 0));
   const double pitch = std::atan2(-turn(2, 0), across);
@@ -100,7 +100,7 @@ const char* typeOf(JointKind kind) {
   return "fixed";
 }
 
-// What a joint's position in the unit of the model is in metres or radians.
+// Returns the factor from the unit of a joint's position in the model to metres or radians.
 double writtenUnit(const Joint& joint) {
   return joint.kind == JointKind::Prismatic ? kMetresPerMillimetre : 1.0;
 }
@@ -116,7 +116,7 @@ std::string limitText(const Joint& joint) {
          attribute("effort", shortestText(joint.limits.effort.value_or(0.0))) + "/>";
 }
 
-// A joint that follows one that does not move stands; it is written as one that is fixed where it stands.
+// A joint that follows a fixed joint does not move; it is written as a fixed one at its position.
 std::string jointText(const RobotModel& robot, std::uint32_t number) {
   const Joint& joint = robot.joints[number];
   const bool isFixed = joint.dof == kNone;

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // Writes a robot as a URDF that readUrdf() reads as the same. It has links, joints with their limits, shapes and
-// colours. For robots that come from elsewhere, as tables after Denavit and Hartenberg.
+// colours. For robots from other sources, such as Denavit-Hartenberg tables.
 std::string urdfOf(const RobotModel& robot);
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // Base class of the shapes of bodies. Immutable, in the body's own frame, shared between bodies and versions. Any
-// thread. A new kind derives from it; a GeometryFormat (document/scene/GeometryBlobs.h) says how it is stored.
+// thread. A new kind derives from it; a GeometryFormat (document/scene/GeometryBlobs.h) defines its storage.
 class BodyGeometry {
  public:
   BodyGeometry() = default;
@@ -19,14 +19,14 @@ class BodyGeometry {
   BodyGeometry& operator=(const BodyGeometry&) = delete;
   virtual ~BodyGeometry();
 
-  virtual std::string_view kind() const = 0;     // its name in files: "mesh"
-  virtual std::size_t bytes() const = 0;         // memory of what defines it, without the surface
-  virtual bool isKnown() const { return true; }  // false: of a kind that only a newer program can show
+  virtual std::string_view kind() const = 0;     // Its name in files: "mesh"
+  virtual std::size_t bytes() const = 0;         // Memory of the definition, without the surface
+  virtual bool isKnown() const { return true; }  // False: of a kind that only a newer program can show
 
-  // Its surface, for view, touch and collisions; mm. Computed once, by whoever asks first. Never null; empty for a
-  // shape that has none.
+  // Returns its surface, for view, touch and collisions; mm. Computed once, by the first caller. Never null; empty for
+  // a shape that has none.
   const std::shared_ptr<const TriangleSoup>& surface() const;
-  // The bounds of its surface. Computed with it.
+  // Returns the bounds of its surface. Computed with it.
   const Box& bounds() const;
 
  protected:

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The shape of a body as triangles. Of a scan, for example, or of a part from a file.
+// The shape of a body as triangles, such as a scan or an imported part.
 class MeshGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "mesh";
@@ -28,7 +28,7 @@ class MeshGeometry : public BodyGeometry {
   std::shared_ptr<const TriangleSoup> m_soup;
 };
 
-// Whether a soup can be the shape of a body: not empty, and as the constructor demands. O(points + triangles).
+// Returns true if a soup can be the shape of a body: not empty, and as the constructor requires. O(points + triangles).
 bool isSoundSoup(const TriangleSoup& soup);
 
 }  // namespace handwheel

@@ -16,23 +16,23 @@ enum class Primitive { Cuboid, Cylinder, Sphere, Cone };
 // The names of a primitive and of its dimensions, in order.
 struct PrimitiveDescription {
   struct Dimension {
-    const char* id;     // in files and on the command line: "size_x"
+    const char* id;     // In files and on the command line: "size_x"
     const char* label;  // English, context "Property": "Size X"
   };
   Primitive primitive;
-  const char* id;     // in files and on the command line: "box"
+  const char* id;     // In files and on the command line: "box"
   const char* label;  // English, context "Property": "Box"
   std::vector<Dimension> dimensions;
 };
 
-// All primitives, in the order of their enumeration.
+// Returns all primitives, in the order of their enumeration.
 std::span<const PrimitiveDescription> primitives();
 
 // The shape of a body given by a few dimensions. Round ones are shown with 48 sides.
 class PrimitiveGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "primitive";
-  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // mm, of each dimension
+  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // mm, for each dimension
 
   // dimensions: mm, as described. Errors: CountMismatch {"dimensions", wanted, given}, ValueOutOfRange {dimension,
   // value, least, largest}.

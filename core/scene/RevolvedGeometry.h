@@ -8,12 +8,12 @@
 
 namespace handwheel {
 
-// The shape of a turned part: its profile revolved about z. With the flat ends where the profile begins and ends.
+// The shape of a turned part: its profile revolved about z. Includes flat ends where the profile begins and ends.
 class RevolvedGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "revolution";
   static constexpr double kLeastChord = 1e-4, kLargestChord = 1e3;  // mm
-  // The most triangles of its surface; a finer chord tolerance is made coarser.
+  // The maximum number of triangles of its surface; a finer chord tolerance is made coarser.
   static constexpr std::uint64_t kMostTriangles = 500'000;
 
   // chord: mm, tolerance of the surface. Errors: ValueOutOfRange {"chord", value, least, largest}.

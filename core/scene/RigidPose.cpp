@@ -9,8 +9,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kOrthonormal = 1e-9;     // of each dot product, as rounding leaves it
-constexpr double kLargestScaling = 1e-3;  // of a rotation in few digits
+constexpr double kOrthonormal = 1e-9;     // Rounding error of each dot product
+constexpr double kLargestScaling = 1e-3;  // Scaling of a rotation in few digits
 constexpr double kGimbalLock = 1e-9;      // cosine of the pitch
 
 bool isWithinReach(const Pose& pose) {

@@ -11,17 +11,18 @@ namespace handwheel {
 // The largest absolute coordinate of the position of a body, mm.
 inline constexpr double kFarthestBody = 1e7;
 
-// Whether a pose is a rigid motion within kFarthestBody: finite, orthonormal up to rounding, not mirrored.
+// Returns true if a pose is a rigid motion within kFarthestBody: finite, orthonormal up to rounding, not mirrored.
 bool isRigid(const Pose& pose);
 
-// The same position with the nearest rotation (polar decomposition), for poses that were written in few digits. None
-// where the pose is too far from rigid: not finite, out of bounds, flat, mirrored, or scaled by more than a thousandth.
+// Returns the same position with the nearest rotation (polar decomposition), for poses that were written in few digits.
+// Nothing if the pose is too far from rigid: not finite, out of bounds, flat, mirrored, or scaled by more than a
+// thousandth.
 std::optional<Pose> nearestRigid(const Pose& pose);
 
-// Roll, pitch and yaw of a pose: its rotation is Rz(yaw) Ry(pitch) Rx(roll), as in URDF; rad. Roll and yaw lie in
-// -π…π, the pitch in -π/2…π/2. At the ends of the pitch only the sum of the others counts, and yaw is 0.
+// Returns roll, pitch and yaw of a pose: its rotation is Rz(yaw) Ry(pitch) Rx(roll), as in URDF; rad. Roll and yaw lie
+// in -π…π, the pitch in -π/2…π/2. At the ends of the pitch only the sum of the others counts, and yaw is 0.
 Vec3 rollPitchYaw(const Pose& pose);
-// The pose with this position and these angles (rad).
+// Returns the pose with this position and these angles (rad).
 Pose poseOf(const Vec3& position, const Vec3& rollPitchYaw);
 
 }  // namespace handwheel

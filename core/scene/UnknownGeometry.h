@@ -9,12 +9,12 @@
 
 namespace handwheel {
 
-// A shape that this program cannot show. It is of a kind that it does not know, or damaged. Kept as it was read, so
-// that saving loses nothing.
+// A shape that this program cannot show: damaged or of an unknown kind. Kept as it was read, so that saving loses
+// nothing.
 class UnknownGeometry : public BodyGeometry {
  public:
-  // description: its JSON. parts: its blobs by their names within the folder of the body. isDamaged: of a kind that
-  // this program knows.
+  // description: its JSON. parts: its blobs by their names within the folder of the body. isDamaged: the kind is known,
+  // but the data are damaged.
   UnknownGeometry(std::string kind, std::string description, std::map<std::string, std::string> parts,
                   bool isDamaged = false)
       : m_kind(std::move(kind)),

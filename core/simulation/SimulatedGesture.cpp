@@ -25,11 +25,11 @@ void SimulatedGesture::begin(bool isOfDevice) {
   if (isOfDevice) m_inputs->setDeviceGesture(m_number);
 }
 
-void SimulatedGesture::feed(const Vec3& place, std::optional<double> time, double period, double pressure) {
+void SimulatedGesture::feed(const Vec3& position, std::optional<double> time, double period, double pressure) {
   if (m_isFirst) m_time = time;
   if (m_time) m_time = std::max(*m_time, time.value_or(*m_time));  // one clock for all of a gesture
   SimulationInput input;
-  input.tip.position = input.proxy = place;
+  input.tip.position = input.proxy = position;
   input.tip.buttons = 1u;
   input.tip.isRestart = std::exchange(m_isFirst, false);
   input.tip.time = m_time.value_or(static_cast<double>(m_clock.now()) / kNanoseconds);

@@ -9,17 +9,17 @@
 
 namespace handwheel {
 
-// What simulated gestures use of the program. Both outlive them.
+// Services of the program that simulated gestures use. Both outlive the gestures.
 struct SimulationServices {
   ServoClock& clock;
   Service& service;
 };
 
-// The gestures of a tool whose work a simulation does. There is one from press to release at a time, of the mouse or of
-// a device. The simulation runs between them, too, as the hand feels through it. Window thread.
+// The gestures of a tool whose work is done by a simulation. There is one gesture from press to release at a time, of
+// the mouse or of a device. The simulation also runs between them, since the hand feels it. Window thread.
 class SimulatedGesture {
  public:
-  // Makes a simulation from the present state of the document on.
+  // Makes a simulation that starts from the present state of the document.
   using Make = std::function<std::unique_ptr<Simulation>()>;
 
   // rate: steps a second.
@@ -27,26 +27,27 @@ class SimulatedGesture {
                    Make make);
 
   bool isOn() const { return m_isOn; }
-  // Whether one is on that this source makes: a device, whose inputs come from the servo loop, or the mouse.
+  // Returns true if a gesture of this source is active: of a device, whose inputs come from the servo loop, or of the
+  // mouse.
   bool isOnFrom(bool isDevice) const { return m_isOn && m_isOfDevice == isDevice; }
 
-  // Throws what the simulation has thrown: to be called with each event, so that the tool ends.
+  // Rethrows an exception of the simulation. To be called with each event, so that the tool ends.
   void rethrow() const { m_loop.rethrow(); }
-  // None must be on.
+  // No gesture must be active.
   void begin(bool isOfDevice);
-  // A place of the mouse in its gesture, mm. time: s, when it was there, by any clock; none: now. The window comes to
-  // several places at once when it is busy. period: s, for simulations that depend on it. pressure: as that of
-  // SimulationInput.
-  void feed(const Vec3& place, std::optional<double> time = {}, double period = TipState().period,
+  // Adds a mouse position to the gesture, mm. time: time of the position by any clock, s; none: now. A busy window
+  // receives several positions at once. period: s, for simulations that depend on it. pressure: as in SimulationInput.
+  void feed(const Vec3& position, std::optional<double> time = {}, double period = TipState().period,
             double pressure = 1.0);
-  // Nothing more is fed, nor comes of the device. The simulation is informed after all that has arrived, and goes on
-  // with what is left. False: there was no room, to be asked again. end() is to follow.
+  // Ends the input of the gesture. The simulation processes all inputs that have arrived, and continues with its
+  // remaining work. False: the queue was full; call again. end() is to follow.
   bool close();
-  // Ends it, and gives the simulation after all that has arrived. restart() is to follow. Throws what a step throws.
+  // Ends the gesture, and returns the simulation after all inputs that have arrived. restart() is to follow. Throws the
+  // exception of a step.
   std::unique_ptr<Simulation> end();
-  // Looks at the simulation between two of its steps; the gesture goes on. Throws what a step throws.
+  // Calls a function on the simulation between two steps; the gesture continues. Throws the exception of a step.
   void look(const std::function<void(Simulation&)>& at) { m_loop.look(at); }
-  // Drops what was begun, and simulates from the present state on.
+  // Drops the gesture, and simulates from the present state of the document.
   void restart();
 
   std::shared_ptr<const SimulationState> state() const { return m_loop.state(); }
@@ -57,12 +58,12 @@ class SimulatedGesture {
   ServoClock& m_clock;
   const std::shared_ptr<SimulationInputs> m_inputs;
   const Make m_make;
-  mutable SimulationLoop m_loop;  // mutable: to read its state takes the newest one out of a buffer
-  std::uint32_t m_number = 0;     // of the gesture that began last
+  mutable SimulationLoop m_loop;  // mutable: reading the state takes the newest one out of a buffer
+  std::uint32_t m_number = 0;     // number of the last gesture
   bool m_isOn = false;
   bool m_isOfDevice = false;
-  bool m_isFirst = false;        // nothing was fed yet
-  std::optional<double> m_time;  // s, of the place that was fed last; none: by the clock of the servo loop
+  bool m_isFirst = false;        // no input yet
+  std::optional<double> m_time;  // s, time of the last mouse position; none: by the clock of the servo loop
 };
 
 }  // namespace handwheel

@@ -46,7 +46,7 @@ std::unique_lock<std::mutex> SimulationLoop::own() {
 
 std::unique_ptr<Simulation> SimulationLoop::take() {
   const std::unique_lock lock = own();
-  rethrow();  // what a step threw while this waited, too
+  rethrow();  // also an exception thrown while this waited
   step();
   return std::move(m_simulation);
 }

@@ -17,20 +17,20 @@
 namespace handwheel {
 
 // Runs simulations with a fixed time step on its own thread. It is between the servo loop and the window. Inputs come
-// through rings and states go out through a triple buffer, so that nobody waits; only who exchanges the simulation
-// waits for a step that is under way.
+// through rings and states go out through a triple buffer, so that nobody waits; only exchanging the simulation waits
+// for a step in progress.
 //
 // The clock of the simulation slows down when a step takes longer than its time or the machine stalls: late steps are
-// not made up for in a burst. The next step then gets all inputs that have arrived. The service counts the time that
-// was lost, and the inputs for which there was no room.
+// not made up for in a burst. The next step then gets all inputs that have arrived. The service counts the lost time
+// and the dropped inputs.
 //
 // Unless stated otherwise, functions are called on the thread that owns it, the window's.
 class SimulationLoop {
  public:
   static constexpr double kLeastRate = 30.0, kLargestRate = 1000.0;  // steps a second
 
-  // rate: steps a second, kept within the limits above. inputs: may outlive the loop and be taken over by a next one.
-  // The clock and the service outlive the loop; the service counts steps and their CPU time.
+  // rate: steps a second, clamped to the limits above. inputs: may outlive the loop and be reused by the next one. The
+  // clock and the service outlive the loop; the service counts steps and their CPU time.
   SimulationLoop(std::unique_ptr<Simulation> simulation, double rate, std::shared_ptr<SimulationInputs> inputs,
                  ServoClock& clock, Service& service);
   ~SimulationLoop() { stop(); }
@@ -44,16 +44,16 @@ class SimulationLoop {
   // Runs steps on the calling thread instead: for tests and the command line.
   void runSteps(std::uint64_t count);
 
-  // The gesture whose inputs keep their number from now on: what another one left behind only moves.
+  // Sets the gesture whose inputs keep their number; inputs of other gestures only move.
   void setGesture(std::uint32_t gesture) { m_gesture.store(gesture, std::memory_order_relaxed); }
-  // Takes the simulation out, after a last step with the inputs that have arrived. Until replace() none runs. Throws
-  // what a step has thrown.
+  // Takes the simulation out, after a last step with the inputs that have arrived. None runs until replace(). Throws
+  // the exception of a step.
   std::unique_ptr<Simulation> take();
-  // Runs another simulation from the next step on. state() is that of it already.
+  // Runs another simulation from the next step on. state() returns its state at once.
   void replace(std::unique_ptr<Simulation> simulation);
-  // Looks at the simulation between two of its steps, which goes on afterwards. Throws what a step has thrown.
+  // Calls a function on the simulation between two steps. Throws the exception of a step.
   void look(const std::function<void(Simulation&)>& at);
-  // Throws what a step on the loop's thread has thrown, if one did: the simulation has ended with it.
+  // Rethrows the exception of a step on the loop's thread, if there is one; the simulation has ended then.
   void rethrow() const;
 
   // The state after the last finished step; never null.
@@ -72,13 +72,13 @@ class SimulationLoop {
   ServoClock& m_clock;
   Service& m_service;
   const std::shared_ptr<SimulationInputs> m_inputs;
-  std::mutex m_mutex;                        // of what follows up to m_failure
+  std::mutex m_mutex;                        // guards the members up to m_failure
   std::unique_ptr<Simulation> m_simulation;  // null: none runs
   TripleBuffer<std::shared_ptr<const SimulationState>> m_states;
   std::vector<SimulationInput> m_arrived;
-  std::uint64_t m_dropped;               // inputs that were counted
-  std::exception_ptr m_failure;          // of a step on the loop's thread
-  std::atomic<bool> m_hasFailed{false};  // m_failure is there to be read
+  std::uint64_t m_dropped;               // inputs counted as dropped
+  std::exception_ptr m_failure;          // exception of a step on the loop's thread
+  std::atomic<bool> m_hasFailed{false};  // m_failure can be read
   std::atomic<bool> m_isWanted{false};   // the owner wants the mutex
   std::atomic<std::uint32_t> m_gesture{0};
   std::atomic<std::uint64_t> m_steps{0};

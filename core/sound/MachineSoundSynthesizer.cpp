@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kPiece = 32;      // samples between two changes of direction
 constexpr double kGlide = 0.015;        // s, time constant of changes
-constexpr double kSilence = 1e-6;       // of a level, -120 dB: such a leap is not heard
-constexpr double kHighest = 0.45;       // of the sample rate: above there are no tones
+constexpr double kSilence = 1e-6;       // level, -120 dB: a smaller change is inaudible
+constexpr double kHighest = 0.45;       // share of the sample rate: there are no tones above
 constexpr double kSquealTone = 2900.0;  // Hz
 
 // Levels at their most. The sum is softly limited.
@@ -22,9 +22,10 @@ constexpr double kBlowLevel = 0.9, kBlowTone = 140.0, kBlowTime = 0.12;  // Hz; 
 constexpr double kHalfSpeed = 600.0;  // r/min at which the gears are half as loud as they become
 constexpr double kHalfForce = 400.0;  // N, likewise for the cut
 constexpr double kHalfMotion = 0.05;  // m/s: without motion nothing cuts
-constexpr double kSwell = 0.3;        // of the cut, in a turn of the spindle
+constexpr double kSwell = 0.3;        // share of the cut, in a turn of the spindle
 
-// A share of v/h, the rate at which a chip moves by its own thickness: its segments. Within what small speakers play.
+// Share of v/h, the rate at which a chip moves by its own thickness: its segments. The result is within the range of
+// small loudspeakers.
 constexpr double kChipShare = 0.25;
 constexpr double kLeastCentre = 900.0, kLargestCentre = 5000.0;  // Hz
 constexpr double kSharpQuality = 2.5, kWornQuality = 1.0;
@@ -80,9 +81,9 @@ void MachineSoundSynthesizer::set(const MachineSoundState& state) noexcept {
 // Exponentially, in straight pieces.
 void MachineSoundSynthesizer::glide() noexcept {
   for (std::size_t part = 0; part < kParts; ++part) {
-    const double way = m_target[part] - m_value[part];
-    if (std::abs(way) <= kSilence) m_value[part] = m_target[part];
-    m_step[part] = std::abs(way) <= kSilence ? 0.0 : m_share * way / static_cast<double>(kPiece);
+    const double distance = m_target[part] - m_value[part];
+    if (std::abs(distance) <= kSilence) m_value[part] = m_target[part];
+    m_step[part] = std::abs(distance) <= kSilence ? 0.0 : m_share * distance / static_cast<double>(kPiece);
   }
   m_noise.setBand(m_value[Centre], m_value[Quality]);
   m_left = kPiece;

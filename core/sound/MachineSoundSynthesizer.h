@@ -11,24 +11,25 @@
 
 namespace handwheel {
 
-// What a machine tool does at a moment, as far as one hears it. Any values: what is not finite counts as zero.
+// The audible state of a machine tool at one moment. Values that are not finite count as zero.
 struct MachineSoundState {
   double spindleSpeed = 0.0;        // r/min, in either direction
   double force = 0.0;               // N, of cutting or drilling
   double cuttingSpeed = 0.0;        // m/min
   double chipThickness = 0.2;       // mm
-  double wear = 0.0;                // of the edge: 0 new, 1 worn out
+  double wear = 0.0;                // edge wear: 0 new, 1 worn out
   double chatter = 0.0;             // 0 none, 1 as strong as the cut
   double chatterFrequency = 200.0;  // Hz
-  unsigned blows = 0;               // crashes so far: each more is heard as a blow
+  unsigned blows = 0;               // number of crashes so far; each more sounds as a blow
   bool operator==(const MachineSoundState&) const = default;
 };
 
 // The synthesised sound of a machine tool. It has gears, cut, squeal of a worn edge, chatter, and the blow of a crash.
-// The gears sound at kTeeth times the turns of the spindle; the cut is noise around the rate at which chips form, which
-// falls with their thickness, and swells once in a turn; the force makes it louder. Samples are within ±1, phases
-// continuous; changes take some 20 ms, so that nothing clicks. Deterministic: the same states at the same samples give
-// the same sound, in whatever pieces it is asked for. One thread; no lock, no allocation; some 100 ns for a sample.
+// The gears sound at kTeeth times the spindle frequency; the cut is noise around the rate at which chips form, which
+// falls with their thickness, and swells once a revolution; it gets louder with the force. Samples are within ±1,
+// phases continuous; changes take some 20 ms, so that nothing clicks. Deterministic: the same states at the same
+// samples give the same sound, however it is divided into calls of render(). One thread; no lock, no allocation; some
+// 100 ns for a sample.
 class MachineSoundSynthesizer {
  public:
   static constexpr double kTeeth = 24.0;
@@ -42,7 +43,7 @@ class MachineSoundSynthesizer {
   double sampleRate() const { return m_rate; }
 
  private:
-  // What glides: levels and frequencies (Hz).
+  // The values that glide: levels and frequencies (Hz).
   enum Part { Gears, Cut, Squeal, Chatter, Turns, Centre, ChatterTone, Quality, kParts };
 
   void glide() noexcept;
@@ -50,14 +51,14 @@ class MachineSoundSynthesizer {
   double tone(double& phase, double frequency, int partials, double fall) noexcept;
 
   double m_rate;
-  double m_share;  // of the way to a target in a piece
+  double m_share;  // share of the remaining distance to a target, per piece
   NoiseBand m_noise;
   std::array<double, kParts> m_target{}, m_value{}, m_step{};
   double m_turn = 0.0, m_gears = 0.0, m_squeal = 0.0, m_chatter = 0.0;  // phases, in turns
-  double m_blow = 0.0, m_blowLevel = 0.0;  // phase, in turns, and what is left of the last one
-  double m_ringing;                        // of the level, from a sample to the next
-  std::optional<unsigned> m_blows;         // none: before the first state
-  std::size_t m_left = 0;                  // samples to the end of the piece
+  double m_blow = 0.0, m_blowLevel = 0.0;                               // phase, in turns, and level of the last blow
+  double m_ringing;                 // factor of the level from one sample to the next
+  std::optional<unsigned> m_blows;  // none: before the first state
+  std::size_t m_left = 0;           // samples to the end of the piece
 };
 
 }  // namespace handwheel

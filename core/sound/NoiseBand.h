@@ -6,16 +6,16 @@
 
 namespace handwheel {
 
-// White noise through a band-pass filter whose band may move at any time. The same numbers in every run. The filter is
-// the trapezoidal state-variable filter, which stays stable while it is changed: Zavalishin, "The Art of VA Filter
+// White noise through a band-pass filter whose band may move at any time. Each run gives the same numbers. The filter
+// is the trapezoidal state-variable filter, which stays stable while it is changed: Zavalishin, "The Art of VA Filter
 // Design" (2012), chapter 4. Any thread, one at a time; no lock, no allocation.
 class NoiseBand {
  public:
   explicit NoiseBand(double sampleRate) : m_rate(sampleRate) {}  // Hz
 
-  // Sets the centre (Hz, below half of the sample rate) and the quality, its ratio to the width of the band.
+  // Sets the centre (Hz, below half of the sample rate) and the quality: centre divided by bandwidth.
   void setBand(double centre, double quality) noexcept;
-  // The next sample, with a standard deviation of 1.
+  // Returns the next sample, with a standard deviation of 1.
   double next() noexcept;
 
  private:
@@ -23,9 +23,9 @@ class NoiseBand {
 
   double m_rate;
   double m_damping = 1.0;  // 1 / quality
-  double m_gain = 0.0;     // of the integrators
+  double m_gain = 0.0;     // gain of the integrators
   double m_divisor = 1.0;
-  double m_scale = 0.0;              // to a standard deviation of 1
+  double m_scale = 0.0;              // scale to a standard deviation of 1
   double m_band = 0.0, m_low = 0.0;  // states of the integrators
   std::uint32_t m_random = 0x2545F491u;
 };

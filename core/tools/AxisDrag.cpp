@@ -27,7 +27,7 @@ class Circle {
     m_across = m_axis.cross(m_radial);
   }
 
-  // Of the ray's way around the axis; none through the middle.
+  // Returns the angle of a point around the axis; none at the middle.
   std::optional<double> angleOf(const Vec3& inPlane) const {
     const Vec3 arm = inPlane - m_middle;
     const double x = arm.dot(m_radial), y = arm.dot(m_across);
@@ -38,13 +38,13 @@ class Circle {
 
   double distanceAt(double angle, const Ray& ray) const { return aside(pointAt(angle) - ray.origin, ray).norm(); }
 
-  // Gauss and Newton's steps towards the ray, shortened until they help.
+  // Moves towards the ray by Gauss-Newton steps, halved until they reduce the distance.
   double nearest(double angle, const Ray& ray) const {
     for (int i = 0; i < kSteps; ++i) {
       const Vec3 off = aside(pointAt(angle) - ray.origin, ray);
-      const Vec3 way = aside(std::cos(angle) * m_across - std::sin(angle) * m_radial, ray);
-      const double stiffness = way.squaredNorm() + 1e-9 * m_radial.squaredNorm();
-      double step = std::clamp(-way.dot(off) / stiffness, -kLongestStep, kLongestStep);
+      const Vec3 toRay = aside(std::cos(angle) * m_across - std::sin(angle) * m_radial, ray);
+      const double stiffness = toRay.squaredNorm() + 1e-9 * m_radial.squaredNorm();
+      double step = std::clamp(-toRay.dot(off) / stiffness, -kLongestStep, kLongestStep);
       while (std::abs(step) > kShortestStep && !(distanceAt(angle + step, ray) < off.norm())) step *= 0.5;
       if (!(std::abs(step) > kShortestStep)) break;
       angle += step;
@@ -72,7 +72,7 @@ std::optional<double> rotationUnder(const HeldPoint& held, const PickRay& pickRa
     if (!angle) return {};
     return soFar + std::remainder(*angle - soFar, 2.0 * std::numbers::pi);
   }
-  // At its outmost the point moves along the ray, and only a start beside it finds the way back.
+  // At the rim the point moves along the ray, and only another start finds the solution.
   double best = soFar, distance = circle.distanceAt(soFar, ray);
   for (double start : {soFar, soFar - kLongestStep, soFar + kLongestStep}) {
     const double angle = circle.nearest(start, ray);
@@ -89,15 +89,15 @@ std::optional<double> translationUnder(const HeldPoint& held, const Ray& ray) {
   const double square = 1.0 - together * together;
   if (square < tolerance::kParallelLines * tolerance::kParallelLines) return {};
   const Vec3 between = held.point - ray.origin;
-  const double way = (together * ray.direction.dot(between) - held.axis.dot(between)) / square;
-  return std::isfinite(way) ? std::optional(way) : std::nullopt;
+  const double travel = (together * ray.direction.dot(between) - held.axis.dot(between)) / square;
+  return std::isfinite(travel) ? std::optional(travel) : std::nullopt;
 }
 
-std::optional<Vec3> placeUnder(const Vec3& point, const Vec3& facing, const Ray& ray) {
+std::optional<Vec3> positionUnder(const Vec3& point, const Vec3& facing, const Ray& ray) {
   const double slope = ray.direction.dot(facing);
   if (std::abs(slope) < tolerance::kParallelLines) return {};
-  const Vec3 place = ray.origin + (point - ray.origin).dot(facing) / slope * ray.direction;
-  return place.allFinite() ? std::optional(place) : std::nullopt;
+  const Vec3 position = ray.origin + (point - ray.origin).dot(facing) / slope * ray.direction;
+  return position.allFinite() ? std::optional(position) : std::nullopt;
 }
 
 }  // namespace handwheel

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kArcPixels = 48.0;     // radius of the arc that marks an angle
 constexpr double kNormalPixels = 64.0;  // length of the lines that stand on faces
-constexpr int kRoundSteps = 24;         // of an arc or a circle
+constexpr int kRoundSteps = 24;         // for an arc or a circle
 constexpr ToolKey kMeasureKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
@@ -31,7 +31,7 @@ Property figure(const char* id, const char* label, double value, Quantity quanti
   return property;
 }
 
-// The great circle of a ball in the plane of two directions, from the first over so many radian.
+// Returns the great circle of a ball in the plane of two directions, from the first over so many radians.
 std::vector<Vec3> arc(const Vec3& centre, const Vec3& from, const Vec3& towards, double radius, double angle) {
   const Vec3 u = from.stableNormalized();
   const Vec3 v = (towards - towards.dot(u) * u).stableNormalized();
@@ -87,7 +87,7 @@ SnapTargets MeasureTool::snapTargets() const {
   return isOfPoints() ? SnapTargets{.corners = true, .edges = true} : SnapTargets{.faces = true};
 }
 
-// What draws the tip is measured as it is: a ray through the outermost edge may pass the surface by.
+// A point that attracts the tip is measured exactly: a ray through the outermost edge may miss the surface.
 std::optional<SurfacePoint> MeasureTool::pointAt(const PointerEvent& event) const {
   if (event.held && isOfPoints()) return SurfacePoint{*event.held, Vec3::Zero(), kNone};
   return m_services.pick(event.ray);
@@ -138,8 +138,8 @@ std::vector<ToolAction> MeasureTool::actions() const {
   };
 }
 
-// Faces show by lines that stand on them, an angle by an arc where its sides meet, a wall by the way through it and the
-// circle of the ball.
+// Faces are shown by lines that stand on them, an angle by an arc between its sides, a wall by the line through it and
+// the circle of the ball.
 ToolPreview MeasureTool::preview() const {
   ToolPreview preview;
   const std::vector<SurfacePoint> p = points();

@@ -12,30 +12,30 @@ namespace handwheel {
 // A point of the model's surface.
 struct SurfacePoint {
   Vec3 point = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  // of unit length, outward; zero where it is not known
-  Face face = kNone;           // of a mesh
+  Vec3 normal = Vec3::Zero();  // unit length, outward; zero: unknown
+  Face face = kNone;           // face of a mesh
 };
 
 // Services that MeasureTool uses.
 struct MeasureServices {
-  // The point that a ray meets first ("picking").
+  // Returns the first intersection of a ray ("picking").
   std::function<std::optional<SurfacePoint>(const Ray&)> pick;
-  // Null if the model is not a body of one mesh: then only points are measured.
+  // Measures the wall. Null if the model is not a body of one mesh: then only points are measured.
   std::function<std::optional<WallThickness>(const SurfacePoint&)> thickness;
 };
 
-// Tool that measures distances, angles and wall thickness at clicked points. The distance of two points, the angle of
-// three, the angle between two faces, or the thickness of the wall below a point. It changes nothing.
+// Tool that measures distances, angles and wall thickness at clicked points. It measures the distance of two points,
+// the angle of three, the angle between two faces, or the thickness of the wall below a point. It changes nothing.
 class MeasureTool : public Tool {
  public:
   enum class Mode { Distance, PointAngle, FaceAngle, Thickness };
 
   explicit MeasureTool(MeasureServices services) : m_services(std::move(services)) {}
 
-  // The distance of the clicked points, the one under the pointer being the last; none while some are missing.
+  // Returns the distance of the clicked points, the one under the pointer being the last; none while some are missing.
   std::optional<double> distance() const;  // mm
-  // The angle in radians, 0…π: at the second point between the others; or that which two faces enclose, on the side
-  // where it is below a half turn: right for the sides of a square bar, none for opposite ones.
+  // Returns the angle in radians, 0…π: at the second point between the others; or between two faces, on the side on
+  // which it is below a half turn: right for the sides of a square bar, none for opposite ones.
   std::optional<double> angle() const;
   std::optional<WallThickness> thickness() const;
 
@@ -47,7 +47,7 @@ class MeasureTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  // Points are measured at corners and edges, which are hard to hit by hand; directions and walls, of faces.
+  // Points are measured at corners and edges, which are hard to hit by hand; directions and walls at faces.
   SnapTargets snapTargets() const override;
   void documentChanged() override { start(); }
   std::vector<std::string> needs() const override { return {"picking"}; }
@@ -64,7 +64,7 @@ class MeasureTool : public Tool {
   Mode m_mode = Mode::Distance;
   std::vector<SurfacePoint> m_clicked;
   std::optional<SurfacePoint> m_hovered;
-  double m_pixel = 0.0;  // mm, where the pointer was last
+  double m_pixel = 0.0;  // mm, at the last position of the pointer
 };
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// An action that a tool may offer in some state, with its key. So keys can be listed and changed before any such tool
+// An action that a tool may offer in some state, with its key. Keys can be listed and changed before any such tool
 // runs.
 struct ToolKey {
   const char* action;  // id of a ToolAction

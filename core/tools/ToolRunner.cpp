@@ -23,7 +23,7 @@ void ToolRunner::start(std::unique_ptr<Tool> tool, Document& document) {
 
 void ToolRunner::stop() {
   if (!m_tool) return;
-  if (m_depth > 0) {  // the tool asks for it itself, or its own edit led here
+  if (m_depth > 0) {  // the tool requests it itself, or its own edit led here
     m_isToStop = true;
     return;
   }
@@ -41,8 +41,8 @@ void ToolRunner::drop() {
   emit ended();
 }
 
-// Runs a call into the tool. What went wrong in it, or in a call that came of it, is dealt with when the outermost one
-// has returned: until then the tool must live.
+// Runs a call into the tool. A failure in it, or in a nested call, is handled after the outermost one has returned:
+// until then the tool must live.
 template <class Call>
 ToolReply ToolRunner::guarded(Call call) {
   if (!m_tool || m_isToStop) return ToolReply::Ignored;

@@ -14,10 +14,10 @@ class UnfinishedGesture {
  public:
   virtual ~UnfinishedGesture() = default;
 
-  // The value of the document as Tool::settle() would leave it. Nothing changes by it, and the work goes on. Null:
-  // nothing is under way.
+  // Returns the value of the document as Tool::settle() would leave it. Nothing changes by it, and the work continues.
+  // Null: there is no unfinished work.
   virtual SnapshotPointer withGesture() = 0;
-  // What undo takes back now, in the user's words; empty: nothing is under way.
+  // Returns the unfinished work that undo would revert now, in the user's words; empty: there is none.
   virtual QString underWay() const = 0;
 };
 

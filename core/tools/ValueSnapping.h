@@ -4,7 +4,8 @@
 
 namespace handwheel {
 
-// The multiple of a step that is nearest to a value. The step is 1, 2 or 5 times a power of ten, and at least `least`.
+// Returns the multiple of a step that is nearest to a value. The step is 1, 2 or 5 times a power of ten, and at least
+// `least`.
 double snappedTo(double value, double least);
 
 }  // namespace handwheel

@@ -37,7 +37,7 @@ VoxelIndex hybridTile(const Vec3& voxel) {
 
 struct HybridPart::Tile {
   std::array<SparseVolume::Content, SurfaceTile::kAllBlocks> blocks;
-  std::size_t near = 0, lost = 0;  // as m_near and m_lost
+  std::size_t near = 0, lost = 0;  // see m_near and m_lost
 
   // Beside a surface that is smooth at the scale of a voxel there is a neighbour on its other side. Voxels at the
   // tile's own sides have neighbours in other tiles: they are left out.
@@ -71,7 +71,8 @@ Result<HybridPart> HybridPart::of(const TriangleSoup& soup, double voxel, Progre
   const Result<ClosedSurfaceInVoxels> prepared =
       closedInGrid(soup, voxel, WindingNumberFill::kWide, {}, progress.part(0.0, 0.5));
   if (!prepared) return prepared.error();
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};  // then what was closed may be half of it
+  if (progress.cancelled())
+    return Error{ErrorCode::Cancelled, {}, {}, {}};  // then the closed surface may be half of it
   if (!(prepared->enclosed() > 0.0)) return prepared->nothingInside();
   HybridPart part;
   part.m_triangles = std::make_shared<const TriangleHierarchy>(prepared->closed.points, prepared->closed.triangles,
@@ -105,11 +106,11 @@ void HybridPart::makeAlso(std::span<const VoxelIndex> tiles) {
   add(ofPart);
 }
 
-bool HybridPart::hold(const Box& place) {
+bool HybridPart::hold(const Box& box) {
   Eigen::AlignedBox3i held;
-  if (!place.isEmpty() && place.min().allFinite() && place.max().allFinite()) {
+  if (!box.isEmpty() && box.min().allFinite() && box.max().allFinite()) {
     const Vec3 origin = m_before.origin();
-    const Box voxels((place.min() - origin) / m_before.voxel(), (place.max() - origin) / m_before.voxel());
+    const Box voxels((box.min() - origin) / m_before.voxel(), (box.max() - origin) / m_before.voxel());
     held = tilesIn(voxels.intersection(m_extent));
   }
   if (held.min() == m_held.min() && held.max() == m_held.max()) return false;
@@ -139,8 +140,8 @@ std::vector<VoxelIndex> HybridPart::cutBlocks() const {
   return blocks;
 }
 
-double HybridPart::depthBefore(const Vec3& place) {
-  const Vec3 at = (place - m_before.origin()) / m_before.voxel();
+double HybridPart::depthBefore(const Vec3& point) {
+  const Vec3 at = (point - m_before.origin()) / m_before.voxel();
   if (at.allFinite() && m_extent.contains(at)) {
     // The eight samples around it.
     std::vector<VoxelIndex> tiles;
@@ -150,7 +151,7 @@ double HybridPart::depthBefore(const Vec3& place) {
     }
     add(tiles);
   }
-  return VolumeSampler(m_before).depthAt(place).depth;
+  return VolumeSampler(m_before).depthAt(point).depth;
 }
 
 void HybridPart::add(std::span<const VoxelIndex> tiles) {
@@ -231,7 +232,7 @@ HybridPart::Tile HybridPart::madeTile(const VoxelIndex& tile) const {
   return made;
 }
 
-// In the order of their numbers, so that a tile is the same to the last bit as among all others.
+// Sorted by index, so that a tile is identical to the last bit to the one of the whole volume.
 TriangleSoup HybridPart::trianglesIn(const Box& box) const {
   std::vector<std::uint32_t> numbers;
   m_triangles->forEachInBox(box, [&](std::uint32_t triangle) {
@@ -250,7 +251,7 @@ TriangleSoup HybridPart::trianglesIn(const Box& box) const {
 
 std::size_t HybridPart::bytes() const {
   constexpr std::size_t kKey = sizeof(Key) + 48;  // with its node in a set
-  // The blocks that both have are counted once.
+  // Shared blocks are counted once.
   std::size_t sum = m_left.bytes() + m_before.bytes() - (m_before.blockCount() - m_originals) * sizeof(VolumeBlock);
   for (const auto& [key, rows] : m_rows) sum += rows->bytes();
   return sum + m_cut.size() * kKey;

@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-constexpr int kKeyBits = 21;  // of a region along each axis: 2^27 voxels
+constexpr int kKeyBits = 21;  // bits of a region's index along each axis: 2^27 voxels
 constexpr std::int32_t kKeyOffset = 1 << (kKeyBits - 1);
 
 VoxelIndex regionOfKey(std::uint64_t key) {
@@ -25,7 +25,7 @@ VoxelIndex regionOfKey(std::uint64_t key) {
 }  // namespace
 
 std::int16_t depthSample(double voxels) {
-  // Rounded by truncation: std::round is a call.
+  // Rounds by truncation, as std::round is a function call.
   const double scaled = std::clamp(voxels * VolumeBlock::kUnit, -32767.0, 32767.0);
   const auto sample = static_cast<std::int16_t>(scaled + std::copysign(0.5, scaled));
   return sample != 0 ? sample : static_cast<std::int16_t>(voxels < 0.0 ? -1 : 1);
@@ -38,7 +38,7 @@ bool SparseVolume::Region::isEmpty() const {
 SparseVolume::Count SparseVolume::countOf(const Content& content) {
   constexpr std::uint64_t kAll = VolumeBlock::kCount, kVoxel = static_cast<std::uint64_t>(VolumeBlock::kUnit);
   if (!content.block) return content.isFull ? Count{kAll, kAll * kVoxel} : Count{};
-  std::uint32_t inside = 0, enclosed = 0;  // of a block they are below 2^22
+  std::uint32_t inside = 0, enclosed = 0;  // below 2^22 for a block
   for (const std::int16_t depth : content.block->depths) {
     inside += depth > 0;
     enclosed += static_cast<std::uint32_t>(VolumeBlock::enclosed(depth));
@@ -56,22 +56,22 @@ std::uint64_t SparseVolume::keyOf(const VoxelIndex& block) {
   return key;
 }
 
-std::size_t SparseVolume::placeOf(const VoxelIndex& block) {
+std::size_t SparseVolume::indexOf(const VoxelIndex& block) {
   return VolumeBlock::at(block.x() & 7, block.y() & 7, block.z() & 7);
 }
 
 SparseVolume::Content SparseVolume::content(const VoxelIndex& block) const {
   const auto found = m_regions.find(keyOf(block));
   if (found == m_regions.end()) return {};
-  const std::size_t place = placeOf(block);
-  return {found->second->blocks[place], found->second->full[place]};
+  const std::size_t index = indexOf(block);
+  return {found->second->blocks[index], found->second->full[index]};
 }
 
 SparseVolume::View SparseVolume::view(const VoxelIndex& block) const {
   const auto found = m_regions.find(keyOf(block));
   if (found == m_regions.end()) return {};
-  const std::size_t place = placeOf(block);
-  return {found->second->blocks[place].get(), found->second->full[place]};
+  const std::size_t index = indexOf(block);
+  return {found->second->blocks[index].get(), found->second->full[index]};
 }
 
 void SparseVolume::setContent(const VoxelIndex& block, Content content) {
@@ -84,14 +84,14 @@ void SparseVolume::setContent(const VoxelIndex& block, Content content) {
     found->second = std::make_shared<Region>(*found->second);
   }
   Region& region = *found->second;
-  const std::size_t place = placeOf(block);
-  if (region.blocks[place]) --m_blockCount;
+  const std::size_t index = indexOf(block);
+  if (region.blocks[index]) --m_blockCount;
   if (content.block) ++m_blockCount;
-  const Count gone = countOf({region.blocks[place], region.full[place]}), added = countOf(content);
+  const Count gone = countOf({region.blocks[index], region.full[index]}), added = countOf(content);
   m_count.inside += added.inside - gone.inside;  // modulo 2^64
   m_count.enclosed += added.enclosed - gone.enclosed;
-  region.full[place] = !content.block && content.isFull;
-  region.blocks[place] = std::move(content.block);
+  region.full[index] = !content.block && content.isFull;
+  region.blocks[index] = std::move(content.block);
   if (region.isEmpty()) m_regions.erase(found);
 }
 
@@ -117,9 +117,9 @@ void SparseVolume::forEach(const std::function<void(const VoxelIndex&, const Con
     const Region& region = *m_regions.at(key);
     const VoxelIndex first = 8 * regionOfKey(key);
     for (int i = 0; i < 512; ++i) {
-      const auto place = static_cast<std::size_t>(i);
-      if (region.blocks[place] || region.full[place])
-        visit(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6), {region.blocks[place], region.full[place]});
+      const auto index = static_cast<std::size_t>(i);
+      if (region.blocks[index] || region.full[index])
+        visit(first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6), {region.blocks[index], region.full[index]});
     }
   }
 }
@@ -145,7 +145,7 @@ Box SparseVolume::extent() const {
 }
 
 std::size_t SparseVolume::bytes() const {
-  constexpr std::size_t kCounts = 16;  // of a shared pointer's object, beside it
+  constexpr std::size_t kCounts = 16;  // control block of a shared pointer
   return sizeof *this + m_regions.size() * (sizeof(Region) + kCounts + 32) +
          m_blockCount * (sizeof(VolumeBlock) + kCounts);
 }

@@ -18,7 +18,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kRays = 2;                      // to a voxel, along either axis across them
-constexpr double kShift = 0.5 * (kRays - 1);  // of rays, which are at even places within a voxel
+constexpr double kShift = 0.5 * (kRays - 1);  // shift of the rays, which are evenly distributed within a voxel
 constexpr double kGreys = 255.0;
 
 // A surface met by rays along an axis: along x of a space whose axes are turned, and whose y and z count rays.
@@ -56,21 +56,21 @@ class AxisRays {
         }
   }
 
-  // Adds some of the places where rays go into the inside or out of it; voxels.
-  void addBounding(std::vector<Vec3>& places) const {
+  // Adds some of the points where rays enter or leave the inside; voxels.
+  void addBounding(std::vector<Vec3>& points) const {
     constexpr std::size_t kMost = 100'000;
-    const auto found = m_rows.boundingBy([](const Vec3&, int turns) { return static_cast<double>(turns); }).places;
+    const auto found = m_rows.boundingBy([](const Vec3&, int turns) { return static_cast<double>(turns); }).points;
     for (std::size_t i = 0; i < found.size(); i += found.size() / kMost + 1) {
       Vec3 at;
       at[m_axis] = found[i].first.x();
       at[(m_axis + 1) % 3] = (found[i].first.y() - kShift) / kRays;
       at[(m_axis + 2) % 3] = (found[i].first.z() - kShift) / kRays;
-      places.push_back(at);
+      points.push_back(at);
     }
   }
   int mostTurns() const { return m_rows.mostTurns(); }
 
-  // Of the middle of a voxel, or nearly.
+  // Tests approximately the centre of a voxel.
   bool isInside(const VoxelIndex& voxel) const {
     return m_rows.isInside({voxel[m_axis], kRays * voxel[(m_axis + 1) % 3], kRays * voxel[(m_axis + 2) % 3]});
   }
@@ -166,9 +166,9 @@ Result<SurfaceVolume> volumeByDensity(const TriangleSoup& soup, double voxel, Pr
   makeDistances(made.volume, blocks, DepthWindow::Beside::Corrected, progress.part(0.8, 0.95));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
-  std::vector<Vec3> places;
-  for (const AxisRays& axis : rays) axis.addBounding(places);
-  made.nearShare = nearShare(made.volume, places, progress.part(0.95, 1.0));
+  std::vector<Vec3> points;
+  for (const AxisRays& axis : rays) axis.addBounding(points);
+  made.nearShare = nearShare(made.volume, points, progress.part(0.95, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (const auto lost = lossRefusal(made.volume, made.nearShare, made.expected / std::max(1, rays[0].mostTurns())))
     return *lost;

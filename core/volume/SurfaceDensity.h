@@ -6,22 +6,22 @@
 
 namespace handwheel {
 
-// The methods that decide how much of a voxel is material.
+// The methods that decide which fraction of a voxel is material.
 enum class VoxelMethod {
   Sign,     // the distance from the surface, signed by winding numbers (volumeOfSurface())
-  Density,  // the share of the voxel that is material
+  Density,  // the fraction of the voxel that is material
 };
 
-// Samples how much of each voxel is inside a surface (He 2008, 5.2: anti-aliased density): the mean over rays along
-// three axes, four to a voxel and axis, of the length inside it, in 255ths. The surface is where half of a voxel is
-// material. Inside is what the surface goes round at least once; all holes are closed by cones, and what is thinner
-// than a voxel is smoothed over. Less exact than distances, as a density says nothing beyond its voxel: for comparison,
-// and for scans whose noise it averages.
+// Samples the fraction of each voxel that is inside a surface (He 2008, 5.2: anti-aliased density): the mean length
+// inside of rays along three axes, four per voxel and axis, in 1/255. The surface is where the fraction is one half. A
+// point is inside if its winding number is at least one; all holes are closed by cones, and details thinner than a
+// voxel are smoothed. It is less exact than distances, as a density carries no information beyond its voxel: it is
+// meant for comparison, and for noisy scans.
 //
 // voxel: mm. On all threads of the arena; O(area / voxel² + n log n). Errors: those of volumeOfSurface().
 Result<SurfaceVolume> volumeByDensity(const TriangleSoup& soup, double voxel, Progress progress = {});
 
-// By either method.
+// Makes a volume by the given method.
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, VoxelMethod method, Progress progress);
 
 }  // namespace handwheel

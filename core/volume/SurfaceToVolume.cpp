@@ -22,11 +22,11 @@ namespace {
 
 constexpr double kBand = SurfaceTile::kBand;
 constexpr double kBytesOfBlock = sizeof(VolumeBlock) + 64.0;
-// What is taken for a while beside the result, and by the triangles that its surface becomes, as shares of it;
+// Temporary memory in addition to the result, and memory of the triangles of its surface, relative to the result;
 // measured.
 constexpr double kWhileMaking = 1.5, kTriangleShare = 4.0;
-// Of one thread, for a block with its triangles: 5.3 s for 61,242 blocks (docs/adr/0041). An estimate of the least that
-// a job takes; s.
+// Time of one thread for a block with its triangles: 5.3 s for 61,242 blocks (docs/adr/0041). The least time of a job
+// is an estimate; s.
 constexpr double kSecondsOfBlock = 87e-6, kSecondsOfJob = 0.01;
 constexpr int kTile = SurfaceTile::kSide;
 
@@ -79,10 +79,11 @@ SparseVolume::Content holeFillBlock(const SurfaceTile& distances, const VoxelInd
   return {std::move(block), false};
 }
 
-// Where a surface bounds its inside.
+// The parts of a surface that bound its inside.
 struct Bounding {
-  std::vector<bool> certain, perhaps;  // per triangle: as rows show that cross it, and where none along any axis does
-  std::vector<std::pair<Vec3, std::uint32_t>> places;  // where rows cross it, voxels, with the triangle
+  std::vector<bool> certain,
+      perhaps;  // for each triangle: bounds the inside by the rows that cross it; no row along any axis crosses it
+  std::vector<std::pair<Vec3, std::uint32_t>> points;  // crossings of rows, voxels, each with its triangle
 };
 
 Bounding boundingTriangles(const TriangleSoup& closed, const ScanlineCrossings& alongX,
@@ -90,7 +91,7 @@ Bounding boundingTriangles(const TriangleSoup& closed, const ScanlineCrossings& 
   const std::size_t count = closed.triangles.size();
   Bounding bounding{std::vector<bool>(count, false), std::vector<bool>(count, true), {}};
   const auto add = [&](const ScanlineCrossings& rows, int turn) {
-    // Back from the axes that were turned round so often.
+    // Converts back from the rotated axes.
     const auto back = [&](const Vec3& p) { return Vec3(p[(3 - turn) % 3], p[(4 - turn) % 3], p[(5 - turn) % 3]); };
     const ScanlineCrossings::Bounding found =
         rows.boundingBy([&](const Vec3& p, int whole) { return holeFill.winding(back(p), whole); });
@@ -98,7 +99,7 @@ Bounding boundingTriangles(const TriangleSoup& closed, const ScanlineCrossings& 
       if (found.triangles[i]) bounding.certain[i] = true;
       if (rows.crossed()[i]) bounding.perhaps[i] = false;
     }
-    for (const auto& [place, triangle] : found.places) bounding.places.emplace_back(back(place), triangle);
+    for (const auto& [point, triangle] : found.points) bounding.points.emplace_back(back(point), triangle);
   };
   add(alongX, 0);
   TriangleSoup turned = closed;
@@ -110,8 +111,8 @@ Bounding boundingTriangles(const TriangleSoup& closed, const ScanlineCrossings& 
   return bounding;
 }
 
-// Marks the blocks without samples that are inside. What bounds the inside is in blocks with samples, so one voxel
-// speaks for its block.
+// Marks the blocks without samples that are inside. The boundary of the inside is in blocks with samples, so one voxel
+// represents its block.
 void fillInside(SparseVolume& volume, const ScanlineCrossings& rows, const WindingNumberFill& holeFill,
                 const VoxelIndex& blocks, const Progress& progress) {
   for (int z = 0; z < blocks.z() && !progress.cancelled(); ++z)
@@ -125,20 +126,20 @@ void fillInside(SparseVolume& volume, const ScanlineCrossings& rows, const Windi
     }
 }
 
-// Some of the places that are not on what closes the surface, evenly chosen, mm.
-std::vector<Vec3> keptPlaces(const std::vector<std::pair<Vec3, std::uint32_t>>& places, std::size_t triangles,
+// Selects points evenly, except those on triangles that close the surface; mm.
+std::vector<Vec3> keptPoints(const std::vector<std::pair<Vec3, std::uint32_t>>& points, std::size_t triangles,
                              const SparseVolume& volume) {
   constexpr std::size_t kMost = 100'000;
-  const std::size_t step = places.size() / kMost + 1;
+  const std::size_t step = points.size() / kMost + 1;
   std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < places.size(); i += step)
-    if (places[i].second < triangles) kept.push_back(volume.origin() + volume.voxel() * places[i].first);
+  for (std::size_t i = 0; i < points.size(); i += step)
+    if (points[i].second < triangles) kept.push_back(volume.origin() + volume.voxel() * points[i].first);
   return kept;
 }
 
-std::vector<Vec3> inVoxels(std::vector<Vec3> places, const SparseVolume& volume) {
-  for (Vec3& p : places) p = (p - volume.origin()) / volume.voxel();
-  return places;
+std::vector<Vec3> inVoxels(std::vector<Vec3> points, const SparseVolume& volume) {
+  for (Vec3& p : points) p = (p - volume.origin()) / volume.voxel();
+  return points;
 }
 
 }  // namespace
@@ -186,12 +187,12 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   made.expected = prepared->enclosed();
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
-  made.kept = keptPlaces(found.places, soup.triangles.size(), made.volume);
+  made.kept = keptPoints(found.points, soup.triangles.size(), made.volume);
   const Progress comparing = progress.part(0.9, 1.0);
   made.nearShare = rows.isSimple() ? prepared->nearShare(made.volume, bounding, comparing)
                                    : nearShare(made.volume, inVoxels(made.kept, made.volume), comparing);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  // What a membrane closes is not enclosed by cones.
+  // Cones do not enclose the volume that a membrane closes.
   const double least = caps.wide.empty() ? made.expected / std::max(1, rows.mostTurns()) : 0.0;
   if (const auto lost = lossRefusal(made.volume, made.nearShare, least)) return *lost;
   progress.set(1.0);

@@ -22,7 +22,7 @@ SparseVolume::Content opposite(const SparseVolume::Content& content) {
   return {std::move(turned), false};
 }
 
-// What is in either, or in both.
+// Returns the union of two blocks.
 SparseVolume::Content united(const SparseVolume::Content& a, const SparseVolume::Content& b) {
   if (!a.block) return a.isFull ? a : b;
   if (!b.block) return b.isFull ? b : a;
@@ -43,7 +43,7 @@ SparseVolume::Content intersected(const SparseVolume::Content& a, const SparseVo
 SparseVolume::Content contentOfBoth(const SparseVolume::Content& a, const SparseVolume::Content& b, VolumeBoolean how) {
   if (how == VolumeBoolean::Unite) return united(a, b);
   if (how == VolumeBoolean::Intersect) return intersected(a, b);
-  // Without a copy of what is away from the first.
+  // Avoids a copy of blocks away from the first.
   return !a.block && !a.isFull ? a : intersected(a, opposite(b));
 }
 

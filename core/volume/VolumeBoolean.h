@@ -9,15 +9,15 @@
 namespace handwheel {
 
 enum class VolumeBoolean {
-  Unite,      // what is in either
-  Subtract,   // what is in the first and not in the second
-  Intersect,  // what is in both
+  Unite,      // material of either
+  Subtract,   // material of the first that is not in the second
+  Intersect,  // material of both
 };
 
-// A boolean operation on two volumes, in the grid of the first. The second is resampled where its grid is another
-// (resampled()). Sides of voxels are exact, and depths are those to the nearest surface of the two. Blocks where one
-// alone decides are shared with it. May be empty. On all threads of the arena; O(blocks that the second has, or the
-// first of an intersection). Errors: those of resampled(); Cancelled.
+// Performs a boolean operation on two volumes, in the grid of the first. The second is resampled if its grid differs
+// (resampled()). The sign of each voxel is exact, and depths refer to the nearer of the two surfaces. Blocks that one
+// volume alone determines are shared with it. The result may be empty. On all threads of the arena; O(blocks of the
+// second, or of the first for an intersection). Errors: those of resampled(); Cancelled.
 Result<SparseVolume> combined(const SparseVolume& first, const SparseVolume& second, VolumeBoolean how,
                               Progress progress = {});
 

@@ -20,7 +20,7 @@ bool isBlockBefore(const VoxelIndex& a, const VoxelIndex& b) {
 
 std::vector<VoxelIndex> differingBlocks(const SparseVolume& a, const SparseVolume& b) {
   std::vector<VoxelIndex> differing;
-  // forEach() goes from region to region: whether the two share one is asked once for each.
+  // forEach() visits region by region, so shared regions are tested once each.
   std::optional<VoxelIndex> region;
   bool isShared = false;
   const auto isInShared = [&](const VoxelIndex& block) {

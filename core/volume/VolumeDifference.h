@@ -6,23 +6,24 @@
 
 #include <vector>
 
-// Where two volumes of one grid differ.
+// The difference of two volumes of one grid.
 namespace handwheel {
 
 inline SparseVolume::View viewOf(const SparseVolume::Content& content) {
   return {content.block.get(), content.isFull};
 }
 
-// Whether two blocks have the same samples, or are uniform alike.
+// Returns true if two blocks have equal samples or the same uniform value.
 bool isSameContent(const SparseVolume::View& a, const SparseVolume::View& b);
 
-// The order of blocks in which they can be searched.
+// Strict order of blocks, for sorting and binary search.
 bool isBlockBefore(const VoxelIndex& a, const VoxelIndex& b);
 
-// The blocks that differ, in that order. O(blocks); samples are compared only of those that are not shared.
+// Returns the blocks that differ, in the order of isBlockBefore(). O(blocks); only blocks that are not shared are
+// compared by samples.
 std::vector<VoxelIndex> differingBlocks(const SparseVolume& a, const SparseVolume& b);
 
-// Some blocks of a volume, and nothing else.
+// Returns a volume with only these blocks of another.
 SparseVolume onlyBlocks(const SparseVolume& volume, const std::vector<VoxelIndex>& blocks);
 
 }  // namespace handwheel

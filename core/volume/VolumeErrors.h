@@ -12,28 +12,28 @@ extern const ErrorDescription TooLarge;             // {voxel in mm, MB that it 
 extern const ErrorDescription NeedsConsent;         // {voxel in mm, MB that it takes, MB that there are}
 extern const ErrorDescription TooLargeToSave;       // {voxel in mm, MB that it takes, MB that a document holds}
 extern const ErrorDescription ImageTooLarge;        // {MB of the image, MB of the volume, MB that a document holds}
-extern const ErrorDescription NoVoxelInside;        // {voxel in mm} it is thinner than they are
-extern const ErrorDescription NothingInside;        // the surface goes round nothing: flat, or inside out
+extern const ErrorDescription NoVoxelInside;        // {voxel in mm} the part is thinner than a voxel
+extern const ErrorDescription NothingInside;        // the surface encloses nothing: it is flat, or inside out
 extern const ErrorDescription SurfaceIsLost;        // {voxel in mm, % of the surface that is kept, % that is needed}
 extern const ErrorDescription MaterialIsLost;       // {voxel in mm, mm³ that is kept, mm³ that is needed}
-extern const ErrorDescription NothingLeft;          // of what was cut, or moved inwards
+extern const ErrorDescription NothingLeft;          // the cut or the offset inwards removed everything
 extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm, largest voxel for it in mm}
 extern const ErrorDescription NoSuchDrill;          // {word}
 extern const ErrorDescription NoSuchDrillMaterial;  // {word}
 extern const ErrorDescription PathTooLong;          // {seconds, most seconds}
 extern const ErrorDescription ClayRadius;           // {radius, voxel, least radius, largest radius, all in mm}
 extern const ErrorDescription StrokesTooLong;       // {mm, radius of the tool in mm, most mm}
-extern const ErrorDescription LayerTakesNone;       // {name of the layer} it is off, or weak
+extern const ErrorDescription LayerTakesNone;       // {name of the layer} it is off, or its strength is below 1
 extern const ErrorDescription LayerBelow;           // {name of the layer, that of the topmost one}
 extern const ErrorDescription TooManyLayers;        // {most layers}
-extern const ErrorDescription ProgramWord;          // {word} of a drilling program, that is not understood
-extern const ErrorDescription ProgramLacks;         // {word, what needs it}
-extern const ErrorDescription ProgramValue;         // {word, what it has to be}
+extern const ErrorDescription ProgramWord;          // {word of a drilling program}
+extern const ErrorDescription ProgramLacks;         // {missing word, word that needs it}
+extern const ErrorDescription ProgramValue;         // {word, requirement}
 extern const ErrorDescription ProgramTooLong;       // {most moves}
 extern const ErrorDescription ProgramMovesNothing;  // a drilling program without a move
-extern const ErrorDescription PictureUnreadable;    // {format} of a stamp
-extern const ErrorDescription NothingStandsOut;     // of a stamp: all is black, or of one height
-extern const ErrorDescription FolderWithoutSeries;  // of images
+extern const ErrorDescription PictureUnreadable;    // {format of the stamp's file}
+extern const ErrorDescription NothingStandsOut;     // the stamp is black, or of one height everywhere
+extern const ErrorDescription FolderWithoutSeries;  // the folder has no series of images
 extern const ErrorDescription NothingInRange;       // {least, largest, least of the image, largest of it}
 
 }  // namespace handwheel::VolumeErrors

@@ -34,7 +34,8 @@ FidelitySetting volumeMethodSetting() {
   FidelitySetting s;
   s.id = "volume.method";
   s.label = translatable("Fidelity", "How voxels are sampled");
-  setChoices(s, {translatable("Fidelity", "sign"), translatable("Fidelity", "density")});  // as VoxelMethod
+  setChoices(s,
+             {translatable("Fidelity", "sign"), translatable("Fidelity", "density")});  // in the order of VoxelMethod
   s.presets = {0.0, 0.0, 0.0};
   s.error = {translatable("Fidelity", "largest distance of the surface from the part, in voxels"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to make the volume"), "ms"};

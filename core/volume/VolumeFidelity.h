@@ -9,18 +9,18 @@ namespace handwheel {
 
 // The settings of this module that trade speed for accuracy. Presets follow from resources/fidelity (the test
 // FidelityPresetsTest).
-FidelitySetting volumeVoxelsSetting();     // volume.voxels: along the largest extent of a part, of usualVoxel()
+FidelitySetting volumeVoxelsSetting();     // volume.voxels: number along the largest extent of a part, for usualVoxel()
 FidelitySetting volumeMethodSetting();     // volume.method: VoxelMethod
 FidelitySetting volumeReductionSetting();  // volume.reduction: VolumeRepairOptions::within, in voxels
 FidelitySetting volumePolygonsSetting();   // volume.polygons: surfaceOf() or sharpSurfaceOf()
 FidelitySetting volumePiecesSetting();     // volume.pieces: VolumeSurface::pieceCells()
 FidelitySetting drillErosionSetting();     // drill.erosion: DrillSetup::erosion
 
-// The chosen method.
+// Returns the chosen method.
 VoxelMethod voxelMethodOf(const FidelityValues& values);
-// The cells that a value of volume.pieces stands for.
+// Returns the number of cells for a value of volume.pieces.
 int pieceCellsOf(double value);
-// The erosion that a value of drill.erosion stands for.
+// Returns the erosion for a value of drill.erosion.
 double erosionOf(double value);
 
 }  // namespace handwheel

@@ -16,7 +16,7 @@ bool hasSign(const SparseVolume::View& view, bool isInside) {
                      [&](std::int16_t depth) { return (depth > 0) == isInside; });
 }
 
-// Replaces blocks by what the work makes of a window around each as it was.
+// Replaces blocks by the result of the work on a window around each, taken before all changes.
 template <class Work>
 void replaceBlocks(SparseVolume& volume, std::span<const VoxelIndex> blocks, Progress progress, Work work) {
   std::vector<SparseVolume::Content> made(blocks.size());

@@ -10,23 +10,22 @@
 
 namespace handwheel {
 
-// Makes the depths of blocks distances from the surface (DepthWindow::redistance()). Those of these blocks and of the
-// ones around them. On all threads of the arena; the volume is as it was once cancelled.
+// Turns the depths of blocks and of their neighbours into distances from the surface (DepthWindow::redistance()). On
+// all threads of the arena; the volume is unchanged if cancelled.
 void makeDistances(SparseVolume& volume, std::span<const VoxelIndex> blocks, DepthWindow::Beside beside,
                    Progress progress = {});
 
-// Takes the steps of voxels off a surface: each depth becomes the mean of 3³ around it. What is thinner than about two
-// voxels may vanish. On all threads of the arena; the volume is as it was once cancelled.
+// Removes the steps of voxels from a surface: each depth becomes the mean of the 3³ depths around it. Walls thinner
+// than about two voxels may vanish. On all threads of the arena; the volume is unchanged if cancelled.
 void smooth(SparseVolume& volume, Progress progress = {});
 
-// Blocks once each, sorted along z, y, x; and with the 26 around each.
+// Sorts blocks along z, y, x and removes duplicates; withNeighbours() adds the 26 neighbours of each first.
 void sortUnique(std::vector<VoxelIndex>& blocks);
 std::vector<VoxelIndex> withNeighbours(std::span<const VoxelIndex> blocks);
 
-// Whether no surface is in a block or in those around it.
+// Returns true if the surface is neither in a block nor in its neighbours.
 bool isFarFromSurface(const SparseVolume& volume, const VoxelIndex& block);
-// Makes those of these blocks uniform that are far from the surface: what was near one that has gone. On all threads of
-// the arena.
+// Makes those of these blocks uniform that are no longer near the surface. On all threads of the arena.
 void dropFar(SparseVolume& volume, std::span<const VoxelIndex> blocks);
 
 }  // namespace handwheel

@@ -10,13 +10,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kShareWithoutAsking = 0.25;  // of the memory that the system has left
+constexpr double kShareWithoutAsking = 0.25;  // share of the free memory
 
 double memoryLeft() {
   return static_cast<double>(systemMemory());
 }
 
-// An error of one of the codes that have these arguments.
+// Returns an error of a code with these arguments.
 Error errorOf(const ErrorDescription& code, double voxel, double bytes) {
   return {code, {roundedText(voxel), roundedText(bytes / 1e6, 3), roundedText(memoryLeft() / 1e6, 3)}, {}, {}};
 }

@@ -8,32 +8,33 @@
 
 namespace handwheel {
 
-// The error where a volume needs more memory than the system has left. VolumeErrors::TooLarge for voxels of this edge,
-// mm.
+// Returns an error if a volume needs more memory than the system has left: VolumeErrors::TooLarge. voxel: mm.
 std::optional<Error> memoryRefusal(double voxel, double bytes);
 
-// Whether a volume that needs so many bytes is made only after asking: it takes more than a quarter of what is left.
+// Returns true if a volume of so many bytes needs the user's consent: it takes more than a quarter of the free memory.
 bool needsConsent(double bytes);
 
-// The error where that is so and nobody has agreed: VolumeErrors::NeedsConsent, or TooLarge where it is more than there
-// is. What is predicted may be too much: whoever insists is refused only where the volume itself turns out too large.
+// Returns an error if the volume needs consent that was not given: VolumeErrors::NeedsConsent, or TooLarge if it
+// exceeds the free memory. As a prediction may be too high, with consent only the volume itself is refused, once it is
+// too large.
 std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed);
 
-// Watches a volume that grows while it is worked on, by no more than the system has left.
+// Limits the growth of a volume that is being edited to the memory that the system has left.
 class VolumeGrowth {
  public:
-  static constexpr double kBetweenLooks = 64e6;  // bytes of growth; a look reads a file of the system
+  static constexpr double kBetweenLooks =
+      64e6;  // bytes of growth between two checks; a check reads a file of the system
 
-  // bytes: what it takes before. voxel: mm.
+  // voxel: mm. bytes: the initial size of the volume.
   VolumeGrowth(double voxel, double bytes) : m_voxel(voxel), m_bytes(bytes) {}
 
-  // What it takes now; to be called often. The error where the system does not have as much again left as it has grown
-  // by since the last look: VolumeErrors::TooLarge.
+  // Takes the present size in bytes; to be called often. Returns VolumeErrors::TooLarge if the system has less memory
+  // left than the volume has grown by since the last check.
   std::optional<Error> refusalAt(double bytes);
 
  private:
   double m_voxel;
-  double m_bytes;  // at the last look
+  double m_bytes;  // size at the last check
 };
 
 }  // namespace handwheel

@@ -26,7 +26,7 @@ constexpr double kRounding = 1e-3;    // voxels, of a limit of distances
 // Bytes of the triangles of a block, their hierarchy, and what it takes to make it; measured.
 constexpr double kBytesOfTriangles = 16'000.0;
 
-// The surface of a volume, from which distances are asked for. In voxels.
+// The surface of a volume, for distance queries. In voxels.
 class SurfaceOfVolume {
  public:
   static Result<SurfaceOfVolume> of(const SparseVolume& volume, Progress progress) {
@@ -83,15 +83,15 @@ class Moving {
   }
 
  private:
-  // A cube of blocks, so many to its side, no corner of it farther from the surface than the limit and the way there.
+  // A cube of side³ blocks. No corner of it is farther from the surface than the limit plus the distance to the corner.
   struct Node {
     VoxelIndex block;
     int side;
     double limit;
   };
 
-  // The blocks that the new surface comes near, from large cubes to single blocks; what is full is filled. An error
-  // once it is certain that memory does not suffice.
+  // Finds the blocks near the new surface, from large cubes to single blocks, and fills the full ones. Returns an error
+  // once memory certainly does not suffice.
   std::optional<Error> find(const Box& box, Progress progress) {
     constexpr int kCubes = 8;  // along the longest axis, at first
     int side = 1;
@@ -123,8 +123,8 @@ class Moving {
   }
   static double farthestIn(const Node& node) { return 0.5 * std::sqrt(3.0) * node.side * VolumeBlock::kSize; }
 
-  // What the result takes at least: a surface that comes near a cube has blocks by the square of its side, of samples,
-  // windows on them, and later triangles; full cubes take a pointer for each block.
+  // Returns the least memory of the result: a cube near the surface has a number of blocks proportional to the square
+  // of its side, with samples, windows, and later triangles; full cubes take a pointer for each block.
   double bytesAfter(const std::vector<Node>& nodes, const std::vector<double>& depths) const {
     double bytes = 0.0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -176,7 +176,7 @@ class Moving {
     for (std::size_t i = 0; i < made.size(); ++i) m_made.setContent(m_near[i], std::move(made[i]));
   }
 
-  // Depths beside the new surface, by halving cubes until none is in one; the others have the side alone.
+  // Computes depths beside the new surface by subdividing cubes that may contain it; other samples only get their side.
   void sampleCube(VolumeBlock& block, const VoxelIndex& first, const VoxelIndex& in, int side, double limit) const {
     const VoxelIndex middle = in + VoxelIndex::Constant(side / 2);
     const double farthest = std::sqrt(3.0) * (side / 2), before = m_surface.depthAt(first + middle, limit),
@@ -200,7 +200,7 @@ class Moving {
   double m_distance;
   SparseVolume m_made;
   std::vector<VoxelIndex> m_near;
-  std::vector<double> m_limits;  // of distances in them
+  std::vector<double> m_limits;  // limits of the distances in m_near
 };
 
 std::optional<Error> refusalOfLength(const char* name, double length, double least) {
@@ -210,7 +210,8 @@ std::optional<Error> refusalOfLength(const char* name, double length, double lea
       ErrorCode::ValueOutOfRange, {name, shortestText(length), shortestText(least), shortestText(kMost)}, {}, {}};
 }
 
-// Moved one way and back by the same distance, mm. What sampling twice takes from edges comes from the volume itself.
+// Offsets the surface by a distance and back, mm. Losses at edges by sampling twice are restored from the volume
+// itself.
 Result<SparseVolume> thereAndBack(const SparseVolume& volume, double distance, Progress progress) {
   const Result<SparseVolume> there = movedSurface(volume, distance, progress.part(0.0, 0.45));
   if (!there) return there;

@@ -8,29 +8,30 @@
 
 namespace handwheel {
 
-// Volumes whose surface is that of another, moved by distances of any length. Distances are exact to the surface that
-// surfaceOf() gives: they are asked for where the new surface is, block by block from coarse to fine, so that neither
-// memory nor time grow with what lies between. What grows is rounded at its edges, and what shrinks keeps them. May be
-// empty. All in mm, on all threads of the arena; O(blocks of the surfaces, log n each).
+// Offsets of volumes, by distances of any length. Distances are exact to the surface that surfaceOf() returns. They are
+// evaluated near the new surface only, block by block from coarse to fine, so that neither memory nor time grow with
+// the distance. Growing rounds edges, shrinking keeps them. Results may be empty. All lengths are in mm. On all threads
+// of the arena; O(blocks of the surfaces, log n each).
 //
-// Errors: ValueOutOfRange (of a distance), VolumeErrors::TooFine (too many voxels along an axis), TooLarge (for the
+// Errors: ValueOutOfRange (for a distance), VolumeErrors::TooFine (too many voxels along an axis), TooLarge (for the
 // memory that is left); Cancelled.
 
-// Offsets the surface of a volume outwards; inwards with a distance below 0.
+// Offsets the surface of a volume outwards, or inwards if the distance is negative.
 Result<SparseVolume> movedSurface(const SparseVolume& volume, double distance, Progress progress = {});
 
-// Where the wall of a shell is: within the material, around it, or half and half.
+// The position of a shell's wall: within the material, around it, or half on either side.
 enum class WallSide { Inside, Outside, Middle };
-// The wall along the surface alone. Error besides: VolumeErrors::WallTooThin for less than two voxels.
+// Returns the wall along the surface. Additional error: VolumeErrors::WallTooThin for less than two voxels.
 Result<SparseVolume> shellOf(const SparseVolume& volume, double wall, WallSide side, Progress progress = {});
 
-// What they ask the system for beside a volume of so many blocks, at least; bytes.
+// Returns the least memory that these functions need in addition to a volume of so many blocks; bytes.
 double predictedOffsetBytes(double blocks);
 
-// Morphological closing: gaps, cracks, holes and pits that a ball of this radius does not get into are filled. Adds
-// only.
+// Morphological closing: fills gaps, cracks, holes and pits that a ball of this radius cannot enter. Only adds
+// material.
 Result<SparseVolume> withoutGaps(const SparseVolume& volume, double radius, Progress progress = {});
-// Opening: walls, bridges and spikes that do not hold such a ball go, and so do sharp edges. Takes only.
+// Morphological opening: removes walls, bridges, spikes and sharp edges that cannot contain such a ball. Only removes
+// material.
 Result<SparseVolume> withoutThinParts(const SparseVolume& volume, double radius, Progress progress = {});
 
 }  // namespace handwheel

@@ -33,7 +33,7 @@ class Sets {
   std::vector<std::uint32_t> m_parents;
 };
 
-// Numbers what hangs together in a block from 1 on; how many there are.
+// Labels connected voxels in a block from 1 on. Returns the number of labels.
 template <class Labels>
 int label(const VolumeBlock& block, Labels& labels) {
   labels.fill(0);
@@ -47,11 +47,11 @@ int label(const VolumeBlock& block, Labels& labels) {
     open[waiting++] = static_cast<std::uint16_t>(start);
     while (waiting > 0) {
       const int at = open[--waiting];
-      const std::array<int, 3> place{at & 7, at >> 3 & 7, at >> 6};
+      const std::array<int, 3> position{at & 7, at >> 3 & 7, at >> 6};
       for (std::size_t k = 0; k < 3; ++k)
-        for (const int way : {-1, 1}) {
-          if (place[k] + way < 0 || place[k] + way >= kSize) continue;
-          const auto next = static_cast<std::size_t>(at + way * (1 << 3 * k));
+        for (const int step : {-1, 1}) {
+          if (position[k] + step < 0 || position[k] + step >= kSize) continue;
+          const auto next = static_cast<std::size_t>(at + step * (1 << 3 * k));
           if (block.depths[next] <= 0 || labels[next] != 0) continue;
           labels[next] = number;
           open[waiting++] = static_cast<std::uint16_t>(next);
@@ -73,13 +73,13 @@ struct IndexHash {
 }  // namespace
 
 std::optional<Error> VolumeParts::refusal(const SparseVolume& volume) {
-  constexpr double kPlace = 64.0;  // bytes of a block in a map
-  constexpr double kBytes = sizeof(Labels) + sizeof(Labelled) + sizeof(VolumeBlock) + 2.0 * kPlace;
+  constexpr double kMapNode = 64.0;  // bytes of a block in a map
+  constexpr double kBytes = sizeof(Labels) + sizeof(Labelled) + sizeof(VolumeBlock) + 2.0 * kMapNode;
   return memoryRefusal(volume.voxel(), kBytes * static_cast<double>(volume.blockCount()));
 }
 
 VolumeParts::VolumeParts(const SparseVolume& volume, Progress progress) : m_volume(volume) {
-  std::unordered_map<VoxelIndex, std::size_t, IndexHash> places;
+  std::unordered_map<VoxelIndex, std::size_t, IndexHash> indices;
   std::uint32_t numbers = 0;
   volume.forEach([&](const VoxelIndex& at, const SparseVolume::Content& content) {
     if (progress.cancelled()) return;
@@ -92,13 +92,13 @@ VolumeParts::VolumeParts(const SparseVolume& volume, Progress progress) : m_volu
     } else {
       ++numbers;
     }
-    places.emplace(at, m_blocks.size());
+    indices.emplace(at, m_blocks.size());
     m_blocks.push_back(std::move(block));
   });
   if (progress.cancelled()) return;
   progress.set(0.4);
 
-  // Over the faces that each block has with the next ones.
+  // Connects the labels across the faces between neighbouring blocks.
   Sets sets(numbers);
   std::vector<std::uint64_t> voxels(numbers, 0);
   for (const Labelled& block : m_blocks) {
@@ -108,8 +108,8 @@ VolumeParts::VolumeParts(const SparseVolume& volume, Progress progress) : m_volu
       for (const std::uint16_t number : *block.labels)
         if (number != 0) ++voxels[block.first + number - 1u];
     for (int k = 0; k < 3; ++k) {
-      const auto beside = places.find(block.at + VoxelIndex::Unit(k));
-      if (beside == places.end()) continue;
+      const auto beside = indices.find(block.at + VoxelIndex::Unit(k));
+      if (beside == indices.end()) continue;
       const Labelled& next = m_blocks[beside->second];
       const int step = 1 << 3 * k, across = 1 << 3 * ((k + 1) % 3), along = 1 << 3 * ((k + 2) % 3);
       for (int j = 0; j < kSize * kSize; ++j) {

@@ -14,29 +14,29 @@
 
 namespace handwheel {
 
-// The parts of a volume: material that hangs together over faces of voxels. The largest is the first; of equal ones the
-// one whose first block comes first. It holds a copy of the volume, and a number for each voxel near its surface.
+// The connected parts of a volume (voxels connected by faces), the largest first. Parts of equal size are in the order
+// of their first blocks. Holds a copy of the volume, and a label for each voxel near its surface.
 class VolumeParts {
  public:
-  // Why there is no memory for the parts of a volume and one of them alone: TooLarge; none where there is.
+  // Returns TooLarge if there is not enough memory for the parts of a volume and one of them as a volume of its own.
   static std::optional<Error> refusal(const SparseVolume& volume);
-  // O(voxels of the blocks with samples). After a cancel it is not to be used.
+  // O(voxels of the blocks with samples). Must not be used if cancelled.
   explicit VolumeParts(const SparseVolume& volume, Progress progress = {});
 
-  // The voxels of each part.
+  // Number of voxels of each part.
   const std::vector<std::uint64_t>& voxels() const { return m_voxels; }
-  // How many parts have at least so many voxels; these are the first.
+  // Returns the number of parts with at least so many voxels; these are the first.
   std::size_t countFrom(std::uint64_t voxels) const;
-  // The volume of the parts from first on, before end. The surface of these stays as it is; depths outside, which were
-  // those to parts that are gone, are distances again. On all threads of the arena; O(blocks of the other parts).
+  // Returns the volume of the parts [first, end). Their surface stays as it is; depths outside that referred to removed
+  // parts become distances to the remaining ones. On all threads of the arena; O(blocks of the other parts).
   SparseVolume only(std::size_t first, std::size_t end, Progress progress = {}) const;
 
  private:
-  using Labels = std::array<std::uint16_t, VolumeBlock::kCount>;  // from 1 on, in a block; 0: outside
+  using Labels = std::array<std::uint16_t, VolumeBlock::kCount>;  // from 1 on within a block; 0: outside
   struct Labelled {
     VoxelIndex at;
-    std::uint32_t first = 0;         // the number of its first label
-    std::unique_ptr<Labels> labels;  // null: all is material, of one label
+    std::uint32_t first = 0;         // number of its first label
+    std::unique_ptr<Labels> labels;  // null: full, one label
   };
 
   std::uint32_t numberOf(const Labelled& block, std::size_t voxel) const {
@@ -44,8 +44,8 @@ class VolumeParts {
   }
 
   SparseVolume m_volume;
-  std::vector<Labelled> m_blocks;      // those with material
-  std::vector<std::uint32_t> m_parts;  // of each number
+  std::vector<Labelled> m_blocks;      // blocks with material
+  std::vector<std::uint32_t> m_parts;  // part of each label number
   std::vector<std::uint64_t> m_voxels;
 };
 

@@ -27,7 +27,7 @@ bool isSameLength(double voxel, double other) {
   return std::abs(voxel / other - 1.0) < 1e-9;
 }
 
-// By how many blocks the grids differ; none where it is no whole number of them.
+// Returns the shift between the grids in blocks; none if it is not an integer.
 std::optional<VoxelIndex> wholeBlocks(const SparseVolume& volume, const Vec3& origin, double voxel) {
   if (!isSameLength(volume.voxel(), voxel)) return std::nullopt;
   const Vec3 blocks = (volume.origin() - origin) / (VolumeBlock::kSize * voxel);
@@ -65,7 +65,7 @@ class Resampling {
   }
 
  private:
-  // Where a voxel of the one grid is in the other.
+  // Converts the coordinates of a voxel between the grids.
   Vec3 toMade(const Vec3& voxel) const {
     return (m_from.origin() + m_from.voxel() * voxel - m_made.origin()) / m_made.voxel();
   }
@@ -84,13 +84,14 @@ class Resampling {
                    {roundedText(voxel), roundedText(farthest * voxel), roundedText(farthest * voxel / kMost)},
                    {},
                    {}};
-    // Surfaces take blocks by the square, regions of whatever content by the cube; all of it twice for a while.
+    // The number of blocks at surfaces grows with the square, that of regions with the cube; both exist twice
+    // temporarily.
     const double finer = std::max(1.0, m_from.voxel() / voxel);
     const auto bytes = 2.0 * finer * finer * static_cast<double>(m_from.blockCount()) * (sizeof(VolumeBlock) + 64.0) +
                        finer * finer * finer * static_cast<double>(regionsOf(m_from).size()) * kRegionBytes;
     return memoryRefusal(voxel, bytes);
   }
-  static constexpr double kRegionBytes = 512.0 * 24.0;  // of its blocks' pointers, and of their list here
+  static constexpr double kRegionBytes = 512.0 * 24.0;  // pointers of its blocks, and their list here
 
   // The blocks that the regions of the other grid reach.
   std::vector<VoxelIndex> candidates(const Progress& progress) const {
@@ -116,11 +117,11 @@ class Resampling {
       return {nullptr, *isFull};
     const VolumeSampler sampler(m_from);
     const double voxel = m_made.voxel();
-    // Depths that are interpolated grow by no more than this to a way, and the corners of a block are 6.1 voxels away.
+    // The slope of interpolated depths is at most this, and the corners of a block are 6.1 voxels away.
     constexpr double kSteepest = 1.8, kFar = VolumeBlock::kFull / VolumeBlock::kUnit + kSteepest * 6.1;
     const double middle = sampler.depthAt(m_made.origin() + voxel * (first + Vec3::Constant(0.5 * (n - 1.0)))).depth;
     if (std::abs(middle) > kFar * voxel) return {nullptr, middle > 0.0};
-    // What is as deep as can be stored there can be as deep as can be stored here.
+    // Samples at the limit of the source must remain at the limit.
     const double limit = 0.999 * m_from.voxel() * VolumeBlock::kFull / VolumeBlock::kUnit;
     auto samples = std::make_shared<VolumeBlock>();
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
@@ -133,7 +134,8 @@ class Resampling {
     return contentOf(std::move(samples));
   }
 
-  // Whether the other grid is full or empty between two places, as far as samples there count.
+  // Returns the uniform value of the source between two corners, including all samples that contribute there; none: it
+  // is not uniform.
   std::optional<bool> uniformIn(const Vec3& low, const Vec3& high) const {
     const VoxelIndex from = SparseVolume::blockOf(low.array().floor().cast<int>().matrix());
     const VoxelIndex to = SparseVolume::blockOf((high.array().floor() + 1.0).cast<int>().matrix());
@@ -155,7 +157,7 @@ class Resampling {
 
 Result<SparseVolume> resampled(const SparseVolume& volume, const Vec3& origin, double voxel, Progress progress) {
   if (const auto blocks = wholeBlocks(volume, origin, voxel)) {
-    // As far as the numbers of blocks go.
+    // Checks the range of block indices.
     const Box box = volume.extent();
     const Vec3 shift = VolumeBlock::kSize * blocks->cast<double>();
     constexpr double kMost = SparseVolume::kMostVoxels;

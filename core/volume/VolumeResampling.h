@@ -8,12 +8,13 @@
 
 namespace handwheel {
 
-// Resamples a volume on another grid. The centre of a voxel is at origin (mm); voxel: its edge (mm, above 0). Depths
-// are interpolated linearly between eight samples; in coarser voxels they are made distances again, step by step, each
-// at most twice as coarse. What is thinner than a voxel may vanish. Where the grids differ by whole blocks, the blocks
-// are shared and nothing is interpolated. On all threads of the arena; O(blocks of the result near the surface).
+// Resamples a volume on another grid. origin: the centre of any voxel, mm. voxel: its edge length, mm, above 0. Depths
+// are interpolated linearly between eight samples; for coarser voxels they are turned into distances again in steps of
+// at most a factor of two. Walls thinner than a voxel may vanish. If the grids differ by whole blocks, the blocks are
+// shared and nothing is interpolated. On all threads of the arena; O(blocks of the result near the surface).
 //
-// Errors: VolumeErrors::TooFine (further away than a volume goes), TooLarge (for the memory that is left); Cancelled.
+// Errors: VolumeErrors::TooFine (beyond the largest index of a volume), TooLarge (for the memory that is left);
+// Cancelled.
 Result<SparseVolume> resampled(const SparseVolume& volume, const Vec3& origin, double voxel, Progress progress = {});
 
 }  // namespace handwheel

@@ -13,9 +13,9 @@ double mix(double a, double b, double t) {
   return a + t * (b - a);
 }
 
-// The eight samples around a place, and the shares of the way between them.
+// The eight samples around a point, and the interpolation weights between them.
 struct SampledCell {
-  std::array<double, 8> corners;  // as they are stored
+  std::array<double, 8> corners;  // stored values
   Vec3 share;
 
   SampledCell(const VolumeSampler& sampler, const Vec3& at) {
@@ -42,7 +42,7 @@ struct SampledCell {
   double slopeX(std::size_t k) const { return corners[k + 1] - corners[k]; }
 };
 
-// Whether a place, in voxels, is where a volume can have samples.
+// Returns true if a volume can have samples at a point, in voxels.
 bool isReadable(const Vec3& at) {
   return at.allFinite() && at.cwiseAbs().maxCoeff() < SparseVolume::kMostVoxels;
 }
@@ -96,17 +96,20 @@ namespace {
 class RayWalk {
  public:
   RayWalk(const SparseVolume& volume, const Vec3& origin, const Vec3& direction)
-      : m_sampler(volume), m_origin((origin - volume.origin()) / volume.voxel()), m_way(direction / volume.voxel()) {}
+      : m_sampler(volume),
+        m_origin((origin - volume.origin()) / volume.voxel()),
+        m_direction(direction / volume.voxel()) {}
 
-  // The distance to the surface; none: it is not met.
+  // Returns the distance to the surface; none: no intersection.
   std::optional<double> hit(const Box& bounds) const {
     double from = 0.0, to = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
-      if (m_way[k] == 0.0) {
+      if (m_direction[k] == 0.0) {
         if (m_origin[k] < bounds.min()[k] || m_origin[k] > bounds.max()[k]) return std::nullopt;
         continue;
       }
-      const double a = (bounds.min()[k] - m_origin[k]) / m_way[k], b = (bounds.max()[k] - m_origin[k]) / m_way[k];
+      const double a = (bounds.min()[k] - m_origin[k]) / m_direction[k],
+                   b = (bounds.max()[k] - m_origin[k]) / m_direction[k];
       from = std::max(from, std::min(a, b));
       to = std::min(to, std::max(a, b));
     }
@@ -120,12 +123,12 @@ class RayWalk {
   double depth(double distance) const { return m_sampler.depthAt(pointAt(distance)).depth; }
   Vec3 pointAt(double distance) const {
     const SparseVolume& volume = m_sampler.volume();
-    return volume.origin() + volume.voxel() * (m_origin + distance * m_way);
+    return volume.origin() + volume.voxel() * (m_origin + distance * m_direction);
   }
 
-  // In steps: short ones near the surface, and to the end of a block and its first samples where there are none.
+  // Advances in short steps near the surface, and otherwise to the end of a block without samples.
   std::optional<double> walk(double from, double to) const {
-    const double step = kStep / m_way.norm();
+    const double step = kStep / m_direction.norm();
     bool wasInside = depth(from) > 0.0;
     double before = from;
     for (double at = from; at <= to + step;) {
@@ -138,9 +141,9 @@ class RayWalk {
     return std::nullopt;
   }
 
-  // The way to the end of the block, if no surface is in its cells.
+  // Returns the distance to the end of the block, if no surface is in its cells.
   double leap(double distance) const {
-    const Vec3 at = m_origin + distance * m_way;
+    const Vec3 at = m_origin + distance * m_direction;
     const VoxelIndex block = SparseVolume::blockOf(at.array().floor().cast<int>().matrix());
     const SparseVolume& volume = m_sampler.volume();
     const SparseVolume::View here = volume.view(block);
@@ -150,9 +153,9 @@ class RayWalk {
     }
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
-      if (m_way[k] == 0.0) continue;
-      const double end = VolumeBlock::kSize * (block[k] + (m_way[k] > 0.0 ? 1 : 0));
-      least = std::min(least, (end - at[k]) / m_way[k]);
+      if (m_direction[k] == 0.0) continue;
+      const double end = VolumeBlock::kSize * (block[k] + (m_direction[k] > 0.0 ? 1 : 0));
+      least = std::min(least, (end - at[k]) / m_direction[k]);
     }
     return least;
   }
@@ -166,7 +169,7 @@ class RayWalk {
   }
 
   VolumeSampler m_sampler;
-  Vec3 m_origin, m_way;  // voxels
+  Vec3 m_origin, m_direction;  // voxels
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Reads single samples of a volume, with a cache of the last blocks. The volume
-// must outlive it and stay as it is. One thread; no lock, no memory of its own.
+// Reads single samples of a volume, with a cache of the last blocks. The volume must outlive it and must not change.
+// For one thread; it neither locks nor allocates.
 class VolumeSampler {
  public:
   explicit VolumeSampler(const SparseVolume& volume) : m_volume(volume) {}
@@ -21,21 +21,21 @@ class VolumeSampler {
     if (!view.block) return view.isFull ? VolumeBlock::kFull : VolumeBlock::kEmpty;
     return view.block->depths[VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7)];
   }
-  // Of a voxel and its neighbours towards greater numbers, x fastest.
+  // Returns the samples of a voxel and its seven neighbours with greater indices, x fastest.
   std::array<std::int16_t, 8> samplesFrom(const VoxelIndex& voxel) const;
 
-  // A depth below the surface and how it grows.
+  // A depth below the surface and its gradient.
   struct Depth {
-    double depth = 0.0;            // mm; limited to nearly four voxels either way
+    double depth = 0.0;            // mm; limited to nearly four voxels inside and outside
     Vec3 gradient = Vec3::Zero();  // points inwards; of length 1 near a smooth surface, 0 far from it
   };
-  // At any point, by linear interpolation between the eight samples around it. Of what is not finite, or further away
-  // than a volume can be, empty.
+  // Returns the depth at any point, by linear interpolation between the eight samples around it. Points that are not
+  // finite, or beyond the largest index of a volume, are empty.
   Depth depthAt(const Vec3& p) const;
-  // The same without the gradient, of a place in voxels and in voxels.
+  // Returns the depth alone, in voxels, at a point in voxels.
   double depthInVoxels(const Vec3& at) const;
-  // The direction in which depth decreases there, by differences between samples two voxels apart: smooth where the
-  // surface is. Zero far from the surface.
+  // Returns the direction in which the depth decreases, from central differences of samples: smooth where the surface
+  // is. Zero far from the surface.
   Vec3 normalAt(const Vec3& p) const;
 
  private:
@@ -55,11 +55,11 @@ class VolumeSampler {
   mutable std::array<Known, 8> m_known;
 };
 
-// Where a ray meets the surface of a volume first from outside; none: nowhere. direction: any length above 0. The
+// The first intersection of a ray from outside with the surface of a volume. direction: any length above 0; the
 // distance is in lengths of it. O(blocks along the ray).
 struct VolumeHit {
   Vec3 point;   // mm
-  Vec3 normal;  // outwards, of length 1
+  Vec3 normal;  // unit vector, outwards
   double distance;
 };
 std::optional<VolumeHit> firstHit(const SparseVolume& volume, const Vec3& origin, const Vec3& direction);

@@ -8,7 +8,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::int32_t kMostRegion = SparseVolume::kMostVoxels / 64;  // from the origin along an axis
-constexpr int kRegionBlocks = 512;                                    // of a region
+constexpr int kRegionBlocks = 512;                                    // blocks of a region
 constexpr std::size_t kRegionHead = 6 + 2 * kRegionBlocks / 16;
 
 VoxelIndex blockIn(const VoxelIndex& region, int i) {

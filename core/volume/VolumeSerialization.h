@@ -11,20 +11,20 @@
 namespace handwheel {
 
 // The serial form of a volume: 16-bit numbers, in regions of 64³ voxels. It is used in the container, and between the
-// program and the process that reads and writes VDB. Of a region: its number along x, y and z; for each of its 512
-// blocks whether it is full, and whether it has samples; then the samples of those. All of 16 bits, the numbers as two
-// of them, the lower half first.
+// program and the process that reads and writes VDB. A region consists of its index along x, y and z; two flags for
+// each of its 512 blocks, full and with samples; then the samples of the latter. All numbers have 16 bits; an index
+// consists of two of them, the lower half first.
 
-// The regions that are not empty.
+// Returns the regions that are not empty.
 std::vector<VoxelIndex> regionsOf(const SparseVolume& volume);
 void appendRegion(const SparseVolume& volume, const VoxelIndex& region, std::vector<std::int16_t>& numbers);
 
-// Adds the regions in any numbers to the volume; false when what follows in them makes no sense. Memory: at most 64
-// times the numbers.
+// Adds the serialised regions to the volume; returns false if the numbers are malformed. Memory: at most 64 times the
+// numbers.
 bool readRegions(std::span<const std::int16_t> numbers, SparseVolume& volume);
 
-// Gives full blocks beside empty ones samples, so that a surface lies between them: what was read may lack it. False
-// where that would be more than so many.
+// Gives samples to full blocks beside empty ones, so that a surface lies between them; files that were read may lack
+// it. Returns false if there are more than `most` such blocks.
 bool closeOff(SparseVolume& volume, std::size_t most);
 
 }  // namespace handwheel

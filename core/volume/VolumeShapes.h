@@ -6,14 +6,14 @@
 
 namespace handwheel {
 
-// A ball at a place; mm.
+// A solid ball; mm.
 struct SolidBall {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
   bool operator==(const SolidBall&) const = default;
 };
 
-// A ball around the origin; mm. The voxel must be above 0. O(blocks of the box around it).
+// Returns a ball around the origin; mm. voxel must be above 0. O(blocks of its bounding box).
 SparseVolume ballOfVoxels(double radius, double voxel);
 
 }  // namespace handwheel

@@ -52,7 +52,7 @@ class TreeBuilder {
     });
   }
 
-  // No exception may pass through the C library.
+  // Calls a handler. No exception may pass through the C library.
   template <class Handler>
   void guarded(Handler handler) {
     if (m_failure) return;
@@ -96,7 +96,8 @@ class TreeBuilder {
   XML_Parser m_parser;
   const XmlLimits& m_limits;
   XmlElement m_root;
-  // From the root to the innermost. The pointers hold because only the innermost element gets children.
+  // The open elements, from the root to the innermost. The pointers stay valid because only the innermost element gets
+  // children.
   std::vector<XmlElement*> m_open;
   std::size_t m_elements = 0, m_attributes = 0;
   std::optional<Error> m_failure;
@@ -132,8 +133,8 @@ Result<XmlElement> readXml(std::string_view bytes, const XmlLimits& limits, Prog
     const auto status = XML_Parse(parser.get(), slice.data(), static_cast<int>(slice.size()), isLast);
     if (builder.failure()) return *builder.failure();
     if (status != XML_STATUS_OK) {
-      const InputPosition place = InputPosition::line(XML_GetCurrentLineNumber(parser.get()));
-      return Error{ErrorCode::ElementMalformed, {"XML", XML_ErrorString(XML_GetErrorCode(parser.get()))}, place, {}};
+      const InputPosition position = InputPosition::line(XML_GetCurrentLineNumber(parser.get()));
+      return Error{ErrorCode::ElementMalformed, {"XML", XML_ErrorString(XML_GetErrorCode(parser.get()))}, position, {}};
     }
   }
   return builder.takeRoot();

@@ -21,25 +21,25 @@ double secondsOf(auto&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The shortest of several runs, which other work on the machine has disturbed least.
+// The shortest of several runs. Other work on the machine has disturbed it least.
 struct Fastest {
   double seconds = std::numeric_limits<double>::infinity();
   void add(double run) { seconds = std::min(seconds, run); }
 };
 
-// What a ratio to another's figure is; no number, and so no bar kept, where the other came to none.
+// Returns the ratio to another program's value; NaN, so that no bar is kept, if the other has no result.
 inline double ratioTo(double ours, double theirs) {
   return std::isfinite(theirs) && theirs > 0.0 ? ours / theirs : std::nan("");
 }
 
-// What a benchmark program promises, and what it measured, as a table at its end.
+// The bars of a benchmark program and its measured values. They are printed as a table at its end.
 class Bars {
  public:
   // Google Benchmark calls a benchmark several times; the last call counts.
   void atMost(const std::string& what, double bar, double measured) { put({what, bar, measured}); }
 
-  // The same of what was counted or was the largest over so many cases. Without any case nothing was measured, which
-  // breaks the bar.
+  // Like atMost(), for a count or maximum over so many cases. Without any case nothing was measured, which breaks the
+  // bar.
   void atMostOver(std::size_t cases, const std::string& what, double bar, double measured) {
     if (cases > 0)
       atMost(what, bar, measured);
@@ -47,35 +47,36 @@ class Bars {
       put({what, bar, std::nan(""), "NO: not measured, there was no case"});
   }
 
-  // What is promised to nobody, and said beside what is.
+  // Adds a value without a bar to the table.
   void tell(const std::string& what, double measured) {
     atMost(what, std::numeric_limits<double>::infinity(), measured);
   }
 
-  // Breaks a bar, and says why: what was to be measured is there and could not be.
+  // Breaks a bar with a reason: the measurement should have been possible, but failed.
   void failed(benchmark::State& state, const std::string& what, const std::string& why) {
     state.SkipWithError(why.c_str());
     put({what, std::nan(""), std::nan(""), "NO: " + why});
   }
 
-  // Says that there was nothing to measure, such as without data that are not ours to ship. No bar is broken by it.
+  // Reports that there was nothing to measure, such as without data that we may not ship. Breaks no bar.
   void skipped(benchmark::State& state, const std::string& what, const std::string& why) {
     state.SkipWithError(("SKIPPED: " + why).c_str());
     put({what, std::nan(""), std::nan(""), "SKIPPED: " + why, true});
   }
 
-  // The same of data that are not ours to ship. It breaks a bar where HANDWHEEL_DATA names their folder: then they have
-  // to be in it.
+  // Like skipped(), for data that we may not ship. Breaks a bar if HANDWHEEL_DATA names their folder: then it has to
+  // contain them.
   void missing(benchmark::State& state, const std::string& what, const std::string& why) {
     std::getenv("HANDWHEEL_DATA") ? failed(state, what, why) : skipped(state, what, why);
   }
 
-  // The exit code of the program: 1 where a bar was broken, or nothing was measured although HANDWHEEL_DATA names data.
+  // Returns the exit code of the program: 1 if a bar was broken, or nothing was measured although HANDWHEEL_DATA names
+  // data.
   int print() const {
     bool ok = !m_rows.empty();
     std::printf("\n%-76s %9s %9s  %s\n", "what", "bar", "measured", "ok");
     for (const Row& row : m_rows) {
-      const bool kept = row.isSkipped || row.measured <= row.bar;  // not so for NaN
+      const bool kept = row.isSkipped || row.measured <= row.bar;  // false for NaN
       if (!row.why.empty())
         std::printf("%-76s %9s %9s  %s\n", row.what.c_str(), "", "", row.why.c_str());
       else if (std::isinf(row.bar))
@@ -96,7 +97,7 @@ class Bars {
     std::string what;
     double bar;
     double measured;
-    std::string why = {};  // there are no figures
+    std::string why = {};  // reason if there are no values
     bool isSkipped = false;
   };
 

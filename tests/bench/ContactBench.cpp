@@ -32,8 +32,8 @@ constexpr int kTicks = 20'000;  // 20 s at 1 kHz
 
 // So fast over the bumpy ball, along a line that comes by nearly everything.
 Vec3 tipAt(int tick, double speed, double scale, double depth) {
-  const double way = 1e-3 * speed * tick / kBallRadius, z = 0.6 * std::sin(0.13 * way);
-  const Vec3 d(std::cos(way) * std::sqrt(1 - z * z), std::sin(way) * std::sqrt(1 - z * z), z);
+  const double angle = 1e-3 * speed * tick / kBallRadius, z = 0.6 * std::sin(0.13 * angle);
+  const Vec3 d(std::cos(angle) * std::sqrt(1 - z * z), std::sin(angle) * std::sqrt(1 - z * z), z);
   return scale * (bumpyRadius(d) - depth) * d;
 }
 
@@ -160,7 +160,7 @@ std::string named(std::size_t triangles) {
 
 // Squares to a side of the cube for some 10 k, 100 k, 1 M and 5 M triangles.
 constexpr int kSides[] = {29, 91, 289, 645};
-// us, the medians of a tick and of a segment against CGAL's tree on the same way.
+// us, the medians of a tick and of a segment against CGAL's tree on the same path.
 struct Medians {
   double tick = 0.0, segment = 0.0;
 };
@@ -205,11 +205,10 @@ const Scan kScans[] = {{"scans/meshlab-samples/bunny10k.ply", Vec3::UnitY()},
                        {"scans/common-3d-test-models/stanford-bunny.obj", Vec3::UnitY()},
                        {"scans/meshlab-samples/Laurana50k.ply", Vec3::UnitY()}};
 
-// Over surfaces that were scanned, compared with the exact control tick by tick: a narrow corner holds back both. Two
-// that are on different sides of a ridge stay so for some ticks, so a force is as it should be when it is either that
-// of a control that has gone the whole way by itself, or that of one which starts each tick from where the proxy is.
-// (On one place a second sheet passes through the surface; a control does not know it, but one of the two is not
-// there.)
+// Touches scanned surfaces, compared with the exact control tick by tick: a narrow corner holds back both. Two proxies
+// on different sides of a ridge stay so for some ticks, so a force is correct if it equals that of a control that has
+// gone the whole path by itself, or that of one which starts each tick from the present proxy. (At one position a
+// second sheet passes through the surface; a control ignores it, but one of the two is not there.)
 void scans(benchmark::State& state) {
   const Scan& scan = kScans[state.range(0)];
   const ReadScan read = scanOf(scan.file);
@@ -234,7 +233,7 @@ void scans(benchmark::State& state) {
       const Vec3& tip = path[i];
       times.add([&] { god.follow(surface, tip, {}); });
       const Contact& contact = god.contact();
-      if (contact.touching && !wasTouching) exact.place(contact.proxy);  // where it meets the surface is its affair
+      if (contact.touching && !wasTouching) exact.place(contact.proxy);  // the contact point is its own affair
       const Vec3 control = exact.follow(tip);
       if (contact.touching && wasTouching) {
         ++compared;
@@ -272,8 +271,8 @@ void scans(benchmark::State& state) {
   bars.atMost(what + "largest leap to the exact control's", 1.1, leap / exactest);
 }
 
-// From 10 k to 5 M triangles, beside what a segment against CGAL's tree grows by on the same way: besides the
-// logarithm, a larger model is less often in the processor's cache.
+// Compares the growth from 10 k to 5 M triangles with that of a segment against CGAL's tree on the same path: besides
+// the logarithm, a larger model is less often in the processor's cache.
 void tellGrowth(const std::string& motion, const Medians& small, const Medians& large) {
   const double grown = large.tick / small.tick,
                logarithm = std::log(12.0 * kSides[3] * kSides[3]) / std::log(12.0 * kSides[0] * kSides[0]);
@@ -282,14 +281,15 @@ void tellGrowth(const std::string& motion, const Medians& small, const Medians& 
   bars.tell("growth from 10 k to 5 M, " + motion + ", to that of the logarithm", grown / logarithm);
 }
 
-// What the number of triangles costs by itself: the same motion counted in triangles, a twentieth of a side in a tick
-// and half a side deep. At the same motion in mm a finer mesh also has more triangles under the tip and in its way.
+// Measures the cost of the number of triangles by itself: the same motion counted in triangles, a twentieth of a side
+// in a tick and half a side deep. At the same motion in mm a finer mesh also has more triangles under the tip and on
+// its path.
 void growth(benchmark::State& state) {
   std::map<int, Medians> inTriangles;
   for (auto _ : state)
     for (const int side : {kSides[0], kSides[3]}) {
       const double length =
-          0.5 * std::numbers::pi * kBallRadius / side;  // of an edge: a side of the cube is a quarter turn
+          0.5 * std::numbers::pi * kBallRadius / side;  // length of an edge: a side of the cube is a quarter turn
       const TriangleSoup mesh = ball(side, bumpyRadius);
       const std::vector<Vec3> path = pathOf(1e3 * length / 20, 1.0, 0.5 * length);
       inTriangles[side] = {slideAlong(surfaceOf(mesh), path, 0.5 * length).middle, segmentByCgal(mesh, path)};
@@ -303,7 +303,7 @@ void growth(benchmark::State& state) {
   bars.tell("us that the clock took, and that no figure has in it", clockCost());
 }
 
-// What is wrong with scans, at three scales; the same mesh without it is the control.
+// Adds the defects of scans, at three scales; the same mesh without them is the control.
 void defects(benchmark::State& state) {
   const TriangleSoup clean = ball(91, bumpyRadius);
   const Slide control = slideOver(surfaceOf(clean), 100.0);

@@ -10,29 +10,29 @@
 #include <random>
 #include <vector>
 
-// Surfaces for the benchmarks of touch, and what is wrong with scans of them.
+// Surfaces for the benchmarks of touch, with the typical flaws of scans.
 namespace handwheel::bench {
 
 constexpr double kBallRadius = 38.0;  // mm
 
-// Distance from the middle along a direction of length 1.
+// Returns the distance from the centre along a unit direction.
 inline double bumpyRadius(const Vec3& d) {
   return kBallRadius * (1.0 + 0.03 * std::sin(9 * d.x()) * std::sin(8 * d.y() + 1) * std::sin(7 * d.z() + 2));
 }
 
-// A ball from a cube with n by n squares to a face: 12 n² triangles.
+// Returns a ball made from a cube with n by n squares on each face: 12 n² triangles.
 inline TriangleSoup ball(int n, const std::function<double(const Vec3&)>& radius) {
   TriangleSoup mesh;
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   const auto corner = [&](int face, int i, int j) {
     const int a = 2 * i - n, b = 2 * j - n;
-    const std::array<std::array<int, 3>, 6> places{
+    const std::array<std::array<int, 3>, 6> axesOfFaces{
         {{n, a, b}, {-n, b, a}, {b, n, a}, {a, -n, b}, {a, b, n}, {b, a, -n}}};
-    const std::array<int, 3> place = places[static_cast<std::size_t>(face)];
-    const auto [at, isNew] = numbers.try_emplace(place, static_cast<std::uint32_t>(mesh.points.size()));
+    const std::array<int, 3> axes = axesOfFaces[static_cast<std::size_t>(face)];
+    const auto [at, isNew] = numbers.try_emplace(axes, static_cast<std::uint32_t>(mesh.points.size()));
     if (isNew) {
       Vec3 d;
-      for (int k = 0; k < 3; ++k) d[k] = std::tan(place[static_cast<std::size_t>(k)] * M_PI / 4 / n);
+      for (int k = 0; k < 3; ++k) d[k] = std::tan(axes[static_cast<std::size_t>(k)] * M_PI / 4 / n);
       d.normalize();
       mesh.points.push_back(radius(d) * d);
     }
@@ -50,12 +50,12 @@ inline TriangleSoup ball(int n, const std::function<double(const Vec3&)>& radius
   return mesh;
 }
 
-// Every third triangle the wrong way round.
+// Reverses every third triangle.
 inline void turnSome(TriangleSoup& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
 }
 
-// Each triangle with corners of its own, up to so much away.
+// Gives each triangle corners of its own, moved by up to this distance.
 inline void shatter(TriangleSoup& mesh, double by) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> off(-by, by);
@@ -68,7 +68,7 @@ inline void shatter(TriangleSoup& mesh, double by) {
   mesh = std::move(soup);
 }
 
-// Cut into sectors about the z axis, each drawn in by half the width at both of its sides.
+// Cuts the surface into sectors about the z axis, each narrowed by half the width at both sides.
 inline void cutSeams(TriangleSoup& mesh, double width) {
   constexpr double kSector = 2 * M_PI / 20;
   TriangleSoup cut;
@@ -92,7 +92,7 @@ inline void cutSeams(TriangleSoup& mesh, double width) {
   mesh = std::move(cut);
 }
 
-// A third of the triangles split so near to a corner that needles of a millionth of their length arise.
+// Splits a third of the triangles so near to a corner that needles of a millionth of their length arise.
 inline void addNeedles(TriangleSoup& mesh) {
   const std::size_t count = mesh.triangles.size();
   for (std::size_t i = 0; i < count; i += 3) {

@@ -22,11 +22,11 @@ std::size_t heapBytes() {
   return info.uordblks + info.hblkhd;
 }
 
-// A unit sphere of 2 M triangles without those around 100 places spread over it.
+// Returns a unit sphere of 2 M triangles without those around 100 positions spread over it.
 std::unique_ptr<MeshDocument> sphereWithHoles() {
   const test::Surface sphere = test::sphere(500);
   TriangleSoup soup{sphere.points, sphere.triangles};
-  for (const Vec3& place : test::directions(kEdits)) soup = test::withHole(std::move(soup), place, 0.02);
+  for (const Vec3& direction : test::directions(kEdits)) soup = test::withHole(std::move(soup), direction, 0.02);
   return test::meshDocument(soup);
 }
 
@@ -61,7 +61,7 @@ void undoAndHistory(benchmark::State& state) {
     redo = secondsOf([&] { history.setIndex(kEdits); });
     state.SetIterationTime(undo);
 
-    // What is freed with a thing was its memory.
+    // The memory of an object is what its destruction frees.
     const std::size_t all = heapBytes();
     history.clear();
     const std::size_t withoutHistory = heapBytes();

@@ -67,14 +67,14 @@ void fillHole(benchmark::State& state) {
   if (edges <= 100.0) bars.atMost(what, 1.5, ours / theirs);
 }
 
-// Of at least so large a share of the values none is larger.
+// Returns the value that at least this share of the values does not exceed.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::nan("");
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
 }
 
-constexpr double kOpen = std::numeric_limits<double>::infinity();  // how far off a hole is that stays open
+constexpr double kOpen = std::numeric_limits<double>::infinity();  // distance of a hole that stays open
 
 double rms(const std::vector<Vec3>& points, const TriangleHierarchy& truth) {
   if (points.empty()) return kOpen;
@@ -91,16 +91,16 @@ double diameter(const std::vector<Vec3>& points) {
   return std::sqrt(squared);
 }
 
-std::vector<Vec3> placesOf(const Patch& patch) {
-  std::vector<Vec3> places(patch.points.begin() + static_cast<std::ptrdiff_t>(patch.loopSize), patch.points.end());
+std::vector<Vec3> pointsOf(const Patch& patch) {
+  std::vector<Vec3> points(patch.points.begin() + static_cast<std::ptrdiff_t>(patch.loopSize), patch.points.end());
   for (const Triangle& t : patch.triangles) {
     if (patch.points.size() > patch.loopSize) break;
-    places.push_back((patch.points[t[0]] + patch.points[t[1]] + patch.points[t[2]]) / 3.0);
+    points.push_back((patch.points[t[0]] + patch.points[t[1]] + patch.points[t[2]]) / 3.0);
   }
-  return places;
+  return points;
 }
 
-// What the balls are cut out of, closed.
+// The closed part that the balls are cut out of.
 struct Whole {
   const char* name;
   const char* file;  // in the folder HANDWHEEL_DATA; none: made
@@ -126,7 +126,7 @@ TriangleSoup soupOf(const Whole& whole, benchmark::State& state, const std::stri
 // infinitely far off.
 struct Accuracy {
   std::vector<double> ours, theirs;
-  double edges = 0.0;     // of all holes
+  double edges = 0.0;     // number of edges of all holes
   std::size_t holes = 0;  // one or more to a ball
   std::size_t unfilled = 0;
   std::size_t bare = 0;  // filled by us without a new vertex: a finer patch would cross the part
@@ -151,15 +151,15 @@ void cutAndFill(const TriangleSoup& whole, const TriangleHierarchy& truth, const
     } else if (attempt.patch.points.size() == attempt.patch.loopSize) {
       ++accuracy.bare;
     }
-    accuracy.ours.push_back(isOpen ? kOpen : rms(placesOf(attempt.patch), truth) / diameter(rim));
-    accuracy.theirs.push_back(rms(fillByLibrary(surface, rim[0], rim[1]).places, truth) / diameter(rim));
+    accuracy.ours.push_back(isOpen ? kOpen : rms(pointsOf(attempt.patch), truth) / diameter(rim));
+    accuracy.theirs.push_back(rms(fillByLibrary(surface, rim[0], rim[1]).positions, truth) / diameter(rim));
   }
 }
 
-// At 25 places the medians of holes of 16 edges are to each other as 1.24, at 100 as 0.97, and at 250 as 0.96.
-constexpr int kPlaces = 100;
+// At 25 positions the ratio of the medians of holes of 16 edges is 1.24, at 100 it is 0.97, and at 250 it is 0.96.
+constexpr int kPositions = 100;
 
-// Balls of some percent of the diagonal, cut out at many places.
+// Cuts out balls of some percent of the diagonal at many positions.
 void accuracy(benchmark::State& state) {
   struct Bar {
     double median, p90;  // %; what CGAL comes to on nefertiti
@@ -175,7 +175,7 @@ void accuracy(benchmark::State& state) {
   for (auto _ : state) {
     std::mt19937 random(1);
     found = {};
-    for (int seed = 0; seed < kPlaces; ++seed)
+    for (int seed = 0; seed < kPositions; ++seed)
       cutAndFill(soup, truth, soup.points[random() % soup.points.size()], radius, found);
   }
   state.SetLabel(whole.name);
@@ -224,12 +224,12 @@ std::vector<TrianglePoints> trianglesOf(const Patch& patch) {
   return triangles;
 }
 
-// A part with sharp edges, its exact surface, and places on and beside an edge.
+// A part with sharp edges, its exact surface, and positions on and beside an edge.
 struct Creased {
   const char* name;
   TriangleSoup soup;
   double (*distance)(const Vec3&);
-  Vec3 (*place)(std::mt19937& random);
+  Vec3 (*position)(std::mt19937& random);
 };
 
 double unit(std::mt19937& random) {
@@ -249,8 +249,8 @@ Creased creased(std::int64_t which) {
           }};
 }
 
-// Balls cut out across a sharp edge at 25 places; each hole is filled with ridges, without, and by CGAL, and each patch
-// is held against the exact part. What stays open counts as infinitely far off.
+// Cuts out balls across a sharp edge at 25 positions. Each hole is filled with ridges, without, and by CGAL, and each
+// patch is compared with the exact part. Holes that stay open count as infinitely far off.
 void ridges(benchmark::State& state) {
   const Creased part = creased(state.range(0));
   const double radius = 0.01 * static_cast<double>(state.range(1));
@@ -259,7 +259,7 @@ void ridges(benchmark::State& state) {
   for (auto _ : state) {
     std::mt19937 random(1);
     for (int seed = 0; seed < 25; ++seed) {
-      const HalfEdgeMesh mesh = buildMesh(test::withHole(part.soup, part.place(random), radius)).mesh;
+      const HalfEdgeMesh mesh = buildMesh(test::withHole(part.soup, part.position(random), radius)).mesh;
       const HoleFiller filler(mesh);
       const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
       const std::vector<Vec3> rim = loopPoints(mesh, loop);

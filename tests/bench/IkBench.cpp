@@ -24,8 +24,9 @@ struct Problem {
   std::string name;
   SerialArm arm;
   std::vector<Pose> tips;
-  std::vector<ArmValues> nearby;  // of each tip: up to 0.1 rad in each joint beside what it was made from
-  bool isPromised;                // else the figures are only shown
+  std::vector<ArmValues>
+      nearby;       // starting values for each tip: up to 0.1 rad in each joint from those it was made from
+  bool isPromised;  // else the figures are only shown
 };
 
 Problem problemOf(const std::string& name, const char* robot, double turn, bool isPromised) {
@@ -59,13 +60,14 @@ const std::array<Problem, 4>& problems() {
   return all;
 }
 
-// Whether the values keep the limits and bring the tip there, judged from the pose alone: no entry of the difference of
-// two rotations is larger than the angle between them, which is at most √3 of its largest component.
+// Returns true if the values keep the limits and bring the tip there, judged from the pose alone: no entry of the
+// difference of two rotations is larger than the angle between them, which is at most √3 of its largest component.
 bool isThere(const Problem& problem, const ArmValues& values, const Pose& tip) {
   const Pose at = problem.arm.tipPose(values);
-  const double place = 1e-3 * (at.translation() - tip.translation()).cwiseAbs().maxCoeff();
+  const double offset = 1e-3 * (at.translation() - tip.translation()).cwiseAbs().maxCoeff();
   const double turn = (at.linear() - tip.linear()).cwiseAbs().maxCoeff();
-  return problem.arm.isWithinLimits(values) && place <= 1.01 * kTolerance && turn <= 1.01 * std::sqrt(3.0) * kTolerance;
+  return problem.arm.isWithinLimits(values) && offset <= 1.01 * kTolerance &&
+         turn <= 1.01 * std::sqrt(3.0) * kTolerance;
 }
 
 struct Figures {

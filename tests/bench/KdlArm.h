@@ -21,7 +21,7 @@ namespace handwheel::bench {
 class KdlArm {
  public:
   enum class Method {
-    Newton,              // NR_JL, as programs use it by default: from where it stands, until the time is over
+    Newton,              // NR_JL, the default of programs: from the present configuration, until the time is over
     RestartedLevenberg,  // LMA with even weights, which knows no limits: from random values until it ends within them
   };
 
@@ -39,7 +39,7 @@ class KdlArm {
   KdlArm(const KdlArm&) = delete;
   KdlArm& operator=(const KdlArm&) = delete;
 
-  // From the middle of the limits on.
+  // Starts from the middle of the limits.
   std::optional<ArmValues> solved(const Pose& tip) {
     const auto begin = std::chrono::steady_clock::now();
     const auto isLate = [&] {
@@ -75,7 +75,7 @@ class KdlArm {
             KDL::Vector(p.x(), p.y(), p.z())};
   }
 
-  // What stands before a joint belongs to the end of the segment before it.
+  // A fixed offset before a joint belongs to the end of the segment before it.
   static KDL::Chain chainOf(const SerialArm& arm) {
     KDL::Chain chain;
     const auto joints = arm.joints();

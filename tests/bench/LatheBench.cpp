@@ -22,7 +22,7 @@ constexpr StockCylinder kBar{40.0, 100.0, -100.0};
 constexpr double kSpacing = 0.02;            // mm
 constexpr double kRate = 1000.0;             // steps a second
 constexpr std::int64_t kPeriod = 1'000'000;  // ns
-constexpr int kTicks = 10'000;               // of the servo loop: 10 s
+constexpr int kTicks = 10'000;               // ticks of the servo loop: 10 s
 
 bench::Bars bars;
 
@@ -55,7 +55,7 @@ struct RunningLathe {
     const WorkMaterial& steel = *materials.find(shippedForceModel().origin().material);
     material = std::make_shared<const LatheMaterial>(latheMaterial(steel, ForceLaw::Network, tools));
     LatheSetup setup = defaultLatheSetup(kBar);
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     const TurnedProfile profile(kBar, kSpacing);
     loop = std::make_unique<SimulationLoop>(
         std::make_unique<LatheSimulation>(
@@ -64,7 +64,7 @@ struct RunningLathe {
         kRate, channel->inputs, clock, service);
     using Kind = LatheCommand::Kind;
     for (const LatheCommand& command : {LatheCommand{Kind::Spindle, LatheAxis::Carriage, 1.0},
-                                        LatheCommand{Kind::Place, LatheAxis::Carriage, 18.5, 101.0}})
+                                        LatheCommand{Kind::MoveTip, LatheAxis::Carriage, 18.5, 101.0}})
       channel->commands.push(command);
     loop->runSteps(3000);
     channel->commands.push({Kind::Feed, LatheAxis::Carriage, -0.3});
@@ -88,7 +88,7 @@ void tickWhileCutting(benchmark::State& state) {
         due = std::max(due, bare.now() - kPeriod);
       }
     });
-    lathe.channel->inputs->setDeviceGesture(1);  // of the hand; the feed of the lathe goes on
+    lathe.channel->inputs->setDeviceGesture(1);  // ends the gesture of the hand; the feed of the lathe goes on
     lathe.loop->start();
     std::vector<double> times;
     times.reserve(kTicks);

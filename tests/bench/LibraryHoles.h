@@ -16,7 +16,7 @@
 
 #include <vector>
 
-// CGAL's ways to fill a hole, to measure ours beside.
+// CGAL's methods to fill a hole, as the reference for ours.
 namespace handwheel::bench {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -36,7 +36,7 @@ inline Surface toLibrary(const TriangleSoup& soup) {
 struct LibraryFill {
   double milliseconds = 0.0;
   std::size_t faces = 0;
-  std::vector<Vec3> places;  // new vertices; where there are none, the middles of the faces
+  std::vector<Vec3> positions;  // new vertices; if there are none, the centres of the faces
   std::vector<TrianglePoints> triangles;
 };
 
@@ -44,7 +44,7 @@ inline Vec3 toVec3(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// The side of the edge a-b that has no face.
+// Returns the side of the edge a-b that has no face.
 inline Surface::Halfedge_index borderEdge(const Surface& surface, const Vec3& a, const Vec3& b) {
   for (const auto h : surface.halfedges()) {
     if (!surface.is_border(h)) continue;
@@ -54,8 +54,8 @@ inline Surface::Halfedge_index borderEdge(const Surface& surface, const Vec3& a,
   return Surface::null_halfedge();
 }
 
-// The library alone: no check for intersections, no other method to fall back to. The hole is the one with the edge
-// a-b.
+// Fills by the library alone, without a check for intersections or a fallback to another method. The hole is the one
+// with the edge a-b.
 inline LibraryFill fillByLibrary(Surface surface, const Vec3& a, const Vec3& b) {
   LibraryFill result;
   const Surface::Halfedge_index border = borderEdge(surface, a, b);
@@ -65,13 +65,13 @@ inline LibraryFill fillByLibrary(Surface surface, const Vec3& a, const Vec3& b) 
     pmp::triangulate_refine_and_fair_hole(surface, border, std::back_inserter(faces), std::back_inserter(vertices));
   });
   result.faces = faces.size();
-  for (const auto v : vertices) result.places.push_back(toVec3(surface.point(v)));
+  for (const auto v : vertices) result.positions.push_back(toVec3(surface.point(v)));
   for (const auto f : faces) {
     TrianglePoints t;
     std::size_t k = 0;
     for (const auto v : surface.vertices_around_face(surface.halfedge(f))) t[k++] = toVec3(surface.point(v));
     result.triangles.push_back(t);
-    if (vertices.empty()) result.places.push_back((t[0] + t[1] + t[2]) / 3.0);
+    if (vertices.empty()) result.positions.push_back((t[0] + t[1] + t[2]) / 3.0);
   }
   return result;
 }
@@ -81,9 +81,9 @@ struct LibraryTriangulation {
   std::size_t triangles = 0;  // none: it gave up
 };
 
-// The library's search among the triangles of the Delaunay triangulation of the loop, without the cubic search to fall
-// back to, which takes 90 s for a loop of 2,554 edges: only triangles between the loop's points, not refined, not bent
-// and not checked against the part.
+// The library's search among the triangles of the Delaunay triangulation of the loop. It has no fallback to the cubic
+// search, which takes 90 s for a loop of 2,554 edges. It uses only triangles between the loop's points, not refined,
+// not bent and not checked against the part.
 inline LibraryTriangulation triangulateByLibrary(const std::vector<Vec3>& loop) {
   std::vector<Point> points;
   for (const Vec3& p : loop) points.emplace_back(p.x(), p.y(), p.z());

@@ -52,8 +52,8 @@ std::size_t verticesReadByVtk(const StlFile& file) {
   return static_cast<std::size_t>(reader->GetOutput()->GetNumberOfPoints());
 }
 
-// One of our ways from the file to a number of vertices beside VTK's reader, which merges equal points. Both in the
-// same run, by turns: "ratio" is what to compare across machines.
+// Compares one of our methods from the file to a number of vertices with VTK's reader, which merges equal points. Both
+// run in the same process, in turns: "ratio" is the value to compare across machines.
 void besideVtk(benchmark::State& state, const std::string& what, double bar,
                std::size_t (*vertices)(const MeshFile& file)) {
   const StlFile file(static_cast<int>(state.range(0)));

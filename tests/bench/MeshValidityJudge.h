@@ -17,28 +17,28 @@
 #include <vector>
 
 // Judges the validity of a repaired file against its input, independently of this program's code. Topology by counting
-// edges after equal places became one vertex, crossings and distances by CGAL with exact predicates.
+// edges after vertices at equal positions are merged, crossings and distances by CGAL with exact predicates.
 namespace handwheel::bench {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using JudgePoint = Kernel::Point_3;
 using JudgeTriangle = std::array<std::size_t, 3>;
 
-// Triangles with area; equal places are one vertex, every vertex is used.
+// Triangles with area; equal positions are one vertex, every vertex is used.
 struct JudgedMesh {
   std::vector<JudgePoint> points;
   std::vector<JudgeTriangle> triangles;
 
-  JudgedMesh(const std::vector<std::array<double, 3>>& places, const std::vector<JudgeTriangle>& all) {
+  JudgedMesh(const std::vector<std::array<double, 3>>& positions, const std::vector<JudgeTriangle>& all) {
     std::map<std::array<double, 3>, std::size_t> number;
     for (const JudgeTriangle& t : all) {
       std::array<JudgePoint, 3> p;
-      for (std::size_t k = 0; k < 3; ++k) p[k] = {places[t[k]][0], places[t[k]][1], places[t[k]][2]};
+      for (std::size_t k = 0; k < 3; ++k) p[k] = {positions[t[k]][0], positions[t[k]][1], positions[t[k]][2]};
       if (CGAL::collinear(p[0], p[1], p[2])) continue;
       JudgeTriangle triangle;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<double, 3> place{p[k].x() + 0.0, p[k].y() + 0.0, p[k].z() + 0.0};  // no negative zero
-        const auto [at, isNew] = number.try_emplace(place, points.size());
+        const std::array<double, 3> position{p[k].x() + 0.0, p[k].y() + 0.0, p[k].z() + 0.0};  // no negative zero
+        const auto [at, isNew] = number.try_emplace(position, points.size());
         if (isNew) points.push_back(p[k]);
         triangle[k] = at->second;
       }
@@ -74,7 +74,7 @@ inline JudgedEdges judgeEdges(const JudgedMesh& mesh) {
   return edges;
 }
 
-// Whether two triangles meet in more than the corners that they share.
+// Returns true if two triangles intersect beyond their common corners.
 inline bool judgeMeet(const JudgedMesh& mesh, std::size_t i, std::size_t j) {
   JudgeTriangle s = mesh.triangles[i], t = mesh.triangles[j];
   std::size_t shared = 0;  // moved to the front of both
@@ -108,7 +108,7 @@ inline std::size_t judgeCrossings(const JudgedMesh& mesh) {
   return crossings;
 }
 
-// For each vertex the number of its part, what hangs together by vertices.
+// Returns the index of the part of each vertex; parts are connected through vertices.
 inline std::vector<std::size_t> judgeParts(const JudgedMesh& mesh) {
   std::vector<std::size_t> parent(mesh.points.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -125,9 +125,9 @@ inline std::vector<std::size_t> judgeParts(const JudgedMesh& mesh) {
 }
 
 struct JudgedChange {
-  double farthest = 0.0;      // of the old vertices from the new surface, in diagonals
-  double growth = 0.0;        // of the box, on any side, in diagonals
-  std::size_t lostParts = 0;  // more than half of their vertices are a thousandth of the diagonal away
+  double farthest = 0.0;      // largest distance of old vertices from the new surface, in diagonals
+  double growth = 0.0;        // growth of the box on any side, in diagonals
+  std::size_t lostParts = 0;  // number of parts with more than half of their vertices a thousandth of the diagonal away
 };
 
 inline JudgedChange judgeChange(const JudgedMesh& before, const JudgedMesh& after) {

@@ -13,9 +13,9 @@ namespace {
 
 bench::Bars bars;
 
-constexpr std::size_t kEvery = 5;  // of the problems of each set, for planners to compare with: about a minute
+constexpr std::size_t kEvery = 5;  // every n-th problem of each set is used to compare the planners: about a minute
 constexpr double kSeconds = 2.0;   // for a path, by the clock
-constexpr double kDense = 0.002;   // rad of a joint between the places that a path is looked at again
+constexpr double kDense = 0.002;   // rad, joint motion between the configurations at which a path is checked again
 constexpr int kShortcuts = 50;
 
 const bench::SphereRobot* robot() {
@@ -29,7 +29,7 @@ bool isSkipped(benchmark::State& state, const std::string& what) {
   return true;
 }
 
-// Of this thread: none of the planners here uses another.
+// Measures this thread: none of the planners here uses another.
 double cpuSecondsOf(auto&& work) {
   return 1e-3 * cpuMilliseconds(work);
 }

@@ -69,7 +69,7 @@ void nearest(benchmark::State& state) {
   countTriangles(state, s);
 }
 
-// The usual way with CGAL: boxes, then its exact predicates, with corners compared by number.
+// The usual method with CGAL: boxes, then its exact predicates, with corners compared by index.
 class CgalSelfIntersection {
  public:
   explicit CgalSelfIntersection(const Surface& s) : m_surface(s) {

@@ -26,9 +26,9 @@ using namespace handwheel;
 
 namespace {
 
-constexpr rlim_t kLimitSeconds = 120;  // of CPU time, for one file: other programs do not move it
+constexpr rlim_t kLimitSeconds = 120;  // CPU time for one file: other programs do not affect it
 constexpr int kPatienceMs = 1'800'000;
-constexpr double kMostMoved = 0.01;  // of the diagonal
+constexpr double kMostMoved = 0.01;  // fraction of the diagonal
 // By how much of it the box may grow: a patch over a large hole of a ball rises out of it, one that runs away goes
 // farther.
 constexpr double kMostGrown = 0.15;
@@ -44,19 +44,19 @@ bool mayStayOpen(const std::string& file) {
 }
 
 bench::JudgedMesh rounded(const TriangleSoup& soup) {
-  std::vector<std::array<double, 3>> places;
+  std::vector<std::array<double, 3>> positions;
   for (const Vec3& p : soup.points)
-    places.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+    positions.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
   std::vector<bench::JudgeTriangle> triangles;
   for (const Triangle& t : soup.triangles) triangles.push_back({t[0], t[1], t[2]});
-  return {places, triangles};
+  return {positions, triangles};
 }
 
 bench::JudgedMesh readByLibrary(const std::string& path) {
-  std::vector<std::array<double, 3>> places;
+  std::vector<std::array<double, 3>> positions;
   std::vector<bench::JudgeTriangle> triangles;
-  CGAL::IO::read_STL(path, places, triangles);
-  return {places, triangles};
+  CGAL::IO::read_STL(path, positions, triangles);
+  return {positions, triangles};
 }
 
 // Every loop was filled or says why not, and one says so.

@@ -26,11 +26,11 @@ constexpr std::size_t kLinks = 6;
 // those, too.
 TriangleSoup tube(const Vec3& from, const Vec3& to, double radius, int around, int along) {
   TriangleSoup soup;
-  const Vec3 way = to - from, axis = way.norm() > 1.0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
+  const Vec3 segment = to - from, axis = segment.norm() > 1.0 ? Vec3(segment.normalized()) : Vec3(Vec3::UnitZ());
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
   for (int j = 0; j <= along; ++j) {
     const double t = M_PI * j / along, across = radius * std::sin(t) * (1.0 + 0.05 * std::sin(9.0 * t));
-    const Vec3 middle = 0.5 * (from + to) - (0.5 * way.norm() + radius) * std::cos(t) * axis;
+    const Vec3 middle = 0.5 * (from + to) - (0.5 * segment.norm() + radius) * std::cos(t) * axis;
     for (int i = 0; i < around; ++i) {
       const double turn = 2.0 * M_PI * i / around;
       soup.points.push_back(middle + across * (std::cos(turn) * u + std::sin(turn) * v));
@@ -84,7 +84,7 @@ Model modelOf(const TriangleSoup& soup) {
   return model;
 }
 
-using Places = std::array<Pose, kLinks>;
+using Configuration = std::array<Pose, kLinks>;
 
 // The six moving links of an IRB 140 and the shell: as bodies of a query, and as FCL has them.
 class Cell {
@@ -122,11 +122,11 @@ class Cell {
   double robotTriangles() const { return std::accumulate(m_triangles.begin(), m_triangles.end() - 1, 0.0); }
   double bodyTriangles() const { return m_triangles.back(); }
 
-  Places placesAt(const JointValues& values) const {
+  Configuration configurationAt(const JointValues& values) const {
     const std::vector<Pose> poses = linkPoses(m_robot, values);
-    Places places;
-    for (std::size_t i = 0; i < kLinks; ++i) places[i] = poses[m_links[i]];
-    return places;
+    Configuration configuration;
+    for (std::size_t i = 0; i < kLinks; ++i) configuration[i] = poses[m_links[i]];
+    return configuration;
   }
 
   JointValues anyValues(std::mt19937& random) const {
@@ -152,56 +152,56 @@ Cell& cell() {
   return one;
 }
 
-// Places of the robot at random, or at every millisecond of motions between such places at 1 rad/s.
-const std::vector<Places>& randomPlaces() {
-  static const std::vector<Places> all = [] {
-    std::vector<Places> places;
+// Return random configurations of the robot, or those at every millisecond of motions between such at 1 rad/s.
+const std::vector<Configuration>& randomConfigurations() {
+  static const std::vector<Configuration> all = [] {
+    std::vector<Configuration> configurations;
     std::mt19937 random(7);
-    for (int i = 0; i < 2000; ++i) places.push_back(cell().placesAt(cell().anyValues(random)));
-    return places;
+    for (int i = 0; i < 2000; ++i) configurations.push_back(cell().configurationAt(cell().anyValues(random)));
+    return configurations;
   }();
   return all;
 }
 
-const std::vector<Places>& motion() {
-  static const std::vector<Places> all = [] {
-    std::vector<Places> places;
+const std::vector<Configuration>& motion() {
+  static const std::vector<Configuration> all = [] {
+    std::vector<Configuration> configurations;
     std::mt19937 random(8);
     JointValues from = cell().anyValues(random);
-    while (places.size() < 20000) {
+    while (configurations.size() < 20000) {
       const JointValues to = cell().anyValues(random);
       const double seconds = (to - from).cwiseAbs().maxCoeff();
       for (double t = 0.0; t < seconds; t += 0.001)
-        places.push_back(cell().placesAt(from + (t / seconds) * (to - from)));
+        configurations.push_back(cell().configurationAt(from + (t / seconds) * (to - from)));
       from = to;
     }
-    return places;
+    return configurations;
   }();
   return all;
 }
 
 // FCL as one uses it well: a minimum that is there already prunes, and is handed from link to link.
-double fclDistance(const Places& places, double enough, bool needsPoints) {
+double fclDistance(const Configuration& configuration, double enough, bool needsPoints) {
   fcl::DistanceRequestd request(needsPoints);
   fcl::DistanceResultd result;
   result.min_distance = enough;
   for (std::size_t i = 0; i < kLinks && result.min_distance > 0.0; ++i)
-    fcl::distance(&cell().link(i), places[i], &cell().body(), Pose::Identity(), request, result);
+    fcl::distance(&cell().link(i), configuration[i], &cell().body(), Pose::Identity(), request, result);
   return result.min_distance;
 }
 
-std::size_t fclContacts(const Places& places, std::size_t most) {
+std::size_t fclContacts(const Configuration& configuration, std::size_t most) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < kLinks && count < most; ++i) {
     fcl::CollisionRequestd request(most, false);
     fcl::CollisionResultd result;
-    count += fcl::collide(&cell().link(i), places[i], &cell().body(), Pose::Identity(), request, result);
+    count += fcl::collide(&cell().link(i), configuration[i], &cell().body(), Pose::Identity(), request, result);
   }
   return count;
 }
 
-void place(const Places& places) {
-  for (std::uint32_t i = 0; i < kLinks; ++i) cell().query().place(i, places[i]);
+void place(const Configuration& configuration) {
+  for (std::uint32_t i = 0; i < kLinks; ++i) cell().query().place(i, configuration[i]);
 }
 
 // C1 to C4 of He 2008, table 3-1: the closest points, nearer than a tolerance, colliding, and all contacts, which are
@@ -211,16 +211,16 @@ constexpr std::array<const char*, 5> kQueries = {"C1 closest points", "C2 tolera
                                                  "near pairs"};
 
 struct Answer {
-  double value;  // what both have to agree on
+  double value;  // the value that both must return
   double seconds;
 };
 
-Answer ours(Query which, const Places& places) {
+Answer ours(Query which, const Configuration& configuration) {
   double value = 0.0;
   static std::vector<NearPair> near;
   static std::vector<BodyContact> contacts;
   const double seconds = bench::secondsOf([&] {
-    place(places);
+    place(configuration);
     ProximityQuery& query = cell().query();
     switch (which) {
       case kClosest: {
@@ -247,28 +247,28 @@ Answer ours(Query which, const Places& places) {
   return {value, seconds};
 }
 
-Answer theirs(Query which, const Places& places) {
+Answer theirs(Query which, const Configuration& configuration) {
   double value = 0.0;
   const double seconds = bench::secondsOf([&] {
     switch (which) {
       case kClosest:
-        value = fclDistance(places, 1e9, true);
+        value = fclDistance(configuration, 1e9, true);
         break;
       case kTolerance:
-        value = fclDistance(places, kNear, false) < kNear;
+        value = fclDistance(configuration, kNear, false) < kNear;
         break;
       case kColliding:
-        value = fclContacts(places, 1) > 0;
+        value = fclContacts(configuration, 1) > 0;
         break;
       case kContacts:
-        value = static_cast<double>(fclContacts(places, kAll));
+        value = static_cast<double>(fclContacts(configuration, kAll));
         break;
       case kNearPairs:
         for (std::size_t i = 0; i < kLinks; ++i) {
           fcl::DistanceRequestd request(true);
           fcl::DistanceResultd result;
           result.min_distance = kNear;
-          fcl::distance(&cell().link(i), places[i], &cell().body(), Pose::Identity(), request, result);
+          fcl::distance(&cell().link(i), configuration[i], &cell().body(), Pose::Identity(), request, result);
           value += result.min_distance < kNear;
         }
         break;
@@ -291,17 +291,18 @@ struct Times {
   }
 };
 
-// The scene of a place: #1 apart, #2 nearer than the tolerance, #3 colliding.
-std::size_t sceneOf(const Places& places) {
-  const double distance = fclDistance(places, kNear, false);
+// Returns the scene of a configuration: #1 apart, #2 nearer than the tolerance, #3 colliding.
+std::size_t sceneOf(const Configuration& configuration) {
+  const double distance = fclDistance(configuration, kNear, false);
   return distance >= kNear ? 0 : distance > 0.0 ? 1 : 2;
 }
 
-// One query over all places: its times as a whole and in each scene, with FCL's at every n-th place.
+// Runs one query over all configurations: its times as a whole and in each scene, with FCL's at every n-th
+// configuration.
 void queries(benchmark::State& state) {
   const auto which = static_cast<Query>(state.range(0));
   const bool isMotion = state.range(1) == 1;
-  const std::vector<Places>& all = isMotion ? motion() : randomPlaces();
+  const std::vector<Configuration>& all = isMotion ? motion() : randomConfigurations();
   const std::size_t every = isMotion ? 10 : 1;
   const std::string name = std::string(kQueries[which]) + (isMotion ? ", 1 kHz motion" : ", random places");
   Times own, fcls;
@@ -332,16 +333,16 @@ void queries(benchmark::State& state) {
   state.counters["ratio"] = bench::ratioTo(own.mean(), fcls.mean());
   for (std::size_t scene = 0; scene < 3; ++scene) {
     const std::string number = "#" + std::to_string(scene + 1);
-    const auto places = static_cast<double>(scenes[scene].each.size());
-    if (places == 0.0) continue;
+    const auto count = static_cast<double>(scenes[scene].each.size());
+    if (count == 0.0) continue;
     const std::string row = name + " " + number + " (" + std::to_string(scenes[scene].each.size()) + ")";
     bars.tell(row + ", us", scenes[scene].mean());
     bars.tell(row + ", us of FCL", fclScenes[scene].mean());
-    bars.tell(row + ", bounding volumes", static_cast<double>(counts[scene].volumes) / places);
-    bars.tell(row + ", triangles", static_cast<double>(counts[scene].pairs) / places);
+    bars.tell(row + ", bounding volumes", static_cast<double>(counts[scene].volumes) / count);
+    bars.tell(row + ", triangles", static_cast<double>(counts[scene].pairs) / count);
   }
-  // From frame to frame is what the query is for. FCL tells no depth, so that what collides does not count for near
-  // pairs; of contacts it is asked for no more than which triangles meet, while ours has their places and ways out.
+  // The query is meant for successive frames. FCL returns no depth, so collisions do not count for near pairs; for
+  // contacts it returns only the intersecting triangles, while ours returns their positions and displacements.
   double ratio = bench::ratioTo(own.mean(), fcls.mean());
   if (which == kNearPairs)
     ratio = bench::ratioTo(scenes[0].total + scenes[1].total, fclScenes[0].total + fclScenes[1].total);
@@ -357,13 +358,13 @@ void queries(benchmark::State& state) {
 }
 
 // Pairs of triangles nearer than a distance, by looking at each.
-std::size_t nearByBruteForce(const Places& places, double than) {
+std::size_t nearByBruteForce(const Configuration& configuration, double than) {
   std::size_t count = 0;
   const TriangleSoup& shell = cell().soup(kLinks);
   for (std::size_t link = 0; link < kLinks; ++link) {
     const TriangleSoup& soup = cell().soup(link);
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-      const test::Corners s = test::cornersOf(soup, i, places[link]);
+      const test::Corners s = test::cornersOf(soup, i, configuration[link]);
       Box box;
       for (const Vec3& corner : s) box.extend(corner);
       const Vec3 low = box.min().array() - than, high = box.max().array() + than;
@@ -379,27 +380,28 @@ std::size_t nearByBruteForce(const Places& places, double than) {
   return count;
 }
 
-// All contacts with a margin, for which FCL has no query: beside every pair of triangles, at a few places where the
-// robot is near.
+// Finds all contacts with a margin, for which FCL has no query: compared with every pair of triangles, at a few
+// configurations near the body.
 void contactsWithMargin(benchmark::State& state) {
-  constexpr std::size_t kPlaces = 10;
+  constexpr std::size_t kConfigurations = 10;
   constexpr double kRounding = 1e-6;  // mm: what is at the margin by this may count or not
   const std::string name = "C4 all contacts nearer than 20 mm";
   Times own, brute;
   double found = 0.0, wrong = 0.0;
   std::vector<BodyContact> contacts;
   for (auto _ : state) {
-    for (std::size_t i = 0; i < randomPlaces().size() && own.each.size() < kPlaces; ++i) {
-      const Places& places = randomPlaces()[i];
-      if (sceneOf(places) == 0) continue;
+    for (std::size_t i = 0; i < randomConfigurations().size() && own.each.size() < kConfigurations; ++i) {
+      const Configuration& configuration = randomConfigurations()[i];
+      if (sceneOf(configuration) == 0) continue;
       own.add(bench::secondsOf([&] {
-        place(places);
+        place(configuration);
         cell().query().findContacts(kNear, kAll, contacts);
       }));
       found += static_cast<double>(contacts.size());
       std::size_t least = 0;
-      brute.add(bench::secondsOf([&] { least = nearByBruteForce(places, kNear - kRounding); }));
-      wrong += contacts.size() < least || contacts.size() > nearByBruteForce(places, kNear + kRounding) ? 1.0 : 0.0;
+      brute.add(bench::secondsOf([&] { least = nearByBruteForce(configuration, kNear - kRounding); }));
+      wrong +=
+          contacts.size() < least || contacts.size() > nearByBruteForce(configuration, kNear + kRounding) ? 1.0 : 0.0;
     }
   }
   bars.atMostOver(own.each.size(), name + ": places with others than every pair tells", 0.0, wrong);

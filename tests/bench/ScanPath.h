@@ -11,15 +11,15 @@
 #include <filesystem>
 #include <optional>
 
-// Ways of a tip over scans that are not ours to ship.
+// Paths of a tip over scans that we may not ship.
 namespace handwheel::bench {
 
 struct ReadScan {
   bool isThere = false;
-  std::optional<TriangleSoup> mesh = {};  // nothing where it is refused
+  std::optional<TriangleSoup> mesh = {};  // nothing if it is refused
 };
 
-// A scan in the folder HANDWHEEL_DATA, as large as the ball.
+// Reads a scan in the folder HANDWHEEL_DATA, scaled to the size of the ball.
 inline ReadScan scanOf(const char* name) {
   const char* const folder = std::getenv("HANDWHEEL_DATA");
   if (!folder || !std::filesystem::exists(std::filesystem::path(folder) / name)) return {};
@@ -33,11 +33,11 @@ inline ReadScan scanOf(const char* name) {
   return {true, std::move(soup)};
 }
 
-// So many places, each the step (mm) further: around the axis over the surface, so much below it, and without the
-// trembling that the facets would give it.
+// Returns a path of `count` positions, `step` (mm) apart: around the axis, `depth` below the surface, and without the
+// trembling that the facets would cause.
 inline std::vector<Vec3> pathOver(const TriangleSoup& mesh, const Vec3& axis, double step, double depth, int count) {
-  constexpr int kSmooth = 100;     // places on either side
-  constexpr double kRise = 10000;  // places until it has gone up the axis and down again
+  constexpr int kSmooth = 100;     // number of positions on either side
+  constexpr double kRise = 10000;  // number of positions for going up the axis and down again
   const TriangleHierarchy surface(mesh.points, mesh.triangles);
   const auto normalOf = [&](std::uint32_t t) {
     const Triangle& c = mesh.triangles[t];

@@ -15,16 +15,16 @@ namespace handwheel::bench {
 
 constexpr double kBarMs = 50.0;
 
-// Times each event from the outside of all that it leads to.
+// An application that times each event, including all that it triggers.
 class TimedApplication : public QApplication {
  public:
   using QApplication::QApplication;
 
-  // The longest of an event.
+  // The longest event.
   CpuTimes outside;  // outside the graphics library
-  CpuTimes drawing;  // in it
+  CpuTimes drawing;  // inside the graphics library
 
-  // Null: nobody.
+  // Sets the watched viewport; null: none.
   void watch(const Viewport* viewport) {
     m_viewport = viewport;
     if (!viewport) return;
@@ -67,12 +67,12 @@ class SimulatedUser {
   }
   ~SimulatedUser() { m_application.watch(nullptr); }
 
-  // How long the work and all that follows from it keep the thread busy, until the window has come to rest.
+  // Measures how long the work and all its consequences keep the thread busy, until the window has come to rest.
   void does(const char* what, const std::function<void()>& work, double bar = kBarMs) {
     waits(
         what, [&] { return QMetaObject::invokeMethod(&m_driver.window(), work, Qt::QueuedConnection); }, bar);
   }
-  // The same for gestures and other work that runs its events itself, one by one.
+  // Like does(), for gestures and other work that runs its events itself, one by one.
   void waits(const char* what, const std::function<bool()>& work, double bar = kBarMs) {
     m_application.outside = m_application.drawing = {};
     if (!work()) qFatal("%s could not be done", what);
@@ -85,7 +85,7 @@ class SimulatedUser {
     m_bars.atMost(std::string(what) + ": the window's thread, ms of CPU", bar, outside.cpu);
   }
 
-  // What is disabled would cost nothing, and keep its bar.
+  // A disabled action would cost nothing, and keep its bar.
   void trigger(const char* name) {
     auto* action = m_driver.find<QAction>(name);
     if (!action->isEnabled()) qFatal("%s is disabled", name);

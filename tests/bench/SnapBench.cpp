@@ -28,7 +28,7 @@ Vec3 onSphere(std::mt19937& random) {
   return kRadius * Vec3(x, y, number(random)).normalized();
 }
 
-// As large as a piece of the sphere to each feature.
+// Returns the spacing for an equal piece of the sphere for each feature.
 double spacingOf(std::size_t count) {
   return kRadius * std::sqrt(4.0 * M_PI / static_cast<double>(count));
 }
@@ -106,9 +106,9 @@ double inReach(const Scene& scene, const std::vector<Vec3>& hands, double distan
 Vec3 sumOfAll(const Scene& scene, const SnapProfile& profile, const Vec3& hand) {
   Vec3 force = Vec3::Zero();
   for (const SnapItem& item : scene.items) {
-    const Vec3 way = item.closestTo(hand) - hand;
-    const double x = way.norm();
-    if (const double f = profile.force(x); f > 0.0) force += (f / x) * way;
+    const Vec3 offset = item.closestTo(hand) - hand;
+    const double x = offset.norm();
+    if (const double f = profile.force(x); f > 0.0) force += (f / x) * offset;
   }
   return force;
 }
@@ -217,8 +217,8 @@ void curve(benchmark::State& state) {
   bars.atMost("proxy method, curve of 10,000 points, 20 in reach, p99 us", 5.0, proxies.p99);
 }
 
-// The nearest of many points, by turns with CGAL's kd tree, at random places, where a servo loop's are next to each
-// other. To be compared, not a bar: the kd tree knows points only, and neither reach nor ties.
+// Finds the nearest of many points, in turns with CGAL's kd tree, at random positions, while those of a servo loop are
+// next to each other. For comparison, without a bar: the kd tree knows points only, and neither reach nor ties.
 void nearestPoint(benchmark::State& state) {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;

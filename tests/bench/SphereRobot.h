@@ -14,8 +14,9 @@
 
 namespace handwheel::bench {
 
-// The UR5 as spheres, and the problems of MotionBenchMaker. They are from the folder HANDWHEEL_DATA. Paths are judged
-// with nothing of the planners but the reading of the files, the forward kinematics and the pairs that may touch.
+// The UR5 as spheres, with the problems of MotionBenchMaker. They are from the folder HANDWHEEL_DATA. Paths are judged
+// without any code of the planners except the reading of the files, the forward kinematics and the pairs that may
+// touch.
 class SphereRobot {
  public:
   static std::optional<SphereRobot> read() {
@@ -53,13 +54,13 @@ class SphereRobot {
     return scene;
   }
 
-  // Whether the robot meets anything at one of the places that a path leads through, so close to each other.
+  // Returns true if the robot collides at one of the configurations along a path, sampled at this step.
   bool isColliding(const PlanningProblem& problem, const std::vector<ArmValues>& path, double step) const {
     for (std::size_t i = 1; i < path.size(); ++i) {
-      const ArmValues way = path[i] - path[i - 1];
-      const int parts = std::max(1, static_cast<int>(std::ceil(way.cwiseAbs().maxCoeff() / step)));
+      const ArmValues motion = path[i] - path[i - 1];
+      const int parts = std::max(1, static_cast<int>(std::ceil(motion.cwiseAbs().maxCoeff() / step)));
       for (int k = 0; k <= parts; ++k) {
-        if (isColliding(problem, ArmValues(path[i - 1] + (static_cast<double>(k) / parts) * way))) return true;
+        if (isColliding(problem, ArmValues(path[i - 1] + (static_cast<double>(k) / parts) * motion))) return true;
       }
     }
     return false;
@@ -68,7 +69,7 @@ class SphereRobot {
  private:
   struct Ball {
     std::uint32_t link;
-    Vec3 centre;  // in the link, mm
+    Vec3 centre;  // in the frame of the link, mm
     double radius;
   };
 
@@ -88,7 +89,7 @@ class SphereRobot {
     return RobotScene(m_model, Pose::Identity(), collisionBodies(m_model), m_dofs, m_rest, m_allowed);
   }
 
-  // The distance of a point from the surface of a box, cylinder or sphere; 0 and below: inside.
+  // Returns the distance of a point from the surface of a box, cylinder or sphere; 0 and below: inside.
   static double distance(const CollisionPiece& piece, const Vec3& point) {
     const Vec3 p = piece.pose.inverse() * point;
     switch (piece.kind) {
@@ -106,12 +107,12 @@ class SphereRobot {
     JointValues joints = m_rest;
     for (std::size_t i = 0; i < m_dofs.size(); ++i) joints[m_dofs[i]] = values[static_cast<Eigen::Index>(i)];
     const std::vector<Pose> poses = linkPoses(m_model, joints);
-    std::vector<Vec3> places;
-    for (const Ball& ball : m_balls) places.push_back(poses[ball.link] * ball.centre);
+    std::vector<Vec3> centres;
+    for (const Ball& ball : m_balls) centres.push_back(poses[ball.link] * ball.centre);
     for (std::size_t i = 0; i < m_balls.size(); ++i) {
       if (isMoved(m_balls[i].link)) {
         for (const CollisionPiece& piece : problem.obstacles) {
-          if (distance(piece, places[i]) <= m_balls[i].radius) return true;
+          if (distance(piece, centres[i]) <= m_balls[i].radius) return true;
         }
       }
       for (std::size_t k = 0; k < i; ++k) {
@@ -119,13 +120,13 @@ class SphereRobot {
         if (pair.first == pair.second || m_allowed.contains(pair)) continue;
         if (!isMoved(pair.first) && !isMoved(pair.second)) continue;
         const double least = m_balls[i].radius + m_balls[k].radius;
-        if ((places[i] - places[k]).squaredNorm() <= least * least) return true;
+        if ((centres[i] - centres[k]).squaredNorm() <= least * least) return true;
       }
     }
     return false;
   }
 
-  // Whether a planned joint is between the link and the root.
+  // Returns true if a planned joint is between the link and the root.
   bool isMoved(std::uint32_t link) const {
     for (std::uint32_t j = m_model.links[link].parentJoint; j != kNone;
          j = m_model.links[m_model.joints[j].parent].parentJoint) {

@@ -30,8 +30,8 @@ class SweptSection {
     m_set.insert(bar);
   }
 
-  // Removes what the nose sweeps, together with its shank: the convex hull of discs at both ends of each step, here and
-  // far outside; far below the axis for a bore.
+  // Removes the area that the nose sweeps, together with its shank: the convex hull of discs at both ends of each step,
+  // here and far outside; far below the axis for a bore.
   void cut(const TurningPass& pass) {
     Set swept;
     std::vector<Polygon> all;
@@ -57,8 +57,8 @@ class SweptSection {
     return M_PI / 3.0 * sum;
   }
 
-  // Between the two boundaries, each way; the axis is none. What is within 0.05 mm of a wall across the axis, of more
-  // than 0.01 mm, is a shoulder.
+  // Returns the distance between the two boundaries, in both directions, without the axis. Points within 0.05 mm of a
+  // wall across the axis higher than 0.01 mm belong to a shoulder.
   SectionDistance distanceTo(const TurnedProfile& profile) const {
     std::vector<Edge> own;
     std::vector<Edge> walls;
@@ -113,7 +113,7 @@ class SweptSection {
     }
   };
 
-  // Edges by their height, in slices of 0.05 mm; nothing that is compared is further off than a slice.
+  // Edges by their height, in slices of 0.05 mm; the compared edges are never further away than a slice.
   class Grid {
    public:
     explicit Grid(const std::vector<Edge>& edges) {
@@ -139,7 +139,7 @@ class SweptSection {
     std::vector<std::vector<Edge>> m_slices;
   };
 
-  // 240 sides are 9e-5 of the radius off.
+  // With 240 sides the error is 9e-5 of the radius.
   static void addDisc(std::vector<Point>& points, const ProfilePoint& centre, double radius) {
     constexpr int kSides = 240;
     for (int i = 0; i < kSides; ++i) {
@@ -148,7 +148,7 @@ class SweptSection {
     }
   }
 
-  // Of the boundaries of all parts, with the material on the left.
+  // Returns the boundaries of all parts, with the material on the left.
   std::vector<Edge> edges() const {
     std::list<CGAL::Polygon_with_holes_2<Kernel>> parts;
     m_set.polygons_with_holes(std::back_inserter(parts));

@@ -47,7 +47,7 @@ std::vector<TurningPass> scriptedPasses(double step) {
   return passes;
 }
 
-// Of the profile and the polygons: how far each boundary is from the other.
+// Measures the distance between each boundary of the profile and the polygons.
 void accuracy(benchmark::State& state) {
   for (auto _ : state) {
     TurnedProfile profile(kBenchBar, turnSpacingSetting().standard);

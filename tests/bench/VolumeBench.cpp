@@ -136,7 +136,7 @@ void makeNut(benchmark::State& state) {
 }
 BENCHMARK(makeNut)->Iterations(5)->Unit(benchmark::kMillisecond);
 
-// What an undo step holds that the document does not: blocks, and pieces of the display; bytes.
+// Memory of an undo step that the document does not share: blocks, and pieces of the display; bytes.
 struct Unshared {
   std::size_t blocks = 0, pieces = 0;
 
@@ -170,7 +170,7 @@ void dabs(benchmark::State& state, ClayAction action, double radius, const char*
   for (auto _ : state) {
     const double angle = 0.02 * ++i;
     ClayDab dab{action, Vec3(37.0 * std::cos(angle), 44.0 * std::sin(angle), 5.0), radius, 0.5, 1.0};
-    dab.way = Vec3(0.1 * radius, 0.0, 0.0);
+    dab.displacement = Vec3(0.1 * radius, 0.0, 0.0);
     std::vector<VoxelIndex> changed;
     seconds.push_back(bench::secondsOf([&] {
       changed = applyDab(volume, dab);
@@ -216,7 +216,7 @@ BENCHMARK(move)->Iterations(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(inflate)->Iterations(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(smudge)->Iterations(100)->Unit(benchmark::kMillisecond);
 
-// A drill of 16 voxels in a ball of 256: a step of the way and the surface.
+// Moves a drill of 16 voxels in a ball of 256: a step of the path and the surface.
 void stamp(benchmark::State& state) {
   SparseVolume volume = ballOfVoxels(12.8, kVoxel);
   VolumeSurface surface(volume);

@@ -52,7 +52,7 @@ struct Files {
     for (int z = 0; z < kSlices; ++z) {
       for (int y = 0; y < kAcross; ++y)
         for (int x = 0; x < kAcross; ++x)
-          samples.push_back(static_cast<std::int16_t>(skull(grid.place(Vec3(x, y, z)))));
+          samples.push_back(static_cast<std::int16_t>(skull(grid.position(Vec3(x, y, z)))));
       test::MadeSlice slice;
       slice.width = slice.height = kAcross;
       slice.spacing = kSpacing;
@@ -75,7 +75,7 @@ void aScan(benchmark::State& state) {
       Result<ImageFile> image = Error{}, series = Error{};
       open.add(bench::secondsOf([&] { image = readImageFile(files.nrrd, {}); }));
       dicom.add(bench::secondsOf([&] { series = readImageFile(files.dicom, {}); }));
-      // As the window opens them: with a volume that is ready to be shown.
+      // Opens the files like the window: with a volume that is ready to be shown.
       bool areImported = true;
       const auto import = [&](const fs::path& path) {
         std::vector<Note> notes;
@@ -86,7 +86,7 @@ void aScan(benchmark::State& state) {
       if (!image || !series || !areImported) return bars.failed(state, "CT 512 x 512 x 300", "it cannot be read");
       Result<SparseVolume> volume = Error{};
       threshold.add(bench::secondsOf([&] { volume = volumeOfImage(image->image, bone, std::nullopt); }));
-      // As while a handle of the histogram is dragged: another range, shown in the three slices in the middle.
+      // Simulates dragging a handle of the histogram: another range, shown in the three slices in the middle.
       preview.add(bench::secondsOf([&] {
         const Segment dragged({250.0 + 10.0 * i, bone.largest});
         for (const SlicePlane plane : kSlicePlanes) {

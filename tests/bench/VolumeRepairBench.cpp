@@ -26,8 +26,8 @@ using namespace handwheel;
 namespace {
 
 constexpr double kVoxels = 128.0;              // across the largest extent
-constexpr std::size_t kLeastFaces = 200;       // what has fewer tests readers, and is no scan
-constexpr double kAlpha = 4.0, kOffset = 0.5;  // of the wrap, voxels
+constexpr std::size_t kLeastFaces = 200;       // files with fewer faces test readers, and are no scans
+constexpr double kAlpha = 4.0, kOffset = 0.5;  // parameters of the wrap, voxels
 
 bench::Bars bars;
 
@@ -68,7 +68,7 @@ HalfEdgeMesh alphaWrap(const TriangleSoup& soup, double voxel) {
 struct Counts {
   int defective = 0, byTriangles = 0, byVolume = 0, byWrap = 0, far = 0;
   int lost = 0;     // sound by triangles and not by volume
-  int refused = 0;  // by our reader, and so repaired in no way
+  int refused = 0;  // refused by our reader, and so not repaired
   double volumeSeconds = 0.0, wrapSeconds = 0.0;
 };
 
@@ -105,7 +105,7 @@ void measure(const std::string& name, const TriangleSoup& soup, Counts& counts) 
   counts.wrapSeconds += wrap.seconds;
 }
 
-// Of a format that is read, and not one of the files that are damaged on purpose.
+// Returns true if the format is read, and the file is not one of those damaged on purpose.
 bool isScan(const std::filesystem::path& path) {
   return formatForName(path.filename().string()) && path.string().find("/malformed/") == std::string::npos;
 }

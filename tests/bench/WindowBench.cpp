@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How long the window's thread is kept from its events while a person works on a million triangles. The bar is on its
-// CPU time, which other programs do not move; the time by the clock stands beside it, and that of drawing.
+// Measures how long the window's thread is kept from its events while a user works on a million triangles. The bar is
+// on its CPU time, which other programs do not affect; the time by the clock and that of drawing are shown beside it.
 #include "bench/SimulatedUser.h"
 #include "gui/window/StlFiles.h"
 #include "theme/Theme.h"
@@ -106,13 +106,13 @@ void shapes(SimulatedUser& user) {
   user.does("without them", [&] { user.trigger("deviation"); });
   user.does("take up the sculpt tool", [&] { user.trigger("sculptTool"); });
   user.does("all of the mesh", [&] { driver.find<QAbstractButton>("toolAction/whole")->click(); });
-  const QPoint place = user.at(0.2, 0.55);
+  const QPoint position = user.at(0.2, 0.55);
   user.waits("a dab", [&] {
-    QTest::mouseClick(&user.view(), Qt::LeftButton, {}, place);
+    QTest::mouseClick(&user.view(), Qt::LeftButton, {}, position);
     return true;
   });
   if (!driver.find<QAction>("undo")->isEnabled()) qFatal("the dab missed");
-  user.waits("a stroke", [&] { return user.drag(Qt::LeftButton, place, user.at(0.3, 0.6)); });
+  user.waits("a stroke", [&] { return user.drag(Qt::LeftButton, position, user.at(0.3, 0.6)); });
   user.does("leave the tool", [&] { user.trigger("selectTool"); });
   user.does("a section", [&] { user.trigger("clipModel"); });
   for (const int axis : {0, 1, 2}) {

@@ -12,7 +12,7 @@ using namespace handwheel;
 namespace {
 
 const QStringList kCalibrate{"measure", "--calibrate"};
-const char* const kFile = "Handwheel/Handwheel/calibration.json";  // where the window looks, below the cache folder
+const char* const kFile = "Handwheel/Handwheel/calibration.json";  // path that the window uses, below the cache folder
 
 std::set<std::string> keptIds(const Fixture& cache) {
   std::set<std::string> ids;
@@ -23,7 +23,7 @@ std::set<std::string> keptIds(const Fixture& cache) {
 
 }  // namespace
 
-// What the window's button "Measure this machine" does, on the command line.
+// Measures the machine on the command line, like the window's button "Measure this machine".
 class CalibrateTest : public QObject {
   Q_OBJECT
 
@@ -63,7 +63,7 @@ class CalibrateTest : public QObject {
     }
   }
 
-  // What is of another machine is not mixed with what is of this one.
+  // Measurements of another machine are not mixed with those of this one.
   void anotherMachineIsForgotten() {
     const Fixture fixture;
     QCOMPARE(fixture.run(kCalibrate + QStringList{"nurbs.chord_mm"}).code, 0);

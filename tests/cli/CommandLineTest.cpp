@@ -142,7 +142,7 @@ class CommandLineTest : public QObject {
     }
   }
 
-  // No file that the program opens takes the place of its closed output.
+  // No file that the program opens reuses the descriptor of its closed output.
   void closedOutputIsAnError() {
     const Fixture fixture;
     fixture.put("a.off", cube().off());

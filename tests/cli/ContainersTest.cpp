@@ -73,7 +73,7 @@ void compareWhatMustNotBeLost(const Fixture& fixture, const QString& before, con
 
 }  // namespace
 
-// What containers hold beyond their triangles, from one command to the next.
+// Tests that commands preserve the contents of containers beyond the triangles.
 class ContainersTest : public QObject {
   Q_OBJECT
 
@@ -91,7 +91,7 @@ class ContainersTest : public QObject {
     QCOMPARE(after.at("loops").at(0).at("edges").get<int>(), 6);
     QCOMPARE(after.at("kept_open").size(), std::size_t(1));
     QVERIFY(fixture.json("r.json").at("unmodified_vertices_identical").get<bool>());
-    // In place, and once more: nothing is left to do.
+    // Repeats the repair, writing to its own input: nothing is left to do.
     QCOMPARE(fixture.run({"repair", "b.handwheel", "-o", "b.handwheel"}).code, 2);
     compareWhatMustNotBeLost(fixture, "a.handwheel", "b.handwheel");
     // The marks hold for exports too.
@@ -218,7 +218,7 @@ class ContainersTest : public QObject {
                               "another file.\n"),
              ran.err);
     QCOMPARE(fixture.content("d.handwheel"), damaged);
-    // What can be had of it goes elsewhere, and a whole file may take its place.
+    // The readable part goes to another file, and an intact file may replace it.
     words.last() = "e.handwheel";
     QVERIFY(fixture.run(words).code != 1);
     QVERIFY(fixture.names().contains("e.handwheel"));

@@ -60,7 +60,7 @@ class ConvertTest : public QObject {
                      : QByteArray("handwheel: The coordinates are rounded to the single precision of the format.\n"));
     }
     QCOMPARE(trianglesOf(fixture.content("5.stl")), trianglesOf(shape));
-    // What never was in single precision on the way is the same to the last bit.
+    // Data that never passed through single precision are identical to the last bit.
     QCOMPARE(fixture.run({"inspect", "4.ply", "--json"}).out, fixture.run({"inspect", "0.off", "--json"}).out);
   }
 

@@ -109,7 +109,7 @@ class DocumentsTest : public QObject {
     QVERIFY2(text.contains("  joints.unknown_effort: all joints\n") && !text.contains("is not known"), text);
     QCOMPARE(fixture.run({"set", "arm.handwheel", "joint.lift=1e-11rad", "-o", "level.handwheel"}).code, 0);
     const QByteArray level = fixture.run({"inspect", "level.handwheel"}).out;
-    QVERIFY2(level.contains("  joint.lift: 0 deg (-90"), level);  // as the remainder of a sum is shown
+    QVERIFY2(level.contains("  joint.lift: 0 deg (-90"), level);  // displayed like the remainder of a sum
     QCOMPARE(fixture.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code,
              1);  // beyond its limit
     const Ran repair = fixture.run({"repair", "arm.handwheel", "-o", "x.stl"});

@@ -20,7 +20,7 @@ class EditTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // An open cube moved, turned by a right angle about its middle and closed: its volume and place follow.
+  // An open cube moved, turned by a right angle about its middle and closed: its volume and position follow.
   void stepByStep() {
     const Fixture fixture;
     fixture.put("a.off", openCube(2.0).off());
@@ -58,7 +58,7 @@ class EditTest : public QObject {
     QVERIFY(fixture.content("a.handwheel") != fixture.content("b.handwheel"));
   }
 
-  // What was counted before saving need not hold for the rounded file: a third is no number of single precision.
+  // Figures from before saving need not hold for the rounded file: a third is not representable in single precision.
   void roundingIsReported() {
     const Fixture fixture;
     fixture.put("a.off", cube(2.0).off());

@@ -195,7 +195,7 @@ void MeasureTest::usersFile() {
     ++own;
   }
   QVERIFY(own >= 8);          // both times, each method
-  QVERIFY(ear > 2.0 * fair);  // a ball is no place for flat lids
+  QVERIFY(ear > 2.0 * fair);  // flat lids do not fit a ball
 }
 
 void MeasureTest::curves() {

@@ -116,7 +116,7 @@ class MemoryTest : public QObject {
     QCOMPARE(fixture.names(), QStringList{"a.off"});
   }
 
-  // Where memory ends only after the graphics have drawn: while the pixels are read and turned.
+  // Tests that memory may run out after the graphics have drawn, while the pixels are read and flipped.
   void lastStepsOfAPictureSaySo() {
     if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
     constexpr rlim_t kStep = 3;  // one picture takes as much

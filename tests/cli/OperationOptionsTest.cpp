@@ -51,7 +51,7 @@ class OperationOptionsTest : public QObject {
     }
   }
 
-  // What is not given stays as it was.
+  // Options that are not given keep their values.
   void othersStay() {
     OperationValues values(meshOperation("repair"));
     values.setValid("near-weld", 1e-3);

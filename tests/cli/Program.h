@@ -19,7 +19,7 @@ struct Ran {
   QByteArray err;
 };
 
-// What the program wrote, as JSON; discarded where it is none.
+// Returns the output of the program as JSON; discarded if it is none.
 inline nlohmann::json jsonOf(const Ran& ran) {
   return nlohmann::json::parse(ran.out.toStdString(), nullptr, false);
 }
@@ -42,12 +42,12 @@ inline Ran runProgram(const QString& program, const QString& folder, const QStri
   return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
-// The program as it was built.
+// Runs the built program.
 inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
   return runProgram(HANDWHEEL_PROGRAM, folder, words, locale);
 }
 
-// Whether a process has come so far that it handles the signal, by the mask that the kernel shows for it.
+// Returns true if a process has installed a handler for the signal, by the mask that the kernel reports.
 inline bool catches(qint64 process, int signal) {
   QFile status(QString("/proc/%1/status").arg(process));
   if (!status.open(QIODevice::ReadOnly)) return false;

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A mesh as an OFF file holds it. What is written next to each shape below follows from its geometry.
+// A mesh as in an OFF file. The numbers next to each shape below follow from its geometry.
 struct Shape {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
@@ -58,7 +58,7 @@ inline Shape tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-// A band of n quads with a half turn: one loop of 2n edges, and no way to orient it.
+// A band of n quads with a half turn: one loop of 2n edges, not orientable.
 inline Shape moebiusStrip(int n) {
   Shape shape;
   for (int i = 0; i < n; ++i) {
@@ -77,8 +77,8 @@ inline Shape moebiusStrip(int n) {
   return shape;
 }
 
-// A surface of quads (x, y), 0 <= x < width, 0 <= y < height, each cut in two, where the place of a corner is given by
-// "at" and quads for which "hole" holds are missing.
+// A surface of quads (x, y), 0 <= x < width, 0 <= y < height, each divided in two. "at" returns the position of a
+// corner, and quads for which "hole" returns true are missing.
 template <class At, class Hole>
 Shape grid(int width, int height, At at, Hole hole) {
   Shape shape;

@@ -20,7 +20,7 @@ struct StepFixture : Fixture {
   }
 };
 
-// Puts a script in the place of the process that reads.
+// Replaces the reading process by a script.
 void replaceReader(const Fixture& fixture, const QByteArray& script) {
   fixture.put("step", "#!/bin/sh\n" + script + "\n");
   QFile::setPermissions(fixture.path() + "/step", QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);

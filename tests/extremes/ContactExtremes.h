@@ -4,15 +4,16 @@
 
 #include "Extremes.h"
 
-// Extreme surfaces and paths of the tip for the tests of contact. Surfaces are at the edge of what a tip can touch; one
-// generator serves all tests.
+// Extreme surfaces and paths of the tip for the tests of contact. The surfaces are the hardest that a tip can touch;
+// one generator serves all tests.
 namespace handwheel::test {
 
-// The plane z = 0 from -1 to 1 along x and y, as triangles that are as odd as can be.
+// The plane z = 0 from -1 to 1 along x and y, made of triangles as odd as possible.
 struct ExtremeFloor {
   std::string name;
   std::function<TriangleSoup()> soup;
-  double breadth = 1e-3;  // of its thinnest triangle that has one: rounding of a corner tilts it by so much the more
+  double breadth =
+      1e-3;  // width of its thinnest triangle with area: the thinner it is, the more the rounding of a corner tilts it
 };
 
 inline TriangleSoup floorIn(std::uint32_t rows, std::uint32_t columns) {
@@ -33,7 +34,7 @@ inline TriangleSoup doubledFloor() {
   return s;
 }
 
-// With points, lines, and needles without area in it.
+// Returns a floor with points, lines, and needles without area.
 inline TriangleSoup degenerateFloor() {
   TriangleSoup s = floorIn(12, 12);
   for (std::size_t f = 0; f < 60; f += 4) addNeedles(s, f, 0, {0.25, 0.5, 1.0 - 1e-9});
@@ -45,14 +46,14 @@ inline TriangleSoup degenerateFloor() {
   return s;
 }
 
-// Rows a millionth as wide as the others, all over it.
+// Returns a floor with rows a millionth as wide as the others.
 inline TriangleSoup sliverFloor() {
   return grid(42, 3, false, false, [](std::uint32_t i, std::uint32_t j) {
     return Vec3((i / 2) / 10.0 - 1.0 + (i % 2 == 1 && i < 41 ? 1e-7 : 0.0), j - 1.0, 0.0);
   });
 }
 
-// Around a point that the way leads over.
+// Returns a fan around a point on the path of the tip.
 inline TriangleSoup fanFloor(std::uint32_t count) {
   TriangleSoup s{{Vec3::Zero()}, {}};
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -62,7 +63,7 @@ inline TriangleSoup fanFloor(std::uint32_t count) {
   return s;
 }
 
-// Beside triangles with corners that are no numbers, which have no place.
+// Returns a floor beside triangles whose corners are NaN, which have no position.
 inline TriangleSoup floorAmongNoNumbers() {
   TriangleSoup s = floorIn(10, 10);
   const auto first = static_cast<std::uint32_t>(s.points.size());
@@ -91,14 +92,14 @@ inline std::vector<ExtremeFloor> extremeFloors() {
   };
 }
 
-// Down onto the floor, half a unit deep, so far across it, and up again: in units of the floor.
-struct FloorWay {
+// A path down onto the floor, half a unit deep, across it, and up again, in units of the floor.
+struct FloorPath {
   static constexpr int kDown = 20, kAcross = 300, kUp = 40;
   static constexpr int kTicks = kDown + kAcross + kUp;
   static constexpr double kDepth = 0.5;
 
   static bool isPressed(int tick) { return tick >= kDown && tick < kDown + kAcross; }
-  // Its middle is exactly above the middle of the floor.
+  // The middle of the path is exactly above the middle of the floor.
   static Vec3 at(int tick) {
     const double share = std::clamp(2.0 * (tick - kDown) / kAcross - 1.0, -1.0, 1.0);
     const Vec3 foot(0.8 * share, 0.3 * share, -kDepth);
@@ -107,7 +108,7 @@ struct FloorWay {
   }
 };
 
-// A tip that goes to and fro around a box: steps of all sizes, sometimes far away, sometimes without moving.
+// A tip that moves to and fro around a box: steps of all sizes, sometimes far away, sometimes without moving.
 class WildTip {
  public:
   WildTip(const Box& box, unsigned seed)

@@ -33,7 +33,7 @@ bool isSane(const Contact& contact, const Vec3& tip) {
          std::abs((contact.proxy - tip).norm() - contact.depth) <= 1e-12 * contact.depth;
 }
 
-// The tip in the frame of a floor of this size at this place.
+// The frame of a floor of this size at this position.
 struct Frame {
   double scale;
   Pose pose;
@@ -52,26 +52,26 @@ Pose poseAt(double offset, bool isTilted) {
   return pose;
 }
 
-// Along the way of the tip, the proxy is where the plane is nearest to it: in each tick, so it never stands still.
+// Along the path of the tip, the proxy is the nearest point of the plane: in each tick, so it never stands still.
 QString offTheFloor(const ContactSurface& surface, const Frame& frame, double breadth) {
   const Vec3 up = frame.pose.linear().col(2);
   const double far = frame.pose.translation().cwiseAbs().maxCoeff() + frame.scale;
   const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * far;
-  const double tolerance = kSkins * surface.skin() + rounding + FloorWay::kDepth * rounding / breadth;
+  const double tolerance = kSkins * surface.skin() + rounding + FloorPath::kDepth * rounding / breadth;
   if (tolerance > 0.01 * frame.scale) return "the tolerance says nothing";
   GodObject god;
-  god.place(frame(FloorWay::at(0)));
-  for (int tick = 0; tick < FloorWay::kTicks; ++tick) {
-    const Vec3 place = FloorWay::at(tick), tip = frame(place);
+  god.place(frame(FloorPath::at(0)));
+  for (int tick = 0; tick < FloorPath::kTicks; ++tick) {
+    const Vec3 point = FloorPath::at(tick), tip = frame(point);
     const Contact& contact = god.follow(surface, tip, {});
     if (!isSane(contact, tip)) return QString("tick %1: no sane contact").arg(tick);
-    if (place.z() > 0.01 && contact.touching) return QString("tick %1: touches in free space").arg(tick);
-    if (!FloorWay::isPressed(tick)) continue;
-    const Vec3 foot = frame(Vec3(place.x(), place.y(), 0));
+    if (point.z() > 0.01 && contact.touching) return QString("tick %1: touches in free space").arg(tick);
+    if (!FloorPath::isPressed(tick)) continue;
+    const Vec3 foot = frame(Vec3(point.x(), point.y(), 0));
     const double off = (contact.proxy - foot).norm();
     if (!contact.touching || off > tolerance) return QString("tick %1: off by %2 mm").arg(tick).arg(off);
     const Vec3 force = contactForce(contact, tip, Vec3::Zero(), kTouchStiffness, 0.0);
-    const Vec3 wanted = kTouchStiffness * FloorWay::kDepth * frame.scale * up;
+    const Vec3 wanted = kTouchStiffness * FloorPath::kDepth * frame.scale * up;
     if ((force - wanted).norm() > kTouchStiffness * 2.0 * tolerance) return QString("tick %1: another force").arg(tick);
   }
   return {};
@@ -97,8 +97,8 @@ void ContactExtremesTest::floors_data() {
   for (const ExtremeFloor& floor : extremeFloors()) QTest::newRow(floor.name.c_str()) << floor;
 }
 
-// Of every size and in every place where coordinates are fine enough to say what a floor is: written down there, or as
-// a body that stands there.
+// Floors of every size and at every position at which coordinates are fine enough to describe a floor: written down
+// there, or as a body that stands there.
 void ContactExtremesTest::floors() {
   QFETCH(ExtremeFloor, floor);
   const TriangleSoup soup = floor.soup();
@@ -119,8 +119,7 @@ void ContactExtremesTest::floors() {
   QVERIFY(cases >= 20);
 }
 
-// Whatever the mesh: the hand is never pushed farther than it came from, and what is sent is no more than the device
-// may give.
+// For any mesh, the hand is never pushed farther than it came from, and the force is no more than the device may give.
 void ContactExtremesTest::anyMesh() {
   QFETCH(ExtremeMesh, extreme);
   const TriangleSoup soup = extreme.soup();
@@ -143,9 +142,9 @@ void ContactExtremesTest::anyMesh() {
       force.advance(tip, out);
       const Contact& contact = force.contact();
       QVERIFY(isSane(contact, tip.position));
-      const double way = (tip.position - before).norm();
+      const double travel = (tip.position - before).norm();
       const Vec3 asked = force.force(tip, 1.0, 1.0);
-      QVERIFY(asked.norm() <= kTouchStiffness * ((1.0 + 1e-9) * way + kSkins * surface.skin()));
+      QVERIFY(asked.norm() <= kTouchStiffness * ((1.0 + 1e-9) * travel + kSkins * surface.skin()));
       before = contact.proxy;
       touching += contact.touching ? 1 : 0;
       SafetyInput input;
@@ -163,7 +162,7 @@ void ContactExtremesTest::strangeNumbersSendNoStrangeForce() {
   const std::vector<double> strange = strangeNumbers();
   std::mt19937 random(8);
   const auto number = [&] { return random() % 3 ? strange[random() % strange.size()] : 0.1 * (random() % 30) - 1.0; };
-  const auto place = [&] {
+  const auto vector = [&] {
     const double x = number(), y = number();
     return Vec3(x, y, number());
   };
@@ -181,8 +180,8 @@ void ContactExtremesTest::strangeNumbersSendNoStrangeForce() {
     SafetyChain chain = chainOfDevice();
     for (int i = 0; i < 60; ++i) {
       TipState tip;
-      tip.position = i % 3 ? Vec3(0.02 * (i % 20), 0.1, 1.3 - 0.05 * (i % 12)) : place();
-      tip.velocity = i % 4 ? Vec3(Vec3::Zero()) : place();
+      tip.position = i % 3 ? Vec3(0.02 * (i % 20), 0.1, 1.3 - 0.05 * (i % 12)) : vector();
+      tip.velocity = i % 4 ? Vec3(Vec3::Zero()) : vector();
       tip.isRestart = i == 0 || scene % 11 == 0;
       ForceOut out;
       force.advance(tip, out);
@@ -198,7 +197,7 @@ void ContactExtremesTest::strangeNumbersSendNoStrangeForce() {
       QVERIFY(sent.allFinite() && sent.norm() <= kMostForce * (1.0 + 1e-12));
     }
   }
-  QVERIFY(touching > 1000);  // of 12,000
+  QVERIFY(touching > 1000);  // out of 12,000
 }
 
 // Corners that no formula expects, among some that are there.
@@ -214,8 +213,8 @@ void ContactExtremesTest::strangeCorners() {
     const ContactSurface surface(soup.points, soup.triangles);
     GodObject god;
     god.place({0, 0, 1});
-    for (int tick = 0; tick < FloorWay::kTicks; ++tick) {
-      const Vec3 tip = FloorWay::at(tick);
+    for (int tick = 0; tick < FloorPath::kTicks; ++tick) {
+      const Vec3 tip = FloorPath::at(tick);
       const Contact& contact = god.follow(surface, tip, {});
       QVERIFY(contact.proxy.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth));
       QVERIFY(contactForce(contact, tip, Vec3(1, 2, 3), kTouchStiffness, 0.001).allFinite());

@@ -11,10 +11,10 @@ using namespace handwheel;
 namespace {
 
 constexpr std::size_t kWindingMost = 6000;  // triangles: the winding number looks at each
-constexpr int kSideWays = 6, kTicks = 120;
+constexpr int kSides = 6, kTicks = 120;
 
-// How often the surface winds around a point, from the solid angles of its triangles (van Oosterom and Strackee 1983):
-// 0 outside of a closed surface, 1 inside, and in between nowhere, however near.
+// Returns the winding number of the surface around a point, from the solid angles of its triangles (van Oosterom and
+// Strackee 1983): 0 outside of a closed surface, 1 inside, and never in between, however near.
 double windingAround(const TriangleSoup& soup, const Vec3& p) {
   double sum = 0.0;
   for (const Triangle& t : soup.triangles) {
@@ -26,7 +26,7 @@ double windingAround(const TriangleSoup& soup, const Vec3& p) {
   return sum / (2.0 * std::numbers::pi);
 }
 
-// Of a size that a hand has, within six orders.
+// Returns true if the size is that of a hand, within six orders of magnitude.
 bool isOrdinary(double diagonal) {
   return diagonal > 1e-6 && diagonal < 1e8;
 }
@@ -42,8 +42,8 @@ class ContactSideExtremesTest : public QObject {
   void everywhere();
 };
 
-// What is felt is a number, and no more than the way from the tip to where the proxy was in the tick before: it may
-// stay there. Of a closed surface the proxy never comes to the inside.
+// The force is a number, and no more than the distance from the tip to the proxy in the previous tick: it may stay
+// there. The proxy never comes to the inside of a closed surface.
 void ContactSideExtremesTest::everywhere() {
   QFETCH(test::ExtremeMesh, extreme);
   const TriangleSoup soup = extreme.soup();
@@ -54,7 +54,7 @@ void ContactSideExtremesTest::everywhere() {
   const double far = isOrdinary(surface.diagonal()) ? 0.75 * surface.diagonal() : 1.0;
   std::mt19937 random(3);
   std::normal_distribution<double> number;
-  for (int way = 0; way < kSideWays; ++way) {
+  for (int side = 0; side < kSides; ++side) {
     const double x = number(random), y = number(random);
     const Vec3 out = far * Vec3(x, y, number(random)).normalized();
     GodObject god;

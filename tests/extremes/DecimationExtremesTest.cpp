@@ -39,7 +39,7 @@ std::size_t goal(const TriangleSoup& soup) {
   return n - std::min<std::size_t>(n / 2, 1000);
 }
 
-// What is wrong with a mesh that was made from another by removing triangles; empty for nothing.
+// Returns the problem of a mesh that was made from another by removing triangles; empty for none.
 QString problemOf(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   if (const std::string broken = validate(after); !broken.empty()) return QString::fromStdString(broken);
   for (Vertex v = 0; v < after.vertexSlots(); ++v) {
@@ -85,7 +85,7 @@ void DecimationExtremesTest::withinAnError() {
   }
 }
 
-// Where the squares of lengths are no numbers, nothing can be proven: nothing goes.
+// If the squares of lengths overflow, nothing can be proven, and nothing is removed.
 void DecimationExtremesTest::hugeAndFine() {
   const HalfEdgeMesh before = buildMesh(test::moved(test::icosphere(3), Vec3::Zero(), 1e170)).mesh;
   HalfEdgeMesh mesh = before;

@@ -12,14 +12,14 @@
 #include <optional>
 #include <string>
 
-// A generator of extreme input for the tests of all modules. docs/extremes.md says what must hold.
+// A generator of extreme input for the tests of all modules. docs/extremes.md lists the properties that must hold.
 namespace handwheel::test {
 
-// Sizes of a part and places of its middle (mm).
+// Sizes of a part and positions of its centre (mm).
 inline constexpr double kScales[] = {1e-6, 1e-3, 1.0, 1e3, 1e6};
 inline constexpr double kOffsets[] = {0.0, 1e3, 1e5, 1e7};
 
-// Numbers that no formula expects.
+// Returns numbers that no formula expects.
 inline std::vector<double> strangeNumbers() {
   using Limits = std::numeric_limits<double>;
   return {Limits::quiet_NaN(),
@@ -34,7 +34,7 @@ inline std::vector<double> strangeNumbers() {
           1e300};
 }
 
-// A mesh with what follows from its making alone.
+// A mesh with its properties known by construction.
 struct ExtremeMesh {
   std::string name;
   std::function<TriangleSoup()> soup;
@@ -42,16 +42,16 @@ struct ExtremeMesh {
   std::size_t loops = 0;                        // chains of open edges
   std::size_t filled = 0;                       // loops that a repair closes
   std::size_t degenerate = 0;                   // triangles without area
-  bool oriented = true;                         // in the file
+  bool oriented = true;                         // the faces agree in the file
   bool flat = false;                            // an open sheet in a plane, which a repair makes a thin body on request
   bool sound = true;                            // a repair leaves it closed, manifold and oriented
   std::optional<double> volume = std::nullopt;  // when sound, after a repair (mm³)
-  double volumeError = 1e-9;                    // relative: what holds for the volume
+  double volumeError = 1e-9;                    // relative error of the volume
 };
 
 inline constexpr double kNothing = 1e-150;  // mm; less has no square
 
-// The largest extent of a mesh (mm). Above zero, though squares overflow or underflow or there is nothing at all.
+// Returns the largest extent of a mesh (mm). Above zero, even if squares overflow or underflow or the mesh is empty.
 inline double lengthOf(const TriangleSoup& soup) {
   Box box;
   for (const Vec3& p : soup.points) box.extend(p);
@@ -59,7 +59,7 @@ inline double lengthOf(const TriangleSoup& soup) {
   return length > 0.0 ? length : 1.0;
 }
 
-// Every corner at the same place.
+// Returns triangles with all corners at the same position.
 inline TriangleSoup coincident(std::size_t triangles) {
   TriangleSoup s;
   s.points.assign(3 * triangles, Vec3(1, 2, 3));
@@ -67,7 +67,7 @@ inline TriangleSoup coincident(std::size_t triangles) {
   return s;
 }
 
-// Triangles along one line.
+// Returns triangles along one line.
 inline TriangleSoup collinear(std::size_t triangles) {
   TriangleSoup s;
   for (std::uint32_t i = 0; i < triangles + 2; ++i) s.points.emplace_back(i, 2 * i, 3 * i);
@@ -75,21 +75,21 @@ inline TriangleSoup collinear(std::size_t triangles) {
   return s;
 }
 
-// A closed bar of square section 1 × 1, so many times as long, in slivers from end to end.
+// Returns a closed bar of square section 1 × 1, with this length, in slivers from end to end.
 inline TriangleSoup sliverBar(double length) {
   TriangleSoup s = cube();
   for (Vec3& p : s.points) p.z() *= length;
   return s;
 }
 
-// A unit cube with needles without area along its edges: what was closed stays closed.
+// Returns a unit cube with needles without area along its edges; it stays closed.
 inline TriangleSoup needleCube() {
   TriangleSoup s = cube();
   for (std::size_t f = 0; f < 4; ++f) addNeedles(s, f, 0, {0.25, 0.5, 1.0 - 1e-9});
   return s;
 }
 
-// So many tetrahedra of volume 1/6 on a grid, apart from each other.
+// Returns so many tetrahedra of volume 1/6 on a grid, apart from each other.
 inline TriangleSoup scattered(std::uint32_t parts) {
   TriangleSoup s;
   const auto side = static_cast<std::uint32_t>(std::ceil(std::cbrt(parts)));
@@ -100,7 +100,7 @@ inline TriangleSoup scattered(std::uint32_t parts) {
   return s;
 }
 
-// At least so many triangles on a torus with holes of four edges each; volume without them 2π² · 50 · 20² mm³.
+// Returns at least so many triangles on a torus with holes of four edges each; volume without them 2π² · 50 · 20² mm³.
 inline TriangleSoup largeTorus(std::size_t triangles, std::size_t holes) {
   const auto n = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(triangles + 2 * holes) / 2.0)));
   TriangleSoup s = torus(n, n, 50.0, 20.0);
@@ -110,7 +110,7 @@ inline TriangleSoup largeTorus(std::size_t triangles, std::size_t holes) {
   return s;
 }
 
-// Spheres with three holes, of every size and in every place.
+// Returns spheres with three holes, of every size and at every position.
 inline std::vector<ExtremeMesh> scaledMeshes() {
   std::vector<ExtremeMesh> meshes;
   const double sphere = 4.0 / 3.0 * M_PI;
@@ -131,7 +131,7 @@ inline std::vector<ExtremeMesh> scaledMeshes() {
   return meshes;
 }
 
-// Closed surfaces of odd triangles, and what is hardly a surface at all.
+// Returns closed surfaces of odd triangles, and degenerate input that is hardly a surface.
 inline std::vector<ExtremeMesh> oddMeshes() {
   return {
       {.name = "needles", .soup = needleCube, .degenerate = 12, .volume = 1.0},
@@ -141,7 +141,7 @@ inline std::vector<ExtremeMesh> oddMeshes() {
       {.name = "zero areas only",
        .soup = [] { return collinear(100); },
        .loops = 1,
-       .filled = 1,  // gone with its faces
+       .filled = 1,  // removed with its faces
        .degenerate = 100,
        .oriented = false,
        .sound = false},
@@ -161,7 +161,7 @@ inline std::vector<ExtremeMesh> oddMeshes() {
   };
 }
 
-// One-sided, open, in many parts.
+// Returns one-sided and open meshes, and meshes of many parts.
 inline std::vector<ExtremeMesh> topologicalMeshes() {
   return {
       {.name = "open sheet", .soup = [] { return disc(60, 10); }, .loops = 1, .filled = 1, .flat = true},

@@ -11,7 +11,7 @@
 
 using namespace handwheel;
 
-// Every way to fill a hole, and the cutting of long loops into pieces, on every extreme mesh.
+// Every method to fill a hole, and the cutting of long loops into pieces, on every extreme mesh.
 class FillingExtremesTest : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class FillingExtremesTest : public QObject {
 
 namespace {
 
-constexpr std::size_t kMostLoops = 4;          // of a mesh
+constexpr std::size_t kMostLoops = 4;          // largest number of loops of a mesh
 constexpr std::size_t kMostFacesByPair = 500;  // all pairs of faces are looked at
 
 FillOptions only(FillMethod method, Continuity continuity = Continuity::Tangent) {
@@ -48,7 +48,7 @@ FillOptions only(FillMethod method, Continuity continuity = Continuity::Tangent)
   return options;
 }
 
-std::vector<FillOptions> everyWay() {
+std::vector<FillOptions> everyMethod() {
   return {only(FillMethod::Ear),     only(FillMethod::Minimal),
           only(FillMethod::Area),    only(FillMethod::Dihedral),
           only(FillMethod::Refined), only(FillMethod::Fair, Continuity::Position),
@@ -57,7 +57,8 @@ std::vector<FillOptions> everyWay() {
           only(FillMethod::Flat)};
 }
 
-// A disc over the loop: each of its edges once, the other way round, all others twice, as many triangles as Euler says.
+// Returns true if the patch is a disc over the loop: each of its edges once, in the opposite direction, all others
+// twice, as many triangles as Euler's formula gives.
 bool isDisc(const Patch& patch) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Triangle& t : patch.triangles)
@@ -94,7 +95,7 @@ void FillingExtremesTest::patches() {
   const bool isSmall = mesh.faceSlots() <= kMostFacesByPair;
   const std::size_t crossings = isSmall ? test::meetingPairs(mesh) : 0;
   for (std::size_t i = 0; i < std::min(loops.size(), kMostLoops); ++i) {
-    for (const FillOptions& options : everyWay()) {
+    for (const FillOptions& options : everyMethod()) {
       const FillAttempt attempt = filler.propose(loops[i], options);
       if (attempt.failure != FillFailure::None) {
         QVERIFY(!extreme.name.starts_with("holed sphere"));
@@ -197,7 +198,7 @@ void FillingExtremesTest::sizeChangesNoPatch() {
     QCOMPARE(loops.size(), others.size());
     const HoleFiller filler(plain), other(scaled);
     for (std::size_t i = 0; i < loops.size(); ++i) {
-      for (const FillOptions& options : everyWay()) {
+      for (const FillOptions& options : everyMethod()) {
         const FillAttempt a = filler.propose(loops[i], options), b = other.propose(others[i], options);
         QCOMPARE(int(a.failure), int(b.failure));
         QVERIFY(a.patch.triangles == b.patch.triangles);
@@ -209,7 +210,7 @@ void FillingExtremesTest::sizeChangesNoPatch() {
   }
 }
 
-// What is proposed cuts the loop into pieces; each bridge is an edge of two of them.
+// The proposed bridges cut the loop into pieces; each bridge is an edge of two of them.
 void FillingExtremesTest::bridges() {
   constexpr std::size_t kPieceEdges = 8;
   QFETCH(test::ExtremeMesh, extreme);

@@ -15,7 +15,7 @@
 
 using namespace handwheel;
 
-// What is done to edges by hand, on every extreme mesh.
+// Manual changes of edges, on every extreme mesh.
 class HandWorkExtremesTest : public QObject {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t kMostFaces = 500;  // all pairs of faces are looked at
 constexpr int kChanges = 15;
 
-// One change by hand at a place that the numbers choose; true when it changed something.
+// Makes one manual change at a position that the numbers choose; returns true if it changed something.
 bool work(HalfEdgeMesh& mesh, int change, std::mt19937& random) {
   const auto loops = findBoundaryLoops(mesh);
   if (loops.empty()) return false;

@@ -27,7 +27,7 @@ class MeasuringExtremesTest : public QObject {
   void thicknessOfShells();
   void knownThicknesses_data();
   void knownThicknesses();
-  void thicknessAtStrangePlaces();
+  void thicknessAtStrangePositions();
   void deviationOfShells_data() { ballRows(); }
   void deviationOfShells();
 
@@ -44,7 +44,8 @@ const test::ExtremeMesh& meshNamed(const std::string& name) {
   return *std::find_if(all.begin(), all.end(), [&](const auto& mesh) { return mesh.name == name; });
 }
 
-// Triangle by triangle: how long the plane's way through each is (mm). What lies in the plane counts as below it.
+// Returns the length of the plane's path through the triangles, one by one (mm). A triangle in the plane counts as
+// below it.
 double lengthByFaces(const TriangleSoup& soup, const Vec3& normal, double offset) {
   double sum = 0.0;
   for (const Triangle& t : soup.triangles) {
@@ -82,7 +83,8 @@ void MeasuringExtremesTest::ballRows() {
   for (const double offset : test::kOffsets) QTest::addRow("10 mm, %g mm away", offset) << 10.0 << offset;
 }
 
-// Points lie on the plane, all of its way through the triangles is there, and a closed oriented mesh has closed curves.
+// Points lie on the plane, its whole path through the triangles is included, and a closed oriented mesh has closed
+// curves.
 void MeasuringExtremesTest::sectionsOfEveryMesh() {
   QFETCH(test::ExtremeMesh, extreme);
   const TriangleSoup soup = extreme.soup();
@@ -132,7 +134,7 @@ void MeasuringExtremesTest::sectionsOfBalls() {
 
 void MeasuringExtremesTest::knownSections_data() {
   QTest::addColumn<QString>("name");
-  QTest::addColumn<double>("offset");  // of the plane across X, mm
+  QTest::addColumn<double>("offset");  // offset of the plane across X, mm
   QTest::addColumn<std::size_t>("curves");
   QTest::addColumn<bool>("closed");
   QTest::addColumn<double>("length");
@@ -163,7 +165,7 @@ void MeasuringExtremesTest::knownSections() {
   const Section section = sectionOf(buildMesh(meshNamed(name.toStdString()).soup()).mesh, Vec3::UnitX(), offset);
   QCOMPARE(section.curves.size(), curves);
   QCOMPARE(section.isClosed, closed);
-  const double error = name == "open sheet" ? 3e-3 : 1e-9;  // of 60 straight edges instead of a circle
+  const double error = name == "open sheet" ? 3e-3 : 1e-9;  // 60 straight edges instead of a circle
   QVERIFY(std::abs(section.length - length) <= error * length);
   QVERIFY(std::abs(section.area - area) <= error * area);
 }
@@ -217,7 +219,7 @@ void MeasuringExtremesTest::thicknessOfShells() {
 
 void MeasuringExtremesTest::knownThicknesses_data() {
   QTest::addColumn<test::ExtremeMesh>("extreme");
-  QTest::addColumn<Vec3>("from");  // a ray along -Z from here meets the place first
+  QTest::addColumn<Vec3>("from");  // a ray along -Z from here hits the position first
   QTest::addColumn<double>("thickness");
   QTest::newRow("needles") << meshNamed("needles") << Vec3(0.5, 0.5, 9.0) << 1.0;
   QTest::newRow("bar 1e6 : 1") << meshNamed("slivers 1e6 : 1") << Vec3(0.5, 0.4, 9e6) << 1e6;
@@ -258,7 +260,7 @@ void MeasuringExtremesTest::knownThicknesses() {
   if (ball == thickness) QVERIFY(found->ballDiameter >= 0.98 * ball - rounding);
 }
 
-void MeasuringExtremesTest::thicknessAtStrangePlaces() {
+void MeasuringExtremesTest::thicknessAtStrangePositions() {
   const HalfEdgeMesh mesh = buildMesh(test::cube()).mesh;
   const FaceHierarchy faces(mesh);
   for (const double number : test::strangeNumbers()) {

@@ -47,7 +47,8 @@ std::size_t chainsOfOpenEdges(const TriangleSoup& soup) {
   std::map<std::pair<test::Coordinates, test::Coordinates>, int> uses;
   for (const Triangle& t : soup.triangles) {
     for (int k = 0; k < 3; ++k) {
-      const test::Coordinates a = test::place(soup.points[t[k]]), b = test::place(soup.points[t[(k + 1) % 3]]);
+      const test::Coordinates a = test::coordinates(soup.points[t[k]]),
+                              b = test::coordinates(soup.points[t[(k + 1) % 3]]);
       if (a != b) ++uses[std::minmax(a, b)];
     }
   }
@@ -156,7 +157,8 @@ void MeshExtremesTest::repairs() {
   QVERIFY(after.nonManifold == 0);
   QCOMPARE(after.sound() && !result.triangles.empty(), extreme.sound);
   for (const LoopResult& loop : report.loops) {
-    QCOMPARE(loop.reason == FillFailure::None, loop.outcome == LoopOutcome::Filled);  // what stays open says why
+    QCOMPARE(loop.reason == FillFailure::None,
+             loop.outcome == LoopOutcome::Filled);  // loops that stay open have a reason
   }
   QCOMPARE(report.removedDegenerate, extreme.degenerate);
   const auto filled = std::count_if(report.loops.begin(), report.loops.end(),
@@ -264,7 +266,8 @@ void MeshExtremesTest::filesRoundToSingles() {
   }
 }
 
-// Files with numbers that are none are refused, with the place; read in part, they lose the triangle and say so.
+// Files with values that are not numbers are refused, with the position; if read in part, they lose the triangle and
+// report it.
 void MeshExtremesTest::whatIsNoNumberIsRefused() {
   for (const char* number : {"nan", "NaN", "inf", "-inf", "Infinity", "1e999", "-1e999"}) {
     const auto read = readMesh(offOf(number), "a.off", {});
@@ -292,7 +295,7 @@ void MeshExtremesTest::whatIsNoNumberIsRefused() {
   }
 }
 
-// What this test proves is what the table promises.
+// This test proves the promises of the table.
 void MeshExtremesTest::tableNamesEveryRow() {
   QFile file(QStringLiteral(HANDWHEEL_EXTREMES_TABLE));
   QVERIFY(file.open(QIODevice::ReadOnly));

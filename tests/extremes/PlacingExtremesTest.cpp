@@ -108,7 +108,8 @@ void PlacingExtremesTest::turnsAndMirrors() {
     QCOMPARE(test::countBorder(mesh), test::countBorder(before));
     QCOMPARE(test::countSeams(mesh), test::countSeams(before));
     const double volume = coneVolume(before, middle, size);
-    const double share = test::rounding(box, 256.0) / size;  // of rounding in the part's size; each face has its own
+    const double share =
+        test::rounding(box, 256.0) / size;  // rounding as a fraction of the part's size; each face has its own
     const auto faces = static_cast<double>(before.faceSlots());
     QVERIFY(std::abs(coneVolume(mesh, middle, size) - volume) <= faces * share);
     QVERIFY(bool(transform(mesh, about(middle, by).inverse())));
@@ -194,7 +195,7 @@ void PlacingExtremesTest::ballsDoNotStand_data() {
   for (const double offset : test::kOffsets) QTest::addRow("10 mm, %g mm away", offset) << 10.0 << offset;
 }
 
-// Of a ball, no cap as low as a flat face may be has the area of one, and no facet either.
+// No cap of a ball as low as a flat face may be has the area of one, and no facet either.
 void PlacingExtremesTest::ballsDoNotStand() {
   QFETCH(double, radius);
   QFETCH(double, offset);
@@ -249,7 +250,8 @@ void PlacingExtremesTest::boxes() {
   }
 }
 
-// As many shells as the mesh has parts by its making; each is whole, and together they are what was split.
+// There are as many shells as the mesh has parts by construction; each is whole, and together they are the mesh that
+// was split.
 void PlacingExtremesTest::splitsAndJoins() {
   QFETCH(test::ExtremeMesh, extreme);
   const HalfEdgeMesh mesh = buildMesh(extreme.soup()).mesh;
@@ -259,11 +261,11 @@ void PlacingExtremesTest::splitsAndJoins() {
   QCOMPARE(shells.size(), isOnePoint ? mesh.faceSlots() : extreme.components);
   HalfEdgeMesh joined;
   std::multiset<std::array<test::Coordinates, 3>> left;
-  const auto placesOf = [](const HalfEdgeMesh& m, Face f) {
+  const auto cornersOf = [](const HalfEdgeMesh& m, Face f) {
     const TrianglePoints p = m.points(f);
-    return std::array<test::Coordinates, 3>{test::place(p[0]), test::place(p[1]), test::place(p[2])};
+    return std::array<test::Coordinates, 3>{test::coordinates(p[0]), test::coordinates(p[1]), test::coordinates(p[2])};
   };
-  for (Face f = 0; f < mesh.faceSlots(); ++f) left.insert(placesOf(mesh, f));
+  for (Face f = 0; f < mesh.faceSlots(); ++f) left.insert(cornersOf(mesh, f));
   std::size_t border = 0, seams = 0;
   for (const HalfEdgeMesh& shell : shells) {
     if (shells.size() < 100) QCOMPARE(QString::fromStdString(validate(shell)), QString());
@@ -276,7 +278,7 @@ void PlacingExtremesTest::splitsAndJoins() {
   QCOMPARE(seams, test::countSeams(mesh));
   QCOMPARE(joined.faceSlots(), mesh.faceSlots());
   for (Face f = 0; f < joined.faceSlots(); ++f) {
-    const auto at = left.find(placesOf(joined, f));
+    const auto at = left.find(cornersOf(joined, f));
     QVERIFY(at != left.end());
     left.erase(at);
   }

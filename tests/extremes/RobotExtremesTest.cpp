@@ -59,8 +59,8 @@ class RobotExtremesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Past a ball of a million triangles in the middle of the way. What was planned is judged with the exact sphere that
-  // the ball is within.
+  // Moves past a ball of a million triangles in the middle of the path. The planned path is judged with the exact
+  // sphere that contains the ball.
   void aMillionTriangles() {
     TriangleSoup ball = fineBall(kBallTriangles, kBallRadius);
     QVERIFY(ball.triangles.size() >= kBallTriangles);
@@ -77,7 +77,7 @@ class RobotExtremesTest : public QObject {
     const std::array<ArmValues, 2> ends{reaching(1.2), reaching(-1.2)};
     MotionCheckSettings check;
     check.clearance = 1.0;
-    // Straight through is found, and so is a place inside of it.
+    // A path straight through is detected, and so is a configuration inside it.
     QVERIFY(!verified(scene->scene, {ends[0], ends[1]}, check).isCertified());
     QVERIFY(!scene->scene.isFree(reaching(0.0), 0.0, 0.0));
     RouteSettings settings;

@@ -45,7 +45,7 @@ class SculptExtremesTest : public QObject {
 
 namespace {
 
-// What is wrong with a mesh that was moved from another with the same faces; empty for nothing.
+// Returns the problem of a mesh that was moved from another with the same faces; empty for none.
 QString sculptExtremesProblemOf(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   if (const std::string broken = validate(after); !broken.empty()) return QString::fromStdString(broken);
   for (Face f = 0; f < before.faceSlots(); ++f) {
@@ -72,7 +72,7 @@ void SculptExtremesTest::subdivides() {
       QVERIFY(test::sameMesh(mesh, before));
       break;
     }
-    // As when levels are read from a file.
+    // Repeats the reading of levels from a file.
     const auto again = subdivisionBetween(before, patch, mesh, step.firstAdded);
     QVERIFY(again && again->faces == step.faces);
     patch = step.faces;

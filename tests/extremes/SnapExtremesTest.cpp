@@ -18,8 +18,8 @@ constexpr double kStiffness = 0.5;  // N/mm
 // In reach of a hand in the middle: all kinds, and those without length or area.
 std::vector<Simplex> sceneOf(std::mt19937& random, double scale, const Vec3& middle) {
   std::vector<Simplex> simplices = randomSimplices(random, 20, scale, scale, middle);
-  const auto place = [&] { return Vec3(middle + randomIn(random, scale)); };
-  const Vec3 a = place(), b = place();
+  const auto position = [&] { return Vec3(middle + randomIn(random, scale)); };
+  const Vec3 a = position(), b = position();
   simplices.push_back(segment(a, a));
   simplices.push_back(face(a, a, a));
   simplices.push_back(face(b, a, a));
@@ -61,7 +61,7 @@ class SnapExtremesTest : public QObject {
   void scalesAndOffsets_data();
   void scalesAndOffsets();
   void strangeNumbersGiveNoStrangeForce();
-  void manyAtOnePlace();
+  void manyAtOnePosition();
   void onlyOne();
 };
 
@@ -83,17 +83,17 @@ void SnapExtremesTest::strangeNumbersGiveNoStrangeForce() {
   const std::vector<double> strange = strangeNumbers();
   std::mt19937 random(8);
   const auto number = [&] { return random() % 3 ? strange[random() % strange.size()] : 0.1 * (random() % 30); };
-  const auto place = [&] {
+  const auto position = [&] {
     const double x = number(), y = number();
     return Vec3(x, y, number());
   };
   for (int scene = 0; scene < 300; ++scene) {
     SnapFeatures features;
     for (std::uint32_t i = 0; i < 5; ++i) {
-      features.addPoint(i, place());
-      features.addSegment(i, place(), place());
-      features.addTriangle(i, place(), place(), place());
-      features.addCurve(i, std::vector{place(), place(), place(), place()}, i % 2);
+      features.addPoint(i, position());
+      features.addSegment(i, position(), position());
+      features.addTriangle(i, position(), position(), position());
+      features.addCurve(i, std::vector{position(), position(), position(), position()}, i % 2);
       features.addPoint(i, Vec3(0.1 * i, 0, 0));  // and something that is there
     }
     const SnapField field(features);
@@ -101,7 +101,7 @@ void SnapExtremesTest::strangeNumbersGiveNoStrangeForce() {
     SnapProxy proxy;
     for (int i = 0; i < 50; ++i) {
       const SnapProfile profile(kSnapShapes[i % 4], i % 3 ? 0.5 : number(), i % 5 ? 1.0 : number());
-      const Vec3 hand = place();
+      const Vec3 hand = position();
       for (const SnapResult& pull : {sum.step(field, profile, hand), proxy.step(field, profile, hand)}) {
         QVERIFY(pull.force.allFinite());
         QVERIFY(std::isfinite(pull.slope) && pull.slope >= 0.0);
@@ -111,10 +111,10 @@ void SnapExtremesTest::strangeNumbersGiveNoStrangeForce() {
 }
 
 // One point 10,000 times is one point that pulls 10,000 times as hard; the proxy method holds it once.
-void SnapExtremesTest::manyAtOnePlace() {
-  const Vec3 place(1, 2, 3), hand(1.25, 2, 3);
+void SnapExtremesTest::manyAtOnePosition() {
+  const Vec3 position(1, 2, 3), hand(1.25, 2, 3);
   SnapFeatures features;
-  for (std::uint32_t i = 0; i < 10'000; ++i) features.addPoint(i, place);
+  for (std::uint32_t i = 0; i < 10'000; ++i) features.addPoint(i, position);
   const SnapField field(features);
   const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.0);
   const SnapResult pull = SnapSum().step(field, profile, hand);
@@ -129,15 +129,16 @@ void SnapExtremesTest::manyAtOnePlace() {
 void SnapExtremesTest::onlyOne() {
   const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.0);
   for (const double at : {0.0, 1e7, 1e50, -1e100}) {
-    const Vec3 place = Vec3::Constant(at);
+    const Vec3 position = Vec3::Constant(at);
     SnapFeatures features;
-    features.addPoint(3, place);
+    features.addPoint(3, position);
     const SnapField field(features);
     SnapProxy proxy;
-    QCOMPARE(proxy.step(field, profile, place).force, Vec3(0, 0, 0));
+    QCOMPARE(proxy.step(field, profile, position).force, Vec3(0, 0, 0));
     QCOMPARE(proxy.held().id, 3u);
-    QCOMPARE(SnapSum().step(field, profile, place).featureCount, 1u);
-    QCOMPARE(proxy.step(field, profile, place + Vec3::Constant(std::max(2.0, 1e-3 * std::abs(at)))).featureCount, 0u);
+    QCOMPARE(SnapSum().step(field, profile, position).featureCount, 1u);
+    QCOMPARE(proxy.step(field, profile, position + Vec3::Constant(std::max(2.0, 1e-3 * std::abs(at)))).featureCount,
+             0u);
   }
 }
 

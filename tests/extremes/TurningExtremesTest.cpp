@@ -19,16 +19,16 @@ namespace {
 
 constexpr StockCylinder kExtremeBar{40.0, 100.0, 0.0};
 
-struct WayToCut {
+struct CuttingSetup {
   const char* name;
   TurningSide side;
   TurningMethod method;
 };
 
-constexpr WayToCut kWays[] = {{"outside, trimmed", TurningSide::Outside, TurningMethod::Trim},
-                              {"bore, trimmed", TurningSide::Bore, TurningMethod::Trim},
-                              {"outside, by control points", TurningSide::Outside, TurningMethod::Poles},
-                              {"bore, by control points", TurningSide::Bore, TurningMethod::Poles}};
+constexpr CuttingSetup kCuttings[] = {{"outside, trimmed", TurningSide::Outside, TurningMethod::Trim},
+                                      {"bore, trimmed", TurningSide::Bore, TurningMethod::Trim},
+                                      {"outside, by control points", TurningSide::Outside, TurningMethod::Poles},
+                                      {"bore, by control points", TurningSide::Bore, TurningMethod::Poles}};
 
 // A tube, so that both sides have a surface: radii 10 and 20.
 TurnedProfile tube(double spacing) {
@@ -37,17 +37,18 @@ TurnedProfile tube(double spacing) {
   return part;
 }
 
-TurningPass passOf(const WayToCut& way, double nose) {
+TurningPass passOf(const CuttingSetup& cutting, double nose) {
   TurningPass pass;
-  pass.side = way.side;
-  pass.method = way.method;
+  pass.side = cutting.side;
+  pass.method = cutting.method;
   pass.noseRadius = nose;
   return pass;
 }
 
 // The centre of a nose that is this deep in the wall of the tube.
-ProfilePoint placeAt(const WayToCut& way, double nose, double depth, double z) {
-  return way.side == TurningSide::Bore ? ProfilePoint(10.0 - nose + depth, z) : ProfilePoint(20.0 + nose - depth, z);
+ProfilePoint noseAt(const CuttingSetup& cutting, double nose, double depth, double z) {
+  return cutting.side == TurningSide::Bore ? ProfilePoint(10.0 - nose + depth, z)
+                                           : ProfilePoint(20.0 + nose - depth, z);
 }
 
 bool isSound(const TurnedProfile& part) {
@@ -75,19 +76,19 @@ class TurningExtremesTest : public QObject {
 
  private slots:
   void ways_data() {
-    QTest::addColumn<int>("way");
-    for (int i = 0; i < 4; ++i) QTest::addRow("%s", kWays[i].name) << i;
+    QTest::addColumn<int>("setup");
+    for (int i = 0; i < 4; ++i) QTest::addRow("%s", kCuttings[i].name) << i;
   }
 
   // Depth 0 takes nothing; 1e-9 mm takes that, moved control points up to as much again.
   void depths_data() { ways_data(); }
   void depths() {
-    QFETCH(int, way);
-    const WayToCut& how = kWays[way];
+    QFETCH(int, setup);
+    const CuttingSetup& how = kCuttings[setup];
     for (const double depth : {0.0, -1e-9, 1e-9, 2e-9, 1e-6}) {
       TurnedProfile part = tube(0.1);
       const TurnedProfile before = part;
-      const ProfilePoint from = placeAt(how, 2.0, depth, part.z(300)), to = placeAt(how, 2.0, depth, part.z(700));
+      const ProfilePoint from = noseAt(how, 2.0, depth, part.z(300)), to = noseAt(how, 2.0, depth, part.z(700));
       const TurnedProfile::Range changed = cut(part, passOf(how, 2.0), from, to);
       QVERIFY(isSound(part));
       QCOMPARE(changed.isEmpty(), !(depth > 0.0));
@@ -102,15 +103,15 @@ class TurningExtremesTest : public QObject {
   // closed.
   void toAndThroughTheAxis_data() { ways_data(); }
   void toAndThroughTheAxis() {
-    QFETCH(int, way);
-    const WayToCut& how = kWays[way];
+    QFETCH(int, setup);
+    const CuttingSetup& how = kCuttings[setup];
     for (const double beyond : {0.0, 1e-9, 3.0, 100.0}) {
       TurnedProfile part(kExtremeBar, 0.1);
       if (how.side == TurningSide::Bore) part = tube(0.1);
       const double depth = (how.side == TurningSide::Bore ? 10.0 : 20.0) + beyond;
-      const ProfilePoint end = placeAt(how, 2.0, depth, part.z(500));
+      const ProfilePoint end = noseAt(how, 2.0, depth, part.z(500));
       const TurningPass pass = passOf(how, 2.0);
-      cut(part, pass, placeAt(how, 2.0, -1.0, part.z(500)), end);
+      cut(part, pass, noseAt(how, 2.0, -1.0, part.z(500)), end);
       cut(part, pass, end, end);
       QVERIFY(isSound(part));
       QVERIFY(!part.hasMaterial(500));
@@ -126,19 +127,19 @@ class TurningExtremesTest : public QObject {
   // No coordinate and no size that is no number changes anything.
   void noNumber_data() { ways_data(); }
   void noNumber() {
-    QFETCH(int, way);
+    QFETCH(int, setup);
     TurnedProfile part = tube(0.5);
     const TurnedProfile before = part;
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -HUGE_VAL}) {
       for (int k = 0; k < 4; ++k) {
         ProfilePoint a(15.0, 50.0), b(15.0, 60.0);
         (k < 2 ? a : b)[k % 2] = bad;
-        QVERIFY(cut(part, passOf(kWays[way], 1.0), a, b).isEmpty());
+        QVERIFY(cut(part, passOf(kCuttings[setup], 1.0), a, b).isEmpty());
       }
-      QVERIFY(cut(part, passOf(kWays[way], bad), {15.0, 50.0}, {15.0, 60.0}).isEmpty());
+      QVERIFY(cut(part, passOf(kCuttings[setup], bad), {15.0, 50.0}, {15.0, 60.0}).isEmpty());
     }
     QCOMPARE(part.volume(), before.volume());
-    cut(part, passOf(kWays[way], 1.0), {15.0, 1e300}, {15.0, -1e308});
+    cut(part, passOf(kCuttings[setup], 1.0), {15.0, 1e300}, {15.0, -1e308});
     QVERIFY(isSound(part));
     QVERIFY(before.volume() >= part.volume());
   }

@@ -41,7 +41,7 @@ inline void addCases(CaseGroup group) {
   }
 }
 
-// At the default there is a result with an error and a cost, and the seed alone decides on the error.
+// Checks that at the default there is a result with an error and a cost, and that the seed alone decides on the error.
 inline void runCase() {
   QFETCH(QString, id);
   QFETCH(int, index);

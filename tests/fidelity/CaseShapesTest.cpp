@@ -42,7 +42,7 @@ void CaseShapesTest::shapes() {
 
 void CaseShapesTest::exactParts_data() {
   QTest::addColumn<ExactPart>("part");
-  QTest::addColumn<Vec3>("onFace");  // a place in the middle of a flat face, or of the shaft's side
+  QTest::addColumn<Vec3>("onFace");  // a position in the middle of a flat face, or of the shaft's side
   QTest::addColumn<Vec3>("normal");  // there
   QTest::addColumn<Vec3>("onCrease");
   QTest::newRow("milled") << milledPart() << Vec3(40, 20, 25) << Vec3(0, 0, 1) << Vec3(45, 70, 3);

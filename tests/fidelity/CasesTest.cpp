@@ -11,7 +11,7 @@
 
 using namespace handwheel;
 
-// What is measured beside meshes and volumes.
+// The measured settings other than those of meshes and volumes.
 class CasesTest : public QObject {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ void CasesTest::sidesOfRoundShapes() {
     const FidelitySample ball = entry.cases.at(0).run(n, 1, {}), cylinder = entry.cases.at(1).run(n, 1, {});
     QVERIFY(std::abs(cylinder.error - chord) < 1e-9);
     QCOMPARE(cylinder.cost, 4.0 * n);
-    QVERIFY(ball.error > chord && ball.error < 3.0 * chord);  // bent both ways
+    QVERIFY(ball.error > chord && ball.error < 3.0 * chord);  // bent in both directions
     QCOMPARE(ball.cost, 2.0 * n * (std::floor(n / 2.0) - 1.0));
   }
 }

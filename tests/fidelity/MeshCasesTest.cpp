@@ -20,7 +20,7 @@ FidelityCase onMesh(const char* id, const TriangleSoup& soup) {
 
 }  // namespace
 
-// What is measured of meshes.
+// The measured settings of meshes.
 class MeshCasesTest : public QObject {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class MeshCasesTest : public QObject {
   void smallAndDegenerateMeshes();
 };
 
-// What the method is for: where a sharp edge goes through a hole, a patch that carries it on is nearer to the part.
+// The purpose of the method: if a sharp edge goes through a hole, a patch that continues it is nearer to the part.
 void MeshCasesTest::creasesCarryEdgesThroughHoles() {
   const FidelityRegistry::Entry& entry = *test::measured().find("mesh.fill_method");
   std::size_t scans = 0;
@@ -64,7 +64,7 @@ void MeshCasesTest::patchesOfAMesh() {
   const FidelityRegistry::Entry& entry = *test::measured().find("mesh.fill_method");
   const double fair = test::errorAt(method, *valueOf(entry.setting, "fair"));
   QVERIFY(fair < 0.5);                                                   // % of the hole: it continues the curvature,
-  QVERIFY(test::errorAt(method, *valueOf(entry.setting, "ear")) > 2.0);  // which a flat lid cannot
+  QVERIFY(test::errorAt(method, *valueOf(entry.setting, "ear")) > 2.0);  // a flat lid cannot do this
   QCOMPARE(test::errorAt(density, test::measured().find("mesh.patch_density")->setting.standard), fair);
   QVERIFY(casesOnMesh("nurbs.chord_mm", "mesh", nullptr).empty());
 }
@@ -102,7 +102,7 @@ void MeshCasesTest::smallAndDegenerateMeshes_data() {
   QTest::newRow("far away") << 4;
 }
 
-// Whatever the user brings: no crash, and no error that is not a number.
+// For any mesh of the user: no crash, and no error that is not a number.
 void MeshCasesTest::smallAndDegenerateMeshes() {
   QFETCH(int, shape);
   const TriangleSoup soups[] = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},

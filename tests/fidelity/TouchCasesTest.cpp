@@ -17,7 +17,7 @@ const FidelityCase& caseOf(const char* id, std::size_t index) {
 
 }  // namespace
 
-// What is measured of touch is what mechanics says.
+// The measurements of touch agree with mechanics.
 class TouchCasesTest : public QObject {
   Q_OBJECT
 

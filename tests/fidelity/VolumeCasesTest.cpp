@@ -8,7 +8,7 @@
 
 using namespace handwheel;
 
-// What is measured of volumes but for their reduction, and of drilling in them.
+// The measured settings of volumes except for their reduction, and of drilling in them.
 class VolumeCasesTest : public QObject {
   Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 using namespace handwheel;
 
-// What is measured of the reduction of a volume's surface, which takes longer than all else of volumes.
+// The measurements of the reduction of a volume's surface, which take longer than all others of volumes.
 class VolumeReductionCasesTest : public QObject {
   Q_OBJECT
 

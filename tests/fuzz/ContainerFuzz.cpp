@@ -47,7 +47,7 @@ bool same(const Container& a, const Container& b) {
   return ownPart(*a.manifest) == ownPart(*b.manifest) && a.blobs == b.blobs;
 }
 
-// What was read is written, and reads back the same, whole.
+// Writes a container that was read, and checks that it is read back the same, whole.
 void writeAndRead(const Container& container, Compression compression) {
   const auto bytes = writeContainer(container, compression);
   if (!bytes && bytes.error().code == ErrorCode::FileTooLarge) return;  // a manifest grows when it is written
@@ -66,7 +66,7 @@ void requireValid(const MeshSnapshot& mesh) {
     require(validate(mesh.levels->mesh(i)).empty(), "a level is not valid");
 }
 
-// Whatever is in it may be read; but once it was read, it is saved and read without loss.
+// Reads any content; once it was read, it is saved and read without loss.
 void readAs(const DocumentKind& kind, const Container& container) {
   std::vector<Error> damage;
   const auto content = kind.load(container, damage, {});

@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace handwheel;
   const auto program = readDrillProgram({reinterpret_cast<const char*>(data), size});
   if (!program) return 0;
-  if (program->places.empty() || program->places.size() > DrillProgram::kMostPlaces) std::abort();
+  if (program->waypoints.empty() || program->waypoints.size() > DrillProgram::kMostWaypoints) std::abort();
   double last = 0.0;
-  for (const auto& [time, tip] : program->places) {
+  for (const auto& [time, tip] : program->waypoints) {
     if (!(time >= last) || !std::isfinite(time) || !tip.allFinite()) std::abort();
     last = time;
   }

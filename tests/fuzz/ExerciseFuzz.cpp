@@ -37,7 +37,7 @@ const ExerciseKind& turningExercises() {
   return kKind;
 }
 
-// What was read is written, and read again as the same.
+// Writes an exercise that was read, and reads it again as the same.
 void judgeDescription(const nlohmann::json& description) {
   const Result<SnapshotPointer> made = turningExercises().fromDescription(description, {});
   if (!made) return;

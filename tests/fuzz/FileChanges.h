@@ -18,16 +18,16 @@
 
 namespace handwheel::fuzz {
 
-// A good file with changes: eight bytes of the input each. A library that reads in a process of its own gives no
-// coverage, so files that are random from the start would all be refused at the door.
+// Returns a good file with changes: eight bytes of the input each. A library that reads in a process of its own gives
+// no coverage, so random files would all be refused at once.
 inline std::string changedFile(std::string file, const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kBytes = 8, kMostChanges = 16;
-  constexpr std::size_t kHead = 600;  // bytes that steer the reader
+  constexpr std::size_t kHead = 600;  // bytes that control the reader
   const std::size_t count = std::min(size / kBytes, kMostChanges);
   for (std::size_t i = 0; i < count && !file.empty(); ++i) {
     const std::uint8_t* const change = data + i * kBytes;
-    const std::size_t place = std::size_t{change[1]} | std::size_t{change[2]} << 8 | std::size_t{change[3]} << 16;
-    const std::size_t at = place % ((change[0] & 8) != 0 ? std::min(kHead, file.size()) : file.size());
+    const std::size_t value = std::size_t{change[1]} | std::size_t{change[2]} << 8 | std::size_t{change[3]} << 16;
+    const std::size_t at = value % ((change[0] & 8) != 0 ? std::min(kHead, file.size()) : file.size());
     const auto* const number = reinterpret_cast<const char*>(change + 4);
     switch (change[0] & 7) {
       case 0:  // cut off
@@ -55,8 +55,8 @@ inline std::string changedFile(std::string file, const std::uint8_t* data, std::
   return file;
 }
 
-// Cancels the reading of a file after some seconds. Of damaged files some take as long as their process may, which is
-// most of a minute, and a test is to read many.
+// Cancels the reading of a file after some seconds. Some damaged files take as long as their process may, which is most
+// of a minute, and a test has to read many.
 class ReadingTime {
  public:
   ReadingTime() : m_watch([this] { watch(); }) {}
@@ -86,7 +86,7 @@ class ReadingTime {
   std::thread m_watch;
 };
 
-// What readers in a process of their own promise of a file that they refuse, or that took longer than a ReadingTime.
+// Checks the error of isolated readers for a file that they refuse, or that took longer than a ReadingTime.
 inline void requireReaderError(ErrorCode code, const char* fuzzer) {
   if (code == ErrorCode::LibraryFailed || code == ErrorCode::OutOfMemory || code == ErrorCode::Cancelled) return;
   std::fprintf(stderr, "%s: an error that no reader of its kind gives\n", fuzzer);

@@ -22,7 +22,7 @@ void require(bool condition, const char* what) {
   std::abort();
 }
 
-// Whatever a file says: finite forces everywhere, and the same model from its own text.
+// Checks for any file: finite forces everywhere, and the same model from its own text.
 void judgeModel(const TrainedForceModel& model) {
   constexpr double kValues[] = {0.0, 1e-300, 1e-9, 0.1, 1.0, 100.0, 1e9, 1e300, -1.0, NAN, INFINITY};
   for (const double d : kValues) {

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is what one process says to
-// the other: whatever it is, no force and no place that is no number comes out of it.
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it if that is not available. The input is the message of one process
+// to the other: for any message, only finite forces and positions result.
 
 namespace {
 

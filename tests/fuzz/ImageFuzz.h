@@ -12,7 +12,7 @@
 
 namespace handwheel::fuzz {
 
-// What the readers of images promise of any file. The file beside it is the second half of the bytes.
+// Checks the readers of images with any file. The file beside it is the second half of the bytes.
 template <class Read>
 void checkImage(const std::uint8_t* data, std::size_t size, Read read) {
   const auto require = [](bool condition, const char* what) {

@@ -28,8 +28,8 @@ void judge(const handwheel::Result<handwheel::MeshFile>& file) {
   require(file->damage.size() <= 1000, "too much listed");
 }
 
-// Writing what was read and reading it again gives the same number of triangles. Doubles beyond single precision have
-// no place in STL, so the other formats stand for it.
+// Writes a mesh that was read, and checks that reading it again gives the same number of triangles. STL cannot store
+// doubles beyond single precision, so the other formats stand for it.
 void writeAndRead(const handwheel::MeshFile& file, handwheel::MeshFormat format) {
   const std::string bytes = handwheel::writeMesh(file.soup, format, handwheel::NumberType::Float64);
   const auto again = handwheel::readMesh(bytes, "", {});

@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto read = recordingFromBytes({reinterpret_cast<const char*>(data), size});
   if (!read) return 0;
   for (std::size_t i = 0; i < read->size(); ++i) require((*read)[i].tip.position.allFinite(), "a tip that is nowhere");
-  // What was read is written and read again as the same.
+  // The recording is written and read again as the same.
   const std::string bytes = recordingBytes(*read);
   require(bytes.size() == size, "another length");
   const auto again = recordingFromBytes(bytes);

@@ -15,9 +15,9 @@
 #include <span>
 #include <utility>
 
-// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The first byte chooses what the others
-// are: the corners of loose triangles on a small grid, so that places coincide and lines cross in points; pairs of a
-// point and a place for it that damage a ball; or the seed of one that is damaged at random.
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it if that is not available. The first byte chooses the meaning of
+// the others: the corners of loose triangles on a small grid, so that points coincide and lines cross in points; pairs
+// of a point and a position for it that damage a ball; or the seed of one that is damaged at random.
 
 namespace {
 
@@ -62,7 +62,7 @@ TriangleSoup damagedBall(Rest bytes) {
     if (bytes[0] < 128) {
       soup.points[bytes[0] % soup.points.size()] = 0.5 * onGrid(bytes[1]) - Vec3(1.5, 1.5, 0.5);
     } else {
-      soup.triangles[bytes[0] % soup.triangles.size()][bytes[1] % 3] = (bytes[1] >> 2) % 42u;  // of 42 points
+      soup.triangles[bytes[0] % soup.triangles.size()][bytes[1] % 3] = (bytes[1] >> 2) % 42u;  // one of 42 points
     }
   }
   return soup;
@@ -85,7 +85,7 @@ double processorSeconds() {
 
 struct Run {
   RepairReport report;
-  double seconds;  // of CPU time
+  double seconds;  // CPU time
 };
 
 Run timedRepair(HalfEdgeMesh& mesh, bool cutCrossings) {

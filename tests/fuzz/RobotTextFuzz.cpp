@@ -48,8 +48,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }();
   judgePrograms(text, kFrame);
   if (const auto path = readPath(text, kRobot, restValues(kRobot))) {
-    for (const Waypoint& place : path->places)
-      require(valuesWithinLimits(kRobot, place.joints).hasValue(), "a place beyond the limits");
+    for (const Waypoint& waypoint : path->waypoints)
+      require(valuesWithinLimits(kRobot, waypoint.joints).hasValue(), "a place beyond the limits");
   }
   if (const auto semantics = readSrdf(text, kRobot)) {
     for (const auto& [a, b] : semantics->allowed)

@@ -77,7 +77,7 @@ class Mutator {
  private:
   std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(m_random); }
 
-  // Keeps the head, which steers the reader, and some of the rest.
+  // Keeps the head, which controls the reader, and some of the rest.
   void shorten(Bytes& bytes) { bytes.resize(below(4096)); }
 
   void change(Bytes& bytes) {

@@ -9,7 +9,7 @@
 #include "HapticPoses.h"
 #include "haptics/recording/Recording.h"
 
-// Random recordings, and what makes two of them the same, for properties.
+// Random recordings, and comparisons of two of them, for properties.
 namespace handwheel::test {
 
 inline RecordedTick anyTick(std::uint64_t number) {

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-// Values of operations that nobody chose.
+// Random values of operations.
 namespace handwheel::test {
 
-// Between the limits, of any size.
+// Returns a number between the limits, of any size.
 inline double anyNumber(double least, double largest) {
   constexpr double kFar = 1e15;
   const double low = std::max(least, -kFar), high = std::min(largest, kFar);
@@ -38,7 +38,7 @@ inline PropertyValue anyValue(const Parameter& parameter) {
   return *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::element('0', '7', '9', ',', ':', 'v')));
 }
 
-// Some are set, and some of these to their default.
+// Sets some values, and some of these to their default.
 inline OperationValues anyValues(const Operation& operation) {
   OperationValues values(operation);
   for (const Parameter& parameter : operation.parameters) {

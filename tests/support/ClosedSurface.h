@@ -9,8 +9,8 @@
 
 namespace handwheel::test {
 
-// Whether a surface is closed, oriented and manifold. Each edge is passed once each way, and the triangles round a
-// point are one ring.
+// Returns true if a surface is closed, oriented and manifold. Each edge is used once in each direction, and the
+// triangles around a point form one ring.
 inline bool isClosedManifold(const TriangleSoup& soup) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> passed;
   std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> rings;
@@ -29,7 +29,7 @@ inline bool isClosedManifold(const TriangleSoup& soup) {
   return rings.size() == soup.points.size();
 }
 
-// The signed volume inside a closed surface.
+// Returns the signed volume inside a closed surface.
 inline double enclosed(const TriangleSoup& soup) {
   double six = 0.0;
   for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));

@@ -9,20 +9,20 @@
 // Parts with sharp edges, finely triangulated, and the distance from their true surfaces.
 namespace handwheel::test {
 
-// The box from -1 to 1 with these heights instead in z; n cells a side. Inner points of its sides are moved about on
-// them (seed 0: not at all), those of its edges along them.
+// Returns the box from -1 to 1, but with these heights in z; n cells a side. Inner points of its sides are moved about
+// on them (seed 0: not at all), those of its edges along them.
 inline TriangleSoup roughBox(std::uint32_t n, double low, double high, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> number;
   TriangleSoup s;
-  const auto place = [&](std::uint32_t i, int axis) {
+  const auto coordinate = [&](std::uint32_t i, int axis) {
     const double shake = seed && i > 0 && i < n ? 0.5 * (random() / 4294967296.0 - 0.5) : 0.0;
     const double w = (i + shake) / n;
     return axis == 2 ? low + (high - low) * w : 2.0 * w - 1.0;
   };
   const auto at = [&](const std::array<std::uint32_t, 3>& cell) {
     const auto [found, isNew] = number.try_emplace(cell, static_cast<std::uint32_t>(s.points.size()));
-    if (isNew) s.points.emplace_back(place(cell[0], 0), place(cell[1], 1), place(cell[2], 2));
+    if (isNew) s.points.emplace_back(coordinate(cell[0], 0), coordinate(cell[1], 1), coordinate(cell[2], 2));
     return found->second;
   };
   for (int axis = 0; axis < 3; ++axis) {
@@ -59,7 +59,7 @@ inline TriangleSoup roughCube(std::uint32_t n, std::uint32_t seed) {
   return roughBox(n, -1.0, 1.0, seed);
 }
 
-// A fifth as high as wide: a ball at its side crosses two edges.
+// Returns a slab a fifth as high as wide: a ball at its side crosses two edges.
 inline TriangleSoup roughSlab(std::uint32_t n, std::uint32_t seed) {
   return roughBox(n, 0.0, 0.2, seed);
 }
@@ -69,7 +69,7 @@ inline double distanceToCube(const Vec3& p) {
   return std::abs(q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0));
 }
 
-// Of radius 1 around z, from z = -1 to 1; n points round, moved about unless the seed is 0.
+// Returns a cylinder of radius 1 around z, from z = -1 to 1, with n points around, moved about unless the seed is 0.
 inline TriangleSoup roughCylinder(std::uint32_t n, std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto shake = [&] { return seed ? 0.4 * (random() / 4294967296.0 - 0.5) : 0.0; };

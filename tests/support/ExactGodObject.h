@@ -9,9 +9,9 @@
 
 namespace handwheel::test {
 
-// A reference god-object without friction on a triangle mesh, for comparison. Its triangles share their corners: no
-// hierarchy, no steps, nothing kept off the surface. From where it is it goes straight on, over a triangle that it
-// stands on, to the place there that is nearest to the tip, as long as that is nearer: downhill all the way, never over
+// A reference god-object without friction on a triangle mesh, for comparison. The triangles share their corners. It
+// uses no hierarchy, no steps, and no distance from the surface. From its present position it moves straight on, over a
+// triangle that it touches, to the position there nearest to the tip, while that is nearer: always downhill, never over
 // a ridge. It does not leave the surface, so it says nothing of a tip outside.
 class ExactGodObject {
  public:
@@ -25,16 +25,16 @@ class ExactGodObject {
       for (const std::uint32_t v : mesh.triangles[t]) m_around[next[v]++] = t;
   }
 
-  // On the triangle that is nearest of all.
+  // Sets the proxy on the nearest triangle.
   void place(const Vec3& tip) {
     m_best = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t) look(t, tip);
   }
 
-  // At a place of a triangle.
-  void stand(std::uint32_t triangle, const Vec3& place) {
+  // Sets the proxy to a position on a triangle.
+  void stand(std::uint32_t triangle, const Vec3& position) {
     m_triangle = triangle;
-    m_proxy = place;
+    m_proxy = position;
   }
 
   const Vec3& follow(const Vec3& tip) {
@@ -50,7 +50,7 @@ class ExactGodObject {
   const Vec3& proxy() const { return m_proxy; }
 
  private:
-  static constexpr double kOn = 1e-9;  // mm, from a triangle that it stands on
+  static constexpr double kOn = 1e-9;  // mm, distance from a triangle that it touches
 
   void goOn(const Vec3& tip) {
     const Vec3 from = m_proxy;

@@ -12,8 +12,8 @@
 
 namespace handwheel::test {
 
-// The capabilities of a force device of 8 N with friction, as a Falcon has. The friction is 5 N·s/m; where the device
-// is, the test says.
+// Returns the capabilities of a force device of 8 N with friction, like a Falcon. The friction is 5 N·s/m; the test
+// controls the position of the device.
 inline DeviceCapabilities forceDevice() {
   DeviceCapabilities device;
   device.buttons = 2;
@@ -28,13 +28,13 @@ inline DeviceCapabilities forceDevice() {
 class ScriptedDevice : public Device {
  public:
   struct Log {
-    DeviceState state;  // what the next reading says
-    DeviceForce last;   // what was written last
+    DeviceState state;  // result of the next reading
+    DeviceForce last;   // last written force
     int reads = 0;
     int writes = 0;
     int closes = 0;
-    std::function<void(Log&)> onRead;                             // before a reading
-    std::function<void(const Log&, const DeviceForce&)> onWrite;  // before it is the last
+    std::function<void(Log&)> onRead;                             // called before a reading
+    std::function<void(const Log&, const DeviceForce&)> onWrite;  // called before it becomes the last
   };
 
   explicit ScriptedDevice(std::shared_ptr<Log> log, const DeviceCapabilities& capabilities = forceDevice())
@@ -61,7 +61,7 @@ class ScriptedDevice : public Device {
   DeviceCapabilities m_capabilities;
 };
 
-// A force that a function makes of the tip.
+// A force that is a function of the tip.
 class FunctionSource : public ForceRenderer {
  public:
   using Function = std::function<void(const TipState&, ForceOut&)>;
@@ -79,7 +79,8 @@ class FunctionSource : public ForceRenderer {
   Function m_function;
 };
 
-// A wall at x = 0 that fills x > 0, as stiff as asked and the loop allows, with a damping B (N·s/mm) inside.
+// Returns a wall at x = 0 that fills x > 0, as stiff as requested and the loop allows, with a damping B (N·s/mm)
+// inside.
 inline FunctionSource::Function wall(double stiffness, double damping = 0.0) {
   return [=](const TipState& tip, ForceOut& out) {
     const double limit = tip.stiffnessLimit * (1.0 - damping / tip.dampingLimit);
@@ -100,7 +101,7 @@ inline std::unique_ptr<HapticScene> sceneOf(FunctionSource::Function function, b
   return scene;
 }
 
-// A clock whose waits end when the test says: `late` ns after the time asked for.
+// A clock whose waits end `late` ns after the requested time, as the test sets.
 class LateClock : public VirtualClock {
  public:
   std::function<std::int64_t()> late;

@@ -9,8 +9,8 @@
 // Flat plates with holes cut into them.
 namespace handwheel::test {
 
-// Size × size unit squares around the origin in z = 0, facing up, without the triangles whose middle isHole(x, y)
-// picks.
+// Returns size × size unit squares around the origin in z = 0, facing up, without the triangles whose middle isHole(x,
+// y) picks.
 template <class IsHole>
 TriangleSoup plateWithout(std::uint32_t size, IsHole isHole) {
   TriangleSoup s = grid(size + 1, size + 1, false, false,
@@ -22,36 +22,36 @@ TriangleSoup plateWithout(std::uint32_t size, IsHole isHole) {
   return s;
 }
 
-// A hole of 6 around the origin in a plate of 20, with an island of 2 in it.
+// Returns a hole of 6 around the origin in a plate of 20, with an island of 2 in it.
 inline TriangleSoup plateWithIsland() {
   return plateWithout(20, [](double x, double y) { return std::hypot(x, y) < 6.0 && std::hypot(x, y) > 2.0; });
 }
 
-// A square hole of 12 in a plate of 20, with a tongue of 2 × 8 from its left side.
+// Returns a square hole of 12 in a plate of 20, with a tongue of 2 × 8 from its left side.
 inline TriangleSoup plateWithTongue() {
   return plateWithout(20, [](double x, double y) {
     return std::max(std::abs(x), std::abs(y)) < 6.0 && !(std::abs(y) < 1.0 && x < 2.0);
   });
 }
 
-// A square hole of 4 in a plate of 10.
+// Returns a square hole of 4 in a plate of 10.
 inline TriangleSoup plateWithHole() {
   return plateWithout(10, [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 2.0; });
 }
 
-// Two square holes of 2 in a plate of 10 that touch in the origin.
+// Returns two square holes of 2 in a plate of 10 that touch in the origin.
 inline TriangleSoup plateWithPinchedHole() {
   return plateWithout(10, [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 2.0 && x * y > 0.0; });
 }
 
-// Of a torus of 24 × 12 cells: the two triangles of cell (i, j).
+// Returns the two triangles of cell (i, j) of a torus of 24 × 12 cells.
 inline std::array<std::size_t, 2> torusCell(std::uint32_t i, std::uint32_t j) {
   return {2 * std::size_t(i * 12 + j), 2 * std::size_t(i * 12 + j) + 1};
 }
 
-// A torus with two holes and a slit. One hole is two squares of 3 × 3 cells, and a slit of one edge joins them; the
-// other is a slit of two edges. The vertices along a slit lie this far apart, mm: merged, the first hole falls into
-// two, and the second closes.
+// Returns a torus with two holes and a slit. One hole is two squares of 3 × 3 cells, and a slit of one edge joins them;
+// the other is a slit of two edges. The vertices along a slit lie this far apart, mm: once merged, the first hole falls
+// into two, and the second closes.
 inline TriangleSoup torusWithSlits(double gap) {
   TriangleSoup s = torus(24, 12);
   const auto at = [](std::uint32_t i, std::uint32_t j) { return i * 12 + j; };

@@ -20,16 +20,16 @@ struct MadeSlice {
   int width = 8, height = 6;
   Vec3 origin = Vec3::Zero();
   Vec3 across = Vec3::UnitX(), down = Vec3::UnitY();
-  double spacing = 0.5;  // mm, of pixels
+  double spacing = 0.5;  // distance of pixels, mm
   double slope = 1.0, intercept = -1024.0;
   std::string series = "1.2.3.4";
   gdcm::TransferSyntax::TSType syntax = gdcm::TransferSyntax::ExplicitVRLittleEndian;
-  // The value at a place, before it is stored as (value - intercept) / slope.
+  // The value at a position, before it is stored as (value - intercept) / slope.
   std::function<double(const Vec3&)> value = [](const Vec3& p) { return std::round(100 * p.x() + 10 * p.y() + p.z()); };
 };
 
 inline std::string dicomOf(const MadeSlice& slice) {
-  gdcm::Trace::WarningOff();  // of what is put in afterwards
+  gdcm::Trace::WarningOff();  // no warnings about the values added later
   std::vector<std::int16_t> stored;
   for (int y = 0; y < slice.height; ++y)
     for (int x = 0; x < slice.width; ++x) {
@@ -37,7 +37,7 @@ inline std::string dicomOf(const MadeSlice& slice) {
       stored.push_back(static_cast<std::int16_t>(std::lround((slice.value(p) - slice.intercept) / slice.slope)));
     }
   gdcm::ImageWriter writer;
-  const gdcm::SmartPointer<gdcm::Image> held = new gdcm::Image;  // counted by those who use it
+  const gdcm::SmartPointer<gdcm::Image> held = new gdcm::Image;  // reference-counted
   gdcm::Image& image = *held;
   image.SetNumberOfDimensions(2);
   image.SetDimension(0, static_cast<unsigned>(slice.width));

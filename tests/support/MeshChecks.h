@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
-// Figures of triangle lists by brute force, to judge the mesh module.
+// Measurements of triangle lists by brute force, to judge the mesh module.
 namespace handwheel::test {
 
 using Coordinates = std::array<double, 3>;
-inline Coordinates place(const Vec3& p) {
+inline Coordinates coordinates(const Vec3& p) {
   return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
 }  // + 0.0: no negative zero
 
@@ -23,11 +23,12 @@ struct Edges {
   bool sound() const { return border == 0 && nonManifold == 0 && inconsistent == 0; }
 };
 
-// Edges by position. Triangles with two equal corners are left out.
+// Counts edges by position. Triangles with two equal corners are left out.
 inline Edges countEdges(const TriangleSoup& s) {
   std::map<std::pair<Coordinates, Coordinates>, std::array<int, 2>> uses;
   for (const Triangle& t : s.triangles) {
-    const std::array<Coordinates, 3> p = {place(s.points[t[0]]), place(s.points[t[1]]), place(s.points[t[2]])};
+    const std::array<Coordinates, 3> p = {coordinates(s.points[t[0]]), coordinates(s.points[t[1]]),
+                                          coordinates(s.points[t[2]])};
     if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const Coordinates &a = p[k], &b = p[(k + 1) % 3];
@@ -48,21 +49,21 @@ inline Edges countEdges(const HalfEdgeMesh& mesh) {
   return countEdges(mesh.compact().soup);
 }
 
-// The places that triangles use.
-inline std::set<Coordinates> places(const TriangleSoup& s) {
+// Returns the positions that triangles use.
+inline std::set<Coordinates> allCoordinates(const TriangleSoup& s) {
   std::set<Coordinates> result;
   for (const Triangle& t : s.triangles)
-    for (std::uint32_t v : t) result.insert(place(s.points[v]));
+    for (std::uint32_t v : t) result.insert(coordinates(s.points[v]));
   return result;
 }
 
-// V - E + F, by position.
+// Returns V - E + F, by position.
 inline long eulerCharacteristic(const TriangleSoup& s) {
-  return static_cast<long>(places(s).size()) - static_cast<long>(countEdges(s).all) +
+  return static_cast<long>(allCoordinates(s).size()) - static_cast<long>(countEdges(s).all) +
          static_cast<long>(s.triangles.size());
 }
 
-// V - E + F by the mesh's own numbers: an edge with two faces is one edge, an open half-edge is one too.
+// Returns V - E + F by the mesh's own indices: an edge with two faces is one edge, an open half-edge is one too.
 inline long eulerCharacteristic(const HalfEdgeMesh& mesh) {
   std::set<Vertex> vertices;
   long halves = 0, faces = 0;
@@ -84,7 +85,7 @@ inline double area(const TriangleSoup& s) {
   return sum;
 }
 
-// The signed volume between the triangles and the origin.
+// Returns the signed volume between the triangles and the origin.
 inline double volume(const TriangleSoup& s) {
   double sum = 0.0;
   for (const Triangle& t : s.triangles) sum += s.points[t[0]].dot(s.points[t[1]].cross(s.points[t[2]])) / 6.0;
@@ -103,7 +104,7 @@ inline std::size_t countSeams(const HalfEdgeMesh& mesh) {
   return n;
 }
 
-// Pairs of triangles with area that meet, all against all.
+// Counts the pairs of triangles with area that meet, all against all.
 inline std::size_t meetingPairs(const TriangleSoup& s) {
   std::vector<std::pair<TrianglePoints, Box>> proper;
   for (const Triangle& t : s.triangles) {
@@ -121,7 +122,7 @@ inline std::size_t meetingPairs(const HalfEdgeMesh& mesh) {
   return meetingPairs(mesh.compact().soup);
 }
 
-// What hangs together across paired edges.
+// Returns the pieces that are connected across paired edges.
 inline std::vector<TriangleSoup> pieces(const HalfEdgeMesh& mesh) {
   std::vector<bool> seen(mesh.faceSlots(), false);
   std::vector<TriangleSoup> result;
@@ -149,14 +150,14 @@ inline bool sameBits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0;
 }
 
-// The vertex at exactly this position; kNone where there is none.
+// Returns the vertex at exactly this position; kNone if there is none.
 inline Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& p) {
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.position(v) == p) return v;
   return kNone;
 }
 
-// Every slot alike, bit for bit.
+// Returns true if every slot is equal, bit for bit.
 inline bool sameMesh(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
   for (Vertex v = 0; v < a.vertexSlots(); ++v)

@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// A document as if these triangles had been read from that file.
+// Returns a document as if these triangles had been read from that file.
 inline std::unique_ptr<MeshDocument> meshDocument(const TriangleSoup& soup, const std::string& path = "/scans/part.stl",
                                                   NumberType numbers = NumberType::Float32) {
   static const MeshKind kind;

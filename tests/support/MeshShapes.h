@@ -15,8 +15,8 @@
 // otherwise.
 namespace handwheel::test {
 
-// A grid of points, each cell cut into two triangles. point(i, j) for i < rows, j < columns; rows or columns that wrap
-// round join their last line of points to the first. Seen with i to the right and j upwards, faces are
+// Returns a grid of points, each cell cut into two triangles. point(i, j) for i < rows, j < columns; rows or columns
+// that wrap round join their last line of points to the first. Seen with i to the right and j upwards, faces are
 // counter-clockwise.
 template <class Point>
 TriangleSoup grid(std::uint32_t rows, std::uint32_t columns, bool rowsWrap, bool columnsWrap, Point point) {
@@ -50,7 +50,7 @@ inline TriangleSoup turnedOver(TriangleSoup s) {
   return s;
 }
 
-// As an STL file holds it: every triangle with points of its own.
+// Returns the triangles in the form of an STL file: each has points of its own.
 inline TriangleSoup unshared(const TriangleSoup& s) {
   TriangleSoup r;
   for (const Triangle& t : s.triangles) {
@@ -61,7 +61,7 @@ inline TriangleSoup unshared(const TriangleSoup& s) {
   return r;
 }
 
-// Corners 0…size from the corner given; two triangles a side.
+// Returns a cube from the given corner; two triangles a side.
 inline TriangleSoup cube(double size = 1.0, const Vec3& corner = Vec3::Zero()) {
   TriangleSoup s;
   for (int i = 0; i < 8; ++i) s.points.push_back(corner + size * Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
@@ -70,19 +70,19 @@ inline TriangleSoup cube(double size = 1.0, const Vec3& corner = Vec3::Zero()) {
   return s;
 }
 
-// From this corner, along the axes.
+// Returns a box from this corner, along the axes.
 inline TriangleSoup box(const Vec3& corner, const Vec3& size) {
   TriangleSoup s = cube();
   for (Vec3& p : s.points) p = corner + p.cwiseProduct(size);
   return s;
 }
 
-// The origin and the ends of the three unit vectors; volume 1/6.
+// Returns the tetrahedron of the origin and the ends of the three unit vectors; volume 1/6.
 inline TriangleSoup tetrahedron() {
   return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-// 20 · 4^levels triangles; all points at distance 1 from the origin.
+// Returns 20 · 4^levels triangles; all points at distance 1 from the origin.
 inline TriangleSoup icosphere(int levels) {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   TriangleSoup s;
@@ -110,7 +110,7 @@ inline TriangleSoup icosphere(int levels) {
   return s;
 }
 
-// Poles on the z axis, n meridians, m - 1 rings between the poles.
+// Returns a sphere with poles on the z axis, n meridians, m - 1 rings between the poles.
 inline TriangleSoup uvSphere(std::uint32_t n, std::uint32_t m) {
   TriangleSoup s = grid(n, m - 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n, v = M_PI * (j + 1) / m - M_PI / 2.0;
@@ -133,7 +133,8 @@ inline TriangleSoup torus(std::uint32_t n, std::uint32_t m, double large = 2.0, 
   });
 }
 
-// Around the z axis from 0 to height; m cells high. Closed by fans around a middle point at each end.
+// Returns a cylinder around the z axis from 0 to height; m cells high. It is closed by fans around a middle point at
+// each end.
 inline TriangleSoup cylinder(std::uint32_t n, std::uint32_t m, double radius, double height, bool closed) {
   TriangleSoup s = grid(n, m + 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n;
@@ -150,7 +151,7 @@ inline TriangleSoup cylinder(std::uint32_t n, std::uint32_t m, double radius, do
   return s;
 }
 
-// Flat in z = 0, facing +z.
+// Returns a flat ring in z = 0, facing +z.
 inline TriangleSoup annulus(std::uint32_t n, std::uint32_t rings, double inner, double outer) {
   return grid(rings + 1, n, false, true, [&](std::uint32_t i, std::uint32_t j) {
     const double r = inner + (outer - inner) * i / rings, u = 2.0 * M_PI * j / n;
@@ -166,7 +167,7 @@ inline TriangleSoup disc(std::uint32_t n, std::uint32_t rings, double radius = 1
   return s;
 }
 
-// Radius between 0.8 and 1.2 over the sphere: embedded, since each ray from the middle meets it once.
+// Returns a sphere whose radius varies between 0.8 and 1.2: embedded, since each ray from the middle meets it once.
 inline TriangleSoup bumpySphere(int levels) {
   TriangleSoup s = icosphere(levels);
   for (Vec3& p : s.points) {
@@ -187,8 +188,8 @@ inline TriangleSoup twoCubesSharingAVertex() {
   return s;
 }
 
-// Each a closed cone with n triangles around its tip and a corner in its outline. They touch along the edge from the
-// tip to that corner.
+// Returns two closed cones, each with n triangles around its tip and a corner in its outline. They touch along the edge
+// from the tip to that corner.
 inline TriangleSoup twoConesSharingAnEdge(std::uint32_t n) {
   TriangleSoup s;
   for (const double side : {1.0, -1.0}) {
@@ -204,7 +205,7 @@ inline TriangleSoup twoConesSharingAnEdge(std::uint32_t n) {
   return s;
 }
 
-// Two rooms: a box twice as long as high, and one wall of two triangles across the middle.
+// Returns two rooms: a box twice as long as high, and one wall of two triangles across the middle.
 inline TriangleSoup boxWithInnerWall() {
   TriangleSoup s = cube();
   std::erase_if(s.triangles, [&](const Triangle& t) {  // the side x = 1
@@ -215,8 +216,8 @@ inline TriangleSoup boxWithInnerWall() {
   return s;
 }
 
-// The boundary of unit cells filled at random in a cube of so many a side: blocks that touch at faces, edges and
-// corners. Every triangle has points of its own.
+// Returns the boundary of unit cells filled at random in a cube of so many a side: blocks that touch at faces, edges
+// and corners. Every triangle has points of its own.
 inline TriangleSoup randomBlocks(std::mt19937& random, std::size_t cells, std::uint32_t side) {
   std::set<std::array<int, 3>> filled;
   for (std::size_t i = 0; i < cells; ++i)
@@ -236,7 +237,7 @@ inline TriangleSoup randomBlocks(std::mt19937& random, std::size_t cells, std::u
   return s;
 }
 
-// n directions spread evenly over the sphere.
+// Returns n directions spread evenly over the sphere.
 inline std::vector<Vec3> directions(int n) {
   std::vector<Vec3> result;
   for (int i = 0; i < n; ++i) {
@@ -246,7 +247,7 @@ inline std::vector<Vec3> directions(int n) {
   return result;
 }
 
-// Without the triangles that have a corner nearer than the radius to the centre.
+// Returns the soup without the triangles that have a corner nearer than the radius to the centre.
 inline TriangleSoup withHole(TriangleSoup s, const Vec3& centre, double radius) {
   std::erase_if(s.triangles, [&](const Triangle& t) {
     return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return (s.points[v] - centre).norm() < radius; });
@@ -254,7 +255,7 @@ inline TriangleSoup withHole(TriangleSoup s, const Vec3& centre, double radius) 
   return s;
 }
 
-// A unit sphere without its cap around +z.
+// Returns a unit sphere without its cap around +z.
 inline TriangleSoup sphereWithoutCap(int levels, double radius = 0.4) {
   return withHole(icosphere(levels), Vec3::UnitZ(), radius);
 }
@@ -265,13 +266,13 @@ inline TriangleSoup sphereWithHoles(int levels, int holes, double radius) {
   return s;
 }
 
-// Splits triangle f at points on its edge from this corner, at these shares of it in rising order, and puts needles
-// without area between the old edge and its parts: what was closed stays closed.
-inline void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& places) {
+// Splits triangle f at points on its edge from this corner, at these fractions of it in ascending order, and puts
+// needles without area between the old edge and its parts. A closed surface stays closed.
+inline void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& fractions) {
   const Triangle t = s.triangles[f];
   const std::uint32_t a = t[corner], b = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
   std::vector<std::uint32_t> chain{a};
-  for (double w : places) {
+  for (double w : fractions) {
     chain.push_back(static_cast<std::uint32_t>(s.points.size()));
     s.points.push_back((1.0 - w) * s.points[a] + w * s.points[b]);
   }
@@ -283,7 +284,7 @@ inline void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::ve
   }
 }
 
-// Triangles over points of a small grid, so that many share edges, coincide or have no area.
+// Returns triangles over points of a small grid, so that many share edges, coincide or have no area.
 inline TriangleSoup randomSoup(std::mt19937& random, std::size_t triangles, std::uint32_t steps) {
   TriangleSoup s;
   const auto coordinate = [&] { return static_cast<double>(random() % steps); };

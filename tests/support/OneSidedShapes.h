@@ -9,7 +9,8 @@
 // Generated surfaces with one side only. Neighbours share points.
 namespace handwheel::test {
 
-// A strip of n × m cells with half a turn in it. Its cells are cut so that neighbours agree but for one line of cells.
+// Returns a strip of n × m cells with half a turn in it. Its cells are cut so that neighbours agree except along one
+// line of cells.
 inline TriangleSoup moebiusStrip(std::uint32_t n, std::uint32_t m) {
   TriangleSoup s = grid(n + 1, m + 1, false, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n, v = 0.4 * (2.0 * j / m - 1.0), r = 1.0 + v * std::cos(u / 2.0);
@@ -21,7 +22,7 @@ inline TriangleSoup moebiusStrip(std::uint32_t n, std::uint32_t m) {
   return s;
 }
 
-// The "figure eight" immersion; it passes through itself. m must be even.
+// Returns the "figure eight" immersion; it passes through itself. m must be even.
 inline TriangleSoup kleinBottle(std::uint32_t n, std::uint32_t m) {
   TriangleSoup s = grid(n + 1, m, false, true, [&](std::uint32_t i, std::uint32_t j) {
     // Half a cell off, so that no point lies where the figure eight crosses itself.
@@ -36,8 +37,8 @@ inline TriangleSoup kleinBottle(std::uint32_t n, std::uint32_t m) {
   return s;
 }
 
-// A sphere with one side only: in the place of six triangles around a point, a Möbius strip with the same outline,
-// whose way around has three edges. Its Euler characteristic is 1.
+// Returns a sphere with one side only: a Möbius strip with the same outline, whose closed path has three edges,
+// replaces six triangles around a point. Its Euler characteristic is 1.
 inline TriangleSoup sphereWithCrossCap(int levels) {
   TriangleSoup s = icosphere(levels);
   std::vector<std::uint32_t> count(s.points.size(), 0);
@@ -57,13 +58,13 @@ inline TriangleSoup sphereWithCrossCap(int levels) {
   s.triangles = rest;
   std::vector<std::uint32_t> ring = {next.begin()->first};
   while (ring.size() < 6) ring.push_back(next[ring.back()]);
-  std::vector<std::uint32_t> way;
+  std::vector<std::uint32_t> core;
   for (std::size_t i = 0; i < 3; ++i) {
-    way.push_back(static_cast<std::uint32_t>(s.points.size()));
+    core.push_back(static_cast<std::uint32_t>(s.points.size()));
     s.points.push_back(0.9 * s.points[centre] + 0.1 * s.points[ring[i]]);
   }
   for (std::size_t i = 0; i < 6; ++i) {
-    const std::uint32_t a = ring[i], b = ring[(i + 1) % 6], p = way[i % 3], q = way[(i + 1) % 3];
+    const std::uint32_t a = ring[i], b = ring[(i + 1) % 6], p = core[i % 3], q = core[(i + 1) % 3];
     s.triangles.push_back({a, b, p});
     s.triangles.push_back({b, q, p});
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Counts calls that a servo tick must not make. Functions that stand before those of the C library count memory and
-// locks, and the kernel's filter system calls. For one source of a test program, as it defines malloc().
+// Counts calls that a servo tick must not make. Functions that override those of the C library count memory and locks,
+// and the kernel's filter counts system calls. For one source of a test program, as it defines malloc().
 #include <dlfcn.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -80,8 +80,8 @@ inline void onSystemCall(int, siginfo_t* info, void* context) {
 #endif
 }
 
-// From here on, on this thread, any system call but waiting, and what a thread needs to end, is counted and refused.
-// False where the kernel does not have it.
+// From here on, any system call on this thread is counted and refused, except for waiting and those that end a thread.
+// Returns false if the kernel does not support it.
 inline bool forbidSystemCalls() {
   struct sigaction action {};
   action.sa_sigaction = onSystemCall;

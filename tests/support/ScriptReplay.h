@@ -11,21 +11,21 @@
 
 namespace handwheel::test {
 
-// What a container of the document holds, as bytes.
+// Returns the contents of a container of the document, as bytes.
 inline std::string bytesOf(const MeshDocument& document) {
   Container container;
   document.kind().save(*document.snapshot(), container);
   return writeContainer(container, Compression::Fast).value();
 }
 
-// What is wrong with the document that the steps of another make of the same triangles; nothing, where both are the
-// same byte for byte, now and after each step.
+// Applies the steps of a document to another document with the same triangles. Returns the difference between the two,
+// or nothing if they are the same byte for byte, now and after each step.
 inline std::string replayed(const TriangleSoup& soup, MeshDocument& edited) {
   const auto steps = scriptLinesSince(edited);
   if (!steps) return "an edit has no step";
   QUndoStack& history = *edited.history();
   const int end = history.index();
-  // The first step undoes the reversal on opening where that is undone.
+  // The first step undoes the reversal on opening if that is undone.
   const int start = edited.facesAsInFile().empty() ? edited.openingSteps() : -1;
   const auto document = meshDocument(soup, edited.file().path);
   std::string problem;

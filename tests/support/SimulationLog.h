@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// What the steps of a simulation consumed: enough to do them again.
+// The inputs that the steps of a simulation consumed, so that they can be repeated.
 struct SimulationLog {
   double dt = 0.0;                          // s
   std::vector<SimulationInput> inputs;      // in order

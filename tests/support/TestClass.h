@@ -5,8 +5,8 @@
 #include <QCoreApplication>
 #include <QtTest>
 
-// Macros that make the test classes of a folder one program. It runs the class that is named: it is linked once instead
-// of once for each class. A source ends with HANDWHEEL_TEST(Class) or one of the macros that are built on
+// Macros that make the test classes of a folder one program. It runs the class that is named; so the program is linked
+// once instead of once for each class. A source ends with HANDWHEEL_TEST(Class) or one of the macros that are built on
 // HANDWHEEL_TEST_RUN.
 namespace handwheel::test {
 
@@ -28,5 +28,5 @@ int runTest(int argc, char** argv) {
 
 #define HANDWHEEL_TEST_RUN(Test, ...) static const handwheel::test::TestClass registered##Test(#Test, __VA_ARGS__);
 #define HANDWHEEL_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::test::runTest<QCoreApplication, Test>)
-// With a QApplication; QApplication and the like stay out of the programs of the core.
+// Runs with a QApplication; QApplication and the like stay out of the programs of the core.
 #define HANDWHEEL_WIDGET_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::test::runTest<QApplication, Test>)

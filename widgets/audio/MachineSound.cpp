@@ -22,7 +22,8 @@ MachineSound::MachineSound(QObject* parent) : QObject(parent) {
   connect(&m_rest, &QTimer::timeout, this, &MachineSound::stop);
 }
 
-// The player is gone before its owner. A device that hangs while it is opened keeps its thread, and the program ends.
+// The player is destroyed before its owner. A device that hangs while it is opened keeps its thread, and the program
+// ends.
 MachineSound::~MachineSound() {
   if (!m_thread) return;
   m_thread->quit();

@@ -15,7 +15,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kRate = 48000;   // Hz
-constexpr int kBufferMs = 60;  // what one hears is as late
+constexpr int kBufferMs = 60;  // latency of the sound
 
 QAudioFormat formatFor(const QAudioDevice& device) {
   QAudioFormat format;

@@ -14,8 +14,8 @@ namespace handwheel {
 
 class SoundStream;
 
-// What plays the sound of a machine on its default output. Lives on a thread that may wait for devices; all calls
-// there. Without a device it does nothing.
+// Plays the sound of a machine on its default output. Lives on a thread that may wait for devices; all calls there.
+// Without a device it does nothing.
 class SoundPlayer : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class SoundPlayer : public QObject {
 
   void start(double volume);
   void stop();
-  void setVolume(double volume);  // 0 to 1, as loudness is heard
+  void setVolume(double volume);  // 0 to 1, perceived loudness
   void setState(const MachineSoundState& state);
 
  signals:

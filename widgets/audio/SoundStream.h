@@ -15,7 +15,7 @@ class SoundStream : public QIODevice {
   Q_OBJECT
 
  public:
-  enum class Format { Float, Int16 };       // in the order of the processor's bytes
+  enum class Format { Float, Int16 };       // samples in native byte order
   static constexpr double kPatience = 0.5;  // s
 
   // channels: 1 to 8, all with the same sound.
@@ -37,7 +37,7 @@ class SoundStream : public QIODevice {
   int m_channels;
   Format m_format;
   std::vector<float> m_samples;
-  double m_sinceUpdate = 0.0;  // s, of sound since the last state
+  double m_sinceUpdate = 0.0;  // s of sound since the last state
 };
 
 }  // namespace handwheel

@@ -12,20 +12,21 @@ class QObject;
 
 namespace handwheel {
 
-// The text of an action or a menu without its mnemonic.
+// Returns the text of an action or a menu without its mnemonic.
 QString withoutMnemonic(const QString& text);
 
-// The menu path of each action: "View › Shading". Of several menus, the visible one.
+// Returns the menu path of each action: "View › Shading". For an action in several menus, it is that of the visible
+// one.
 QHash<const QAction*, QString> menuPaths(const QMenuBar* bar);
 
-// The menu path of one action. An action that exists only in a scope has its own path.
+// Returns the menu path of one action. An action that exists only in a scope has its own path.
 QString pathOf(const QAction& action, const QHash<const QAction*, QString>& menuPaths);
 
-// Whether the action is a command of the program. It has a name and a text, and is not an action of Qt itself, a menu
-// or a separator.
+// Returns true if the action is a command of the program. It has a name and a text, and is not an action of Qt itself,
+// a menu or a separator.
 bool isCommand(const QAction& action);
 
-// The commands among the children of an object.
+// Returns the commands among the children of an object.
 QList<QAction*> commandsOf(const QObject& root);
 
 }  // namespace handwheel

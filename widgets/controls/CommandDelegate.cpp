@@ -15,7 +15,7 @@ namespace {
 constexpr int kPad = 8;
 constexpr int kIcon = 16;
 
-// Draws the text at the left or right end of what is left of the line, and takes its room away.
+// Draws the text at the left or right end of the rest of the line, and reduces the rest.
 void drawPart(QPainter& painter, QRect& line, const QString& text, const QColor& colour, Qt::Alignment side) {
   if (text.isEmpty() || line.width() <= 0) return;
   const QString fitting = painter.fontMetrics().elidedText(text, Qt::ElideRight, line.width());

@@ -24,7 +24,7 @@ QString reasonOf(const QAction& action) {
   return hintOf(action).isEmpty() ? CommandModel::tr("Not possible now") : hintOf(action);
 }
 
-// Whether an action of a tool is also a command of the window, which is listed.
+// Returns true if an action of a tool is also a command of the window, which is listed.
 bool isSaidBy(const QAction& action, const QList<QAction*>& all) {
   if (!qobject_cast<const ContextAction*>(&action)) return false;
   const QString title = withoutMnemonic(action.text());
@@ -55,7 +55,7 @@ void CommandModel::setQuery(const QString& query) {
 }
 
 QAction* CommandModel::action(const QModelIndex& index) const {
-  if (!index.isValid() || !checkIndex(index)) return nullptr;  // none is chosen where nothing was found
+  if (!index.isValid() || !checkIndex(index)) return nullptr;  // nothing is selected if nothing was found
   return m_commands[static_cast<std::size_t>(m_found[static_cast<std::size_t>(index.row())])].action;
 }
 

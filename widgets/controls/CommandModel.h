@@ -14,7 +14,8 @@ class QAction;
 
 namespace handwheel {
 
-// The name of the property of an action that says why it is disabled, translated. Without it the tool tip is said.
+// Name of the action property with the reason why the action is disabled, translated. Without this property the tool
+// tip is shown.
 inline constexpr const char* kDisabledReason = "disabledReason";
 
 // The list of actions that match the search text, best first.
@@ -25,7 +26,7 @@ class CommandModel : public QAbstractListModel {
   enum Role {
     PathRole = Qt::UserRole,  // its menu path
     ShortcutRole,
-    ReasonRole,  // why it is disabled; empty when it is enabled
+    ReasonRole,  // the reason if it is disabled; else empty
   };
 
   using QAbstractListModel::QAbstractListModel;

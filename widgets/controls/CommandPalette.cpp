@@ -25,7 +25,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kWidth = 560;
-constexpr int kMargin = 16;  // to the window's border
+constexpr int kMargin = 16;  // pixels to the window's border
 constexpr int kTop = 40;
 constexpr int kRowsShown = 10;
 constexpr int kLongestQuery = 64;
@@ -54,7 +54,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
   m_action->setObjectName(QStringLiteral("searchCommands"));
   m_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
   m_action->setToolTip(tr("Find and run any command by its name (Ctrl+K)"));
-  window->addAction(m_action);  // its key works wherever else it stands
+  window->addAction(m_action);  // its key works wherever else the action is added
   connect(m_action, &QAction::triggered, this, &CommandPalette::popUp);
   m_query->setObjectName(QStringLiteral("commandQuery"));
   m_query->setPlaceholderText(tr("What do you want to do?"));
@@ -106,7 +106,7 @@ void CommandPalette::hideEvent(QHideEvent* event) {
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_window && event->type() == QEvent::Resize) place();
-  // Its keys are not those of the window's commands meanwhile: Return would fill a hole that is selected.
+  // Meanwhile its keys are not those of the window's commands: Return would fill a selected hole.
   if (watched != m_window && event->type() == QEvent::ShortcutOverride &&
       isUsed(static_cast<QKeyEvent*>(event)->key())) {
     event->accept();
@@ -120,7 +120,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   return event->type() == QEvent::KeyPress && useKey(static_cast<QKeyEvent*>(event));
 }
 
-// Moves in the list, runs or closes; false: a key for the line.
+// Moves in the list, runs or closes; returns false for a key of the line.
 bool CommandPalette::useKey(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Escape:
@@ -150,7 +150,7 @@ void CommandPalette::search() {
   place();
 }
 
-// In the middle of the top, as high as what was found, or as the window allows.
+// Moves it to the middle of the top, as high as the results, or as the window allows.
 void CommandPalette::place() {
   int height = 0;
   for (int row = 0; row < std::min(m_model->rowCount(), kRowsShown); ++row) height += m_list->sizeHintForRow(row);
@@ -166,7 +166,7 @@ void CommandPalette::place() {
 
 void CommandPalette::run(const QModelIndex& index) {
   QAction* action = m_model->action(index);
-  if (!action || !action->isEnabled()) return;  // the row says why
+  if (!action || !action->isEnabled()) return;  // the row shows the reason
   remember(action->objectName());
   hide();
   QTimer::singleShot(0, action, &QAction::trigger);  // it may well close the window, and this with it

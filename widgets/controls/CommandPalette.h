@@ -22,7 +22,7 @@ class CommandPalette : public QFrame {
  public:
   explicit CommandPalette(QMainWindow* window);
 
-  // The action "Search commands…" (Ctrl+K) for menu and tool bar.
+  // Returns the action "Search commands…" (Ctrl+K) for menu and tool bar.
   QAction* action() const { return m_action; }
   void popUp();
 
@@ -43,7 +43,7 @@ class CommandPalette : public QFrame {
   QLineEdit* m_query;
   QListView* m_list;
   QLabel* m_nothing;
-  QPointer<QWidget> m_before;  // had the focus
+  QPointer<QWidget> m_before;  // widget that had the focus
 };
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kNoMatch = 100;
 
-// Lower case, without accents: "Öffnen" is found by "offnen", "schließen" by "schliessen".
+// Converts to lower case without accents: "Öffnen" is found by "offnen", "schließen" by "schliessen".
 QString folded(const QString& text) {
   QString result;
   for (QChar c : text.normalized(QString::NormalizationForm_KD).toCaseFolded()) {
@@ -27,7 +27,7 @@ QStringList wordsOf(const QString& text) {
   return text.split(kBetween, Qt::SkipEmptyParts);
 }
 
-// "saveAs" as "save as"
+// Converts "saveAs" to "save as".
 QString spacedOut(const QString& id) {
   QString words;
   for (QChar c : id) {
@@ -37,7 +37,8 @@ QString spacedOut(const QString& id) {
   return folded(words);
 }
 
-// Whether the letters can be taken from the startActions of words, in order: "se" or "shed" of "shaded with edges".
+// Returns true if the letters can be taken from the beginnings of words, in order: "se" or "shed" of "shaded with
+// edges".
 bool beginWords(QStringView letters, const QStringList& words, qsizetype from = 0) {
   if (letters.isEmpty()) return true;
   for (qsizetype i = from; i < words.size(); ++i) {

@@ -11,10 +11,10 @@ namespace handwheel {
 // The searchable texts of a command.
 struct CommandText {
   QString id;        // English, in camel case: "saveAs"
-  QString title;     // as shown
+  QString title;     // displayed text
   QString path;      // menus
   QString hint;      // tooltip
-  QString shortcut;  // as shown
+  QString shortcut;  // displayed text
 };
 
 // Finds commands by a search text. Case and accents are ignored.
@@ -34,7 +34,7 @@ class CommandSearch {
     QString id;
     QString title;         // case-folded and without accents, as the others
     QString englishTitle;  // the id as words
-    QStringList words;     // of all texts
+    QStringList words;     // words of all texts
   };
   static int rank(const Entry& entry, const QString& query);
 

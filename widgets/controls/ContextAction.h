@@ -23,8 +23,8 @@ class ContextAction : public QAction {
   QString m_path;
 };
 
-// Whether the sequence uses Return, Enter or Esc. These end the present operation: they are reserved for the commands
-// that have them by default.
+// Returns true if the sequence uses Return, Enter or Esc. These end the present operation: they are reserved for the
+// commands that have them by default.
 bool isEndingKey(const QKeySequence& keys);
 
 }  // namespace handwheel

@@ -20,7 +20,7 @@ bool isTypedIn(const QWidget& field) {
 
 }  // namespace
 
-// The focus is lent to the window and not cleared: who follows it would give it to the view.
+// The focus is lent to the window and not cleared: a listener would give it to the view.
 void commitFocusedField() {
   const QPointer<QWidget> field = QApplication::focusWidget();
   if (!field || !isTypedIn(*field)) return;
@@ -31,7 +31,7 @@ void commitFocusedField() {
   if (field && field->isVisible())
     field->setFocus(Qt::OtherFocusReason);
   else
-    window->clearFocus();  // the field has gone with what it was for
+    window->clearFocus();  // the field was removed with its subject
 }
 
 }  // namespace handwheel

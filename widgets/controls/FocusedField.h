@@ -4,9 +4,9 @@
 
 namespace handwheel {
 
-// Commits the text of the field that has the focus, if any. As if it was left; it keeps the focus. To be called before
-// what the text belongs to is saved, closed or shown no more: keys, tabs and menus do that without taking the focus
-// first. Nothing happens for fields of dialogs. Window thread.
+// Commits the text of the field that has the focus, if any. The effect is that of leaving the field, but it keeps the
+// focus. To be called before the subject of the field is saved, closed or no longer shown: keys, tabs and menus do that
+// without taking the focus first. Nothing happens for fields of dialogs. Window thread.
 void commitFocusedField();
 
 }  // namespace handwheel

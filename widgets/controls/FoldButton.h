@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The heading of a collapsible section, with an arrow that shows its state. By mouse and keyboard.
+// The heading of a collapsible section, with an arrow that shows its state. It is operated by mouse and keyboard.
 class FoldButton : public QToolButton {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class FoldButton : public QToolButton {
   bool isOpen() const { return m_isOpen; }
 
  signals:
-  void toggledOpen(bool isOpen);  // by the user
+  void toggledOpen(bool isOpen);  // emitted for the user only
 
  private:
   void setOpen(bool isOpen);

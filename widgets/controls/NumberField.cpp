@@ -23,7 +23,7 @@ namespace {
 constexpr int kPauseMs = 400;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// mm, radian
+// Returns the usual step, in mm or radian.
 double usualStep(Quantity quantity, LengthUnit unit) {
   switch (quantity) {
     case Quantity::Length:
@@ -97,7 +97,7 @@ void NumberField::setLabel(const QString& label) {
 void NumberField::setValue(double value) {
   if (value == m_value) return;
   m_value = value;
-  // What could not be taken is out of date when the value has changed and nobody is typing any more.
+  // Refused text is out of date when the value has changed and nobody is typing any more.
   if (!m_line->hasFocus()) m_line->setModified(false);
   showValue();
 }
@@ -125,13 +125,13 @@ void NumberField::showValue() {
   if (m_line->isModified()) return;
   if (m_line->text() != text()) {
     m_line->setText(text());
-    // Where there is no room for all of it, its first digits are seen: without them it would be another number.
+    // If there is no room for all of it, its first digits are visible: without them it would be another number.
     if (!m_line->hasFocus()) m_line->setCursorPosition(0);
   }
   showProblem(rangeProblem(m_value));
 }
 
-// For screen readers, which do not see the unit in the margin.
+// Sets the accessible description, because screen readers do not see the unit in the margin.
 void NumberField::describe() {
   const auto shown = [this](double value) { return quantityText(value, m_quantity, m_unit, locale()); };
   QStringList parts;
@@ -170,7 +170,7 @@ void NumberField::revert() {
 
 void NumberField::step(double steps) {
   if (m_line->isModified()) commit();
-  if (m_line->isModified()) return;  // what stands there has no value to step from
+  if (m_line->isModified()) return;  // the text in the line has no value to step from
   const double value = std::clamp(m_value + steps * oneStep(), m_least, m_largest);
   if (value == m_value || !std::isfinite(value)) return;
   m_value = value;
@@ -185,11 +185,11 @@ void NumberField::endSteps() {
   if (std::exchange(m_stepping, false)) emit valueEdited(m_value, false);
 }
 
-// A unit, or the value's own power of ten where that is smaller.
+// Returns one unit, or the value's own power of ten if that is smaller.
 double NumberField::oneStep() const {
   if (m_step > 0.0) return m_step;
   const double usual = usualStep(m_quantity, m_unit);
-  const double size = std::abs(m_value) / usual * (1.0 + 1e-9);  // a value that should be a power of ten is one
+  const double size = std::abs(m_value) / usual * (1.0 + 1e-9);  // a value that should be a power of ten counts as one
   return size > 0.0 && size < 1.0 ? usual * std::pow(10.0, std::floor(std::log10(size))) : usual;
 }
 

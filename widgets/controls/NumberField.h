@@ -15,7 +15,7 @@ class NumberLineEdit;
 
 // An input field for a number with a unit. Accepts expressions ("25.4/2", "1 in + 2mm"); the arrow keys and, with the
 // focus, the wheel step it (Shift: ten steps, Ctrl: a tenth). Invalid input stays in the line with the reason below,
-// until it is corrected or Esc restores the value. Values are in mm and radian, whatever unit is shown.
+// until it is corrected or Esc restores the value. Values are in mm and radian, independent of the displayed unit.
 class NumberField : public QWidget {
   Q_OBJECT
 
@@ -25,8 +25,8 @@ class NumberField : public QWidget {
   void setQuantity(Quantity quantity, LengthUnit unit);
   void setRange(double least, double largest);  // no range when least > largest
   void setPrefix(const QString& prefix);        // "⌀", "R"
-  void setLabel(const QString& label);          // for screen readers
-  void setStep(double step) { m_step = step; }  // 0: chosen by the size of the value
+  void setLabel(const QString& label);          // accessible name
+  void setStep(double step) { m_step = step; }  // 0: depends on the magnitude of the value
   // Does not replace a text that is being edited.
   void setValue(double value);
 
@@ -34,9 +34,10 @@ class NumberField : public QWidget {
   QString problem() const;  // empty: none
 
  signals:
-  // During a run of steps stillDragging is true; the last value is sent once more with false.
+  // Emitted for each change by the user. During a run of steps stillDragging is true; the last value is sent once more
+  // with false.
   void valueEdited(double value, bool stillDragging);
-  // While a text is being typed that is a valid value.
+  // Emitted while a text is being typed that is a valid value.
   void valueTyped(double value);
 
  protected:

@@ -46,15 +46,15 @@ void NumberLineEdit::setMarks(const QString& prefix, const QString& unit) {
   update();
 }
 
-// Most fonts draw ⌀ small, and nobody may overlook it.
+// Returns a font for ⌀, which most fonts draw small, and nobody may overlook it.
 QFont NumberLineEdit::prefixFont() const {
   QFont large = font();
   large.setPointSizeF(large.pointSizeF() * 1.25);
   return large;
 }
 
-// Keys that would otherwise start an action of the window. Enter and Esc belong to the line while there is something to
-// take or to take back, and to the tool afterwards.
+// Claims keys that would otherwise start an action of the window. Enter and Esc belong to the line while there is
+// something to commit or to revert, and to the tool afterwards.
 bool NumberLineEdit::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<QKeyEvent&>(*event);

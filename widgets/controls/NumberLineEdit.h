@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// The factor by which held modifier keys change a step. Shift makes it ten, Ctrl a tenth.
+// Returns the factor by which held modifier keys change a step. Shift makes it ten, Ctrl a tenth.
 double stepFactor(Qt::KeyboardModifiers modifiers);
-// How far the wheel was turned, upwards or to the right, in notches; smooth wheels turn by parts of one.
+// Returns the rotation of the wheel in notches, upwards or to the right. Smooth wheels turn by parts of one.
 double wheelNotches(const QWheelEvent& event);
 
 // The line edit of a NumberField. Prefix and unit are shown in its margins, so that only the number is edited.

@@ -10,14 +10,14 @@ namespace handwheel {
 
 // The user's preferences, which apply to all documents.
 struct Preferences {
-  QString navigation;                              // id of a preset of mouse navigation; empty: the program's own
-  LengthUnit lengthUnit = LengthUnit::Millimetre;  // of new documents
+  QString navigation;                              // id of a preset of mouse navigation; empty: the program's default
+  LengthUnit lengthUnit = LengthUnit::Millimetre;  // unit of new documents
   QString language = QStringLiteral("system");     // or a code: "de"
   int autosaveSeconds = 20;                        // 0: never
   bool hasSpaceMouse = true;                       // a space mouse moves the view
-  int spaceMouseSpeed = 100;                       // of that, percent
-  bool hasMachineSound = false;                    // machines are heard
-  int machineVolume = 70;                          // of that, percent
+  int spaceMouseSpeed = 100;                       // speed of this motion, percent
+  bool hasMachineSound = false;                    // machines make sounds
+  int machineVolume = 70;                          // volume of these sounds, percent
 
   bool operator==(const Preferences&) const = default;
 };

@@ -27,7 +27,7 @@ QLabel* note(const QString& text, QWidget* parent) {
   return label;
 }
 
-// A page with one line: a label and what is chosen by it.
+// Creates a page with one line: a label and a field.
 QFormLayout* line(QWidget* page, const QString& label, QWidget* field) {
   auto* form = new QFormLayout(page);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// The factor from the displayed unit to the internal one (mm, radian).
+// Returns the factor from the displayed unit to the internal one (mm, radian).
 double perShownUnit(Quantity quantity, LengthUnit unit);
 
-// The symbol of the displayed unit: "mm", "°"; empty for plain numbers.
+// Returns the symbol of the displayed unit: "mm", "°"; empty for plain numbers.
 QString unitSymbol(Quantity quantity, LengthUnit unit);
 
 // Formats a number with the fewest digits. The result is within one millionth of the value, in the locale's digits and
@@ -20,17 +20,17 @@ QString unitSymbol(Quantity quantity, LengthUnit unit);
 // are not finite.
 QString numberText(double value, const QLocale& locale);
 
-// The number of a value in mm or radian in the displayed unit, without its symbol. Angles below a billionth of a degree
-// are what rounding leaves of 0, and shown as that.
+// Returns the number of a value in mm or radian in the displayed unit, without its symbol. Angles below a billionth of
+// a degree are rounding errors, and shown as 0.
 QString quantityNumber(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
 
 // Formats a value in mm or radian with its unit: "12.7 mm", "90°".
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
 
-// The same text with the decimal separator of the locale in its numbers: "±0,05", "1,5; 2".
+// Returns the same text with the decimal separator of the locale in its numbers: "±0,05", "1,5; 2".
 QString withLocalNumbers(const QString& text, const QLocale& locale);
-// The inverse, for files: numbers with the decimal separator of the locale, a comma or a point become numbers with a
-// point. No separators of thousands.
+// Returns the inverse, for files: numbers with the decimal separator of the locale, a comma or a point become numbers
+// with a point. No separators of thousands.
 QString withPoints(const QString& text, const QLocale& locale);
 
 }  // namespace handwheel

@@ -12,24 +12,26 @@ namespace {
 constexpr int kLeastWidth = 240, kLeastHeight = 96;  // pixels: a few lines
 }
 
-ScrolledPanel::ScrolledPanel(QWidget* panel, Ways ways, QWidget* parent) : QScrollArea(parent), m_ways(ways) {
+ScrolledPanel::ScrolledPanel(QWidget* panel, Directions directions, QWidget* parent)
+    : QScrollArea(parent), m_directions(directions) {
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setFocusPolicy(Qt::NoFocus);  // its parts have it
-  if (ways == Ways::Vertical) setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  if (directions == Directions::Vertical) setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSizePolicy(panel->sizePolicy());
   setWidget(panel);
   panel->installEventFilter(this);
 }
 
 QSize ScrolledPanel::sizeHint() const {
-  return widget()->sizeHint() + QSize(m_ways == Ways::Vertical ? verticalScrollBar()->sizeHint().width() : 0, 0);
+  return widget()->sizeHint() +
+         QSize(m_directions == Directions::Vertical ? verticalScrollBar()->sizeHint().width() : 0, 0);
 }
 
 QSize ScrolledPanel::minimumSizeHint() const {
   const QSize least = widget()->minimumSizeHint();
   const int bar = verticalScrollBar()->sizeHint().width();
-  const int width = m_ways == Ways::Vertical ? least.width() + bar : std::min(kLeastWidth, least.width());
+  const int width = m_directions == Directions::Vertical ? least.width() + bar : std::min(kLeastWidth, least.width());
   return {width, std::min(kLeastHeight, least.height())};
 }
 

@@ -6,17 +6,17 @@
 
 namespace handwheel {
 
-// Scrolls a panel where the window has little room. It asks for the usual size of the panel and can do with a small
-// one, so that panels do not make the smallest size of the window larger than screens are.
+// Scrolls a panel if the window has little room. It asks for the usual size of the panel and can do with a small one,
+// so that panels do not make the smallest size of the window larger than screens are.
 class ScrolledPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  // Which ways it scrolls; across the other the panel keeps its smallest size.
-  enum class Ways { Vertical, Both };
+  // Scroll directions. Across a direction without scrolling the panel keeps its smallest size.
+  enum class Directions { Vertical, Both };
 
-  // Takes the panel over.
-  ScrolledPanel(QWidget* panel, Ways ways, QWidget* parent = nullptr);
+  // Takes ownership of the panel.
+  ScrolledPanel(QWidget* panel, Directions directions, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -24,7 +24,7 @@ class ScrolledPanel : public QScrollArea {
  private:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
-  Ways m_ways;
+  Directions m_directions;
 };
 
 }  // namespace handwheel

@@ -28,7 +28,7 @@ QString shareText(const ServiceStatus& service) {
 }
 
 QString stateText(const ServiceStatus& service) {
-  constexpr double kSeen = 0.01;  // less is the scheduler's doing, and nobody notices it
+  constexpr double kSeen = 0.01;  // smaller delays come from the scheduler, and nobody notices them
   if (!service.running) return ServiceModel::tr("idle");
   QStringList troubles;
   if (service.behind >= kSeen) troubles << ServiceModel::tr("too slow by %1 %").arg(number(service.behind * 100.0));

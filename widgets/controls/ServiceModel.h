@@ -18,8 +18,8 @@ struct ServiceStatus {
   double microsecondsPerTick = 0.0;
   Budget budget = Budget::None;
   double share = 0.0;   // fraction of the budget; 1: all of it
-  double behind = 0.0;  // fraction of the time by which it was too slow
-  int dropped = 0;      // inputs for which it had no room
+  double behind = 0.0;  // fraction of the time by which it is behind
+  int dropped = 0;      // inputs that it had no room for
 };
 
 // A table model of the background services. New statistics of the same services keep rows and selection.
@@ -28,7 +28,7 @@ class ServiceModel : public QAbstractTableModel {
 
  public:
   enum Column { Name, State, Ticks, Cost, Share, ColumnCount };
-  enum Role { ShareRole = Qt::UserRole };  // of the budget, as a number; none without one
+  enum Role { ShareRole = Qt::UserRole };  // share of the budget, as a number; none without a budget
 
   using QAbstractTableModel::QAbstractTableModel;
 

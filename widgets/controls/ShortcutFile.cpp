@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "handwheel-shortcuts";
 constexpr int kVersion = 1;
-constexpr std::size_t kMostKeys = 8;  // of one action
+constexpr std::size_t kMostKeys = 8;  // keys of one action
 
 bool isKey(const QString& text) {
   const QKeySequence keys = QKeySequence::fromString(text, QKeySequence::PortableText);

@@ -18,7 +18,7 @@ namespace {
 
 const auto kGroup = QStringLiteral("shortcuts/");
 
-// Whether typing one of them starts, or begins, the other.
+// Returns true if typing one of them starts, or begins, the other.
 bool collide(const QKeySequence& a, const QKeySequence& b) {
   const int common = std::min(a.count(), b.count());
   for (int i = 0; i < common; ++i) {
@@ -27,7 +27,7 @@ bool collide(const QKeySequence& a, const QKeySequence& b) {
   return common > 0;
 }
 
-// Keys that end what one does are given out once, and stay so.
+// Returns true if a key collides with others. Ending keys do not count: they are assigned once, and stay so.
 bool collides(const QKeySequence& key, const QList<QKeySequence>& others) {
   return !isEndingKey(key) &&
          std::any_of(others.begin(), others.end(), [&](const QKeySequence& other) { return collide(key, other); });
@@ -67,7 +67,8 @@ void ShortcutModel::setActions(const QList<QAction*>& actions, const QMenuBar* m
   endResetModel();
 }
 
-// An action that is known already has the user's keys: its defaults are those of its entry.
+// Returns the entry of an action. An action that is known already has the user's keys: its defaults are those of its
+// entry.
 ShortcutModel::Entry ShortcutModel::entryOf(QAction* action, const QString& path) const {
   const auto* scoped = qobject_cast<const ContextAction*>(action);
   Entry entry{action,
@@ -108,7 +109,7 @@ QString ShortcutModel::objection(int row, const QKeySequence& key) const {
   return objection(entry(row), key);
 }
 
-// A fixed row has what it has.
+// Returns the keys that a row may have; a fixed row keeps its own.
 QList<QKeySequence> ShortcutModel::possibleOf(const Entry& entry, QList<QKeySequence> keys) {
   if (isFixed(entry)) return entry.defaults;
   keys.removeIf([&](const QKeySequence& key) { return !objection(entry, key).isEmpty(); });
@@ -145,12 +146,12 @@ void ShortcutModel::apply(const Entry& entry, const QList<QKeySequence>& wanted)
   }
 }
 
-// A command of a tool has its name from both: several tools have a "Smaller brush".
+// Returns the name of a command. That of a tool includes the tool: several have a "Smaller brush".
 QString ShortcutModel::nameOf(const Entry& entry) {
   return entry.scope.isEmpty() ? entry.title : entry.scope + QStringLiteral(" › ") + entry.title;
 }
 
-// A change of one row changes the conflicts of others.
+// Emits changes of all rows: a change of one row changes the conflicts of others.
 void ShortcutModel::announce() {
   if (!m_entries.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }

@@ -22,8 +22,8 @@ class ShortcutModel : public QAbstractTableModel {
  public:
   enum Column { Command, Keys, ColumnCount };
   enum Role {
-    ConflictRole = Qt::UserRole,  // the names of the rows of conflicts()
-    AmbiguousRole,                // whether one of these is active at the same time, so that neither works
+    ConflictRole = Qt::UserRole,  // the names of the rows that conflicts() returns
+    AmbiguousRole,                // true if one of these is active at the same time, so that neither works
     ChangedRole,
     FixedRole,  // its key cannot be changed
     IdRole,
@@ -39,13 +39,13 @@ class ShortcutModel : public QAbstractTableModel {
   QList<QKeySequence> keys(int row) const;
   // Sets the keys, without those that the row may not have.
   void setKeys(int row, const QList<QKeySequence>& keys);
-  // Why the row may not have the key, as a sentence; empty when it may.
+  // Returns the reason why the row may not have the key, as a sentence; empty when it may.
   QString objection(int row, const QKeySequence& key) const;
   void reset(int row);
   void resetAll();
 
-  // The other rows that a key of this row, or a prefix of it, also triggers. Commands of two scopes are never active at
-  // the same time.
+  // Returns the other rows that a key of this row, or a prefix of it, also triggers. Commands of two scopes are never
+  // active at the same time.
   QList<int> conflicts(int row) const;
   // Removes from the conflicting rows the keys they share with this row.
   void resolveInFavourOf(int row);

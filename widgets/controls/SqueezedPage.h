@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The page of a ScrolledPanel with lists or plots. They take the room that there is, and it is scrolled only where they
+// The page of a ScrolledPanel with lists or plots. They fill the available room, and the page is scrolled only if they
 // would become smaller than their least size. Another page with wrapped lines gets the height of its size hint, and is
 // scrolled although there is room.
 class SqueezedPage : public QWidget {

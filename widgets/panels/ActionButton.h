@@ -20,7 +20,7 @@ class ActionButton : public QPushButton {
   QAction* action() const { return m_action; }
 
  signals:
-  // The pointer or the focus came to the button, or left it.
+  // Emitted when the pointer or the focus came to the button, or left it.
   void pointed(bool isPointed);
 
  protected:

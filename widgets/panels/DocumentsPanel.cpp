@@ -25,7 +25,7 @@ constexpr int kVisibleRole = Qt::UserRole + 1;
 constexpr QSize kEye(16, 16);
 constexpr QSize kRowPicture(48, 30);  // logical pixels, with the sides of a thumbnail
 
-// The eye is smaller than the pictures, whose size is that of the whole tree.
+// The eye is smaller than the pictures, whose size applies to the whole tree.
 class EyeDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -79,7 +79,7 @@ DocumentsPanel::DocumentsPanel(QWidget* parent)
   connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) { emit activated(documentOf(item)); });
 }
 
-// The keys of a row are no commands of the window, and a press on an eye does not choose its row.
+// The keys of a row are not commands of the window, and a press on an eye does not choose its row.
 bool DocumentsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_tree && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {
     const auto* pressed = static_cast<QKeyEvent*>(event);
@@ -134,7 +134,7 @@ void DocumentsPanel::addDocument(Document* document) {
 }
 
 void DocumentsPanel::removeDocument(Document* document) {
-  const QSignalBlocker quiet(m_tree);  // which document comes next is not for the rows to say
+  const QSignalBlocker quiet(m_tree);  // the rows do not decide which document comes next
   document->disconnect(this);
   delete itemOf(document);
 }

@@ -27,12 +27,12 @@ class DocumentsPanel : public QWidget {
   // Sets a picture instead of the icon of its kind; a null one changes nothing.
   void setPicture(const Document* document, const QPixmap& picture);
 
-  // The action that hides or shows the surface of the current document.
+  // Returns the action that hides or shows the surface of the current document.
   QAction* visibilityAction() { return &m_visibility; }
 
  signals:
-  void chosen(handwheel::Document* document);     // in the list, which keeps the focus
-  void activated(handwheel::Document* document);  // by click or Return
+  void chosen(handwheel::Document* document);     // emitted for a choice in the list, which keeps the focus
+  void activated(handwheel::Document* document);  // emitted for a click or Return
   void visibilityChanged(handwheel::Document* document, bool visible);
 
  protected:

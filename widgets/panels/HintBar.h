@@ -16,8 +16,8 @@ struct Hint {
   bool operator==(const Hint&) const = default;
 };
 
-// The bar at the bottom that shows the effect of each input. Where not all hints fit, those of inputs that are not
-// available are left out, and of the others as many are shown as fit, in order; the tooltip has all of them.
+// The bar at the bottom that shows the effect of each input. If not all hints fit, those of inputs that are not
+// available are left out, and as many of the others are shown as fit, in order; the tooltip has all of them.
 class HintBar : public QWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class HintBar : public QWidget {
   explicit HintBar(QWidget* parent = nullptr);
 
   void setHints(std::vector<Hint> hints);
-  std::vector<Hint> shownHints() const;  // at the present width
+  std::vector<Hint> shownHints() const;  // hints that fit into the present width
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 

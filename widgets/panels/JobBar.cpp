@@ -137,7 +137,7 @@ void JobBar::setJobs(const std::vector<JobStatus>& jobs) {
   setVisible(!jobs.empty());
 }
 
-// Above the bar, its right ends flush.
+// Shows them above the bar, the right ends flush.
 void JobBar::showOthers() {
   m_others->adjustSize();
   const QPoint corner = mapToGlobal(QPoint(width(), 0));

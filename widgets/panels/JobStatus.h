@@ -10,9 +10,9 @@ namespace handwheel {
 struct JobStatus {
   quint64 id = 0;
   QString name;
-  double fraction = -1.0;  // 0…1; below zero: not known yet
-  bool isWaiting = false;  // for earlier jobs
-  int seconds = 0;         // that it has worked
+  double fraction = -1.0;  // 0…1; below zero: unknown
+  bool isWaiting = false;  // it waits for earlier jobs
+  int seconds = 0;         // working time
 };
 
 }  // namespace handwheel

@@ -114,14 +114,14 @@ void LessonPanel::setLesson(const QString& title, std::vector<LessonStep> steps)
   showStep(m_list->currentRow());
 }
 
-// The first that is open; the last one where none is.
+// Returns the first open step; the last one if none is open.
 int LessonPanel::current() const {
   const auto open = std::find_if(m_steps.begin(), m_steps.end(),
                                  [](const LessonStep& step) { return step.state == LessonStep::State::Open; });
   return static_cast<int>(open - m_steps.begin()) - (open == m_steps.end() ? 1 : 0);
 }
 
-// Who looks at the current step goes on with the lesson.
+// A user who looks at the current step goes on with the lesson.
 void LessonPanel::setStepState(std::size_t step, LessonStep::State state) {
   if (step >= m_steps.size() || m_steps[step].state == state) return;
   const bool goesOn = m_shown == current();

@@ -17,25 +17,25 @@ namespace handwheel {
 struct LessonStep {
   enum class State { Open, Done, Failed };
   QString title;
-  QString text;            // what to do; plain text
-  QStringList hints = {};  // shown one after another, each when one asks
+  QString text;            // instructions; plain text
+  QStringList hints = {};  // shown one after another, on request
   State state = State::Open;
-  bool byHand = false;  // done when the person says so; else the program finds out
-  int shownHints = 0;   // the first of them, which were asked for before
+  bool byHand = false;  // done when the user says so; else the program finds out
+  int shownHints = 0;   // number of hints requested before
 };
 
-// Leads through the steps of a lesson, with hints on demand and the time. The current step is the first
-// that is open, until the person chooses another one. It shows what it is given; whose lesson it is sets the states.
+// Leads through the steps of a lesson, with hints on demand and the time. The current step is the first that is open,
+// until the user chooses another one. The panel only displays: the owner of the lesson sets the states.
 class LessonPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LessonPanel(QWidget* parent = nullptr);
 
-  // Begins a lesson, or goes on with one.
+  // Begins a lesson, or continues one.
   void setLesson(const QString& title, std::vector<LessonStep> steps);
   void setStepState(std::size_t step, LessonStep::State state);
-  // Seconds since the beginning, and those allowed; 0: as many as one likes. Less than zero counts as zero.
+  // Sets the seconds since the beginning, and those allowed; 0: no limit. Less than zero counts as zero.
   void setTime(double elapsed, double allowed);
 
   std::size_t steps() const { return m_steps.size(); }
@@ -44,8 +44,8 @@ class LessonPanel : public QWidget {
 
  signals:
   void stepShown(int step);
-  void hintShown(int step, int count);  // one more, so that so many of the step are shown
-  void stepDone(int step);              // the person says so, of a step by hand
+  void hintShown(int step, int count);  // one more hint: `count` hints of the step are shown now
+  void stepDone(int step);              // the user has finished a step that is done by hand
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -69,7 +69,7 @@ class LessonPanel : public QWidget {
   QPushButton* m_done;
 };
 
-// "4:05", "1:04:05"; whole seconds, rounded down.
+// Formats a time as "4:05" or "1:04:05"; whole seconds, rounded down.
 QString clockText(double seconds);
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ struct LogEntry {
   QTime time;
   Weight weight = Weight::Info;
   QString text;
-  QString command;  // the equivalent command line; empty when there is none
+  QString command;  // the equivalent command line; empty if there is none
 };
 
 // A table model of the events since the program was started. Newest last; with time, event, and the equivalent command

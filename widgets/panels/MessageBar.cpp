@@ -172,11 +172,11 @@ const MessageBar::Entry* MessageBar::latest() const {
   return best;
 }
 
-// The one that is shown goes behind all others.
+// Moves the shown message behind all others.
 void MessageBar::showNext() {
-  const auto place = m_messages.begin() + (latest() - m_messages.data());
-  place->message.comesFirst = false;  // it was seen
-  std::rotate(m_messages.begin(), place, place + 1);
+  const auto shown = m_messages.begin() + (latest() - m_messages.data());
+  shown->message.comesFirst = false;  // it was read
+  std::rotate(m_messages.begin(), shown, shown + 1);
   showLatest();
 }
 
@@ -186,9 +186,9 @@ std::size_t MessageBar::seenCount() const {
 }
 
 Message MessageBar::takeLatest() {
-  const auto place = m_messages.begin() + (latest() - m_messages.data());
-  Message message = std::move(place->message);
-  m_messages.erase(place);
+  const auto shown = m_messages.begin() + (latest() - m_messages.data());
+  Message message = std::move(shown->message);
+  m_messages.erase(shown);
   showLatest();
   return message;
 }

@@ -14,41 +14,40 @@ namespace handwheel {
 
 class Document;
 
-// A message to the user with up to two actions. It says what happened, why, and what to do.
+// A message to the user with up to two actions. It gives the event, its reason, and a remedy.
 struct Message {
   enum class Weight { Info, Warning, Error };
   Weight weight = Weight::Info;
-  QString title;        // what: "scan.stl could not be opened"
-  QString detail = {};  // why
-  QString advice = {};  // what to do
+  QString title;        // the event: "scan.stl could not be opened"
+  QString detail = {};  // the reason
+  QString advice = {};  // the remedy
   QString actionText = {};
   std::function<void()> action = {};
   QString otherText = {};
   std::function<void()> other = {};
   const Document* about = nullptr;    // removed with this document; null: about no open document
-  QString topic = {};                 // what makes it pointless is reported by withdraw(); empty: nothing does
-  bool comesFirst = false;            // shown before others, and not removed unread: something may be lost
-  std::function<bool()> isOver = {};  // asked after its changes and before new messages; true: removed
+  QString topic = {};                 // withdraw() with this topic removes it; empty: it cannot be withdrawn
+  bool comesFirst = false;            // shown before others, and not removed unread: data may be lost
+  std::function<bool()> isOver = {};  // called after changes of `about` and before new messages; true: removed
 };
 
-// Shows messages over the upper edge of the viewport. The view stays as it is; the latest message is first. They are
+// Shows messages over the upper edge of the viewport. The view does not change; the latest message is first. They are
 // not modal. Each stays until it is closed. A message about a document is visible while that document is current, and
 // also over the one that was current when it arrived, so that errors in the background are noticed; it is removed with
 // its document. A message about no document is removed when another document becomes current and there was time to read
-// it. A later message with the same title about the same document replaces the earlier one: what that warned of may be
-// mended.
+// it. A later message with the same title about the same document replaces the earlier one: its cause may be mended.
 class MessageBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit MessageBar(QWidget* parent = nullptr);
 
-  // Lies over the upper edge of a sibling from now on, but for its corner on the right, where a view has its cube.
+  // Puts the bar over the upper edge of a sibling, except for the corner on the right with the view cube.
   void lieOver(QWidget* area);
   void showMessage(const Message& message);
   // Sets the current document; null: none.
   void setDocument(const Document* document);
-  // Removes the messages about a document that have this topic: what they were about is over.
+  // Removes the messages about a document that have this topic, because their reason is gone.
   void withdraw(const Document* about, const QString& topic);
   // Removes the messages of a document that is about to close.
   void forget(const Document* document);
@@ -62,25 +61,25 @@ class MessageBar : public QFrame {
  private:
   struct Entry {
     Message message;
-    const Document* arrivedOver;  // the current document then
+    const Document* arrivedOver;  // the current document at that time
     QElapsedTimer since;
   };
 
   void removeOver();
-  const Entry* latest() const;  // of the visible messages, one that comes first if any; null: none
+  const Entry* latest() const;  // the latest visible message, one that comes first if any; null: none
   std::size_t seenCount() const;
   bool isSeen(const Entry& entry) const;
-  Message takeLatest();  // there is one
+  Message takeLatest();  // there must be one
   void act(std::function<void()> Message::*what);
   void showLatest();
   void showNext();
   void drawIcon();
   void place();
 
-  std::vector<Entry> m_messages;         // the latest is the last
-  const Document* m_document = nullptr;  // the current one
+  std::vector<Entry> m_messages;         // the latest last
+  const Document* m_document = nullptr;  // the current document
   int m_readingTime = 5000;              // ms
-  QWidget* m_area = nullptr;             // that it lies over; null: it stands where its layout puts it
+  QWidget* m_area = nullptr;             // the sibling below it; null: a layout determines its position
   QLabel* m_icon;
   QLabel* m_text;
   QPushButton* m_more;  // the number of further messages; shows the next

@@ -27,10 +27,10 @@ class ResultModel : public QAbstractTableModel {
   using Row = std::vector<ResultCell>;
   using QAbstractTableModel::QAbstractTableModel;
 
-  // Rows that are too short end with empty cells. Keeps the order of sorting.
+  // Sets the table. Rows that are too short end with empty cells. The sorting stays.
   void setTable(QStringList headings, std::vector<Row> rows);
 
-  // Which row of the table that was set is shown in a row.
+  // Returns the row of the table that was set for a displayed row.
   std::size_t source(int row) const { return m_order[static_cast<std::size_t>(row)]; }
   bool isNumber(int row, int column) const { return cell(source(row), column).number.has_value(); }
 
@@ -47,7 +47,7 @@ class ResultModel : public QAbstractTableModel {
   QStringList m_headings;
   std::vector<Row> m_rows;
   std::vector<std::size_t> m_order;
-  int m_sorted = -1;  // column; -1: as it was set
+  int m_sorted = -1;  // column; -1: not sorted
   Qt::SortOrder m_direction = Qt::AscendingOrder;
 };
 

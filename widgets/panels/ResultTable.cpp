@@ -111,7 +111,7 @@ void ResultTable::copy() {
   QGuiApplication::clipboard()->setText(copyText());
 }
 
-// What the mouse does with the headings, for the keyboard, too. A second choice of a column turns its order.
+// Offers the functions of the headings to the keyboard, too. A second choice of a column turns its order.
 void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);

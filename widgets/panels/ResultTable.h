@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// A table of results, such as the marks of a class. The first column, whose results they are, stays in sight while the
-// others scroll. A click on a heading sorts, or the menu of the table; Ctrl+C copies
-// the selected rows with the headings, separated by tabs, as a spreadsheet takes them.
+// A table of results, such as the marks of a class. The first column, which names the owners of the results, stays
+// visible while the others scroll. A click on a heading sorts, or the menu of the table; Ctrl+C copies the selected
+// rows with the headings, separated by tabs for spreadsheets.
 class ResultTable : public QTreeView {
   Q_OBJECT
 
@@ -18,12 +18,12 @@ class ResultTable : public QTreeView {
   explicit ResultTable(QWidget* parent = nullptr);
 
   void setTable(QStringList headings, std::vector<ResultModel::Row> rows);
-  // The selected rows, or all where none is, with the headings. A text that a spreadsheet would take for a formula gets
-  // an apostrophe in front.
+  // Returns the selected rows, or all if none is selected, with the headings. A text that a spreadsheet would take for
+  // a formula gets an apostrophe in front.
   QString copyText() const;
 
  signals:
-  void rowActivated(std::size_t row);  // of the table that was set
+  void rowActivated(std::size_t row);  // row of the table that was set
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -29,7 +29,7 @@ constexpr QSize kPicture(134, 86);
 constexpr int kRecentWidth = kPicture.width() + 18;
 constexpr int kRecentShown = 10;
 
-// Into rows of so many columns, each as wide as the others.
+// Arranges tiles in rows of so many columns of equal width.
 template <class Tiles>
 void fill(QGridLayout& grid, const Tiles& tiles, int columns, bool stretched) {
   while (grid.count() > 0) delete grid.takeAt(0);
@@ -74,7 +74,7 @@ StartPage::StartPage(QWidget* parent)
   drawSign();
 }
 
-// Where the window is small or the letters are large.
+// Needed if the window is small or the letters are large.
 void StartPage::makeScrollable() {
   m_content->setMaximumWidth(kWidestPage);
   auto* scroll = new QScrollArea(this);
@@ -143,7 +143,7 @@ void StartPage::setTiles(const std::vector<StartTile>& tiles) {
   orderKeys();
 }
 
-// By keys one goes as one reads.
+// Sets the tab order to the reading order.
 void StartPage::orderKeys() {
   QWidgetList order;
   for (Tile* tile : m_startTiles) order << tile;
@@ -160,7 +160,7 @@ void StartPage::setPictures(Pictures pictures, IconNames icons) {
 
 void StartPage::setRecentFiles(const QStringList& paths) {
   m_paths = paths;
-  for (Tile* tile : std::exchange(m_recentTiles, {})) {  // one of them may be what led here
+  for (Tile* tile : std::exchange(m_recentTiles, {})) {  // one of them may be the sender of the present signal
     tile->hide();
     tile->deleteLater();
   }
@@ -189,7 +189,7 @@ Tile* StartPage::recentTile(const QString& path) {
   return tile;
 }
 
-// In as many columns as fit.
+// Arranges the tiles in as many columns as fit.
 void StartPage::arrange() {
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int room = std::min(width(), kWidestPage) - 2 * kPageMargin - (width() < kWidestPage + bar ? bar : 0);

@@ -18,11 +18,11 @@ class Tile;
 
 // The contents of a tile that creates or opens a document.
 struct StartTile {
-  QString name;  // of the widget
+  QString name;  // object name of the widget
   QString icon;  // name of an icon
   QString title;
   QString line;
-  bool isAvailable = true;  // else the sample is not installed: it is shown, but cannot be opened
+  bool isAvailable = true;  // false: the sample is not installed; the tile is shown, but cannot be opened
 };
 
 // The page that is shown when no document is open. It has a sample for each field of work, a button to open a file, and

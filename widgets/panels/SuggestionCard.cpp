@@ -19,7 +19,7 @@ constexpr int kMargin = 16;
 constexpr int kWidth = 440;
 constexpr int kWidestCard = 760;  // lines of more letters are hard to read
 constexpr int kWiderBy = 40;
-constexpr double kCoveredShare = 0.2;  // of the height, above which the card becomes wider
+constexpr double kCoveredShare = 0.2;  // share of the height, above which the card becomes wider
 constexpr int kButtonsInRow = 3;
 
 void clearLayout(QLayout& layout) {
@@ -41,7 +41,7 @@ SuggestionCard::SuggestionCard(QWidget* over)
   setObjectName(QStringLiteral("nextStepCard"));
   setProperty("card", true);
   m_title->setObjectName(QStringLiteral("nextStepTitle"));
-  m_title->setTextFormat(Qt::PlainText);  // of files, which come from anywhere
+  m_title->setTextFormat(Qt::PlainText);  // names of files may come from anywhere
   m_detail->setTextFormat(Qt::PlainText);
   m_title->setProperty("strong", true);
   m_title->setWordWrap(true);
@@ -118,13 +118,13 @@ void SuggestionCard::showButtons() {
       connect(button, &ActionButton::pointed, this,
               [pointed = m_step.pointed, action](bool isPointed) { pointed(action, isPointed); });
     if (m_isFolded) return m_first->addWidget(button);
-    const int place = m_buttons->count();
-    m_buttons->addWidget(button, place / kButtonsInRow, place % kButtonsInRow);
+    const int index = m_buttons->count();
+    m_buttons->addWidget(button, index / kButtonsInRow, index % kButtonsInRow);
     rank = ActionButton::Rank::Ordinary;
   }
 }
 
-// The least at which the card covers little of the height, or at which it is lowest.
+// Returns the least width at which the card covers little of the height, or at which it is lowest.
 int SuggestionCard::widthIn(const QSize& room) const {
   const int most = room.width() - 2 * kMargin;
   int width = std::max(kWidth, layout()->minimumSize().width());

@@ -21,26 +21,26 @@ struct Suggestion {
   QString title;
   QString detail;
   std::vector<QAction*> actions;
-  bool isFirstObvious = true;  // the first action stands out as the one that most people want
+  bool isFirstObvious = true;  // the first action stands out because most users want it
   // Called when pointer or focus come to the button of an action, or leave it. May be empty.
   std::function<void(const QAction* action, bool isPointed)> pointed = {};
 
   bool isEmpty() const { return title.isEmpty(); }
 };
 
-// A card over the lower edge of the viewport with the suggested next step. It is as wide as keeps it low, and can be
-// folded to one line with the first action; it stays folded for the steps that follow, of all documents.
+// A card over the lower edge of the viewport with the suggested next step. Its width keeps it low, and it can be folded
+// to one line with the first action; it stays folded for the steps that follow, in all documents.
 class SuggestionCard : public QFrame {
   Q_OBJECT
 
  public:
   explicit SuggestionCard(QWidget* over);
 
-  void showStep(const Suggestion& step);  // hides when the step is empty
+  void showStep(const Suggestion& step);  // hides if the step is empty
 
  signals:
   void dismissed();
-  // The number of pixels at the lower edge that the card covers; 0 when it is hidden.
+  // Emitted with the number of pixels at the lower edge that the card covers; 0 when it is hidden.
   void covers(int pixels);
 
  protected:
@@ -59,8 +59,8 @@ class SuggestionCard : public QFrame {
   QLabel* m_title;
   QLabel* m_detail;
   QToolButton* m_fold;
-  QHBoxLayout* m_first;    // of a folded card: the first action, in the line of the title
-  QGridLayout* m_buttons;  // else all of them
+  QHBoxLayout* m_first;    // the first action, in the line of the title; for a folded card
+  QGridLayout* m_buttons;  // all actions; for an unfolded card
 };
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ namespace {
 
 constexpr QSize kTileIcon(36, 36);
 
-// The middle of the picture, scaled to fill the size.
+// Returns the middle of the picture, scaled to fill the size.
 QPixmap cut(const QPixmap& picture, const QSize& size, qreal ratio) {
   const QSize pixels = size * ratio;
   const QPixmap scaled = picture.scaled(pixels, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
@@ -79,7 +79,7 @@ void Tile::keyPressEvent(QKeyEvent* event) {
   QAbstractButton::keyPressEvent(event);
 }
 
-// Only the frame, from the style sheet; the labels draw themselves.
+// Draws only the frame, from the style sheet; the labels draw themselves.
 void Tile::paintEvent(QPaintEvent*) {
   QStyleOption option;
   option.initFrom(this);

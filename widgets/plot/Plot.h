@@ -25,13 +25,13 @@ struct PlotSeries {
   std::vector<QPointF> points;    // in units of the axes; not finite: left out; a gap in lines without markers
   bool joined = true;             // connected by lines, in order
   double barWidth = 0.0;          // above zero: drawn as bars of this width, in units of x, instead
-  std::vector<QColor> bars = {};  // colours of the bars; empty: that of the series
+  std::vector<QColor> bars = {};  // colours of the bars; empty: the colour of the series
   bool dotted = true;             // each point has a marker; false for lines with too many points
 };
 
 // An annotated point of a plot.
 struct PlotMark {
-  QPointF place;
+  QPointF position;
   QString label;
 };
 
@@ -41,7 +41,7 @@ struct Plot {
   PlotAxis x, y;
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks;
-  QLocale locale = QLocale::c();  // of the axis labels
+  QLocale locale = QLocale::c();  // locale of the axis labels
 };
 
 }  // namespace handwheel

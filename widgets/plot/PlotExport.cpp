@@ -17,8 +17,8 @@
 namespace handwheel {
 namespace {
 
-constexpr double kPictureRatio = 2.0;  // of PNG files, so that they are sharp on paper and on dense screens
-constexpr int kDotsPerInch = 96;       // of one pixel before the ratio: the font has the same size in all formats
+constexpr double kPictureRatio = 2.0;  // scale of PNG files, so that they are sharp on paper and on dense screens
+constexpr int kDotsPerInch = 96;  // density of one pixel before the ratio: the font has the same size in all formats
 
 int columnsFor(std::size_t plots) {
   return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(plots))));
@@ -67,7 +67,7 @@ QByteArray number(double value) {
   return {text, static_cast<qsizetype>(std::to_chars(text, text + sizeof text, value).ptr - text)};
 }
 
-// As RFC 4180 wants it.
+// Quotes a field according to RFC 4180.
 QByteArray field(QString text) {
   if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) && !text.contains(QLatin1Char('\n'))) {
     return text.toUtf8();

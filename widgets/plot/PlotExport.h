@@ -13,7 +13,7 @@
 namespace handwheel {
 
 // Renders plots in a grid that is as nearly square as possible. Any thread; needs fonts, so a QGuiApplication (on the
-// platform "offscreen" where there is no display). size: of each plot, in pixels before the ratio.
+// platform "offscreen" if there is no display). size: that of each plot, in pixels before the ratio.
 QImage plotImage(std::span<const Plot> plots, const QSize& size, ThemeKind theme, double pixelRatio = 1.0);
 
 // Writes plots to a picture or a table, by the extension of the path. Pictures are .png and .svg; the numbers are .csv.

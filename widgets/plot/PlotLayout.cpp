@@ -16,13 +16,13 @@ PlotScale scaleOf(const Plot& plot, const PlotAxis& axis, double (*of)(const QPo
       if (!std::isfinite(p.x()) || !std::isfinite(p.y())) continue;
       values.push_back(of(p));
       if (!(s.barWidth > 0.0)) continue;
-      // From the left end to the right one, and down to nothing.
+      // Bars extend from the left end to the right one, and down to zero.
       for (const double x : {p.x() - 0.5 * s.barWidth, p.x() + 0.5 * s.barWidth}) {
         values.push_back(of(QPointF(x, axis.logarithmic ? p.y() : 0.0)));
       }
     }
   }
-  for (const PlotMark& m : plot.marks) values.push_back(of(m.place));
+  for (const PlotMark& m : plot.marks) values.push_back(of(m.position));
   return scaleFor(values, axis.logarithmic);
 }
 
@@ -32,8 +32,8 @@ double widestLabel(const PlotScale& scale, const QLocale& locale, const QFontMet
   return width;
 }
 
-// The ticks whose labels fit one after the other along an axis of this length, at least that far apart; pixels. Each,
-// each second, third and so on, including the one at zero.
+// Returns the ticks whose labels fit one after the other along an axis of this length, at least that far apart; pixels.
+// Each, each second, third and so on, including the one at zero.
 template <class Size>
 std::vector<std::size_t> fitting(const PlotScale& scale, double length, double apart, Size sizeOf) {
   const std::vector<double>& ticks = scale.ticks;
@@ -43,7 +43,7 @@ std::vector<std::size_t> fitting(const PlotScale& scale, double length, double a
     std::vector<std::size_t> labelled;
     double end = -std::numeric_limits<double>::infinity();
     for (std::size_t i = kept % every; i < ticks.size(); i += every) {
-      const double middle = scale.placeOf(ticks[i]) * length, half = 0.5 * sizeOf(ticks[i]);
+      const double middle = scale.positionOf(ticks[i]) * length, half = 0.5 * sizeOf(ticks[i]);
       if (middle - half < end) break;
       end = middle + half + apart;
       labelled.push_back(i);
@@ -76,12 +76,12 @@ std::vector<std::size_t> PlotLayout::labelledRows(const QFontMetricsF& metrics) 
 }
 
 QPointF PlotLayout::toScreen(const QPointF& value) const {
-  return {m_frame.left() + m_x.placeOf(value.x()) * m_frame.width(),
-          m_frame.bottom() - m_y.placeOf(value.y()) * m_frame.height()};
+  return {m_frame.left() + m_x.positionOf(value.x()) * m_frame.width(),
+          m_frame.bottom() - m_y.positionOf(value.y()) * m_frame.height()};
 }
 
 bool PlotLayout::isShown(const QPointF& value) const {
-  constexpr double kFar = 1e6;  // pixels; NaN is what a logarithm gives for what it does not take
+  constexpr double kFar = 1e6;  // pixels; a logarithm gives NaN outside of its domain
   const QPointF screen = toScreen(value);
   return std::abs(screen.x()) < kFar && std::abs(screen.y()) < kFar;
 }

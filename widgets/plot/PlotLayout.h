@@ -16,21 +16,21 @@ class PlotLayout {
  public:
   PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF& metrics);
 
-  const QRectF& frame() const { return m_frame; }  // what the axes enclose
+  const QRectF& frame() const { return m_frame; }  // the rectangle between the axes
   const PlotScale& x() const { return m_x; }
   const PlotScale& y() const { return m_y; }
 
-  // The indices of the x ticks whose labels fit side by side below the frame: each second or third if necessary,
-  // including the one at zero.
+  // Returns the indices of the x ticks whose labels fit side by side below the frame: each second or third if
+  // necessary, including the one at zero.
   std::vector<std::size_t> labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const;
 
-  // The indices of the y ticks whose labels fit above each other beside the frame, chosen likewise.
+  // Returns the indices of the y ticks whose labels fit above each other beside the frame, chosen likewise.
   std::vector<std::size_t> labelledRows(const QFontMetricsF& metrics) const;
 
   QPointF toScreen(const QPointF& value) const;
-  bool isShown(const QPointF& value) const;  // finite, and above zero where an axis is logarithmic
+  bool isShown(const QPointF& value) const;  // finite, and above zero on a logarithmic axis
 
-  // The point of a series nearest to a place on the screen, if one is within reach (pixels).
+  // The point of a series nearest to a screen position, if one is within reach (pixels).
   struct Reading {
     std::size_t series;
     std::size_t point;
@@ -43,7 +43,7 @@ class PlotLayout {
   QRectF m_frame;
 };
 
-// "title (unit)"
+// Returns the text "title (unit)".
 QString axisTitle(const PlotAxis& axis);
 
 }  // namespace handwheel

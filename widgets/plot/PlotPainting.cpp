@@ -22,7 +22,7 @@ QColor seriesColour(std::size_t series, ThemeKind theme) {
   return theme == ThemeKind::Dark ? colour.lighter(135) : colour;
 }
 
-// Circle, square, diamond, triangle, in turn.
+// Returns a circle, square, diamond or triangle, in turn.
 QPainterPath pointShape(std::size_t series, const QPointF& at) {
   QPainterPath path;
   const double r = kPointRadius;
@@ -96,7 +96,7 @@ class PlotPainting {
     m_painter.fillRect(f, m_colours.base);
     const std::vector<std::size_t> labelled = m_layout.labelledTicks(m_plot.locale, m_metrics);
     for (std::size_t i = 0; i < m_layout.x().ticks.size(); ++i) {
-      const double tick = m_layout.x().ticks[i], x = f.left() + m_layout.x().placeOf(tick) * f.width();
+      const double tick = m_layout.x().ticks[i], x = f.left() + m_layout.x().positionOf(tick) * f.width();
       m_painter.setPen(QPen(m_colours.border, 1.0));
       m_painter.drawLine(QPointF(x, f.top()), QPointF(x, f.bottom()));
       if (std::find(labelled.begin(), labelled.end(), i) == labelled.end()) continue;
@@ -106,7 +106,7 @@ class PlotPainting {
     const std::vector<std::size_t> rows = m_layout.labelledRows(m_metrics);
     for (std::size_t i = 0; i < m_layout.y().ticks.size(); ++i) {
       const double tick = m_layout.y().ticks[i];
-      const double y = f.bottom() - m_layout.y().placeOf(tick) * f.height();
+      const double y = f.bottom() - m_layout.y().positionOf(tick) * f.height();
       m_painter.setPen(QPen(m_colours.border, 1.0));
       m_painter.drawLine(QPointF(f.left(), y), QPointF(f.right(), y));
       if (std::find(rows.begin(), rows.end(), i) == rows.end()) continue;
@@ -116,12 +116,12 @@ class PlotPainting {
     m_painter.setPen(QPen(m_colours.muted, 1.0));
     m_painter.drawRect(f);
     title(m_plot.x, QRectF(f.left(), f.bottom() + 1.6 * line(), f.width(), line()), Qt::AlignHCenter);
-    // Above the axis rather than turned beside it: long titles find room, and nobody bends the head.
+    // The title is above the axis rather than turned beside it: long titles find room, and nobody bends the head.
     title(m_plot.y, QRectF(m_area.left() + 0.5 * line(), f.top() - 1.4 * line(), m_area.width() - line(), line()),
           Qt::AlignLeft);
   }
 
-  // As much of it as there is room for; centred where it is short, over all of the picture where it is not.
+  // Draws as much of it as there is room for; centred where it is short, over all of the picture where it is not.
   void title(const PlotAxis& axis, QRectF row, Qt::Alignment alignment) {
     const QString words = axisTitle(axis);
     if (m_metrics.horizontalAdvance(words) > row.width()) {
@@ -149,17 +149,17 @@ class PlotPainting {
     for (const QPointF& p : line) m_painter.fillPath(pointShape(index, p), colour);
   }
 
-  // In pieces: the outline of one long line that goes up and down costs several times as much.
+  // Draws a line in pieces: the outline of one long line that goes up and down costs several times as much.
   void manyLines(const QPolygonF& line, const QColor& colour) {
     constexpr int kPiece = 16;
-    m_painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::FlatCap));  // two caps on one place would show
+    m_painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::FlatCap));  // two caps on one point would show
     const int count = static_cast<int>(line.size());
     for (int i = 0; i + 1 < count; i += kPiece) {
       m_painter.drawPolyline(line.constData() + i, std::min(kPiece + 1, count - i));
     }
   }
 
-  // From nothing to their values; on a logarithmic axis, which has no nothing, from its lower end.
+  // Draws bars from zero to their values; on a logarithmic axis, which has no zero, from its lower end.
   void bars(const PlotSeries& s, const QColor& colour) {
     const double foot = m_layout.y().logarithmic ? m_layout.frame().bottom() : m_layout.toScreen({0.0, 0.0}).y();
     const QPointF half(0.5 * s.barWidth, 0.0);
@@ -173,14 +173,14 @@ class PlotPainting {
     }
   }
 
-  // Neighbours have their words above and below in turn.
+  // Draws a mark. Neighbours have their words above and below in turn.
   void mark(const PlotMark& m, bool below) {
-    if (!m_layout.isShown(m.place)) return;
-    const QPointF at = m_layout.toScreen(m.place);
+    if (!m_layout.isShown(m.position)) return;
+    const QPointF at = m_layout.toScreen(m.position);
     m_painter.setPen(QPen(m_colours.accent, 2.0));
     m_painter.setBrush(Qt::NoBrush);
     m_painter.drawEllipse(at, 2.0 * kPointRadius, 2.0 * kPointRadius);
-    // Towards the middle, so that the words stay inside.
+    // The words are towards the middle, so that they stay inside.
     const bool isLeft = at.x() < m_layout.frame().center().x();
     const bool isLow = at.y() > m_layout.frame().bottom() - 1.5 * line();
     const bool isHigh = at.y() < m_layout.frame().top() + 1.5 * line();

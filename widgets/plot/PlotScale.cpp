@@ -8,10 +8,10 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMargin = 0.04;        // of the range, on each side
+constexpr double kMargin = 0.04;        // share of the range, on each side
 constexpr double kLargestSize = 1e300;  // beyond, the ends of a range are no numbers any more
 
-// 1, 2 or 5 times a power of ten, near the value.
+// Returns 1, 2 or 5 times a power of ten, near the value.
 double niceStep(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   const double share = value / power;
@@ -55,7 +55,7 @@ QString superscript(int number) {
 
 }  // namespace
 
-double PlotScale::placeOf(double value) const {
+double PlotScale::positionOf(double value) const {
   if (logarithmic) return std::log(value / least) / std::log(largest / least);
   return (value - least) / (largest - least);
 }
@@ -91,7 +91,7 @@ QString tickLabel(double tick, const PlotScale& scale, const QLocale& locale) {
   if (size == 0.0) return locale.toString(0);
   const double exponent = std::floor(std::log10(size) + 1e-9);
   if (exponent >= -3.0 && exponent <= 4.0) {
-    // As many digits behind the point as tell neighbours apart.
+    // The digits behind the point tell neighbours apart.
     const double step = scale.logarithmic || scale.ticks.size() < 2 ? size : scale.ticks[1] - scale.ticks[0];
     const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
     return locale.toString(tick, 'f', digits);

@@ -16,7 +16,7 @@ struct PlotScale {
   bool logarithmic = false;
   std::vector<double> ticks;  // ascending, inside the range
 
-  double placeOf(double value) const;  // 0 at least, 1 at largest
+  double positionOf(double value) const;  // relative position: 0 at least, 1 at largest
 };
 
 // Computes a scale that contains all values with a margin. It has about "count" ticks at 1, 2 or 5 times a power of ten
@@ -24,7 +24,7 @@ struct PlotScale {
 // any, the scale is 0…1. Logarithmic only when all are above zero (1e-300).
 PlotScale scaleFor(std::span<const double> values, bool logarithmic, int count = 6);
 
-// The label of a tick: plain digits, or a power of ten.
+// Returns the label of a tick: plain digits, or a power of ten.
 QString tickLabel(double tick, const PlotScale& scale, const QLocale& locale);
 
 }  // namespace handwheel

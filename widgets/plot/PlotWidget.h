@@ -21,7 +21,7 @@ class PlotWidget : public QWidget {
   void setPlot(Plot plot);
   const Plot& plot() const { return m_plot; }
 
-  // The displayed read-out: "sphere: 10 ms, 0.05 mm"; empty when there is none.
+  // Returns the displayed read-out: "sphere: 10 ms, 0.05 mm"; empty when there is none.
   QString reading() const;
 
   QSize sizeHint() const override;
@@ -38,7 +38,7 @@ class PlotWidget : public QWidget {
  private:
   PlotLayout layoutNow() const;
   void read(std::optional<PlotLayout::Reading> reading);
-  // The next displayable point from this one on.
+  // Returns the next displayable point from this one on.
   std::optional<PlotLayout::Reading> neighbour(PlotLayout::Reading from, int alongSeries, int alongPoints) const;
 
   Plot m_plot;

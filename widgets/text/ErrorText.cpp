@@ -15,7 +15,7 @@ struct ErrorWords {
   Q_DECLARE_TR_FUNCTIONS(ErrorText)
 };
 
-// Nothing that a terminal would obey, and no new line.
+// Replaces control characters, which a terminal would obey, and line ends.
 QString harmless(const std::string& bytes) {
   QString text = QString::fromStdString(bytes);
   for (QChar& c : text) {
@@ -24,21 +24,21 @@ QString harmless(const std::string& bytes) {
   return text;
 }
 
-// The parts that there are, as a list: "scan.stl, line 7".
+// Joins the parts to a list: "scan.stl, line 7".
 QString listed(const QStringList& parts) {
   QString list = parts.value(0);
   for (const QString& part : parts.mid(1)) list = ErrorWords::tr("%1, %2").arg(list, part);
   return list;
 }
 
-// ".stl, .ply or .obj"
+// Formats alternatives as ".stl, .ply or .obj".
 QString alternatives(QStringList all) {
   if (all.size() < 2) return listed(all);
   const QString last = all.takeLast();
   return ErrorWords::tr("%1 or %2").arg(listed(all), last);
 }
 
-// The arguments as they are shown.
+// Returns the arguments for display.
 QStringList argumentsOf(const Error& error) {
   QStringList all;
   for (const std::string& each : error.arguments) all << errorArgument(harmless(each).simplified());
@@ -47,7 +47,7 @@ QStringList argumentsOf(const Error& error) {
   return all;
 }
 
-// A text with the arguments in it.
+// A text with inserted arguments.
 struct FilledText {
   QString text;
   bool isWhole = true;  // all of them are known
@@ -68,7 +68,7 @@ FilledText filled(const char* english, const QStringList& arguments) {
   return result;
 }
 
-// The first of the texts whose arguments are all known, or else the last.
+// Returns the first of the texts whose arguments are all known, or else the last.
 QString firstWhole(std::span<const char* const> texts, const QStringList& arguments) {
   FilledText last;
   for (const char* text : texts) {
@@ -87,7 +87,7 @@ QString where(const Error& error) {
     case InputPosition::Kind::Byte:
       return ErrorWords::tr("byte %1").arg(number);
     case InputPosition::Kind::Line:
-      if (error.position.value == 0) return {};  // of no line
+      if (error.position.value == 0) return {};  // no line
       return ErrorWords::tr("line %1").arg(number);
   }
   return {};
@@ -98,7 +98,7 @@ QString where(const Error& error) {
 QString errorSentence(const Error& error) {
   QStringList origin;
   if (!error.subject.empty()) origin << harmless(error.subject);
-  if (const QString place = where(error); !place.isEmpty()) origin << place;
+  if (const QString position = where(error); !position.isEmpty()) origin << position;
   QString sentence = ErrorWords::tr("%1.").arg(firstWhole(error.code->sentences, argumentsOf(error)));
   if (!origin.isEmpty()) sentence = ErrorWords::tr("%1: %2").arg(listed(origin), sentence);
   // File names are left as they are.

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Describes an error and its place in one sentence. For example "scan.stl, line 12: 'abc' is not a number." The window
-// and the command line both use it, so numbers are written as in C and the text is English unless a translator is
-// installed.
+// Describes an error and its position in one sentence. For example "scan.stl, line 12: 'abc' is not a number." The
+// window and the command line both use it, so numbers are written as in C and the text is English unless a translator
+// is installed.
 QString errorSentence(const Error& error);
 
 // Suggests a remedy for an error in one sentence. Empty for a cancelled job.

@@ -93,7 +93,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "a coordinate of the mesh"),
     QT_TRANSLATE_NOOP("ErrorWord", "an origin"),
     QT_TRANSLATE_NOOP("ErrorWord", "chord tolerance"),
-    // of a turned part
+    // Turned parts.
     QT_TRANSLATE_NOOP("ErrorWord", "the number of samples is missing or impossible"),
     QT_TRANSLATE_NOOP("ErrorWord", "passes"),
     QT_TRANSLATE_NOOP("ErrorWord", "samples of the profile"),
@@ -124,7 +124,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the picture has no pixels"),
     QT_TRANSLATE_NOOP("ErrorWord", "the solid cannot be translated"),
     QT_TRANSLATE_NOOP("ErrorWord", "the system ended it; it may have run out of memory"),
-    // of images and volumes in files
+    // Images and volumes in files.
     QT_TRANSLATE_NOOP("ErrorWord", "files in the folder"),
     QT_TRANSLATE_NOOP("ErrorWord", "bytes of DICOM files"),
     QT_TRANSLATE_NOOP("ErrorWord", "bytes of the data file"),
@@ -271,7 +271,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its outline differs"),
     QT_TRANSLATE_NOOP("ErrorWord", "there are no fonts"),
     QT_TRANSLATE_NOOP("ErrorWord", "the page cannot be painted"),
-    // of robots and planning
+    // Robots and planning.
     QT_TRANSLATE_NOOP("ErrorWord", "it is not YAML"),
     QT_TRANSLATE_NOOP("ErrorWord", "a joint of the goal is missing"),
     QT_TRANSLATE_NOOP("ErrorWord", "a position for each name was expected"),
@@ -303,7 +303,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the frame"),
     QT_TRANSLATE_NOOP("ErrorWord", "a cell with several robots as one robot"),
     QT_TRANSLATE_NOOP("ErrorWord", "a saved document as a robot"),
-    // of lathes, programs, drills and exercises
+    // Lathes, programs, drills and exercises.
     QT_TRANSLATE_NOOP("ErrorWord", "there are none, or more than %1"),
     QT_TRANSLATE_NOOP("ErrorWord", "a list was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a nose radius is impossible"),
@@ -434,7 +434,7 @@ QString shortened(const QString& text) {
   return text.size() > longest ? text.left(longest) + QChar(0x2026) : text;
 }
 
-// What %1 of the phrase stands for in the text; empty when it stands for nothing; none when the text is not the phrase.
+// Returns the part of the text for %1 of the phrase, which may be empty; none when the text is not the phrase.
 std::optional<QString> nameWithin(const QString& text, const QString& phrase) {
   const qsizetype at = phrase.indexOf(QLatin1String("%1"));
   if (at < 0) return text == phrase ? std::optional(QString()) : std::nullopt;

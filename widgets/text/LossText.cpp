@@ -38,7 +38,7 @@ QString lostAttributeName(LostAttribute attribute) {
   return {};
 }
 
-// pattern: of the names that are the file's own.
+// Returns names for display. pattern: the format of a name that comes from the file.
 QStringList lostNamesIn(const DocumentFile& file, const QString& pattern) {
   QStringList names;
   for (const LostAttribute attribute : file.lost) {

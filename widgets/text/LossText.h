@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// The names of the content of a file that its document does not keep. Such as "colours", "texture coordinates",
+// Returns the names of the file content that a document does not keep. Examples: "colours", "texture coordinates",
 // "quality"…
 QStringList lostNames(const DocumentFile& file);
-// The same as a part of a sentence: "colours, texture coordinates, “quality”"
+// Returns the same as a part of a sentence: "colours, texture coordinates, “quality”"
 QString lostText(const DocumentFile& file);
 
 }  // namespace handwheel

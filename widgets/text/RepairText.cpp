@@ -21,7 +21,7 @@ int asInt(std::size_t n) {
   return static_cast<int>(std::min<std::size_t>(n, std::numeric_limits<int>::max()));
 }
 
-// With three significant digits, or as a whole number; what would begin with too many zeros has an exponent.
+// Formats with three significant digits, or as a whole number; with an exponent instead of too many zeros.
 QString significantText(double value) {
   constexpr int kDigits = 3;
   constexpr double kSmallestFixed = 1e-5;
@@ -114,7 +114,7 @@ QString patchWarning(const PatchComparison& shape) {
 }
 
 QString removalWarning(const FarthestRemovedVertex& removed, LengthUnit unit) {
-  const auto at = [&](int axis) { return lengthText(removed.place[axis], unit); };
+  const auto at = [&](int axis) { return lengthText(removed.position[axis], unit); };
   return RepairWords::tr("A part of the surface that stood out by %1 was removed, at X %2, Y %3, Z %4.")
       .arg(lengthText(removed.distance, unit), at(0), at(1), at(2));
 }

@@ -11,33 +11,34 @@
 
 namespace handwheel {
 
-// The display name of a fill method ("Fair").
+// Returns the display name of a fill method ("Fair").
 QString fillMethodName(FillMethod method);
-// One sentence on when to choose a fill method.
+// Returns one sentence on when to choose a fill method.
 QString fillMethodHint(FillMethod method);
 
-// Why a person should look at a patch; empty where it is like its surroundings.
+// Returns the reason for a person to look at a patch; empty if it is like its surroundings.
 QString patchWarning(const PatchComparison& shape);
-// A sentence about what a repair took away from the outside.
+// Returns a sentence about material that a repair removed from the outside.
 QString removalWarning(const FarthestRemovedVertex& removed, LengthUnit unit);
-// The name of a boundary loop, "Hole 3" or "Outer boundary 1". number: by LoopNumbers.
+// Returns the name of a boundary loop, "Hole 3" or "Outer boundary 1". number: by LoopNumbers.
 QString boundaryLoopName(bool isSheetBoundary, int number);
-// Why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
+// Returns the reason why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
 QString fillFailureReason(FillFailure failure);
 
-// What became of the holes and outer boundaries, a phrase each: "26 of 28 holes filled", "2 could not be filled". Empty
-// where nothing did.
+// Returns a phrase for each outcome of the holes and outer boundaries: "26 of 28 holes filled", "2 could not be
+// filled". Empty if there are none.
 QStringList outcomeTexts(const LoopCounts& loops);
-// The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
+// Returns the changes of a repair besides filling, one phrase for each kind. Empty when there were none.
 QStringList repairSummary(const RepairReport& report, LengthUnit unit = LengthUnit::Millimetre);
-// "0.01 to 0.05 mm", or "0.01 mm" where both are written alike; and at how many vertices it is less than requested.
+// Formats a thickness as "0.01 to 0.05 mm", or "0.01 mm" if both are written alike. Adds the number of vertices with
+// less than requested.
 QString thicknessText(const SheetThickness& thickness, LengthUnit unit);
 
-// "3 of 4 thickened by 0.01 mm; 1 sheet left open: " and why; for each reason.
+// Formats outcomes as "3 of 4 thickened by 0.01 mm; 1 sheet left open: " and the reason; for each reason.
 QString sheetsText(const SheetOutcomes& sheets, LengthUnit unit);
 
-// The state of a surface in words. "closed, manifold, oriented, free of self-intersections, one piece", or what of it
-// does not hold; what was not looked for is left out.
+// Describes the state of a surface. "closed, manifold, oriented, free of self-intersections, one piece", or the
+// properties that do not hold; those that were not examined are left out.
 QString stateText(const MeshState& state);
 
 // Formats an area with three significant digits, or as a whole number: "12.3 mm²".

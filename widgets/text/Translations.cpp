@@ -34,7 +34,7 @@ QString languageFor(const QString& setting, const QStringList& wanted) {
 }
 
 Translations::Translations(const QString& setting) : m_language(languageFor(setting, QLocale::system().uiLanguages())) {
-  // Who has the language of the system keeps the numbers of the own country.
+  // A user with the language of the system keeps the numbers of the own country.
   const QLocale locale(m_language);
   if (m_language == setting && locale.language() != QLocale::system().language()) QLocale::setDefault(locale);
 

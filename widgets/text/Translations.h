@@ -17,11 +17,11 @@ struct Language {
   QString name;  // in the language itself
 };
 
-// The languages of the user interface; English, the language of the source texts, is first.
+// Returns the languages of the user interface; English, the language of the source texts, is first.
 QList<Language> windowLanguages();
 
-// The language code for a setting. A setting of "system" gives the first available one of the wanted languages, else
-// English. The wanted ones are written as in QLocale::uiLanguages.
+// Returns the language code for a setting. A setting of "system" gives the first available one of the wanted languages,
+// else English. The wanted ones are written as in QLocale::uiLanguages.
 QString languageFor(const QString& setting, const QStringList& wanted);
 
 // Installs the translators and the locale of a language for its lifetime. To be created before the first widget, so a

@@ -15,21 +15,22 @@ enum class DefectKind {
   NonManifoldVertex,
   OneSided,
   InsideOut,
-  Inconsistent,  // single triangles; opening reverses them, so only where that is undone
+  Inconsistent,  // single triangles; opening reverses them, so they exist only after undoing that
   NearVertex,
   Degenerate,
   Duplicate,
   SelfIntersection,
   Debris,
-  Flipped,  // mended already, on opening
+  Flipped,  // already mended on opening
 };
 inline constexpr int kDefectKinds = 13;
 
-// The colour of a kind of defect. It is the same in lists and in the viewport, in both themes. Hues are from the
-// palette of Okabe and Ito, which people with colour blindness can distinguish; every use is accompanied by the icon.
+// Returns the colour of a kind of defect. It is the same in lists and in the viewport, in both themes. Hues are from
+// the palette of Okabe and Ito, which people with colour blindness can distinguish; every use is accompanied by the
+// icon.
 QColor defectColour(DefectKind kind);
 
-// The name for icon() in Icons.h.
+// Returns the name for icon() in Icons.h.
 QString defectIconName(DefectKind kind);
 
 }  // namespace handwheel

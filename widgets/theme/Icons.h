@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// An icon from resources/icons, by file name without extension. It is drawn with the text colour of the present palette
-// (the accent when checked), so it follows a change of theme by itself.
+// Returns an icon from resources/icons, by file name without extension. It is drawn with the text colour of the present
+// palette (the accent when checked), so it follows a change of theme by itself.
 QIcon icon(const QString& name);
 
-// The same icon in a given colour, for defects and states.
+// Returns the same icon in a given colour, for defects and states.
 QIcon icon(const QString& name, const QColor& colour);
 
 }  // namespace handwheel

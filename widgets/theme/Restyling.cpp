@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kStepMs = 4;  // far below a frame
 
-// The style sheet's style forgets what it knew of the widget, and reads its rules with the present palette.
+// Makes the style sheet's style forget its data about the widget, and read its rules with the present palette.
 void restyleOne(QWidget& widget) {
   widget.style()->polish(&widget);
   widget.update();

@@ -44,7 +44,7 @@ const ThemeColours kDark = {
     .error = QColor(0xff6b63),
 };
 
-// Fusion, without the old pictures on the buttons of dialogs.
+// The style Fusion, without the old pictures on the buttons of dialogs.
 class PlainFusion final : public QProxyStyle {
  public:
   PlainFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -83,7 +83,7 @@ QPalette paletteOf(const ThemeColours& c) {
     p.setColor(QPalette::Disabled, role, withAlpha(c.muted, 140));
   }
   p.setColor(QPalette::Disabled, QPalette::Highlight, c.border);
-  // Roles that nothing in the window draws with carry the colours that a palette has no role for, to the style sheet.
+  // Roles that nothing in the window draws with pass colours without a palette role to the style sheet.
   p.setColor(QPalette::Shadow, c.muted);
   p.setColor(QPalette::AlternateBase, withAlpha(c.accent, 56));
   p.setColor(QPalette::LinkVisited, c.success);
@@ -113,7 +113,7 @@ constexpr std::array kSheetWords = {
     SheetWord{"@error", "bright-text"},
 };
 
-// The same for both themes.
+// Returns the style sheet, which is the same for both themes.
 QString styleSheet() {
   QFile file(QStringLiteral(":/theme/handwheel.qss"));
   if (!file.open(QIODevice::ReadOnly)) return {};

@@ -16,7 +16,7 @@ struct ThemeColours {
   QColor window;  // bars and panels
   QColor base;    // lists and fields
   QColor raised;  // buttons, cards
-  QColor hover;   // what is under the cursor
+  QColor hover;   // the item under the cursor
   QColor border;
   QColor text;
   QColor muted;       // secondary text, contrast at least 4.5:1 on window
@@ -27,13 +27,13 @@ struct ThemeColours {
   QColor error;
 };
 
-// The colours of a theme.
+// Returns the colours of a theme.
 const ThemeColours& themeColours(ThemeKind kind);
 
-// The theme nearest to the desktop's palette. To be called before applyTheme(), which replaces that palette.
+// Returns the theme nearest to the desktop's palette. To be called before applyTheme(), which replaces that palette.
 ThemeKind systemTheme();
 
-// The theme of the application's present palette.
+// Returns the theme of the application's present palette.
 ThemeKind currentTheme();
 
 // Applies style, palette and style sheet of a theme. May be called again at any time to switch.

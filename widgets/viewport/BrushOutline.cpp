@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kPoints = 64;
-constexpr double kLeap = 0.5;  // of the radius, from a point to the next: not along one surface
+constexpr double kLeap = 0.5;  // share of the radius, from a point to the next: not along one surface
 
 }  // namespace
 

@@ -8,20 +8,20 @@
 
 namespace handwheel {
 
-// A clipping plane of the view. What lies on the side of its normal is neither drawn nor picked.
+// A clipping plane of the view. Objects on the side of its normal are neither drawn nor picked.
 struct ClipPlane {
-  Vec3 normal = Vec3::UnitZ();  // of unit length
-  double offset = 0.0;          // of the plane from the origin of the model along the normal; mm
+  Vec3 normal = Vec3::UnitZ();  // unit length
+  double offset = 0.0;          // distance of the plane from the origin of the model along the normal; mm
   bool on = false;
 
   bool isClippedAway(const Vec3& p) const { return on && normal.dot(p) > offset; }
-  // The same plane that cuts away the other side.
+  // Returns the same plane with the other side clipped.
   ClipPlane flipped() const { return {-normal, -offset, on}; }
 
   bool operator==(const ClipPlane&) const = default;
 };
 
-// The offsets between which a plane with this normal meets the box.
+// Returns the offsets between which a plane with this normal meets the box.
 inline std::pair<double, double> clipOffsets(const Box& box, const Vec3& normal) {
   const double middle = normal.dot(box.center());
   const double reach = normal.cwiseAbs().dot(box.sizes()) / 2.0;

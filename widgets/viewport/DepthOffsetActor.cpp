@@ -34,7 +34,7 @@ void DepthOffsetActor::setData(vtkPolyData* data) {
 
 void DepthOffsetActor::drawOverAll() {
   const std::string depth = std::to_string(1e-4 / (1.0 + m_lift));
-  // The last of all: lines as tubes have set a depth of their own by then.
+  // Added last: lines as tubes have set a depth of their own by then.
   m_actor->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Coincident::Impl", true, "//VTK::Coincident::Impl\n  gl_FragDepth = " + depth + ";\n", false);
 }
@@ -43,8 +43,8 @@ void DepthOffsetActor::prepare(const LayerFrame& frame) {
   if (!m_actor->GetVisibility()) return;
   const Vec3 shift = m_lift * frame.shiftPerPixel;
   const double scale = 1.0 - m_lift * frame.shrinkPerPixel;
-  const Vec3 place = scale * frame.offset + shift;
-  m_actor->SetPosition(place.x(), place.y(), place.z());
+  const Vec3 position = scale * frame.offset + shift;
+  m_actor->SetPosition(position.x(), position.y(), position.z());
   m_actor->SetScale(scale);
   clip(frame.clip, shift, scale);
 }
@@ -61,7 +61,7 @@ StrokeActors::StrokeActors(LayerProps& props, double lift, double width)
     : m_segments(props, lift), m_dots(props, lift), m_width(width) {
   m_segments.property()->LightingOff();
   m_dots.property()->LightingOff();
-  // As tubes, VTK widens lines itself; core contexts refuse glLineWidth above one.
+  // With tubes VTK widens lines itself; core contexts refuse glLineWidth above one.
   m_segments.property()->RenderLinesAsTubesOn();
   // Round dots. VTK's own round points are spheres with depth, which would stand out of the lines that they join.
   m_dots.actor()->GetShaderProperty()->AddFragmentShaderReplacement(

@@ -14,7 +14,7 @@
 
 namespace handwheel {
 
-// Sets a VTK clipping plane. VTK keeps what lies on the side of its normal.
+// Sets a VTK clipping plane. VTK keeps the side of its normal.
 void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point);
 
 // Sets the material of actors over the model: hardly shaded.
@@ -28,7 +28,8 @@ class DepthOffsetActor {
   DepthOffsetActor(LayerProps& props, double lift);
 
   void setData(vtkPolyData* data);
-  // Hides it behind nothing; of those drawn so, a higher one hides a lower one. To be called before it is drawn.
+  // Draws it in front of everything; among such actors, a higher one hides a lower one. To be called before it is
+  // drawn.
   void drawOverAll();
   void hide() { m_props.show(m_actor, false); }
   void prepare(const LayerFrame& frame);
@@ -59,7 +60,7 @@ class StrokeActors {
   StrokeActors(LayerProps& props, double lift, double width);
 
   void set(const std::vector<Stroke>& strokes, const Vec3& origin);
-  void drawOverAll();  // as DepthOffsetActor
+  void drawOverAll();  // see DepthOffsetActor
   void hide();
   void prepare(const LayerFrame& frame);
 

@@ -12,20 +12,21 @@ namespace {
 
 constexpr double kRadius = 8.0;        // logical pixels, at the focus
 constexpr double kArrowLength = 72.0;  // pixels at the limit of the force
-constexpr double kLeastForce = 1e-3;   // of the limit; less is no arrow
+constexpr double kLeastForce = 1e-3;   // share of the limit; less is no arrow
 constexpr double kLeastSize = 0.6, kLargestSize = 1.8;
 constexpr double kHeadLength = 10.0, kHeadWidth = 5.0;
 constexpr double kGaugeGap = 5.0;  // pixels between ball and gauge
 constexpr double kHiddenOpacity = 0.4;
 
-// Under parallel projection nothing grows as it comes nearer; the cursor does, as depth could not be seen otherwise.
+// Returns the size of the cursor. Under parallel projection nothing grows as it comes nearer; the cursor does, as depth
+// could not be seen otherwise.
 double sizeAt(const Vec3& p, const CameraNavigation& view) {
   const double size = view.isPerspective() ? view.unitsPerPixel() / view.unitsPerPixelAt(p)
                                            : 1.0 + 0.8 * view.depth(p) / view.camera().height;
   return std::isfinite(size) ? std::clamp(size, kLeastSize, kLargestSize) : 1.0;
 }
 
-std::optional<Vec2> placeOf(const Vec3& p, const CameraNavigation& view) {
+std::optional<Vec2> projected(const Vec3& p, const CameraNavigation& view) {
   if (!p.allFinite() || !view.isBeforeEye(p)) return std::nullopt;
   const Vec2 at = view.toScreen(p);
   return at.cwiseAbs().maxCoeff() < 1e5 ? std::optional(at) : std::nullopt;
@@ -35,7 +36,8 @@ QPointF pointOf(const Vec2& p) {
   return {p.x(), p.y()};
 }
 
-// From calm to the limit: blue over yellow to vermilion, which the colour-blind tell apart, too (Okabe and Ito).
+// Returns a colour from calm to the limit: blue over yellow to vermilion, which colour-blind people can distinguish,
+// too (Okabe and Ito).
 QColor colourOf(double load) {
   const QColor calm(0x00, 0x72, 0xb2), middle(0xe6, 0x9f, 0x00), limit(0xd5, 0x5e, 0x00);
   return load < 0.5 ? mixed(calm, middle, static_cast<float>(2.0 * load))
@@ -54,10 +56,10 @@ void paintShadow(QPainter& painter, const CursorLook& look) {
 
 void paintArrow(QPainter& painter, const CursorLook& look, const SceneColours& colours) {
   if (!look.arrow || !look.proxy) return;
-  const Vec2 way = *look.arrow - *look.proxy;
-  const double length = way.norm();
-  if (length < 1.0) return;  // seen from its end
-  const Vec2 along = way / length, across(-along.y(), along.x());
+  const Vec2 shaft = *look.arrow - *look.proxy;
+  const double length = shaft.norm();
+  if (length < 1.0) return;  // its end points to the viewer
+  const Vec2 along = shaft / length, across(-along.y(), along.x());
   const double head = std::min(kHeadLength, length);
   const Vec2 neck = *look.arrow - head * along;
   const double half = kHeadWidth * head / kHeadLength;
@@ -72,8 +74,8 @@ void paintArrow(QPainter& painter, const CursorLook& look, const SceneColours& c
   }
 }
 
-// The share of the limit once more, as a ring that closes: an arrow towards the viewer, of a push straight into the
-// model, is not seen.
+// Draws the share of the limit once more, as a ring that closes: an arrow towards the viewer, for a push straight into
+// the model, is not visible.
 void paintGauge(QPainter& painter, const CursorLook& look, const SceneColours& colours) {
   if (!look.proxy || look.load <= 0.0) return;
   const double radius = look.radius + kGaugeGap;
@@ -87,7 +89,7 @@ void paintGauge(QPainter& painter, const CursorLook& look, const SceneColours& c
   }
 }
 
-// What the hand has pushed through the surface: a ring, tied to where it is held.
+// Draws a tip that was pushed through the surface: a ring, tied to the proxy.
 void paintTip(QPainter& painter, const CursorLook& look, const SceneColours& colours) {
   if (!look.tip || !look.isApart) return;
   painter.setBrush(Qt::NoBrush);
@@ -117,19 +119,19 @@ Vec3 shadowDirection(const CameraState& camera) {
 
 CursorLook lookOf(const DeviceCursor& cursor, const CameraNavigation& view) {
   CursorLook look;
-  look.proxy = placeOf(cursor.proxy, view);
-  look.tip = placeOf(cursor.tip, view);
+  look.proxy = projected(cursor.proxy, view);
+  look.tip = projected(cursor.tip, view);
   look.radius = kRadius * sizeAt(cursor.proxy, view);
   look.isApart = look.proxy && look.tip && (*look.proxy - *look.tip).norm() > 1.0;
   if (cursor.shadow) {
-    look.shadow = placeOf(*cursor.shadow, view);
+    look.shadow = projected(*cursor.shadow, view);
     look.shadowRadius = kRadius * sizeAt(*cursor.shadow, view);
   }
   const double force = cursor.force.stableNorm();
   if (!std::isfinite(force) || !(cursor.limit > 0.0) || !(force > kLeastForce * cursor.limit)) return look;
   look.load = std::min(1.0, force / cursor.limit);
   const double length = kArrowLength * look.load * view.unitsPerPixel();
-  look.arrow = placeOf(cursor.proxy + (length / force) * cursor.force, view);
+  look.arrow = projected(cursor.proxy + (length / force) * cursor.force, view);
   return look;
 }
 

@@ -13,24 +13,24 @@ namespace handwheel {
 // on its surface. Lengths in mm, forces in N.
 struct DeviceCursor {
   Vec3 tip = Vec3::Zero();          // position of the device: it may be below the surface
-  Vec3 proxy = Vec3::Zero();        // where the surface holds the tip; equal to the tip in free space
+  Vec3 proxy = Vec3::Zero();        // the tip on the surface; equal to the tip in free space
   Vec3 force = Vec3::Zero();        // in the scene
   double limit = 1.0;               // N: largest force of the device, > 0
-  std::optional<Vec3> shadow = {};  // on the surface below it, along shadowDirection()
+  std::optional<Vec3> shadow = {};  // point on the surface below it, along shadowDirection()
   bool isHidden = false;            // something lies in front of the proxy
 
   bool operator==(const DeviceCursor&) const = default;
 };
 
-// The direction of the light that casts the cursor's shadow. It comes from above the viewer, so that on the screen the
-// shadow lies below the cursor by as much as the cursor is in front of the surface, and meets it on contact. Of length
-// 1.
+// Returns the direction of the light that casts the cursor's shadow. It comes from above the viewer, so that on the
+// screen the shadow lies below the cursor by as much as the cursor is in front of the surface, and meets it on contact.
+// Unit length.
 Vec3 shadowDirection(const CameraState& camera);
 
 // The cursor projected to the view, in logical pixels. Points beside or behind the eye are absent.
 struct CursorLook {
   std::optional<Vec2> proxy, tip, shadow, arrow;  // arrow: its head, the tail is at the proxy; none without force
-  double radius = 0.0;                            // of the proxy: increases towards the viewer
+  double radius = 0.0;                            // radius of the proxy: increases towards the viewer
   double shadowRadius = 0.0;
   double load = 0.0;     // share of the limit, 0…1
   bool isApart = false;  // the tip is visibly apart from the proxy

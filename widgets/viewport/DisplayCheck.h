@@ -15,7 +15,8 @@ class DisplayCheck {
   DisplayCheck(const DisplayCheck&) = delete;
   DisplayCheck& operator=(const DisplayCheck&) = delete;
 
-  // Why nothing can be rendered, in English for the log; empty when the display and GLX are there.
+  // Returns the reason why nothing can be rendered, in English for the log; empty when the display and GLX are
+  // available.
   const std::string& problem() const { return m_problem; }
 
  private:

@@ -17,7 +17,7 @@ GlWindow::GlWindow(vtkRenderer* renderer) {
   m_window->SetMultiSamples(0);
   m_window->AddRenderer(renderer);
   m_window->AddObserver(vtkCommand::WindowMakeCurrentEvent, this, &GlWindow::makeContextCurrent);
-  // Unanswered, Render() silently does nothing.
+  // Without an answer, Render() silently does nothing.
   m_window->AddObserver(vtkCommand::WindowIsCurrentEvent, this, &GlWindow::reportIsCurrent);
 }
 
@@ -25,8 +25,8 @@ GlWindow::~GlWindow() {
   m_window->RemoveAllObservers();
 }
 
-// When it is current already, nothing: the widget would also bind Qt's framebuffer, and VTK asks in the middle of
-// building its own.
+// Does nothing if it is current already: the widget would also bind Qt's framebuffer, and VTK asks while it builds its
+// own.
 void GlWindow::makeContextCurrent() {
   if (m_widget && QOpenGLContext::currentContext() != m_widget->context()) m_widget->makeCurrent();
 }

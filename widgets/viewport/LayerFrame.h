@@ -18,7 +18,7 @@ struct LayerFrame {
   double shrinkPerPixel = 0.0;
   ClipPlane clip;  // about the origin of the drawing
 
-  // The same frame for geometry that stands about this model point.
+  // Returns the same frame for geometry relative to this model point.
   LayerFrame about(const Vec3& point) const {
     LayerFrame frame = *this;
     frame.offset = point - origin;

@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-// direction: from which the light comes, in view axes.
+// direction: that towards the light, in view axes.
 void addLight(vtkRenderer* renderer, double x, double y, double z, double intensity, const QColor& colour) {
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();

@@ -15,17 +15,17 @@ struct SceneColours {
   QColor front;     // front side of the surface
   QColor back;      // back side of the surface, visible through holes
   QColor cut;       // back side, when a clipping plane cuts the model
-  QColor edge;      // on the surface
-  QColor wire;      // in wireframe, on the background
+  QColor edge;      // edges on the surface
+  QColor wire;      // lines of the wireframe, on the background
   QColor casing;    // thin outline around lines and dots, for contrast with the surface
   QColor text;      // scale bar and axis letters
   QColor accent;    // preview and hover
-  QColor cubeSide;  // of the view cube
+  QColor cubeSide;  // sides of the view cube
   QColor selected;  // faces that are selected
 
   bool operator==(const SceneColours&) const = default;
 };
-// The colours for the light or dark theme.
+// Returns the colours for the light or dark theme.
 SceneColours sceneColours(bool dark);
 
 // Mixes two colours. share: of b, 0…1.

@@ -10,14 +10,15 @@ namespace handwheel {
 
 namespace {
 
-// Where the segment comes nearest to the cursor on the screen, 0…1.
+// Returns the parameter 0…1 of the point of the segment nearest to the cursor on the screen.
 double nearestOnSegment(const Vec2& a, const Vec2& b, const Vec2& cursor) {
   const Vec2 along = b - a;
   const double squared = along.squaredNorm();
   return squared > 0 ? std::clamp((cursor - a).dot(along) / squared, 0.0, 1.0) : 0.0;
 }
 
-// The point of the segment that appears at the share t of its picture; under perspective the farther half is shorter.
+// Returns the point of the segment that appears at the share t of its picture; under perspective the farther half is
+// shorter.
 Vec3 pointAt(const CameraNavigation& view, const Vec3& a, const Vec3& b, double t) {
   const double near = t * view.unitsPerPixelAt(a), far = (1.0 - t) * view.unitsPerPixelAt(b);
   return a + near / (near + far) * (b - a);

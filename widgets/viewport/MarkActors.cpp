@@ -6,7 +6,7 @@ namespace handwheel {
 
 namespace {
 
-// So many selected faces get an outline, which is visible however small they are.
+// Up to this number, selected faces get an outline, which is visible however small they are.
 constexpr std::size_t kMostOutlined = 200;
 
 QColor withAlpha(QColor c, float alpha) {
@@ -164,7 +164,7 @@ void MarkActors::rebuildLoops() {
   m_strongLoops.set(std::move(strong), QColor(Qt::white), m_origin);
 }
 
-// The face's triangle with colours at its corners; nothing for a face that an edit has removed meanwhile.
+// Adds the face's triangle with colours at its corners; nothing for a face that an edit has removed meanwhile.
 void MarkActors::addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const {
   if (face >= m_mesh.faceSlots() || !m_mesh.isLive(face)) return;
   const Triangle& t = m_mesh.triangle(face);

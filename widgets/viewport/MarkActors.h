@@ -51,7 +51,7 @@ class MarkActors {
   // Builds some of these faces that are not yet drawn. Returns the approximate cost in triangles; 0: all are drawn.
   std::size_t buildPendingFaces();
   bool hasPendingFaces() const { return m_selected.isStale() || m_highlighted.isStale(); }
-  // Rebuilds the other marks that have changed since the last frame: once, however often they were set.
+  // Rebuilds the other marks that have changed since the last frame: once, independent of the number of calls.
   void prepare(const LayerFrame& frame);
 
  private:
@@ -78,7 +78,7 @@ class MarkActors {
   std::vector<SectionMark> m_sectionMarks;
   std::vector<Vec3> m_previewPoints;
   std::vector<Triangle> m_previewTriangles;
-  std::vector<Face> m_outlined;  // of the selected faces, when these are few
+  std::vector<Face> m_outlined;  // the selected faces, when these are few
   int m_listLoop = -1;
   int m_cursorLoop = -1;
   Face m_hoveredFace = kNone;

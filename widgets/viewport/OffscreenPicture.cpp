@@ -18,7 +18,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kShare = 0.86;  // of the picture, filled by the model
+constexpr double kShare = 0.86;  // share of the picture, filled by the model
 
 Error writeFailed(std::string reason) {
   return {ErrorCode::WriteFailed, {std::move(reason)}, {}, {}};
@@ -47,7 +47,7 @@ Result<QImage> render(Scene& scene, int width, int height) {
   return picture;
 }
 
-// With axes and scale bar.
+// Renders the scene with axes and scale bar.
 Result<QImage> drawn(Scene& scene, const QSize& size, const Vec3& outward) {
   while (scene.uploadPendingGeometry()) {
   }

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kFrameTriangles = 65536;  // that a frame uploads: 10 ms in software
+constexpr std::size_t kFrameTriangles = 65536;  // uploaded per frame: 10 ms in software
 
 }  // namespace
 
@@ -34,11 +34,11 @@ void Scene::add(std::shared_ptr<ViewLayer> layer, ViewLayer::Listener listener) 
 }
 
 void Scene::remove(const ViewLayer& layer) {
-  const auto place =
+  const auto found =
       std::find_if(m_layers.begin(), m_layers.end(), [&](const auto& each) { return each.get() == &layer; });
-  if (place == m_layers.end()) return;
-  (*place)->detach();
-  m_layers.erase(place);
+  if (found == m_layers.end()) return;
+  (*found)->detach();
+  m_layers.erase(found);
 }
 
 std::vector<ViewLayer*> Scene::visible() const {
@@ -175,7 +175,7 @@ void Scene::paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit) co
   for (const ViewLayer* layer : visible()) layer->paintOver(painter, size, unit, colours());
 }
 
-// Single precision suffices near the origin, so it follows a model that has moved far away from it.
+// Moves the origin near the model if it has moved far away, because single precision suffices only near the origin.
 void Scene::placeOrigin() {
   const Box box = bounds();
   const bool isNear = m_isPlaced && !box.isEmpty() && (box.center() - m_origin).norm() <= box.diagonal().norm();
@@ -191,7 +191,7 @@ void Scene::placeCamera(const CameraNavigation& view) {
   for (const ViewLayer* layer : visible()) drawn.extend(layer->drawnBounds());
   const CameraClippingRange viewpoint = view.viewpoint(drawn);
   const Vec3 eye = viewpoint.position - m_origin;
-  const Vec3 focus = eye - viewpoint.farthest * camera.towardsViewer();  // an honest direction, whatever the distance
+  const Vec3 focus = eye - viewpoint.farthest * camera.towardsViewer();  // a valid direction at any distance
   const Vec3 up = camera.up();
   vtkCamera* c = m_renderer->GetActiveCamera();
   c->SetPosition(eye.x(), eye.y(), eye.z());

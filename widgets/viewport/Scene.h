@@ -20,17 +20,17 @@ class Scene {
 
   vtkRenderer* renderer() { return m_renderer; }
 
-  // listener: hears of the changes of the layer until it is removed.
+  // listener: called for changes of the layer until it is removed.
   void add(std::shared_ptr<ViewLayer> layer, ViewLayer::Listener listener = {});
   void remove(const ViewLayer& layer);
-  // Of what is visible.
+  // Returns the visible layers.
   Pickable pickable() const;
   bool isSearchable() const;
   // Tells the layers which of their elements is under the cursor.
   void setHovered(const Pick& pick);
 
-  Box bounds() const;  // of the visible layers
-  // Some thousand points of the layers, enough to estimate their extent in any direction.
+  Box bounds() const;  // bounds of the visible layers
+  // Returns some thousand points of the layers, enough to estimate their extent in any direction.
   std::vector<Vec3> outline() const;
 
   void setShading(Shading shading);
@@ -40,19 +40,19 @@ class Scene {
   const ClipPlane& clipPlane() const { return m_clip; }
   const SceneColours& colours() const { return m_style.colours; }
 
-  // Uploads geometry, as much as the next frame may. Returns false when nothing was waiting.
+  // Uploads geometry, as much as the next frame may. Returns false if none was waiting.
   bool uploadPendingGeometry();
-  // The same for marks, which are drawn in the next frame. Returns true when some are left.
+  // Uploads marks, which are drawn in the next frame. Returns true if some are left.
   bool takeMarks();
   // Waits until the workers have built all geometry, and uploads it.
   void finish();
   // Shows simplified layers.
   void setCoarseShown(bool isReduced);
-  // How often a piece of geometry has been built, by all layers that are there.
+  // Returns the number of geometry builds of all present layers.
   int builtCount() const;
   // Sets camera and line widths for the next frame. size in logical pixels.
   void prepare(const CameraState& camera, const Vec2& size, double pixelRatio);
-  // Paints what the layers have over the frame, such as a legend. size in logical pixels.
+  // Paints the overlays of the layers, such as a legend, over the frame. size in logical pixels.
   void paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit) const;
 
  private:

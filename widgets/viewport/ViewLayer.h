@@ -24,12 +24,12 @@ struct SurfaceStyle;
 
 // An element of a layer that was found by a ray or near the cursor.
 struct LayerHit {
-  std::uint64_t element = 0;  // what it means, the layer defines
+  std::uint64_t element = 0;  // its meaning is defined by the layer
   Vec3 point = Vec3::Zero();  // on the element
   double distance = 0.0;      // from the origin of the ray in lengths of its direction; from the cursor in pixels
 };
 
-// What a layer tells the view that shows it.
+// A change that a layer reports to its view.
 enum class LayerChange {
   Look,         // it is drawn differently
   Elements,     // and its elements are no longer those that were picked before
@@ -38,10 +38,10 @@ enum class LayerChange {
   OutOfMemory,  // some of it will never be shown
 };
 
-// What draws, bounds and picks one kind of geometry in a view. What it shows is set through the derived class, before
-// or after it was added to a view; the functions below attach() are called by the view. Geometry is built on workers,
-// and uploaded piece by piece, so that no frame takes long. All calls must be made on the window thread. Positions are
-// those of the model, mm.
+// Base class of layers, which draw, bound and pick one kind of geometry. The content is set through the derived class,
+// before or after it was added to a view; the functions below attach() are called by the view. Geometry is built on
+// workers, and uploaded piece by piece, so that no frame takes long. All calls must be made on the window thread.
+// Positions are those of the model, mm.
 class ViewLayer {
  public:
   ViewLayer();
@@ -49,7 +49,8 @@ class ViewLayer {
   ViewLayer(const ViewLayer&) = delete;
   ViewLayer& operator=(const ViewLayer&) = delete;
 
-  // A hidden layer is neither drawn nor picked nor fitted, and uploads nothing; what was uploaded is kept.
+  // Shows or hides the layer. A hidden layer is neither drawn nor picked nor fitted, and uploads nothing; uploaded data
+  // is kept.
   void setVisible(bool visible);
   bool isVisible() const { return m_isVisible; }
 
@@ -57,11 +58,11 @@ class ViewLayer {
   void attach(vtkRenderer* renderer, Listener listener);
   void detach();
 
-  // What is fitted and picked; empty when there is nothing.
+  // Returns the bounds for fitting and picking; empty if there is nothing.
   virtual Box bounds() const = 0;
-  // What is drawn, for the near and far planes.
+  // Returns the bounds of the drawn geometry, for the near and far planes.
   virtual Box drawnBounds() const { return bounds(); }
-  // Some thousand points of the geometry, enough to estimate its extent in any direction.
+  // Returns some thousand points of the geometry, enough to estimate its extent in any direction.
   virtual std::vector<Vec3> outline() const = 0;
 
   virtual void setStyle(const SurfaceStyle& style) = 0;
@@ -69,28 +70,29 @@ class ViewLayer {
   virtual void setCoarseShown(bool isReduced) { (void)isReduced; }
   // Uploads one piece of waiting geometry. Returns its cost in triangles, at least 1; 0 when none was waiting.
   virtual std::size_t takePiece() { return 0; }
-  // The same for what marks the geometry, such as a selection, which is complete with the frame that draws it.
+  // Uploads one piece of the marks of the geometry, such as a selection, which must be complete in the frame that draws
+  // it.
   virtual std::size_t takeMarks() { return 0; }
   virtual bool owesMarks() const { return false; }
   // Waits for the workers, so that everything can be uploaded.
   virtual void finish() {}
-  // How often a piece of geometry has been built, since construction.
+  // Returns the number of geometry builds since construction.
   virtual int builtCount() const { return 0; }
   // Called before each frame.
   virtual void prepare(const LayerFrame& frame) = 0;
   // Paints over the finished frame, such as a legend. size: in logical pixels.
   virtual void paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit, const SceneColours& colours) const;
 
-  // False while a search structure is being built; until then the elements concerned are not found.
+  // Returns false while a search structure is being built; until then the elements concerned are not found.
   virtual bool isSearchable() const { return true; }
-  // The first element along a ray. The direction is of unit length.
+  // Returns the first element along a ray. The direction has unit length.
   virtual std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const;
-  // Adds elements that are some pixels from the cursor, such as lines. Where no surface hides them, they take
-  // precedence over what a ray meets.
+  // Adds elements that are some pixels from the cursor, such as lines. If no surface hides them, they take precedence
+  // over the hits of a ray.
   virtual void findNear(const CameraNavigation& view, const Vec2& cursor, std::vector<LayerHit>& found) const;
-  // The unit normal of the surface nearest to p; zero when there is none.
+  // Returns the unit normal of the surface nearest to p; zero when there is none.
   virtual Vec3 normalNear(const Vec3& p) const;
-  // The element under the cursor; none when it is not of this layer.
+  // Sets the element under the cursor; none if it is not of this layer.
   virtual void setHovered(std::optional<std::uint64_t> element) { (void)element; }
 
  protected:

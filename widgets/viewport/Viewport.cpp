@@ -12,8 +12,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kFitShare = 0.86;    // of the view, filled by the whole model
-constexpr double kFlyToShare = 0.38;  // of the view, filled by what one flies to: its surroundings tell where it is
+constexpr double kFitShare = 0.86;  // share of the view, filled by the whole model
+// share of the view, filled by the goal of a flight: its surroundings show the position
+constexpr double kFlyToShare = 0.38;
 // A flight never magnifies more than this share of the model's diagonal to the height of the view.
 constexpr double kNearestFlight = 0.02;
 
@@ -66,13 +67,13 @@ void Viewport::Private::fitFrom(const Eigen::Quaterniond& orientation) {
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Private>(this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::ClickFocus);
-  // The right button drags; a menu that opens on its press would be in the way.
+  // The right button drags; a menu that opens on its press would disturb that.
   setContextMenuPolicy(Qt::PreventContextMenu);
   setMinimumSize(200, 150);
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("3D view"));
-  // The mouse goes on while a frame is drawn: a line drawn with it is made of all places where it was. (Qt's X11 plugin
-  // asks for compression when the application starts.)
+  // The mouse goes on while a frame is drawn: a line drawn with it is made of all its positions. (Qt's X11 plugin asks
+  // for compression when the application starts.)
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
 }
 
@@ -118,7 +119,7 @@ void Viewport::fit() {
 
 void Viewport::setCovered(int pixels) {
   d->covered = pixels;
-  // Once: a card that grows later must not zoom what the user looks at.
+  // Only once: a card that grows later must not zoom the view.
   if (pixels > 0 && d->fittedFor == 0 && d->fitted == d->goal()) fit();
 }
 

@@ -25,9 +25,9 @@ class Viewport : public QOpenGLWidget {
   // system interface that the renderer supports.
   static void prepareApplication();
 
-  // Why this application cannot show a viewport at all, as a translated sentence; empty when it can. To be called
-  // before one is constructed: on Qt's offscreen platform, a window with a QOpenGLWidget in it crashes (seen with Qt
-  // 6.4).
+  // Returns the reason why this application cannot show a viewport at all, as a translated sentence; empty when it can.
+  // To be called before one is constructed: on Qt's offscreen platform, a window with a QOpenGLWidget in it crashes
+  // (seen with Qt 6.4).
   static QString platformProblem();
 
   explicit Viewport(QWidget* parent = nullptr);
@@ -36,21 +36,21 @@ class Viewport : public QOpenGLWidget {
   // Shows a layer until it is removed. The view knows no layer by name.
   void addLayer(std::shared_ptr<ViewLayer> layer);
   void removeLayer(const ViewLayer& layer);
-  Box bounds() const;  // of the visible layers
+  Box bounds() const;  // bounds of the visible layers
 
   // Draws lines over everything, such as a lasso or a ruler.
   void setPolylines(std::vector<std::vector<Vec3>> lines);
   // Draws the circle of a brush, which follows the surface around its centre.
   void setBrush(const std::optional<BrushCircle>& brush);
 
-  // Draws the cursor of a haptic device over everything; its shadow and whether it is hidden are computed here. None:
+  // Draws the cursor of a haptic device over everything. The view computes its shadow and whether it is hidden. None:
   // no device. The model is not redrawn for it.
   void setDeviceCursor(const std::optional<DeviceCursor>& cursor);
 
   void setShading(Shading shading);
   Shading shading() const;
   void setDarkTheme(bool dark);
-  // Sets the clipping plane. What lies on the side of its normal is neither drawn nor picked. The range of offsets that
+  // Sets the clipping plane. Objects on the side of its normal are neither drawn nor picked. The range of offsets that
   // meet the model is clipOffsets(bounds(), normal).
   void setClipPlane(const ClipPlane& plane);
   const ClipPlane& clipPlane() const;
@@ -58,10 +58,11 @@ class Viewport : public QOpenGLWidget {
   void setDisplayUnit(LengthUnit unit);
   void setViewCubeVisible(bool visible);
 
-  // Sets which sides standard views and the view cube mean: rotates those of the coordinate axes. Identity at first.
+  // Sets the orientation of standard views and the view cube: rotates the sides of the coordinate axes. Identity at
+  // first.
   void setViewFrame(const Eigen::Quaterniond& frame);
-  void setStandardView(StandardView view);  // whole model from this side, animated
-  void fit();                               // whole model from the present side, animated
+  void setStandardView(StandardView view);  // the whole model from this side, animated
+  void fit();                               // the whole model from the present side, animated
   // Sets the number of pixels at the lower edge that are covered: fitting avoids them. A model that was fitted and not
   // moved since is fitted again at once.
   void setCovered(int pixels);
@@ -69,8 +70,9 @@ class Viewport : public QOpenGLWidget {
   void flyTo(const Box& box, const Vec3& outward);
   CameraState camera() const;  // the present camera, or the goal of its animation
   void setCamera(const CameraState& camera);
-  // Moves the camera so that the model seems carried: turned by a rotation vector about pivot, moved by shares of the
-  // height of the view, and enlarged by exp(shift.z). Along the axes of the view: x right, y up, z towards the viewer.
+  // Moves the camera as if the model were carried. The model turns by a rotation vector about pivot, moves by shares of
+  // the height of the view, and is enlarged by exp(shift.z). Along the axes of the view: x right, y up, z towards the
+  // viewer.
   void moveByHand(const Vec3& pivot, const Vec3& shift, const Vec3& turn);
   // Changes the projection and keeps the scale at the focus. The projection is part of the camera state: setCamera()
   // may change it, too.
@@ -79,25 +81,25 @@ class Viewport : public QOpenGLWidget {
 
   void setNavigationPreset(NavigationPreset preset);
   NavigationPreset navigationPreset() const;
-  // Pairs of input and effect for the hint bar, translated.
+  // Returns pairs of input and effect for the hint bar, translated.
   std::vector<std::pair<QString, QString>> navigationHints() const;
   // Sets a function that gets mouse events before the camera and returns whether it accepts them. After it has accepted
   // a press it gets all moves and the release, until that button is released. It gets no events of a drag that moves
   // the camera. Null for none.
   void setPointerSink(std::function<bool(const PointerInput&)> sink);
 
-  // The view as an image, in device pixels. Waits until the whole model is uploaded.
+  // Returns the view as an image, in device pixels. Waits until the whole model is uploaded.
   QImage grabImage();
-  // Picks the element at this position of the widget. What a layer is still making searchable is not picked.
+  // Picks the element at this position of the widget. Elements that a layer is still making searchable are not picked.
   Pick pickAt(const QPointF& position) const;
-  // The first element along a ray, for tools. The direction is of unit length.
+  // Returns the first element along a ray, for tools. The direction has unit length.
   Pick pickAlong(const Vec3& origin, const Vec3& direction) const;
   bool isPickingReady() const;
   ViewRay rayAt(const QPointF& position) const;
 
-  // Why nothing can be drawn, as a translated sentence; empty when there is no problem.
+  // Returns the reason why nothing can be drawn, as a translated sentence; empty when there is no problem.
   QString graphicsProblem() const;
-  // How often a piece of the layers has been built, and a frame drawn, since construction; for tests.
+  // Return the numbers of geometry builds of the layers and of drawn frames since construction; for tests.
   int blocksBuilt() const;
   int framesDrawn() const;
   CpuTimes timeDrawing() const;  // total time in the renderer, for measurements
@@ -105,7 +107,7 @@ class Viewport : public QOpenGLWidget {
   QSize sizeHint() const override;
 
  signals:
-  void hovered(const handwheel::Pick& pick);  // also when nothing is hovered any more
+  void hovered(const handwheel::Pick& pick);  // also emitted when nothing is hovered any more
   void clicked(const handwheel::Pick& pick, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const handwheel::Pick& pick);
   void cameraChanged();

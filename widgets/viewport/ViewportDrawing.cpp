@@ -15,9 +15,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kUnevenFrameMs = 30.0;  // from here on, edges are not smoothed while the camera moves
+constexpr double kUnevenFrameMs = 30.0;  // ms: for slower frames, edges are not smoothed while the camera moves
 constexpr int kCubeMargin = 8;           // logical pixels to the corner of the view
-constexpr double kSlowFrameMs = 60.0;    // from here on, the stand-in follows the mouse instead of the model
+// ms: for slower frames, the simplified version follows the mouse instead of the model
+constexpr double kSlowFrameMs = 60.0;
 
 bool isUsable(const QOpenGLContext& context) {
   const QSurfaceFormat format = context.format();
@@ -29,7 +30,7 @@ bool isUsable(const QOpenGLContext& context) {
 
 void Viewport::prepareApplication() {
   if (!qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION")) qputenv("QT_XCB_GL_INTEGRATION", "xcb_glx");
-  // Under Wayland the X server that comes with it serves; without one, graphicsFailed() tells.
+  // Under Wayland its X server is used; without one, graphicsFailed() reports it.
   const bool hasX = !qEnvironmentVariableIsEmpty("DISPLAY");
   if (hasX && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
   QSurfaceFormat format;
@@ -114,7 +115,8 @@ void Viewport::paintGL() {
   d->paintOver();
 }
 
-// Not on the widget itself: while a window takes a picture of itself, painting on its widgets goes elsewhere.
+// Paints on a paint device of its own, not on the widget: while a window takes a picture of itself, painting on its
+// widgets goes elsewhere.
 void Viewport::Private::paintOver() {
   const double ratio = q->devicePixelRatioF();
   QOpenGLPaintDevice device((QSizeF(q->size()) * ratio).toSize());
@@ -141,7 +143,7 @@ void Viewport::Private::draw() {
 
   const CpuTimes start = CpuTimes::now();
   glWindow.draw((QSizeF(q->size()) * ratio).toSize());
-  // Software rendering works on after the call returns.
+  // Software rendering continues after the call returns.
   q->context()->functions()->glFinish();
   isSeen = true;
   ++framesDrawn;

@@ -46,7 +46,8 @@ Pick Viewport::Private::pick(const Vec2& cursor) const {
   return handwheel::pickAt(scene.pickable(), navigation(), cursor);
 }
 
-// What is under the cursor stays there. On the background: what is in the middle of the view, else the model's middle.
+// The point under the cursor stays there. On the background: the point in the middle of the view, else the model's
+// middle.
 Vec3 Viewport::Private::orbitPivot(const Pick& underCursor) const {
   if (!underCursor.isNothing()) return underCursor.point;
   const Pick middle = pick(size() / 2);
@@ -177,7 +178,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (d->offer(PointerInput::Kind::DoubleClick, *event)) {
     d->taken |= event->button();
   } else if (event->button() != Qt::LeftButton) {
-    d->press(*event);  // the camera is often taken hold of twice in a row
+    d->press(*event);  // the camera is often grabbed twice in a row
   } else {
     // Its release is not to count as a click again: the button is not followed.
     emit doubleClicked(d->pick(toVec2(event->position())));
@@ -198,7 +199,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
                std::pow(kZoomPerDegree, enlarging));
 }
 
-// What is not accepted comes once more as an event of the mouse, by the same pen.
+// An event that is not accepted comes once more as an event of the mouse, by the same pen.
 void Viewport::tabletEvent(QTabletEvent* event) {
   const bool hasPressure = event->pointingDevice()->capabilities().testFlag(QInputDevice::Capability::Pressure);
   d->pressure = hasPressure ? std::optional(event->pressure()) : std::nullopt;

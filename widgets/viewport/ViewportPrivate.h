@@ -20,7 +20,7 @@ class Viewport::Private {
  public:
   explicit Private(Viewport* widget);
 
-  // Camera
+  // Functions for the camera.
   Vec2 size() const { return {q->width(), q->height()}; }
   CameraNavigation navigation() const { return {camera, size()}; }
   void moveTo(const CameraState& state);
@@ -32,7 +32,7 @@ class Viewport::Private {
   }
   const CameraState& goal() const { return flight.isUnderWay() ? flight.goal() : camera; }
 
-  // Drawing
+  // Functions for drawing.
   void report(const QString& problem);
   void detachGl();
   void draw();
@@ -40,7 +40,7 @@ class Viewport::Private {
   bool isMoving() const { return gesture != NavigationGesture::None || flight.isUnderWay() || rest.isActive(); }
   void layerChanged(const ViewLayer& layer, LayerChange change);
 
-  // Mouse
+  // Functions for the mouse.
   bool offer(PointerInput::Kind kind, const QSinglePointEvent& event, double wheel = 0.0) const;
   void press(const QMouseEvent& event);
   void follow(const QMouseEvent& event);
@@ -53,9 +53,9 @@ class Viewport::Private {
   Vec3 orbitPivot(const Pick& underCursor) const;
   void connectCube();
 
-  // Tools
+  // Functions for tools.
   void layBrush();
-  void cast(DeviceCursor& shown) const;  // computes its shadow, and whether the model hides it
+  void cast(DeviceCursor& shown) const;  // computes its shadow, and sets whether the model hides it
 
   Viewport* q;
   Scene scene;
@@ -63,7 +63,7 @@ class Viewport::Private {
   CameraState camera;
   Eigen::Quaterniond viewFrame = Eigen::Quaterniond::Identity();  // setViewFrame()
   int fittedFor = 0;                  // pixels at the lower edge that were covered when `fitted` was chosen
-  std::optional<CameraState> fitted;  // where the camera was last sent to see the whole model
+  std::optional<CameraState> fitted;  // camera of the last fit of the whole model
   CameraFlight flight;
   QString problem;
   bool isSeen = false;       // a frame of this model was drawn; before, camera moves are not animated
@@ -76,7 +76,7 @@ class Viewport::Private {
 
   NavigationPreset preset = NavigationPreset::Handwheel;
   std::function<bool(const PointerInput&)> sink;
-  std::optional<double> pressure;  // of the pen, as it was last reported
+  std::optional<double> pressure;  // pressure of the pen, last reported
   Qt::MouseButtons taken;          // held buttons whose press the sink accepted
   Qt::MouseButtons followed;       // held buttons whose press the camera got
   bool isClick = false;            // the press may still become a click

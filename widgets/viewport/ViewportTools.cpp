@@ -8,13 +8,13 @@ namespace handwheel {
 namespace {
 
 constexpr double kCubeTurn = 2.5;  // the cube is small: dragging it turns faster than dragging the model
-// Pixels: a proxy that touches lies on the surface only as exactly as numbers are.
+// Pixels: a proxy that touches lies on the surface only within rounding.
 constexpr double kLifted = 0.5;
 constexpr double kHidden = 4.0;
 
 }  // namespace
 
-// A tool may say with each move of the mouse all that it shows: what is the same costs no frame.
+// A tool may set all that it shows with each move of the mouse: equal values cost no frame.
 
 void Viewport::setPolylines(std::vector<std::vector<Vec3>> lines) {
   if (lines == d->polylines) return;
@@ -122,7 +122,7 @@ void Viewport::Private::connectCube() {
   connect(cube, &ViewCube::dragEnded, q, [this] { startGesture(NavigationGesture::None); });
 }
 
-// What is in the middle of the view stays there, in its size.
+// The middle of the view stays there, in its size.
 void Viewport::Private::lookFrom(const CubeRegion& region) {
   flyTo(turnedAbout(goal(), orbitPivot({}), viewFrame * uprightTowards(region.cast<double>())));
 }

@@ -10,11 +10,11 @@
 
 namespace handwheel {
 
-// The ways to draw surfaces.
+// The drawing styles of surfaces.
 enum class Shading { Shaded, ShadedWithEdges, Wireframe };
 
-// The standard view directions. x is to the right and z up when seen from the front.
-// Lathe: as one stands at a lathe, which turns about z: the chuck on the left, the tool between work and viewer.
+// The standard view directions. x is to the right and z up when seen from the front. Lathe: the view of the operator of
+// a lathe, which turns about z: the chuck on the left, the tool between work and viewer.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric, Lathe };
 
 // The circle of a brush on the surface.
@@ -27,14 +27,14 @@ struct BrushCircle {
 
 class ViewLayer;
 
-// The element of a layer that is under the cursor or on a ray. What the number of the element means, the layer says:
-// faceOf() and loopOf() of MeshLayer.h, partOf() of PartsLayer.h.
+// The element of a layer that is under the cursor or on a ray. The meaning of the element's number depends on the
+// layer: see faceOf() and loopOf() of MeshLayer.h, partOf() of PartsLayer.h.
 struct Pick {
   const ViewLayer* layer = nullptr;  // null: nothing was hit
   std::uint64_t element = 0;
   Vec3 point = Vec3::Zero();  // on the element; undefined when nothing was hit
   double distance = 0.0;      // from the origin of the ray, mm; from the cursor, pixels
-  bool isNear = false;        // near the cursor, such as a line, not on the ray
+  bool isNear = false;        // near the cursor (lines, for example), not on the ray
 
   bool isNothing() const { return layer == nullptr; }
 };
@@ -53,20 +53,20 @@ struct PointerInput {
     Move,
     Press,
     Release,
-    Click,  // pressed and released in one place, after the press was not accepted
+    Click,  // pressed and released without a move, after the press was not accepted
     DoubleClick,
     Wheel,
     Leave,
   };
   Kind kind = Kind::Move;
   QPointF position;                       // logical pixels from the upper left corner
-  Qt::MouseButton button = Qt::NoButton;  // that was pressed, released or clicked
+  Qt::MouseButton button = Qt::NoButton;  // the button that was pressed, released or clicked
   Qt::MouseButtons held;                  // held after the event
   Qt::KeyboardModifiers modifiers;
   double wheel = 0.0;  // degrees; positive away from the user
-  // s, by the clock of the window system: when it happened, not when the window came to it. None: not known.
+  // Time of the event by the clock of the window system, s; not the time when the window processed it. None: unknown.
   std::optional<double> time = {};
-  std::optional<double> pressure = {};  // 0 to 1: of a pen that tells it; none: of another pointer
+  std::optional<double> pressure = {};  // 0 to 1 for a pen that reports it; none for other pointers
 };
 
 }  // namespace handwheel

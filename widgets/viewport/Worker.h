@@ -21,7 +21,7 @@ std::unique_ptr<QFutureWatcher<T>> runOnWorker(Work work) {
   QThreadPool::globalInstance()->start([promise, work = std::move(work)] {
     try {
       work(*promise);
-    } catch (const std::bad_alloc&) {  // who waits sees what is missing
+    } catch (const std::bad_alloc&) {  // the caller sees the missing results
     }
     promise->finish();
   });

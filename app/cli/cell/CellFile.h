@@ -13,25 +13,25 @@ namespace handwheel {
 // A robot cell named on a command line.
 struct CellFile {
   OpenedFile opened;
-  std::shared_ptr<const RobotCellSnapshot> cell;  // its content
-  // The robot that its plans were for, if another was chosen for this command; it is written as it was.
+  std::shared_ptr<const RobotCellSnapshot> cell;  // Content of the opened document
+  // The robot that its plans were for, if another was chosen for this command; the file keeps it.
   std::optional<std::string> ownArm = {};
 };
 
-// A cell with a robot that comes with the program (ShippedDocument).
+// Returns a cell with a built-in robot (ShippedDocument).
 std::optional<OpenedFile> shippedRobot(const std::string& name, const DocumentKinds& kinds);
 
-// Opens a cell: a document, a robot description, or a robot that comes with the program, by its name. Reports what is
-// lost. Errors: those of DocumentKinds::open(); Unsupported for other kinds of documents.
+// Opens a cell: a document, a robot description, or a built-in robot by its name. Reports losses. Errors: those of
+// DocumentKinds::open(); Unsupported for other kinds of documents.
 Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds);
 
-// The option --arm of commands that work with one of the robots of a cell.
+// Returns the option --arm of commands that work with one of the robots of a cell.
 OptionSpec armOption();
-// Opens the cell of the first operand with the robot of --arm as the one that is planned for; without the option that
-// of a path of the cell, if this is the name of one. Errors: those of openCell(); ArmMissing.
+// Opens the cell of the first operand with the robot of --arm as the one that is planned for; without the option, the
+// robot of the path with this name, if the cell has one. Errors: those of openCell(); ArmMissing.
 Result<CellFile> openCellForArm(const Arguments& arguments, const DocumentKinds& kinds, const std::string& path = {});
 
-// Writes the cell with other content. Reports what is wrong, or notes. Returns the exit code.
+// Writes the cell with other content. Reports errors and notes. Returns the exit code.
 int saveCell(const CellFile& file, const RobotCellSnapshot& content, const std::filesystem::path& output);
 
 }  // namespace handwheel

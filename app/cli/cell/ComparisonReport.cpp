@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kWidth = 12;  // of a column
+constexpr std::size_t kWidth = 12;  // Width of a column
 
 std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : " " + text;
@@ -58,7 +58,7 @@ std::string comparisonText(std::span<const ComparedPath> paths, std::span<const 
     for (const double value :
          {metrics.length, each.checked->seconds, each.planned->seconds, metrics.manipulability, metrics.security})
       text += padded(roundedText(value, 4), kWidth);
-    text += padded(std::to_string(each.planned->path.places.size()), kWidth) +
+    text += padded(std::to_string(each.planned->path.waypoints.size()), kWidth) +
             (each.checked->isCertified() ? "" : "  not proven free") + "\n";
   }
   return text;

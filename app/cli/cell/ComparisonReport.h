@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// Compared paths as a report. names: of the critical configurations. Keys of a path: critical, optimised, solved, and
-// where it is those of a planned path.
+// Returns compared paths as a report. names: of the critical configurations. Keys of a path: critical, optimised,
+// solved, and if solved those of a planned path.
 nlohmann::ordered_json toJson(const CellScene& scene, std::span<const ComparedPath> paths,
                               std::span<const std::string> names);
-// The same as a table.
+// Returns the same as a table.
 std::string comparisonText(std::span<const ComparedPath> paths, std::span<const std::string> names);
 
 }  // namespace handwheel

@@ -49,7 +49,7 @@ Result<CellPlans> withSrdf(CellPlans plans, const std::string& path, const Robot
   return changed ? changed : named(changed.error());
 }
 
-// What is to be reported of a path that was opened.
+// Report on a path that was opened.
 struct OpenedPath {
   TakenFrames frames = {};
   std::vector<std::string> remarks = {};  // programRemarks()
@@ -95,47 +95,49 @@ std::string configurationsReport(const nlohmann::json& described, const OpenedPa
   return text;
 }
 
-// All ways in which the arm brings its tool to the pose that the values give.
-Result<nlohmann::json> waysJson(const OperationValues& values, const RobotCellSnapshot& cell) {
+// Returns all configurations in which the arm brings its tool to the pose that the values give.
+Result<nlohmann::json> solutionsJson(const OperationValues& values, const RobotCellSnapshot& cell) {
   const Result<Pose> pose = givenPose(values, cell);
   if (!pose) return pose.error();
   CollisionMeshes meshes;
   const Result<CellScene> scene = sceneOf(cell, meshes);
   if (!scene) return scene.error();
   nlohmann::json list = nlohmann::json::array();
-  std::size_t chosen = 0;  // of those that --solution takes, which come first
-  for (const CellIkSolution& way : ikSolutionsTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
-    const QString configuration = way.arm.configuration ? configurationText(*way.arm.configuration) : QString();
-    const nlohmann::json number = way.isWithinLimits() ? nlohmann::json(++chosen) : nlohmann::json();
+  std::size_t chosen = 0;  // Number among those that --solution takes, which come first
+  for (const CellIkSolution& solution : ikSolutionsTo(*scene, *cell.plans, *pose, scene->planned(cell.joints))) {
+    const QString configuration =
+        solution.arm.configuration ? configurationText(*solution.arm.configuration) : QString();
+    const nlohmann::json number = solution.isWithinLimits() ? nlohmann::json(++chosen) : nlohmann::json();
     list.push_back({{"number", number},
-                    {"joints", toJson(cell.robot->model, scene->whole(way.arm.values))},
+                    {"joints", toJson(cell.robot->model, scene->whole(solution.arm.values))},
                     {"configuration", configuration.toStdString()},
                     {"stance", configuration.toStdString()},  // the former key
-                    {"within_limits", way.isWithinLimits()},
-                    {"free", way.isFree()},
-                    {"problem", problemText(*scene, way).toStdString()},
-                    {"turned_off", turnedOffText(way).toStdString()},
-                    {"way_mm", way.arm.way}});
+                    {"within_limits", solution.isWithinLimits()},
+                    {"free", solution.isFree()},
+                    {"problem", problemText(*scene, solution).toStdString()},
+                    {"turned_off", turnedOffText(solution).toStdString()},
+                    {"way_mm", solution.arm.distance}});
   }
   return list;
 }
 
-int listWays(const OperationValues& values, const RobotCellSnapshot& cell, bool asJson) {
-  const Result<nlohmann::json> ways = waysJson(values, cell);
-  if (!ways) return fail(ways.error());
-  const auto isFree = [](const nlohmann::json& way) { return way["free"].get<bool>(); };
-  const bool isAnyFree = std::any_of(ways->begin(), ways->end(), isFree);
-  std::string text = ways->empty() ? "The arm cannot bring its tool there.\n" : "";
-  for (const nlohmann::json& way : *ways) {
-    const std::string configuration = way["configuration"], problem = way["problem"], turned = way["turned_off"];
-    text += (way["number"].is_null() ? "-" : way["number"].dump()) + ": " +
+int listSolutions(const OperationValues& values, const RobotCellSnapshot& cell, bool asJson) {
+  const Result<nlohmann::json> solutions = solutionsJson(values, cell);
+  if (!solutions) return fail(solutions.error());
+  const auto isFree = [](const nlohmann::json& solution) { return solution["free"].get<bool>(); };
+  const bool isAnyFree = std::any_of(solutions->begin(), solutions->end(), isFree);
+  std::string text = solutions->empty() ? "The arm cannot bring its tool there.\n" : "";
+  for (const nlohmann::json& solution : *solutions) {
+    const std::string configuration = solution["configuration"], problem = solution["problem"],
+                      turned = solution["turned_off"];
+    text += (solution["number"].is_null() ? "-" : solution["number"].dump()) + ": " +
             (configuration.empty() ? std::string() : configuration + ", ") + (problem.empty() ? "free" : problem) +
             (turned.empty() ? "" : ", " + turned) + "\n  ";
-    for (const auto& [joint, value] : way["joints"].items())
+    for (const auto& [joint, value] : solution["joints"].items())
       text += " " + joint + "=" + roundedText(std::round(1e6 * value.get<double>()) / 1e6, 9);
     text += "\n";
   }
-  const int printed = print(asJson ? textOf({{"solutions", *ways}}) : text);
+  const int printed = print(asJson ? textOf({{"solutions", *solutions}}) : text);
   return printed != kExitDone ? printed : isAnyFree ? kExitDone : kExitSomethingLeft;
 }
 
@@ -150,7 +152,7 @@ int runConfiguration(const Arguments& arguments, const DocumentKinds& kinds) {
   if (arguments.has("name") && !arguments.has("open")) return failUsage("The option --name needs --open.", id);
   const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return fail(file.error());
-  if (isListing) return listWays(values, *file->cell, arguments.has("json"));
+  if (isListing) return listSolutions(values, *file->cell, arguments.has("json"));
   Result<ChangedCell> changed = changedCell(values, *file->cell);
   if (!changed) return fail(changed.error());
   if (arguments.has("srdf")) {

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// handwheel configuration
+// Returns the command handwheel configuration.
 Command configurationCommand();
 
 }  // namespace handwheel

@@ -74,7 +74,7 @@ Result<SerialArm> armTo(const RobotModel& robot, const std::string& tip, std::ui
   return arm ? Result<SerialArm>(arm->arm) : withSubject(arm.error(), subject);
 }
 
-// That of a cell ends at its tool's centre point, unless another link is named.
+// The arm of a cell ends at its tool centre point, unless another link is named.
 Result<SerialArm> armOfCell(const Arguments& arguments, const std::string& tip, const DocumentKinds& kinds) {
   const std::string& name = arguments.operands[0];
   const Result<CellFile> file = openCellForArm(arguments, kinds);
@@ -132,7 +132,7 @@ std::vector<FoundValues> solutionsFor(const SerialArm& arm, const Pose& pose, co
   if (const auto closed = ClosedFormIk::of(arm)) {
     IkSolutions solutions;
     closed->solve(pose, middle, solutions);
-    // Where an axis of the wrist, or the elbow, is in line, two ways are one.
+    // If an axis of the wrist, or the elbow, is in line, two solutions coincide.
     const auto isKnown = [&](const ArmValues& same) {
       return std::any_of(found.begin(), found.end(),
                          [&](const FoundValues& each) { return (each.values - same).norm() < 1e-6; });
@@ -152,7 +152,7 @@ std::vector<FoundValues> solutionsFor(const SerialArm& arm, const Pose& pose, co
   settings.seconds = 1.0;
   settings.seed = values.whole("seed");
   NumericalIkResult result = solvedNumerically(arm, pose, middle, settings);
-  if (!result.isSolved && values.flag("place")) result = solvedForPlace(arm, pose, middle, settings);
+  if (!result.isSolved && values.flag("place")) result = solvedForPosition(arm, pose, middle, settings);
   if (result.isSolved) found.push_back(measured(arm, pose, result.values));
   return found;
 }

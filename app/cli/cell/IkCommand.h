@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command that finds joint values for a pose of a robot's flange: handwheel ik.
+// Returns the command handwheel ik. It finds joint values for a pose of a robot's flange.
 Command ikCommand();
 
 }  // namespace handwheel

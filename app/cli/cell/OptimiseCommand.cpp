@@ -17,9 +17,9 @@ namespace {
 PathRemarks remarksOn(const OptimisedPath& optimised) {
   nlohmann::ordered_json order = nlohmann::ordered_json::array();
   std::string numbers;
-  for (const std::size_t place : optimised.order) {
-    order.push_back(place + 1);
-    numbers += " " + std::to_string(place + 1);
+  for (const std::size_t index : optimised.order) {
+    order.push_back(index + 1);
+    numbers += " " + std::to_string(index + 1);
   }
   PathRemarks remarks;
   remarks.json = {{"changed", optimised.isChanged},

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "optimise-path".
+// Returns the command "optimise-path".
 Command optimiseCommand();
 
 }  // namespace handwheel

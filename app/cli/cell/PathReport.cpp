@@ -34,14 +34,14 @@ nlohmann::ordered_json touchesJson(const std::vector<ClosestPoints>& touches) {
 
 nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked, const PathStretch& stretch) {
   const auto [link, other] = scene.namesOf(stretch.deepest);
-  const JointPath& path = checked.way.joints;
+  const JointPath& path = checked.resolved.joints;
   const ArmValues& from = path[stretch.motion];
   const ArmValues& to = path[std::min(stretch.motion + 1, path.size() - 1)];
   const ArmValues at = from + stretch.deepestAt * (to - from);
   const auto touches = stretch.deepest.link == kNone || !at.allFinite()
                            ? std::vector<ClosestPoints>()
                            : scene.scene.touches(at, stretch.deepest, kMostTouches);
-  return {{"place", stretch.place},
+  return {{"place", stretch.waypoint},
           {"from", stretch.from},
           {"to", stretch.to},
           {"link", link},
@@ -80,7 +80,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   for (const PathStretch& each : stretchesOf(checked, scene)) collisions.push_back(toJson(scene, checked, each));
   nlohmann::ordered_json json = {
       {"certified", checked.isCertified()},       {"length_rad", metrics.length},
-      {"waypoints", path.places.size()},          {"min_clearance_mm", metrics.leastClearance},
+      {"waypoints", path.waypoints.size()},       {"min_clearance_mm", metrics.leastClearance},
       {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
       {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
       {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
@@ -92,13 +92,14 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   if (!outdated.targets.empty()) json["targets_moved"] = outdated.targets;
   if (!outdated.configurations.empty()) json["configurations_changed"] = outdated.configurations;
   json["not_checked"] = checked.notChecked;
-  if (checked.way.stopsAt) json["stops_at"] = {{"place", *checked.way.stopsAt}, {"share", checked.way.reached}};
+  if (checked.resolved.stopsAt)
+    json["stops_at"] = {{"place", *checked.resolved.stopsAt}, {"share", checked.resolved.reached}};
   return json;
 }
 
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
   const PathMetrics& metrics = checked.metrics;
-  std::string text = path.name + ": " + std::to_string(path.places.size()) + " places, " +
+  std::string text = path.name + ": " + std::to_string(path.waypoints.size()) + " places, " +
                      roundedText(metrics.length, 4) + " rad, " + roundedText(checked.seconds, 3) + " s, " +
                      (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") + "\n" +
                      "least clearance " + shownText(shownDistance(metrics.leastClearance)) + " mm, security index " +
@@ -107,16 +108,16 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
                      "\n";
   for (const auto& [one, other] : checked.notChecked)
     text += "not checked, as they may touch: " + one + " with " + other + "\n";
-  if (checked.way.stopsAt) {
-    text += "the arm cannot follow the line to place " + std::to_string(*checked.way.stopsAt + 1) +
-            ": it stops after " + share(checked.way.reached) + "\n";
+  if (checked.resolved.stopsAt) {
+    text += "the arm cannot follow the line to place " + std::to_string(*checked.resolved.stopsAt + 1) +
+            ": it stops after " + share(checked.resolved.reached) + "\n";
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
   for (const std::string& reason : reasonsOf(checked.outdated)) text += reason + ": plan it again\n";
   for (const PathStretch& each : stretchesOf(checked, scene)) {
     const auto [link, other] = scene.namesOf(each.deepest);
-    text += "motion to place " + std::to_string(each.place + 1) + ", " + share(each.from) + " to " + share(each.to) +
+    text += "motion to place " + std::to_string(each.waypoint + 1) + ", " + share(each.from) + " to " + share(each.to) +
             ": " + link + " with " + other +
             (each.meets() ? "" : ", too near: " + shownText(shownDistance(each.deepest.distance)) + " mm") + "\n";
   }
@@ -159,8 +160,8 @@ nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const Che
   file["joints"] = nlohmann::json::array();
   for (const std::uint32_t dof : scene.dofs) file["joints"].push_back(robot.jointOfDof(dof).name);
   file["waypoints"] = nlohmann::json::array();
-  for (const Waypoint& place : path.places) {
-    const ArmValues values = scene.planned(place.joints);
+  for (const Waypoint& waypoint : path.waypoints) {
+    const ArmValues values = scene.planned(waypoint.joints);
     file["waypoints"].push_back(std::vector<double>(values.begin(), values.end()));
   }
   return file;

@@ -17,10 +17,10 @@ namespace {
 
 Result<PlannedAndChecked> planned(const OperationValues& values, const CellScene& scene, const RobotCellSnapshot& cell,
                                   Progress progress) {
-  const Result<std::vector<Waypoint>> places = placesOf(values, scene, cell);
-  if (!places) return places.error();
+  const Result<std::vector<Waypoint>> waypoints = waypointsOf(values, scene, cell);
+  if (!waypoints) return waypoints.error();
   const RouteSettings settings = routeSettingsOf(values, *cell.plans);
-  Result<PlannedPath> path = plannedThrough(scene, *cell.plans, *places, settings, progress.part(0.0, 0.8));
+  Result<PlannedPath> path = plannedThrough(scene, *cell.plans, *waypoints, settings, progress.part(0.0, 0.8));
   if (!path) return path.error();
   return checkedAs(std::move(path).value(), values, scene, cell, progress.part(0.8, 1.0));
 }
@@ -29,20 +29,20 @@ Result<PlannedAndChecked> planned(const OperationValues& values, const CellScene
 int runComparison(const Arguments& arguments, const OperationValues& values, const CellFile& file) {
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
-  Result<std::vector<Waypoint>> places = Error{};
+  Result<std::vector<Waypoint>> waypoints = Error{};
   std::vector<ComparedPath> paths;
   runInterruptible("Planning", [&](CommandJob& job) {
     scene = sceneOf(*file.cell, meshes);
-    if (scene) places = placesOf(values, *scene, *file.cell);
-    if (!places) return;
-    paths =
-        comparedPaths(*scene, *file.cell->plans, *places, routeSettingsOf(values, *file.cell->plans), job.progress());
+    if (scene) waypoints = waypointsOf(values, *scene, *file.cell);
+    if (!waypoints) return;
+    paths = comparedPaths(*scene, *file.cell->plans, *waypoints, routeSettingsOf(values, *file.cell->plans),
+                          job.progress());
   });
   if (!scene) return fail(scene.error());
-  if (!places) return fail(places.error());
+  if (!waypoints) return fail(waypoints.error());
   std::vector<std::string> names;
-  for (std::size_t i = 1; i + 1 < places->size(); ++i)
-    names.push_back((*places)[i].name.empty() ? "place " + std::to_string(i) : (*places)[i].name);
+  for (std::size_t i = 1; i + 1 < waypoints->size(); ++i)
+    names.push_back((*waypoints)[i].name.empty() ? "place " + std::to_string(i) : (*waypoints)[i].name);
   const int code = print(arguments.has("json") ? textOf(toJson(*scene, paths, names)) : comparisonText(paths, names));
   const bool isWhole = std::all_of(
       paths.begin(), paths.end(), [](const ComparedPath& each) { return each.checked && each.checked->isCertified(); });

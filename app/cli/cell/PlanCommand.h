@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "plan": plans a collision-free path of a robot in a cell.
+// Returns the command "plan", which plans a collision-free path of a robot in a cell.
 Command planCommand();
 
 }  // namespace handwheel

@@ -63,9 +63,9 @@ int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const C
 }
 
 int outputUnsolved(const Error& error, const Arguments& arguments) {
-  const auto answers = {&CellError::RouteNotFound, &CellError::PlaceCollides,     &CellError::PlaceTooNear,
-                        &CellError::LineTooNear,   &CellError::PlaceBeyondLimits, &CellError::LineUnreachable,
-                        &CellError::LineCollides,  &CellError::TrackOutOfReach,   &CellError::TrackBlocked,
+  const auto answers = {&CellError::RouteNotFound, &CellError::WaypointCollides,     &CellError::WaypointTooNear,
+                        &CellError::LineTooNear,   &CellError::WaypointBeyondLimits, &CellError::LineUnreachable,
+                        &CellError::LineCollides,  &CellError::TrackOutOfReach,      &CellError::TrackBlocked,
                         &CellError::TrackBroken};
   if (std::none_of(answers.begin(), answers.end(), [&](const auto* answer) { return error.code == *answer; }))
     return fail(error);

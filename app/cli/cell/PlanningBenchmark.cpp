@@ -297,7 +297,7 @@ nlohmann::ordered_json toJson(const PlanningSet& set, const BenchmarkRobot& robo
           {"results", problems}};
 }
 
-// Of a problem that is not as it should be: what became of it, and which links overlap where.
+// Returns a remark on a problem that is not as expected: its result, and the links that overlap.
 std::string remarkOn(const nlohmann::ordered_json& problem) {
   const bool hasOverlaps = problem.contains("own_overlaps");
   if (problem["outcome"] == "solved" && !hasOverlaps) return {};
@@ -329,7 +329,7 @@ std::string planningText(const nlohmann::ordered_json& report) {
 }
 
 Status writePath(const BenchmarkRobot& robot, const PlannedProblem& problem, const std::filesystem::path& folder) {
-  std::error_code ignored;  // what is wrong shows when the file is written
+  std::error_code ignored;  // Any fault shows when the file is written
   std::filesystem::create_directories(folder, ignored);
   nlohmann::json waypoints = nlohmann::json::array();
   for (const ArmValues& values : problem.path) waypoints.push_back(std::vector<double>(values.begin(), values.end()));

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "handwheel benchmark-planning": plans all paths of a set of problems, to compare planners.
+// Returns the command handwheel benchmark-planning. It plans all paths of a set of problems, to compare planners.
 Command planningBenchmarkCommand();
 
 }  // namespace handwheel

@@ -29,7 +29,7 @@ bool isYaml(const fs::path& file) {
   return file.extension() == ".yaml" || file.extension() == ".yml";
 }
 
-// Where a name says which of a pair the file is: the last place where one of both words stands.
+// The last position in a name at which one of the two words of a pair of files stands.
 struct PairName {
   std::size_t at = std::string::npos;
   bool isScene = false;
@@ -96,7 +96,7 @@ Result<PlanningSet> readFolder(const fs::path& folder) {
 }  // namespace
 
 Result<PlanningSet> readPlanningFiles(const fs::path& path) {
-  std::error_code ignored;  // what is wrong shows when the file is read
+  std::error_code ignored;  // Any fault shows when the file is read
   if (fs::is_directory(path, ignored)) return readFolder(path);
   if (isYaml(path)) return readPair(path);
   const Result<std::string> text = readFileBytes(path);

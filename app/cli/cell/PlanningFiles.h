@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Reads a planning set from a file or folder. That is a JSON file; a YAML file of MotionBenchMaker, with the other one
-// of its pair (scene0001.yaml, request0001.yaml) beside it; or a folder of such pairs. Errors: those of
+// Reads a planning set from a file or folder. It may be a JSON file; a YAML file of MotionBenchMaker, with the other
+// one of its pair (scene0001.yaml, request0001.yaml) beside it; or a folder of such pairs. Errors: those of
 // readFileBytes(), readPlanningSet() and readMoveItProblem(), with the file.
 Result<PlanningSet> readPlanningFiles(const std::filesystem::path& path);
 

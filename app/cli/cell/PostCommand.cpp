@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kBaseFrame = "base";  // of the robot; a frame of the cell may have this name
+constexpr const char* kBaseFrame = "base";  // Base of the robot; a frame of the cell may have this name
 
 std::string controllers() {
   std::string all;
@@ -69,7 +69,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   for (const auto& [one, other] : checked->notChecked)
     complain("warning: " + one + " with " + other + " was not checked, as they may touch");
   for (const SmallerBlend& each : written->smaller) {
-    complain("warning: the blend at place " + std::to_string(each.place + 1) + " is at most " +
+    complain("warning: the blend at place " + std::to_string(each.waypoint + 1) + " is at most " +
              roundedText(each.kept, 4) + " mm in place of " + roundedText(each.wanted, 6) +
              " mm, which is not proven free");
   }

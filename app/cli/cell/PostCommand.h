@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// handwheel post
+// Returns the command handwheel post.
 Command postCommand();
 
 }  // namespace handwheel

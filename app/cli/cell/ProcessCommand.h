@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "process": plans a path of the tool along a curve on a part.
+// Returns the command "process". It plans a path of the tool along a curve on a part.
 Command processCommand();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "robot": which robots a cell has.
+// Returns the command "robot", which edits the robots of a cell.
 Command robotCommand();
 
 }  // namespace handwheel

@@ -25,7 +25,7 @@ namespace handwheel {
 
 namespace {
 
-// What a run came to.
+// Result of a run.
 struct TeleopRun {
   std::string table = "t_s,x_mm,y_mm,z_mm,behind_mm,fx_N,fy_N,fz_N,blocked,at_limit";
   std::size_t steps = 0;
@@ -34,14 +34,14 @@ struct TeleopRun {
   double leastClearance = 1'000.0;                     // mm
   double largestForce = 0.0;                           // N
   ArmValues end;
-  FollowingStatistics following;  // of the path, if there is one
+  FollowingStatistics following;  // Deviation from the path, if there is one
 };
 
-// How a hand is followed.
+// Settings of following a hand.
 struct Following {
   double scale = 1.0;                            // mm of the tool to a mm of the hand
   std::shared_ptr<const GuideCurve> guide = {};  // null: no path is followed
-  ArmValues start = {};                          // of the path
+  ArmValues start = {};                          // Beginning of the path
   double snapDistance = 0.0;                     // mm; 0: no virtual fixture
 };
 
@@ -206,7 +206,7 @@ int runTeleop(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!opened) return fail(opened.error());
   const RobotCellSnapshot& cell = *opened->cell;
   const RobotPath* const path = arguments.has("follow") ? cell.plans->path(arguments.valueOf("follow")) : nullptr;
-  if (arguments.has("follow") && (!path || path->places.empty()))
+  if (arguments.has("follow") && (!path || path->waypoints.empty()))
     return refuse(arguments.operands[0] + ": there is no path \"" + arguments.valueOf("follow") + "\" in it.");
   if (path && !isSameArm(*cell.robot, path->arm, cell.plans->arm))
     return fail(Error{CellError::OfOtherArm, {path->name, path->arm}, {}, {}});
@@ -218,7 +218,7 @@ int runTeleop(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!scene) return;
     if (path) {
       options.how.guide = std::make_shared<const GuideCurve>(toolCurve(*scene, *cell.plans, *path));
-      options.how.start = scene->planned(path->places.front().joints);
+      options.how.start = scene->planned(path->waypoints.front().joints);
     }
     for (const RecordedHand& hand : options.hands) {
       Following how = options.how;

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// handwheel teleop
+// Returns the command handwheel teleop.
 Command teleopCommand();
 
 }  // namespace handwheel

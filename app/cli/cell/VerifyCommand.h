@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// handwheel verify
+// Returns the command handwheel verify.
 Command verifyCommand();
 
 }  // namespace handwheel

@@ -16,12 +16,12 @@ namespace handwheel {
 namespace {
 
 struct Conversion {
-  DocumentFile file;  // what reading lost
+  DocumentFile file;  // the input file, with its losses on reading
   std::vector<std::string> notes;
-  std::string refusal;  // why nothing was written
+  std::string refusal;  // the reason why nothing was written
 };
 
-// A document of another kind than a mesh, or one that goes into a container.
+// Converts a document of another kind than a mesh, or one that goes into a container.
 Result<Conversion> convertDocument(const OpenedFile& opened, const std::filesystem::path& output, Progress progress) {
   const auto written = saveDocument(*opened.kind, opened.file, *opened.content, output, progress);
   if (!written) return written.error();
@@ -34,7 +34,7 @@ bool changesByRounding(const TriangleSoup& soup, NumberType numbers) {
   return std::any_of(soup.points.begin(), soup.points.end(), [&](const Vec3& p) { return rounded(p, numbers) != p; });
 }
 
-// The triangles as they stand in the file.
+// Converts the triangles as they are in the file.
 Result<Conversion> convertMesh(const Input& input, const std::filesystem::path& output, Progress progress) {
   const Result<MeshFormat> format = formatForOutput(output);
   if (!format) return format.error();
@@ -63,7 +63,7 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
     if (!read) return read.error();
     const std::string refusal = refusalToReplace(output, read->opened.file);
     if (!refusal.empty()) return Conversion{read->opened.file, {}, refusal};
-    // A document keeps apart in the file what is apart in it.
+    // A document keeps coincident but separate vertices separate in the file.
     const bool isFileOfTriangles = read->mesh && !read->meshDocument();
     return isFileOfTriangles ? convertMesh(*read, output, writing) : convertDocument(read->opened, output, writing);
   }

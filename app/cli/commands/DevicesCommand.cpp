@@ -17,7 +17,7 @@ struct Found {
   DeviceCapabilities capabilities;
 };
 
-// A device that goes between finding and asking is left out. The two that need no hardware come first.
+// Finds the devices. One that is disconnected meanwhile is left out. The two that need no hardware come first.
 std::vector<Found> foundBy(DeviceCatalogue& catalogue) {
   std::vector<Found> all{{{"simulated", "hand", "Simulated hand"}, simulatedDevice().capabilities},
                          {{"mouse", "pointer", "Mouse"}, MouseDevice().capabilities()}};
@@ -65,7 +65,7 @@ nlohmann::ordered_json toJson(const DeviceCatalogue& catalogue, const std::vecto
   return json;
 }
 
-// "6 axes in, 3 driven, up to 8 N, 4 buttons"
+// Returns "6 axes in, 3 driven, up to 8 N, 4 buttons".
 std::string capabilitiesText(const DeviceCapabilities& all) {
   std::string text = std::to_string(all.inputs) + " axes in, ";
   if (all.outputs > 0) {

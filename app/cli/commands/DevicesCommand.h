@@ -9,7 +9,7 @@ namespace handwheel {
 
 // Syntax of "handwheel devices", which lists the connected haptic and pointing devices.
 CommandSpec devicesSpec();
-// Runs it. drivers: the built-in ones.
+// Runs the command. drivers: the built-in ones.
 int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDriver>> drivers);
 
 }  // namespace handwheel

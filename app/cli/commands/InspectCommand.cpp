@@ -36,7 +36,7 @@ CommandSpec inspectSpec() {
 
 namespace {
 
-// "diameter: 50 mm", a line for each property; "joint.a: 0 deg (-170 deg to 170 deg)" where it has a way to go.
+// Formats "diameter: 50 mm", a line for each property; "joint.a: 0 deg (-170 deg to 170 deg)" if it has a range.
 std::string readableText(const OpenedFile& opened) {
   std::string text = opened.kind->id() + "\n";
   const std::unique_ptr<Document> document = opened.kind->make(opened);
@@ -49,7 +49,7 @@ std::string readableText(const OpenedFile& opened) {
   return text;
 }
 
-// How passes have left the surface, a line for each stretch; of very many the first.
+// Describes the surface that the passes have left, a line for each section; only the first of very many.
 std::string finishText(const nlohmann::json& described) {
   constexpr std::size_t kMost = 50;
   std::string text;
@@ -64,7 +64,8 @@ std::string finishText(const nlohmann::json& described) {
   return text;
 }
 
-// The dimensions that a kind tells, a line for each, its finish, and how far the document is from its target.
+// Returns the dimensions that a kind reports, a line for each, its finish, and the distance of the document from its
+// target.
 std::string dimensionsText(const nlohmann::json& described) {
   std::string text;
   for (const nlohmann::json& dimension : described.value("dimensions", nlohmann::json::array()))
@@ -80,7 +81,7 @@ std::string dimensionsText(const nlohmann::json& described) {
          " mm too large, " + distance("largest_under") + " mm too small at most\n";
 }
 
-// What every container has.
+// Returns the values that every container has.
 nlohmann::ordered_json heading(const OpenedFile& opened) {
   return {{"kind", opened.kind->id()}, {"id", opened.file.id}, {"display_unit", symbolOf(opened.file.displayUnit)}};
 }
@@ -91,7 +92,7 @@ nlohmann::ordered_json toJson(const OpenedFile& opened, const nlohmann::json& de
   return json;
 }
 
-// The loops of a document that stay open, by their numbers.
+// Returns the numbers of the loops of a document that stay open.
 std::vector<int> keptOpen(const MeshSnapshot& document) {
   std::vector<int> ids;
   for (const BoundaryLoop& loop : document.mesh.defects->loops) {
@@ -130,10 +131,10 @@ nlohmann::ordered_json meshJson(const Input& input, const MeshReport& report) {
 struct Inspected {
   Input input;
   MeshReport report;
-  nlohmann::json described;  // of what is not a mesh; of a cell with proofs it takes seconds
+  nlohmann::json described;  // description of a document that is no mesh; takes seconds for a cell with proofs
 };
 
-// The workpiece as if it had this target. Error: Unsupported for other kinds; else those of importTarget().
+// Gives the workpiece this target. Errors: Unsupported for other kinds; those of importTarget().
 Status giveTarget(OpenedFile& opened, const std::string& path, Progress progress) {
   const auto* const given = dynamic_cast<const WorkpieceSnapshot*>(opened.content.get());
   if (!given) return Error{ErrorCode::Unsupported, {"a target of a document other than a workpiece"}, {}, {}};
@@ -145,7 +146,7 @@ Status giveTarget(OpenedFile& opened, const std::string& path, Progress progress
   return Done{};
 }
 
-// A file, or a document that comes with the program.
+// Opens a file, or a document that comes with the program.
 Result<Input> inputOf(const Arguments& arguments, const Registered& registered, Progress progress) {
   const std::string& name = arguments.operands[0];
   for (const ShippedDocument shipped : registered.shipped) {
@@ -179,7 +180,7 @@ int runInspect(const Arguments& arguments, const Registered& registered) {
   if (!*result) return fail(result->error());
   const auto& [input, report, described] = result->value();
   DocumentFile file = input.opened.file;
-  if (input.mesh) file.lost.clear();  // nothing is written, so nothing is not kept
+  if (input.mesh) file.lost.clear();  // nothing is written, so nothing can be lost
   reportLosses(file);
   const bool json = arguments.has("json");
   if (input.mesh) return print(json ? textOf(meshJson(input, report)) : meshText(input, report));

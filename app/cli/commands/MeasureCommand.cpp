@@ -31,7 +31,7 @@ struct MeasureRequest {
   SweepOptions sweep;
 };
 
-// "us=50,ms=16,mb=200"
+// Parses "us=50,ms=16,mb=200".
 bool readBudgets(std::string_view list, FidelityBudgets& budgets) {
   static const std::map<std::string_view, std::string> kUnits{{"us", "us"}, {"ms", "ms"}, {"mb", "MB"}};
   while (true) {
@@ -50,12 +50,12 @@ bool readBudgets(std::string_view list, FidelityBudgets& budgets) {
   }
 }
 
-// Between one and a thousand; a count that was not asked for stays.
+// Reads a count between one and a thousand; unset counts stay unchanged.
 bool readCount(const Arguments& arguments, std::string_view name, int& count) {
   return !arguments.has(name) || (readNumber(arguments.valueOf(name), count) && count >= 1 && count <= 1000);
 }
 
-// Measures as the window does: there is nothing to choose but the settings. Returns what is wrong, or nothing.
+// Reads a request to measure as the window does, where only the settings can be chosen. Returns the error, or nothing.
 std::string readCalibration(const Arguments& arguments, MeasureRequest& request) {
   for (const char* other : {"input", "budget", "steps", "repeats", "write-curves", "list"}) {
     if (arguments.has(other)) return std::string("--calibrate cannot be combined with --") + other + ".";
@@ -69,7 +69,7 @@ std::string readCalibration(const Arguments& arguments, MeasureRequest& request)
   return {};
 }
 
-// Turns the words into a request. Returns what is wrong with them, or nothing.
+// Turns the words into a request. Returns the error, or nothing.
 std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, MeasureRequest& request) {
   for (const std::string& id : arguments.operands) {
     const FidelityRegistry::Entry* entry = request.registry.find(id);
@@ -144,7 +144,7 @@ Result<std::vector<MeasuredSetting>> measure(const MeasureRequest& request, cons
   return measured;
 }
 
-// Writes the files that were asked for.
+// Writes the requested files.
 Status writeFiles(const std::vector<MeasuredSetting>& measured, const Arguments& arguments) {
   if (arguments.has("csv")) {
     std::string csv(kFidelityCsvHeader);
@@ -168,7 +168,7 @@ Status writeFiles(const std::vector<MeasuredSetting>& measured, const Arguments&
   return Done{};
 }
 
-// The settings of which no value keeps its budget.
+// Returns the settings for which no value keeps its budget.
 std::vector<std::string> overBudget(const std::vector<MeasuredSetting>& measured, const FidelityBudgets& budgets) {
   std::vector<std::string> ids;
   for (const MeasuredSetting& m : measured) {

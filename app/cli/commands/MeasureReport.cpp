@@ -19,7 +19,7 @@ std::string number(double value) {
   return std::isinf(value) ? "no result" : roundedText(value, 3);
 }
 
-// The row of the same case at the default.
+// Returns the row of the same case at the default.
 const FidelityRow& standardRow(const MeasuredSetting& m, const FidelityRow& row) {
   const auto at = std::find_if(m.rows.begin(), m.rows.end(), [&](const FidelityRow& r) {
     return r.testCase == row.testCase && r.value == m.setting.standard;
@@ -28,7 +28,7 @@ const FidelityRow& standardRow(const MeasuredSetting& m, const FidelityRow& row)
   return *at;
 }
 
-// "x 2.5": in multiples of what the default has.
+// Returns "x 2.5": the multiple of the default.
 std::string ratio(double value, double standard) {
   if (std::isinf(value) || std::isinf(standard)) return "-";
   if (value == standard) return "x 1";

@@ -11,16 +11,16 @@
 
 namespace handwheel {
 
-// The measurements of one setting and what is derived from them.
+// The measurements of one setting and the values derived from them.
 struct MeasuredSetting {
   MeasuredSetting(const FidelitySetting& of, std::vector<FidelityRow> measured);
 
-  // The point of the curve at a measured value.
+  // Returns the point of the curve at a measured value.
   const CurvePoint& at(double value) const;
 
   FidelitySetting setting;
   std::vector<FidelityRow> rows;
-  std::vector<CurvePoint> curve;  // of the worst of the cases
+  std::vector<CurvePoint> curve;  // costs and errors of the worst case
   std::vector<CurvePoint> front;  // Pareto front of the relative curve
   std::optional<double> knee;
 };
@@ -35,10 +35,10 @@ std::string alignedTable(const std::vector<TableRow>& rows);
 
 // Formats the measurements and the derived values for people. Numbers have three digits.
 std::string readableText(const MeasuredSetting& measured, const FidelityBudgets& budgets);
-// The same as JSON.
+// Returns the same values as JSON.
 nlohmann::ordered_json toJson(const MeasuredSetting& measured, const FidelityBudgets& budgets);
 
-// A plot of error over cost with one series per case. Presets are marked where they cost most.
+// Returns a plot of error over cost with one series per case. Presets are marked at the case with the largest cost.
 Plot plotOf(const MeasuredSetting& measured);
 
 }  // namespace handwheel

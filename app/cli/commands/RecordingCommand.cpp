@@ -15,7 +15,7 @@ namespace handwheel {
 
 namespace {
 
-// "Recording 1: 12.5 s, 12501 samples, 3 missing, Novint Falcon"
+// Returns "Recording 1: 12.5 s, 12501 samples, 3 missing, Novint Falcon".
 std::string lineFor(const StoredRecording& recording) {
   std::string line = recording.name + ": " + roundedText(recording.ticks.duration()) + " s, " +
                      std::to_string(recording.ticks.size()) + (recording.ticks.size() == 1 ? " sample" : " samples");
@@ -30,7 +30,7 @@ int list(const std::vector<StoredRecording>& recordings) {
   return print(text.empty() ? "There are no recordings.\n" : text);
 }
 
-// The one of that name, or the only one; else why not, as a sentence.
+// Returns the recording of that name, or the only one; otherwise null, and the reason as a sentence.
 const StoredRecording* chosen(const std::vector<StoredRecording>& all, const Arguments& arguments,
                               std::string& problem) {
   if (!arguments.has("name")) {

@@ -16,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-// Applies one "name=value". Returns what is wrong with it, or nothing.
+// Applies one "name=value". Returns the error, or nothing.
 std::string assign(Document& document, const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) return "NAME=VALUE was expected, not '" + word + "'.";
@@ -34,7 +34,7 @@ std::string assign(Document& document, const std::string& word) {
   return done ? std::string() : sentenceFor(done.error());
 }
 
-// Changes and writes. The document is made anew on this thread; saving may be interrupted.
+// Changes and writes the document, which is created again on this thread; saving may be interrupted.
 int assignAndSave(OpenedFile opened, std::span<const std::string> words, const std::string& output) {
   if (const std::string refusal = refusalToReplace(output, opened.file); !refusal.empty()) return refuse(refusal);
   const DocumentKind& kind = *opened.kind;
@@ -51,7 +51,7 @@ int assignAndSave(OpenedFile opened, std::span<const std::string> words, const s
   return kExitDone;
 }
 
-// The kinds of which there are new documents: "workpiece".
+// Returns the kinds of which new documents can be made: "workpiece".
 std::string kindsToMake(const DocumentKinds& kinds) {
   std::string all;
   for (const auto& kind : kinds.all()) {

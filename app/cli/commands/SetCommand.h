@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel new", which writes a document of default size. "new" and "set" do without a window what the
-// Properties panel does.
+// Syntax of "handwheel new", which writes a document of default size. "new" and "set" provide the functions of the
+// Properties panel without a window.
 CommandSpec newSpec();
-// The kinds that "new" can create, as lines of the help page.
+// Returns the kinds that "new" can create, as lines of the help page.
 std::string newDetails(const DocumentKinds& kinds);
 // Syntax of "handwheel set", which changes named properties of a document and writes the result.
 CommandSpec setSpec();

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kSecondsOfMinute = 60.0;
 constexpr double kMostMinutes = 10'000.0;                                         // within Exercise::kLongestTime
-constexpr const char* kPurposes[] = {"student", "stock", "solution", "hand-in"};  // of which one is given
+constexpr const char* kPurposes[] = {"student", "stock", "solution", "hand-in"};  // at most one of them is given
 
 Parameter flag(const char* id, std::string meaning) {
   return {.property = {.id = id, .group = {}, .label = {}, .value = false}, .meaning = std::move(meaning)};
@@ -60,8 +60,8 @@ std::shared_ptr<const ExerciseSnapshot> exerciseIn(const OpenedFile& opened) {
   return std::dynamic_pointer_cast<const ExerciseSnapshot>(opened.content);
 }
 
-// Another target, where one is asked for: from a file first, then end for end, then in round sizes; and what of it is
-// marked.
+// Replaces the target if requested, first from a file, then end for end, then in round sizes, and adds the criteria for
+// it.
 Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const ExerciseSnapshot> exercise,
                                                            const OperationValues& values, Progress progress) {
   auto changed = std::make_shared<ExerciseSnapshot>(*exercise);
@@ -71,7 +71,7 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
     if (!imported) return imported.error();
     changed->task = std::move(imported->task);
     for (const Note& note : imported->notes) complain(noteText(note).toStdString());
-    for (const Note& note : exercise->subject->placeNotes(*changed->task)) complain(noteText(note).toStdString());
+    for (const Note& note : exercise->subject->fitNotes(*changed->task)) complain(noteText(note).toStdString());
     if (imported->lies) complain(noteText(*imported->lies).toStdString());
   }
   if (values.flag("turn-target")) {
@@ -95,7 +95,7 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
   return std::shared_ptr<const ExerciseSnapshot>(std::move(changed));
 }
 
-// What the parameters ask for.
+// Makes the product that the parameters select.
 Result<Product> productOf(OpenedFile opened, const OperationValues& values, const DocumentKinds& kinds,
                           Progress progress) {
   const auto targeted = withTarget(exerciseIn(opened), values, progress.part(0.0, 0.2));
@@ -149,7 +149,7 @@ Result<Product> productOf(OpenedFile opened, const OperationValues& values, cons
   return product;
 }
 
-// Returns what is wrong with the words, or nothing.
+// Returns a problem of the arguments, or an empty string.
 std::string problemOf(const Arguments& arguments, const OperationValues& values) {
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   int purposes = 0;
@@ -171,7 +171,7 @@ int runExercise(const Arguments& arguments, const DocumentKinds& kinds) {
     return failUsage(problem, exerciseOperation().id);
   const std::filesystem::path input = arguments.operands[0], output = arguments.valueOf("output");
   std::vector<std::filesystem::path> inputs;
-  // What is derived must not replace what it is derived from; the exercise itself may be written where it was.
+  // A derived file must not replace its source; the exercise itself may be saved over its file.
   if (std::any_of(std::begin(kPurposes), std::end(kPurposes),
                   [&](const char* purpose) { return values.isSet(purpose); }))
     inputs.push_back(input);

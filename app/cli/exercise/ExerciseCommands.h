@@ -10,7 +10,7 @@ namespace handwheel {
 // The commands for exercises: exercise, mark.
 std::vector<Command> exerciseCommands();
 
-// What 'exercise' makes of an exercise: its parameters, one of which says what.
+// The operation of the command 'exercise', with its parameters, one of which selects the action.
 const Operation& exerciseOperation();
 
 }  // namespace handwheel

@@ -21,7 +21,7 @@ std::shared_ptr<const ExerciseSnapshot> exerciseOf(const Result<OpenedFile>& ope
   return opened ? std::dynamic_pointer_cast<const ExerciseSnapshot>(opened->content) : nullptr;
 }
 
-// Returns what is wrong with the words, or nothing.
+// Returns a problem of the arguments, or an empty string.
 std::string problemOf(const Arguments& arguments, const DocumentKinds& kinds) {
   const std::string ending = std::filesystem::path(arguments.valueOf("report")).extension().string();
   if (arguments.has("report") && ending != ".html" && ending != ".pdf")
@@ -42,7 +42,7 @@ std::string problemOf(const Arguments& arguments, const DocumentKinds& kinds) {
   return {};
 }
 
-// By the heading of a column, or the name of a criterion; false when there is none.
+// Sorts by the heading of a column, or the name of a criterion. Returns false if there is none.
 bool sortBy(std::vector<ReportedWork>& works, const Exercise& exercise, std::string_view heading) {
   SubmissionTable table(exercise);
   const bool isDescending = heading.starts_with("-");

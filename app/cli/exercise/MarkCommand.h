@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command 'mark', which marks what students have handed in.
+// The command 'mark', which marks submissions of students.
 Command markCommand();
 
 }  // namespace handwheel

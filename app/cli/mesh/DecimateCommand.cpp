@@ -42,8 +42,8 @@ std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
   return {};
 }
 
-// How far a file of these numbers may move a point at most, mm: half a unit in the last place of each coordinate.
-// Points are within the margin of the mesh.
+// Returns the largest distance that rounding to the numbers of the file may move a point, mm: half a unit in the last
+// digit of each coordinate. Points are within the margin of the mesh.
 double roundingMove(const HalfEdgeMesh& mesh, double margin, NumberType numbers) {
   const Box box = boundsOf(mesh);
   if (numbers == NumberType::Float64 || box.isEmpty()) return 0.0;
@@ -57,10 +57,10 @@ double roundingMove(const HalfEdgeMesh& mesh, double margin, NumberType numbers)
 }
 
 struct Decimated {
-  DocumentFile file;  // what reading lost
+  DocumentFile file;  // losses of reading
   // Its distances have in them how far the numbers of the output move points.
   DecimationReport report;
-  std::string refusal;  // why nothing was written
+  std::string refusal;  // the reason why nothing was written
 };
 
 Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKinds& kinds, Progress progress) {

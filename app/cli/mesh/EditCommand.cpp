@@ -31,17 +31,17 @@ constexpr std::size_t kLongestQuote = 60;  // characters of a step that a messag
 struct Step {
   std::string text;
   std::string subject;
-  InputPosition place;
+  InputPosition position;
 };
 
 struct Edited {
-  DocumentFile file;  // what reading lost
+  DocumentFile file;  // losses of reading
   std::size_t facesBefore = 0;
   std::size_t facesAfter = 0;
   std::vector<std::string> idle;     // sentences on steps that changed nothing, or not all that they were to
   std::vector<std::string> reached;  // lines on what steps have reached
   std::vector<Note> notes;
-  std::string refusal;  // why nothing was written
+  std::string refusal;  // the reason why nothing was written
 };
 
 std::string quoted(const std::string& step) {
@@ -76,7 +76,7 @@ Result<std::vector<Step>> readSteps(const Arguments& arguments) {
 
 std::string idleSentence(const Step& step, const ScriptLineOutcome& outcome) {
   std::string sentence = step.subject;
-  if (step.place.kind == InputPosition::Kind::Line) sentence += ", line " + std::to_string(step.place.value);
+  if (step.position.kind == InputPosition::Kind::Line) sentence += ", line " + std::to_string(step.position.value);
   if (outcome.changed) return sentence + ": " + sheetsText(outcome.sheets, LengthUnit::Millimetre).toStdString() + ".";
   sentence += " changed nothing";
   if (outcome.failure != FillFailure::None) {
@@ -111,7 +111,7 @@ Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const 
       Error error = outcome.error();
       if (error.code != ScriptError::Malformed) return error;
       error.subject = steps[i].subject;
-      error.position = steps[i].place;
+      error.position = steps[i].position;
       return error;
     }
     if (const std::string line = reachedLine(steps[i], *outcome); !line.empty()) done.reached.push_back(line);

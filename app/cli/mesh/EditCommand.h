@@ -11,7 +11,7 @@ class DocumentKinds;
 
 // Syntax of "handwheel edit", which applies editing steps to a mesh (tools/mesh/MeshScript.h).
 CommandSpec editSpec();
-// Reads the meshes that steps name.
+// Returns a reader for the meshes that steps name.
 MeshFileReader meshFileReader(const DocumentKinds& kinds);
 int runEdit(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -55,7 +55,8 @@ std::string readOption(const Arguments& arguments, std::string_view name, double
   return "--" + std::string(name) + " takes a number from " + roundedText(least) + " to " + roundedText(most) + ".";
 }
 
-// What --fidelity chooses, for whatever no option of its own says; what is wrong with it, or nothing.
+// Reads the settings of --fidelity, which apply unless another option sets the value. Returns the error as a sentence,
+// or nothing.
 std::string readSettings(const Arguments& arguments, FeelRequest& request) {
   std::vector<FidelitySetting> read{proxyToleranceSetting(), contactStiffnessSetting(), servoRateSetting()};
   if (request.snap.isOn) read.insert(read.end(), {snapRadiusSetting(), snapFeaturesSetting()});
@@ -93,7 +94,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   return {};
 }
 
-// What the device can carry, and a note where that is less than what is asked.
+// Applies the limits of the device, with a note if they are lower than the request.
 void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
   HapticPathOptions& run = request.run;
   const ServoTiming timing{1.0 / run.rate, device.latency, device.inherentDamping};

@@ -20,8 +20,8 @@ struct SnapRequest {
 // Parses --snap and --snap-method. Returns the error as a sentence, or nothing.
 std::string readSnap(const Arguments& arguments, SnapRequest& request);
 
-// Builds the snap forces for all boundary edges of a mesh. They reach as far as the snap distance, which is
-// snap.radius times the mean length of the edges. Nothing where there are no boundary edges.
+// Builds the snap forces for all boundary edges of a mesh. They reach as far as the snap distance, which is snap.radius
+// times the mean length of the edges. Nothing if there are no boundary edges.
 std::optional<SnapAttraction> snapAttraction(const SnapRequest& request, const HalfEdgeMesh& mesh,
                                              std::span<const BoundaryLoop> loops, const FidelityValues& values,
                                              Progress progress);

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The parameters of a haptic simulation along a path. The tip follows the path exactly, at this many ticks a second.
+// The parameters of a haptic simulation along a path. The tip follows the path exactly, at `rate` ticks a second.
 struct HapticPathOptions {
   PoseTrajectory path;
   double from = 0.0, to = 0.0;  // s
@@ -28,14 +28,14 @@ struct HapticPathResult {
   std::string csv;  // a header line, then one line for each tick
   std::size_t ticks = 0;
   std::size_t inContact = 0;
-  std::size_t cut = 0;             // ticks in which the requested force exceeded that of the device,
-  double askedForce = 0.0;         // N: the largest requested force,
-  double peakForce = 0.0;          // and the largest force after the limits
-  double usualMicroseconds = 0.0;  // median of the CPU time of a tick,
-  double slowMicroseconds = 0.0;   // and its 99th percentile
+  std::size_t cut = 0;             // number of ticks in which the requested force exceeded that of the device
+  double askedForce = 0.0;         // N, the largest requested force
+  double peakForce = 0.0;          // N, the largest force after the limits
+  double usualMicroseconds = 0.0;  // median of the CPU time of a tick
+  double slowMicroseconds = 0.0;   // 99th percentile of the CPU time of a tick
 };
 
-// Collects what is felt, tick by tick. Columns:
+// Collects the states and forces, tick by tick. Columns:
 // t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us; in mm and N.
 class HapticPathTable {
  public:

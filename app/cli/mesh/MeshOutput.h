@@ -10,9 +10,9 @@ namespace handwheel {
 
 // The option -o of commands that write a mesh.
 OptionSpec meshOutputOption();
-// The words of the formats of meshes, as --format takes them: "stl, ply, obj, off or 3mf".
+// Returns the words of the formats of meshes, as --format takes them: "stl, ply, obj, off or 3mf".
 std::string meshFormatWords(bool withContainer);
-// Their names: "STL, PLY, OBJ, OFF or 3MF".
+// Returns the names of these formats: "STL, PLY, OBJ, OFF or 3MF".
 std::string meshFormatNames();
 
 // Writes a mesh that was computed from an input file. The format is a mesh format, or a container with its own

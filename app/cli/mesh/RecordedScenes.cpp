@@ -39,7 +39,7 @@ std::string stringOf(const nlohmann::json& object, const char* key) {
 
 // Three rows of four numbers; nothing where they are no rotation and translation.
 std::optional<Pose> poseOf(const nlohmann::json& part) {
-  constexpr double kRotation = 1e-9;  // as far as the digits of a pose keep it
+  constexpr double kRotation = 1e-9;  // precision of the digits of a pose
   const auto at = part.is_object() ? part.find("pose") : part.end();
   if (at == part.end() || !at->is_array() || at->size() != 12) return std::nullopt;
   Pose pose = Pose::Identity();
@@ -71,13 +71,12 @@ ForceRenderer* RecordedScenes::at(const RecordedTick& tick) {
     const std::string& text = events[m_nextEvent].text;
     if (text.starts_with(kSceneEvent)) notes.push_back(text.substr(kSceneEvent.size()));
   }
-  // Of several scenes before a tick only the last was felt; the edits of the others were made all the same.
+  // Only the last of several scenes before a tick was felt; but the edits of the others were made.
   for (std::size_t i = 0; i < notes.size() && m_problem.empty(); ++i) begin(notes[i], i + 1 == notes.size());
   return m_problem.empty() && m_scene && isKnown(tick) ? m_scene.get() : nullptr;
 }
 
-// Where a contact is that began in a scene of which nothing was noted cannot be known. It is known once the tip is
-// free.
+// A contact that began in a scene without notes is unknown. The state is known once the tip is free.
 bool RecordedScenes::isKnown(const RecordedTick& tick) {
   if (m_isKnown || !tick.hasSource) return m_isKnown;
   m_isKnown = tick.tip.isRestart || !tick.felt.isContact;
@@ -140,7 +139,7 @@ void RecordedScenes::edit(const nlohmann::json& surface) {
   }
 }
 
-// Where no part has moved since the scene before, nothing is said of them.
+// The notes omit the parts if none has moved since the previous scene.
 void RecordedScenes::place(const nlohmann::json& surface) {
   const bool isAnew = surface.contains("parts");
   const auto list = surface.find(isAnew ? "parts" : "moved");

@@ -19,24 +19,25 @@
 
 namespace handwheel {
 
-// Restores the haptic scenes of a recording. From what it notes of them: the surface of a mesh with its edits, or the
-// parts of other documents where they were. What else acted, such as snapping, is not made again, and counted.
+// Restores the haptic scenes of a recording. They are made from its notes: the surface of a mesh with its edits, or the
+// parts of other documents at their poses. Other sources of force, such as snapping, are not restored, but counted.
 class RecordedScenes {
  public:
-  // document: of the mesh in the state of its file; it is edited. All outlive it.
+  // document: that of the mesh in the state of its file; it is edited. All arguments outlive this object.
   RecordedScenes(const Recording& recording, MeshDocument& document, MeshFileReader readMesh, Progress progress);
 
-  // parts: as the file has them; only those that were felt with the shapes of these can be felt again.
+  // parts: those of the file; only parts whose shapes were felt in the recording can be felt again.
   RecordedScenes(const Recording& recording, DisplayModel parts, Progress progress);
 
-  // The scene of a tick: those of a recording in order. Null: nothing is known of it, or of the contact it began with.
+  // Returns the scene of a tick; the ticks of a recording are passed in order. Null if the scene, or the contact it
+  // began with, is unknown.
   ForceRenderer* at(const RecordedTick& tick);
 
   std::size_t sceneCount() const { return m_sceneCount; }
   std::size_t editCount() const { return m_editCount; }
-  // Sources of force that were left out; by id, sorted.
+  // Ids of the sources of force that were left out, sorted.
   const std::set<std::string>& leftOut() const { return m_leftOut; }
-  // Why the rest of the recording cannot be felt again; a sentence. Empty: it can.
+  // The reason why the rest of the recording cannot be felt again, as a sentence. Empty: it can.
   const std::string& problem() const { return m_problem; }
 
  private:
@@ -51,17 +52,17 @@ class RecordedScenes {
   MeshDocument* m_document = nullptr;  // null: the parts are felt
   MeshFileReader m_readMesh;
   DisplayModel m_parts;
-  std::map<std::string, const TriangleSoup*> m_shapes;                   // of the parts; by digest
-  std::map<std::string, ContactSurface> m_surfaces;                      // of those that were felt so far; by digest
+  std::map<std::string, const TriangleSoup*> m_shapes;  // shapes of the parts, by digest
+  std::map<std::string, ContactSurface> m_surfaces;     // surfaces of the shapes felt so far, by digest
   std::vector<std::pair<std::string, ContactSurface::Placed>> m_placed;  // with names
   Progress m_progress;
   std::size_t m_nextEvent = 0;
-  // Done to the document, and taken back from it, the last one at the end.
+  // Steps applied to the document, and steps undone, the last one at the end.
   std::vector<std::string> m_steps, m_undone;
   std::optional<ContactSurface> m_surface;
-  MeshHaptics m_felt;  // what m_scene was made of
+  MeshHaptics m_felt;  // the contents of m_scene
   std::unique_ptr<SceneForces> m_scene;
-  bool m_isKnown = false;  // the state of m_scene
+  bool m_isKnown = false;  // the state of m_scene is known
   std::size_t m_sceneCount = 0, m_editCount = 0;
   std::set<std::string> m_leftOut;
   std::string m_problem;

@@ -13,7 +13,7 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
 // Parses the arguments for a single file, including IN and OUT. Returns the error as a sentence, or nothing.
 std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, RepairRequest& request);
 
-// The unit that the user gave for the files. Nothing is scaled by it.
+// Returns the unit that the user gave for the files. Nothing is scaled by it.
 std::string unitOf(const Arguments& arguments);
 
 }  // namespace handwheel

@@ -42,7 +42,7 @@ Result<TriangleSoup> surfaceIn(const Input& input, const VolumeRepairRequest& re
   return placedSoup(input.opened.kind->display(*input.opened.content));
 }
 
-// What was read, and what became of it; why nothing was written, where something is to be kept.
+// The input and the outcome, or the reason why nothing was written.
 struct VolumeRepairRun {
   DocumentFile file;
   std::string refusal;

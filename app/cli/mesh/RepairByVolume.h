@@ -22,7 +22,7 @@ struct VolumeRepairRequest {
   ReadOptions read;
   std::optional<double> voxel;  // mm
   double gaps = 0.0;            // mm
-  double wall = 0.0;            // mm, of walls that are made of the triangles; 0: they enclose the volume
+  double wall = 0.0;            // mm, thickness of walls made of the triangles; 0: the triangles enclose the volume
   FidelityValues values;
 };
 
@@ -30,19 +30,19 @@ struct VolumeRepairRequest {
 struct RepairedByVolume {
   VolumeRepair repair;
   double voxel = 0.0;   // mm
-  Deviation deviation;  // of the result and the input
+  Deviation deviation;  // deviation of the result from the input
   MeshReport after;
 };
 
 // The options of 'repair' by volume.
 std::vector<OptionSpec> volumeRepairOptions();
 
-// Parses the arguments for a repair by volume but for options of other repairs. Returns the error as a sentence, or
-// nothing.
+// Parses the arguments for a repair by volume except for the options of other repairs. Returns the error as a sentence,
+// or nothing.
 std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request);
 
-// Repairs what was read and writes nothing. Errors: those of repairByVolume(), deviation() and MemoryNotice::begin(),
-// Unsupported where a document is to hold the surface of what is no mesh.
+// Repairs the input and writes nothing. Errors: those of repairByVolume(), deviation() and MemoryNotice::begin();
+// Unsupported if the output is a document and the input is not a mesh.
 Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
                                              MemoryNotice& notice, Progress progress);
 

@@ -12,8 +12,8 @@
 #include "cli/Wording.h"
 #include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
-#include "cli/mesh/RepairBothWays.h"
 #include "cli/mesh/RepairByVolume.h"
+#include "cli/mesh/RepairComparison.h"
 #include "cli/mesh/RepairJson.h"
 #include "cli/mesh/batch/BatchRepair.h"
 #include "document/AtomicFile.h"
@@ -24,7 +24,7 @@ namespace handwheel {
 
 namespace {
 
-// Of the diagonal. A part near the origin loses less.
+// Fraction of the diagonal. A part near the origin loses less.
 constexpr double kReportedRounding = 1e-6;
 
 std::string summary(const RepairRun& run, const RepairRequest& request) {
@@ -32,7 +32,7 @@ std::string summary(const RepairRun& run, const RepairRequest& request) {
          stateText(run.after).toStdString() + ".\n" + changesLine(run.repair);
 }
 
-// What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.
+// The messages of a repair, complete before anything is written: then even a lack of memory leaves nothing half done.
 struct Delivery {
   std::vector<std::string> complaints;
   std::string report;  // the bytes of the file
@@ -159,7 +159,7 @@ int reportNothingWritten(const RepairRun& run, const RepairRequest& request) {
 
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   if (arguments.valueOf("by") == "volume") return runRepairByVolume(arguments, kinds);
-  if (arguments.valueOf("by") == "both") return runRepairBothWays(arguments, kinds);
+  if (arguments.valueOf("by") == "both") return runRepairComparison(arguments, kinds);
   if (arguments.has("voxel") || arguments.has("close-gaps") || arguments.has("wall") || arguments.has("yes") ||
       (arguments.has("by") && arguments.valueOf("by") != "triangles"))
     return failUsage("--by is triangles, volume or both; --voxel, --close-gaps, --wall and --yes belong to volume.",

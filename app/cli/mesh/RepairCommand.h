@@ -12,7 +12,7 @@ namespace handwheel {
 CommandSpec repairSpec();
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds);
 
-// Reports why a repair has no output. Returns the exit code.
+// Reports the reason why a repair has no output. Returns the exit code.
 int reportNothingWritten(const RepairRun& run, const RepairRequest& request);
 
 }  // namespace handwheel

@@ -124,7 +124,7 @@ Result<EncodedMesh> encode(const Work& work, const std::filesystem::path& output
   return encoded;
 }
 
-// What a file of these bytes holds, as readMeshInput() gives it.
+// Returns the contents of a file with these bytes, as readMeshInput() gives them.
 Result<Input> decode(std::string_view bytes, bool isContainer, const DocumentKinds& kinds, Progress progress) {
   Input input;
   if (isContainer) {
@@ -141,7 +141,7 @@ Result<Input> decode(std::string_view bytes, bool isContainer, const DocumentKin
   return input;
 }
 
-// Of what is to be written: its figures, and whether every unmodified vertex is in it.
+// Measures the output, and checks that every unmodified vertex is in it.
 Status measure(const RepairRequest& request, const DocumentKinds& kinds, const Work& work, RepairRun& run,
                Progress progress) {
   const Result<Input> written = decode(run.output, !work.numbers, kinds, progress.part(0.0, 0.3));
@@ -152,7 +152,7 @@ Status measure(const RepairRequest& request, const DocumentKinds& kinds, const W
   }
   run.unmodifiedIdentical = unmodifiedAreIdentical(work.before.mesh, work.after, run.modified, written->mesh->soup);
   run.after = reportOn(*written, SelfIntersections::Count, progress.part(0.3, 0.9));
-  // What was read again holds the numbers as they are: only the word for their unit differs.
+  // The numbers read again are unchanged: only the word for their unit differs.
   if (request.unit != LengthUnit::Millimetre && work.numbers &&
       formatForName(request.output.string()) == MeshFormat::ThreeMf)
     run.output = writeThreeMf(written->mesh->soup, *work.numbers, request.unit, progress.part(0.9, 1.0));
@@ -176,7 +176,7 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   Work work{std::move(input.value()), {}, {}, {}, {}};
   if (*format) work.numbers = numberTypeOf(**format, work.input.mesh->numbers);
   work.before = meshToRepair(work.input, work.numbers, run.roundingMove, progress.part(0.2, 0.25));
-  // What the sentences on new debris compare with.
+  // The sentences on new debris compare with these numbers.
   if (!request.inspectInput) run.before.debris = countDebris(findComponents(work.before.mesh));
   if (progress.cancelled()) return kCancelled;
   work.kept = loopsToKeep(work.input, work.before.mesh, request.options.keepOpen, run.unknownLoops);

@@ -24,32 +24,32 @@ struct RepairRequest {
   RepairOptions options;
   bool inspectInput = false;  // required for the report
   bool compare = false;       // measures the deviation
-  // In which the numbers of the input are. Written into formats that have units; nothing is scaled.
+  // Unit of the numbers of the input. Written into formats that have units; nothing is scaled.
   LengthUnit unit = LengthUnit::Millimetre;
 };
 
 // The result of the repair of one file.
 struct RepairRun {
-  MeshReport before;    // of the input as it was read, when it is inspected
-  MeshReport after;     // of the bytes of the output, read again
+  MeshReport before;    // report on the input as it was read, if it is inspected
+  MeshReport after;     // report on the bytes of the output, read again
   RepairReport repair;  // including the faces flipped while building the mesh, and the vertices split by the export
   std::vector<Vertex> modified;        // vertices of the input that were moved, merged or split
   bool unmodifiedIdentical = false;    // measured on the output bytes
-  std::optional<Deviation> deviation;  // of the result and the input, when they are compared
-  DocumentFile file;                   // with what was lost on reading the input
+  std::optional<Deviation> deviation;  // deviation of the result from the input, if they are compared
+  DocumentFile file;                   // with the losses of reading the input
   double roundingMove = 0.0;           // mm; the largest move of an input point by rounding to the output's number type
   double seconds = 0.0;
   std::string output;             // the bytes to write
-  std::vector<int> unknownLoops;  // to be kept open, but not found: then nothing was repaired
-  std::string refusal;            // why the output must not be replaced: then nothing was repaired
+  std::vector<int> unknownLoops;  // loops to be kept open, but not found: then nothing was repaired
+  std::string refusal;            // the reason why the output must not be replaced: then nothing was repaired
   bool nothingLeft = false;       // every face was removed: then there is nothing to write
 };
 
 // Reads and repairs a mesh file and produces the bytes of the output. Reads these bytes again to measure them. Writes
-// nothing: whatever can fail has failed before the output is replaced. The input's coordinates are first rounded to the
-// number type of the output, so that the repair works on what the file will hold. Loops that a container marks to be
-// kept open are kept; a container made from one keeps its marks, its id, its unit and the data that only other programs
-// understand.
+// nothing, so that all errors occur before the output is replaced. The input's coordinates are first rounded to the
+// number type of the output, so that the repair works on the coordinates that the file will hold. Loops that a
+// container marks to be kept open are kept; a container made from one keeps its marks, its id, its unit and the data
+// that only other programs understand.
 Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Progress progress);
 
 }  // namespace handwheel

@@ -43,7 +43,8 @@ Json toJson(const SheetThickness& thickness) {
 
 Json toJson(const std::optional<FarthestRemovedVertex>& removed) {
   if (!removed) return nullptr;
-  return {{"distance_mm", removed->distance}, {"at", {removed->place.x(), removed->place.y(), removed->place.z()}}};
+  return {{"distance_mm", removed->distance},
+          {"at", {removed->position.x(), removed->position.y(), removed->position.z()}}};
 }
 
 Json toJson(const LoopResult& loop) {
@@ -67,7 +68,7 @@ Json toJson(const LoopResult& loop) {
 // The members of LoopCounts by their keys in JSON.
 constexpr struct {
   const char* key;
-  const char* former;  // of older files; null: it is the same
+  const char* former;  // name in older files; null: the same
   OutcomeCounts LoopCounts::*loops;
   std::size_t OutcomeCounts::*count;
 } kCounts[] = {

@@ -18,8 +18,8 @@ nlohmann::ordered_json toJson(const RepairRun& run, const RepairRequest& request
 // "left-open"; "left" counts the defects that keep the file from being closed, and "reason" describes the first.
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request);
 
-// The counts of holes, outer boundaries and new openings as members of a JSON object, and back. What is missing or of
-// another type counts 0.
+// Convert the counts of holes, outer boundaries and new openings to members of a JSON object, and back. Missing members
+// and those of another type count 0.
 nlohmann::ordered_json toJson(const LoopCounts& loops);
 LoopCounts loopCountsFrom(const nlohmann::json& object);
 

@@ -26,8 +26,8 @@ HalfEdgeMesh meshOf(const Input& input, Progress progress) {
 }
 
 struct Outcome {
-  std::string text;     // what was written
-  std::string refusal;  // why nothing was, or no more
+  std::string text;     // message on the written files
+  std::string refusal;  // the reason why nothing, or no more, was written
   std::vector<DocumentFile> files;
 };
 

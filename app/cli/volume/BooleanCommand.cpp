@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<std::string_view, VolumeBoolean>, 3> kWays{
+constexpr std::array<std::pair<std::string_view, VolumeBoolean>, 3> kOperations{
     {{"unite", VolumeBoolean::Unite}, {"subtract", VolumeBoolean::Subtract}, {"intersect", VolumeBoolean::Intersect}}};
 
 struct BooleanRequest {
@@ -31,7 +31,7 @@ struct BooleanRequest {
 };
 
 struct BooleanAnswer {
-  std::array<DocumentFile, 2> files;  // what reading lost
+  std::array<DocumentFile, 2> files;  // the files, with the damage found in reading
   std::string refusal;
   SparseVolume first, second, made;
 };
@@ -47,7 +47,7 @@ Result<BooleanAnswer> combineFiles(const BooleanRequest& request, const Document
   for (const DocumentFile& file : done.files)
     if (done.refusal.empty()) done.refusal = refusalToReplace(request.output, file);
   if (!done.refusal.empty()) return done;
-  // A surface is sampled in the grid of the other, so that nothing has to be interpolated.
+  // A surface is sampled in the grid of the other, so that no interpolation is needed.
   std::optional<double> voxel = request.voxel;
   std::optional<Vec3> origin;
   if (const auto other = volumeIn(*second)) {
@@ -104,13 +104,13 @@ int runBoolean(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(voxelizeOperation());
   std::string problem = readOptions(arguments, values);
   BooleanRequest request{arguments.operands[0], arguments.operands[1], arguments.valueOf("output"), {}, {}, {}};
-  int ways = 0;
-  for (const auto& [word, how] : kWays) {
+  int chosen = 0;
+  for (const auto& [word, how] : kOperations) {
     if (!arguments.has(word)) continue;
-    ++ways;
+    ++chosen;
     request.how = how;
   }
-  if (problem.empty() && ways != 1) problem = "Choose one of --unite, --subtract and --intersect.";
+  if (problem.empty() && chosen != 1) problem = "Choose one of --unite, --subtract and --intersect.";
   if (problem.empty() && !arguments.has("output")) problem = "The option -o OUT is missing.";
   if (!problem.empty()) return failUsage(problem, "boolean");
   request.voxel = values.given("voxel");

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the option --layer says.
+// The value of the option --layer.
 struct WantedLayer {
   std::string name;
   double strength = 1.0;
@@ -44,7 +44,7 @@ struct ClayRequest {
 };
 
 struct ClayAnswer {
-  DocumentFile file;  // what reading lost
+  DocumentFile file;  // the file, with the damage found in reading
   std::string refusal;
   std::shared_ptr<const VolumeSnapshot> before;
   ClayBrush brush;
@@ -63,7 +63,7 @@ std::vector<HandStroke> strokesOf(const TipTrajectory& path) {
   return strokes;
 }
 
-// "NAME" or "NAME:STRENGTH"; none where it is neither.
+// Parses "NAME" or "NAME:STRENGTH"; none if it is neither.
 std::optional<WantedLayer> layerOf(const std::string& word) {
   WantedLayer layer{word};
   const std::size_t colon = word.rfind(':');
@@ -76,7 +76,7 @@ std::optional<WantedLayer> layerOf(const std::string& word) {
   return layer;
 }
 
-// The volume of the part, or one of what its surface encloses.
+// Returns the volume of the part, or the inside of its surface as a volume.
 Result<std::shared_ptr<const VolumeSnapshot>> clayOf(const OpenedFile& opened, const ClayRequest& request,
                                                      MemoryNotice& notice, Progress progress) {
   if (auto volume = volumeIn(opened)) return volume;

@@ -49,23 +49,24 @@ NumberType numbersIn(const OpenedFile& opened) {
 double feedOf(const std::vector<HandPose>& poses) {
   double length = 0.0, time = 0.0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const double way = (poses[i].position - poses[i - 1].position).norm();
-    if (!(way > 0.0)) continue;
-    length += way;
+    const double distance = (poses[i].position - poses[i - 1].position).norm();
+    if (!(distance > 0.0)) continue;
+    length += distance;
     time += poses[i].time - poses[i - 1].time;
   }
   return time > 0.0 ? length / time : 0.0;
 }
 
-// Of the head's centre. The program's speed is the spindle's, unless the words name another.
+// Returns the poses of the head's centre. The spindle has the speed of the program, unless the options state another.
 Result<std::vector<HandPose>> posesOfProgram(std::string_view text, OperationValues& values) {
   const Result<DrillSetup> setup = drillSetupOf(values);
   if (!setup) return setup.error();
   const Result<DrillProgram> program = readDrillProgram(text);
   if (!program) return program.error();
   std::vector<HandPose> poses;
-  for (const DrillProgram::Place& place : program->places)
-    poses.push_back({place.time, place.tip + setup->tool.reach() * Vec3::UnitZ(), Eigen::Quaterniond::Identity(), 0});
+  for (const DrillProgram::Waypoint& waypoint : program->waypoints)
+    poses.push_back(
+        {waypoint.time, waypoint.tip + setup->tool.reach() * Vec3::UnitZ(), Eigen::Quaterniond::Identity(), 0});
   if (program->spindle && !values.isSet("rpm"))
     if (const std::string problem = values.set("rpm", *program->spindle); !problem.empty())
       return Error{VolumeErrors::ProgramValue, {"S", problem}, {}, {}};
@@ -98,7 +99,7 @@ Status writeResults(const DrillRequest& request, const DrillAnswer& done, Number
   return writeFileAtomically(request.forces, drillForces(done.drilled));
 }
 
-// The drill of the exercise that the part is work on, its shank along the planned path; what the words name is another.
+// Takes the drill of the part's exercise, with its shank along the planned path, unless the options name another.
 void takeTask(const DrillingTask& task, const OperationValues& values, DrillSetup& setup,
               std::vector<HandPose>& poses) {
   const bool isNamed = values.isSet("tool") || values.isSet("material") || values.isSet("rpm");
@@ -107,7 +108,7 @@ void takeTask(const DrillingTask& task, const OperationValues& values, DrillSetu
     pose.orientation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), -task.plan.direction);
 }
 
-// Drills all of a part.
+// Drills a part as a whole volume.
 Status drillWhole(const DrillRequest& request, const OpenedFile& opened, const PoseTrajectory& path, double rate,
                   MemoryNotice& notice, DrillAnswer& done, Progress progress) {
   Result<SparseVolume> volume = materialOf(opened, request.part, done.voxel, {}, notice, progress.part(0.0, 0.4));
@@ -120,7 +121,7 @@ Status drillWhole(const DrillRequest& request, const OpenedFile& opened, const P
   return Done{};
 }
 
-// Puts the hole into the triangles of the part, where a mesh is written. False: into its voxels it has to go.
+// Cuts the hole into the triangles of the part, if a mesh is written. False: it must be cut into the voxels.
 Result<bool> joinHole(const DrillRequest& request, const OpenedFile& opened, const HybridPart& part, DrillAnswer& done,
                       Progress progress) {
   const Result<MeshFormat> format = formatForOutput(request.output);
@@ -133,8 +134,8 @@ Result<bool> joinHole(const DrillRequest& request, const OpenedFile& opened, con
   return done.joined.has_value();
 }
 
-// Drills a part that gets voxels near the head only. False: they are not certain to be those of the whole part, or a
-// mesh of it cannot be made of them, and nothing is drilled.
+// Drills a part that has voxels near the head only. False: they may differ from those of the whole part, or no mesh can
+// be made of them, and nothing is drilled.
 Result<bool> drillHybrid(const DrillRequest& request, const OpenedFile& opened, const PoseTrajectory& path, double rate,
                          DrillAnswer& done, Progress progress) {
   if (request.isMeshWritten() && std::isfinite(done.setup.erosion)) {
@@ -143,7 +144,7 @@ Result<bool> drillHybrid(const DrillRequest& request, const OpenedFile& opened, 
   }
   if (request.isMeshWritten()) done.notJoined = "voxels near the head are not certain to be those of the whole part";
   Result<HybridPart> part = hybridOf(opened, request.part, done.voxel, progress.part(0.0, 0.3));
-  // Bodies that are inside out can outweigh sound ones, which voxels tell.
+  // Bodies that are inside out can outweigh sound ones; voxels distinguish them.
   if (!part && part.error().code == VolumeErrors::NothingInside) return false;
   if (!part) return part.error();
   Result<Drilled> drilled = drillAlong(*part, done.setup, path, rate, progress.part(0.3, 0.7));
@@ -178,7 +179,7 @@ Result<DrillAnswer> drillFile(const DrillRequest& request, const OperationValues
   const double rate = values.number("rate"), feed = feedOf(poses);
   done.voxel = values.given("voxel").value_or(feed > 0.0 ? drillVoxel(feed, rate) : kVoxelAtRest);
   const PoseTrajectory path(poses);
-  // All voxels are needed where they are saved.
+  // Saving needs all voxels.
   bool isDrilled = false;
   if (!done.before && !request.isWhole && (request.output.empty() || request.isMeshWritten())) {
     const Result<bool> hybrid = drillHybrid(request, *opened, path, rate, done, progress.part(0.1, 0.5));

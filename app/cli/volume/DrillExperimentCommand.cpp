@@ -26,7 +26,7 @@ using Results = std::vector<DrillExperimentResult>;
 constexpr QSize kExperimentPlotSize(560, 420);
 
 struct ExperimentWords {
-  const char *title, *value, *unit;  // of the table and of an axis
+  const char *title, *value, *unit;  // texts of the table and of an axis
 };
 
 ExperimentWords wordsOf(DrillExperiment experiment) {
@@ -121,7 +121,7 @@ nlohmann::ordered_json jsonOf(const Results& results) {
   return {{"experiments", all}};
 }
 
-// Thrust over time of one hole after the other. Not each cycle: nobody would see more.
+// Thrust over time of all holes in sequence. Cycles are thinned to the resolution of the plot.
 Plot curvePlot(const DrillExperimentResult& result, const QString& title, bool isOurs) {
   constexpr std::size_t kCyclesPerPoint = 20;
   Plot plot;
@@ -192,7 +192,7 @@ CommandSpec experimentSpec() {
            {"help", 'h', "", "Show this help"}}};
 }
 
-// The values of a list, in ascending order; none where one is no value of the experiment.
+// Returns the values of a list, in ascending order; none if one is not valid for the experiment.
 std::optional<std::vector<double>> readValues(std::string_view list, DrillExperiment experiment) {
   constexpr std::size_t kMostValues = 100;
   std::set<double> values;

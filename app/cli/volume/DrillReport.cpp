@@ -30,8 +30,8 @@ std::string drillForces(const Drilled& drilled) {
   double removed = 0.0;
   for (const DrillTick& tick : drilled.ticks) {
     removed += tick.removed;
-    for (const double x : {tick.time, tick.place.x(), tick.place.y(), tick.place.z(), tick.thrust, tick.torque.norm(),
-                           tick.force.x(), tick.force.y(), tick.force.z()})
+    for (const double x : {tick.time, tick.position.x(), tick.position.y(), tick.position.z(), tick.thrust,
+                           tick.torque.norm(), tick.force.x(), tick.force.y(), tick.force.z()})
       text += roundedText(x) + ",";
     text += roundedText(removed) + "\n";
   }

@@ -18,28 +18,28 @@ class MemoryNotice;
 
 // The voxels that were made of triangles.
 struct MadeVoxels {
-  bool isHybrid = false;                                  // near the head only
-  std::size_t blocks = 0, mostBlocks = 0, mostBytes = 0;  // in all, and at once
+  bool isHybrid = false;                                  // made only near the head
+  std::size_t blocks = 0, mostBlocks = 0, mostBytes = 0;  // total, and maxima at one time
 };
 
-// What "handwheel drill" has done.
+// The result of "handwheel drill".
 struct DrillAnswer {
   DocumentFile file;
   std::string refusal;
   Drilled drilled;
   DrillSetup setup;
   double voxel = 0.0;
-  std::shared_ptr<const VolumeSnapshot> before;  // of a part that is a volume
-  std::optional<MadeVoxels> made;                // of any other
-  std::optional<DrilledTriangles> joined;        // the triangles of the part with the hole, where a mesh is written
-  std::string notJoined;                         // why it is the surface of all voxels
+  std::shared_ptr<const VolumeSnapshot> before;  // content of a part that is a volume
+  std::optional<MadeVoxels> made;                // voxels of any other part
+  std::optional<DrilledTriangles> joined;        // triangles of the part with the hole, if a mesh is written
+  std::string notJoined;                         // reason for writing the surface of all voxels instead
 };
 
-// Why the hole is not in the triangles of the part; empty where nothing hinders it.
+// Returns the reason why the hole cannot be cut into the triangles of the part; empty: it can.
 std::string notJoinedReason(SubtractionProblem problem);
-// Thrust and torque of each cycle, as CSV.
+// Returns thrust and torque of each cycle, as CSV.
 std::string drillForces(const Drilled& drilled);
-// The figures, as JSON and in words.
+// Returns the figures, as JSON and as text.
 nlohmann::ordered_json drillReport(const DrillAnswer& done, const MemoryNotice& notice);
 std::string drillText(const DrillAnswer& done);
 

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Whether the extension of a path is in a list (".vdb"), ignoring case.
+// Returns true if the extension of a path is in a list (".vdb"), ignoring case.
 bool hasOneOf(const std::filesystem::path& path, const std::vector<std::string>& endings);
 
 }  // namespace handwheel

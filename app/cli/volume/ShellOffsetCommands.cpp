@@ -28,7 +28,7 @@ struct WallRequest {
 };
 
 struct WallAnswer {
-  DocumentFile file;  // what reading lost
+  DocumentFile file;  // the file, with the damage found in reading
   std::string refusal;
   SparseVolume before, after;
 };

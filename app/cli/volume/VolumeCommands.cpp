@@ -49,7 +49,7 @@ std::string readRequest(const Arguments& arguments, Request& request, OperationV
 }
 
 struct Answer {
-  DocumentFile file;  // what reading lost
+  DocumentFile file;  // the file, with the damage found in reading
   std::string refusal;
   std::string text;
   nlohmann::ordered_json report;
@@ -67,7 +67,7 @@ int deliver(const std::optional<Result<Answer>>& result, const Arguments& argume
   return code == kExitDone && !done.isSound ? kExitSomethingLeft : code;
 }
 
-// The endings of files that hold a volume as such.
+// File name extensions of volumes.
 std::vector<std::string> volumeEndings() {
   return {".vdb", ".nrrd", std::string(kContainerEnding)};
 }

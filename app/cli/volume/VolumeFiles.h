@@ -15,29 +15,29 @@ namespace handwheel {
 
 class MemoryNotice;
 
-// Adds the options that all commands on volumes end with: --partial, --json and --help.
+// Adds the last options of all commands on volumes: --partial, --json and --help.
 void addVolumeOptions(std::vector<OptionSpec>& options);
 
-// The content of a document of a volume; null where it is of another kind.
+// Returns the content of a document of a volume; null if it is of another kind.
 std::shared_ptr<const VolumeSnapshot> volumeIn(const OpenedFile& opened);
 
-// The material of a document: its own volume, or what its surface encloses, in voxels of this edge (mm; none: the usual
-// one). alignedTo: as in volumeOfSurface(). Errors: those of volumeOfSurface() and MemoryNotice::begin(), about the
-// path.
+// Returns the material of a document: its volume, or the inside of its surface in voxels of this size (mm; none:
+// usualVoxel()). alignedTo: see volumeOfSurface(). Errors: those of volumeOfSurface() and MemoryNotice::begin(), with
+// the path.
 Result<SparseVolume> materialOf(const OpenedFile& opened, const std::filesystem::path& path,
                                 std::optional<double> voxel, const std::optional<Vec3>& alignedTo, MemoryNotice& notice,
                                 Progress progress);
 
-// What the surface of a document encloses, with voxels of this edge, mm, where they are asked for. Errors: those of
-// HybridPart::of(), about the path.
+// Returns the inside of a document's surface as a hybrid part with voxels of this size, mm. Errors: those of
+// HybridPart::of(), with the path.
 Result<HybridPart> hybridOf(const OpenedFile& opened, const std::filesystem::path& path, double voxel,
                             Progress progress);
 
-// Whether a volume can be written under this name: as one, or its surface as a mesh. Error: that of unknownEnding().
+// Checks that a volume, or its surface as a mesh, can be written under this name. Error: that of unknownEnding().
 Status canWriteVolume(const std::filesystem::path& output, const DocumentKinds& kinds);
 
-// Writes a new document of a volume, or its surface as a mesh. input: the file that it was made of, and what is known
-// of it. Errors: VolumeErrors::NothingLeft of an empty one; those of snapshotOf() and saveDocument().
+// Writes a new document of a volume, or its surface as a mesh. input, inputFile: the source file and its properties.
+// Errors: VolumeErrors::NothingLeft for an empty volume; those of snapshotOf() and saveDocument().
 Result<WrittenFile> writeVolume(const SparseVolume& volume, const std::filesystem::path& input,
                                 const DocumentFile& inputFile, const std::filesystem::path& output,
                                 const DocumentKinds& kinds, Progress progress);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kCylinder = "cylinder:";
 
-// What is wrong with the text of a size, or nothing.
+// Reads a size. Returns a problem of the text, or an empty string.
 std::string readSize(const char* name, std::string_view text, double& value) {
   ErrorCode why;
   const std::string what = std::string("The ") + name + " of the bar ";

@@ -13,10 +13,10 @@ namespace handwheel {
 // length, whose upper end is at z = 0.
 struct BarStockArgument {
   std::optional<StockCylinder> bar;
-  std::string problem;  // a sentence, where the word is to be a bar but is none
+  std::string problem;  // a sentence, if the word should be a bar but is invalid
 };
 
-// Neither bar nor problem for words that do not begin with "cylinder:".
+// Returns neither bar nor problem for words that do not begin with "cylinder:".
 BarStockArgument readBar(const std::string& word);
 
 }  // namespace handwheel

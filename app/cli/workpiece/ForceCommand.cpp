@@ -35,7 +35,7 @@ struct CutReport {
   std::vector<LawForces> laws;
   double uncorrected = 0.0;  // N, of Kosilova's law with K = 1; 0: it has none
   std::vector<CutWarning> warnings;
-  std::string network;  // why there is none of the network; empty where there is
+  std::string network;  // the reason why the network has no forces; empty: it has
 };
 
 LawForces forcesBy(const CuttingForceModel& model, const CutReport& report, const OperationValues& values,
@@ -101,7 +101,7 @@ Result<CutReport> reportOn(const OperationValues& values, const std::string& mod
     if (law.forces.cutting > largest->forces.cutting) largest = &law;
   SlenderWork work;
   work.length = 0.0;
-  work.place = 0.0;
+  work.position = 0.0;
   work.diameter = values.given("diameter").value_or(1.0);
   if (const auto slender = slenderWorkOf(values)) work = *slender;
   SpindleDrive drive = driveOf(values);

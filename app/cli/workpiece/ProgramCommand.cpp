@@ -24,7 +24,7 @@ namespace {
 struct ProgramRequest {
   std::string from, output, tools;
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
-  std::optional<StockCylinder> stock;  // of cycles for a target
+  std::optional<StockCylinder> stock;  // for cycles for a target
   CycleSettings cycles;
   double facing = 0.0;  // mm, of the bar beyond the target
   bool choosesDrill = false;
@@ -77,11 +77,11 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
 struct Written {
   std::string text, problem;
   std::optional<Error> error;
-  std::string tools = {};  // as a table
+  std::string tools = {};  // path of the tool table
   std::string warning = {};
 };
 
-// What cycles leave of the target; empty: no warning.
+// Returns a warning about the material that cycles leave on the target; empty: no warning.
 std::string warningOf(const CycleRest& rest, const TargetProfile& target, double drill, const LatheTools& tools) {
   if (!rest.isConsiderable()) return {};
   const std::string sentence = "The program leaves up to " + roundedText(rest.height, 3) + " mm over the target, " +

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The command "handwheel program": writes a program for a lathe. It has the passes of a workpiece, or cycles for a
-// target.
+// The command "handwheel program": writes a program for a lathe. The program has the passes of a workpiece, or cycles
+// for a target.
 Command programCommand();
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 #include "document/OperationText.h"
 #include "document/workpiece/target/DrawingExport.h"
 #include "document/workpiece/target/TargetImport.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "document/workpiece/target/TargetReport.h"
 #include "text/NoteText.h"
 
@@ -31,13 +31,13 @@ struct TargetRequest {
   bool asJson = false;
 };
 
-// What the command has read, measured and written.
+// The results of the command: data read, measured and written.
 struct TargetOutcome {
   std::shared_ptr<const WorkpieceTarget> target;
   std::vector<Note> notes;
   double allowance = 0.0;  // mm, left for facing
   std::optional<TargetDeviation> deviation;
-  DocumentFile file;    // of the workpiece
+  DocumentFile file;    // the workpiece's file
   std::string refusal;  // a sentence; nothing was written
 };
 
@@ -95,10 +95,10 @@ Result<TargetOutcome> carryOut(const TargetRequest& request, const DocumentKinds
   return outcome;
 }
 
-std::string placeText(const char* what, const TargetDeviation::Place& place) {
-  if (place.distance == 0.0) return std::string("Nothing is ") + what + ".\n";
-  return roundedText(std::abs(place.distance), 4) + " mm " + what + " at Ø" + roundedText(2.0 * place.at.x()) + ", Z " +
-         roundedText(place.at.y()) + ".\n";
+std::string deviationText(const char* what, const TargetDeviation::Extreme& deviation) {
+  if (deviation.distance == 0.0) return std::string("Nothing is ") + what + ".\n";
+  return roundedText(std::abs(deviation.distance), 4) + " mm " + what + " at Ø" + roundedText(2.0 * deviation.at.x()) +
+         ", Z " + roundedText(deviation.at.y()) + ".\n";
 }
 
 std::string targetText(const TargetOutcome& outcome, bool asJson) {
@@ -119,8 +119,8 @@ std::string targetText(const TargetOutcome& outcome, bool asJson) {
   text += "Finished face, zero of the drawing and of programs: Z " + roundedText(profile.upperEnd()) + ", " +
           roundedText(outcome.allowance) + " mm behind the free end of the bar.\n";
   if (!outcome.deviation) return text;
-  return text + placeText("too large", outcome.deviation->largestOver) +
-         placeText("too small", outcome.deviation->largestUnder);
+  return text + deviationText("too large", outcome.deviation->largestOver) +
+         deviationText("too small", outcome.deviation->largestUnder);
 }
 
 std::string targetPurpose() {

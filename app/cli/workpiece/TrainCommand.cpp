@@ -34,7 +34,7 @@ struct TrainRequest {
   OperationValues values{trainOperation()};
 };
 
-// Returns what is wrong with the words, or nothing.
+// Reads the arguments. Returns a problem, or an empty string.
 std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, TrainRequest& request) {
   if (!arguments.has("output")) return "The option -o MODEL.json is missing.";
   request.inputs = arguments.operands;

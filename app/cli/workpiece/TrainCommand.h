@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command train: a model of cutting forces from a table of cuts.
+// The command "train": trains a model of cutting forces on a table of cuts.
 Command trainCommand();
 
 }  // namespace handwheel

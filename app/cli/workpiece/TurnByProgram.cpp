@@ -27,7 +27,7 @@ Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot
   return setup;
 }
 
-// Line 0 is none: what is said of the whole program.
+// Line 0: the text concerns the whole program.
 std::string atLine(std::uint32_t line, const std::string& text) {
   return line == 0 ? text : "line " + std::to_string(line) + ": " + text;
 }

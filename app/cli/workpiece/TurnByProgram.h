@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The workpiece after the program of the request, in the chuck of its lathe. remarks: gets notes and collisions, with
-// their lines. Errors: those of the files, of runProgram(), Cancelled.
+// Returns the workpiece after the program of the request, in the chuck of its lathe. remarks: receives notes and
+// collisions, with their lines. Errors: those of the files, of runProgram(), Cancelled.
 Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request,
                                         TurnStatistics& figures, std::vector<std::string>& remarks, Progress progress);
 

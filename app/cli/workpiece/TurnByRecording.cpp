@@ -33,7 +33,7 @@ Result<std::vector<TurningPass>> passAlong(const std::vector<HandPose>& poses, d
   return std::vector<TurningPass>{std::move(pass)};
 }
 
-// What is wrong with a table that is neither a path nor a whole recording: the columns that it would need.
+// Returns the problem of a table that is neither a path nor a whole recording: the missing columns.
 std::string missingColumns(std::string_view text, const std::string& problemAsPath) {
   const std::string_view header = text.substr(0, text.find('\n'));
   if (header.find("hip_x") == header.npos && header.find("proxy_x") == header.npos) return problemAsPath;

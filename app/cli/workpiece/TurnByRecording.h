@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The workpiece after the recording of the request is replayed on it. Its forces are those at one speed of the spindle.
-// unreadable: a sentence about the file, which is not cut as the arguments of an Error are; empty where it was read.
+// Returns the workpiece after the recording of the request is replayed on it. Forces are those at one spindle speed.
+// unreadable: a sentence about the file, which is not shortened as arguments of an Error are; empty if it was read.
 // Errors: those of the file, Cancelled.
 Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
                                           TurnStatistics& figures, std::string& unreadable, Progress progress);

@@ -7,9 +7,8 @@
 
 namespace handwheel {
 
-// Cuts the recorded passes of another workpiece in this one. The other was turned, ground, bored
-// or threaded by hand in the window. On the same bar it becomes the same part, bit for bit; crashes that were recorded
-// with them are taken along. Error: Cancelled.
+// Cuts the recorded passes of another workpiece in this one. The other was turned, ground, bored or threaded by hand in
+// the window. On the same bar the result is the same part, bit for bit; recorded crashes are copied. Error: Cancelled.
 Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const WorkpieceSnapshot& work,
                                      const TurnRequest& request, TurnStatistics& figures, Progress progress);
 

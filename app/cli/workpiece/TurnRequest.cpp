@@ -79,8 +79,8 @@ std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   request.output = arguments.valueOf("output");
   request.isReplay = arguments.has("replay");
   request.asJson = arguments.has("json");
-  const int ways = int(request.isReplay) + int(arguments.has("recording")) + int(arguments.has("program"));
-  if (ways != 1) return "Give one of --program P.ngc, --recording R and --replay.";
+  const int modes = int(request.isReplay) + int(arguments.has("recording")) + int(arguments.has("program"));
+  if (modes != 1) return "Give one of --program P.ngc, --recording R and --replay.";
   if (!request.isReplay && !arguments.has("output")) return "The option -o OUT is missing.";
   if (isContainerName(request.recording))
     for (const char* const each : {"nose", "method", "resolution"})

@@ -18,20 +18,20 @@ namespace handwheel {
 // The arguments of 'handwheel turn'. Lengths in mm.
 struct TurnRequest {
   std::string input;                 // a file, or the word for a bar
-  std::optional<StockCylinder> bar;  // the bar that it is
+  std::optional<StockCylinder> bar;  // the bar of `input`
   std::filesystem::path recording, program, tools, target, output;
   std::optional<double> noseRadius;  // mm
   double spacing = turnSpacingSetting().standard;
-  double spindle = 500.0;               // r/min, of a recording
-  std::optional<TurningMethod> method;  // of a recording; none: what it says, else Trim
-  std::optional<double> resolution;     // mm, of TurningMethod::Poles
+  double spindle = 500.0;               // r/min, for a recording
+  std::optional<TurningMethod> method;  // for a recording; none: the method that it names, else Trim
+  std::optional<double> resolution;     // mm, for TurningMethod::Poles
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   WorkMaterial material;
   bool isReplay = false;
   bool asJson = false;
 };
 
-// Reads them. Returns what is wrong with them, or nothing.
+// Reads the arguments. Returns a problem, or an empty string.
 std::string readTurnRequest(const Arguments& arguments, TurnRequest& request);
 
 }  // namespace handwheel

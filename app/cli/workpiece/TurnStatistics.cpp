@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSection = 1e-3;  // mm, of the section of a workpiece that is a target
 
-// Of the outside: "Roughness: up to Ra 1.2 µm." Empty where it is not known.
+// Returns the roughness of the outside: "Roughness: up to Ra 1.2 µm." Empty if it is not known.
 std::string roughestText(const nlohmann::json& finish) {
   double roughest = -1.0;
   for (const nlohmann::json& stretch : finish.is_object() ? finish["outside"] : nlohmann::json::array()) {
@@ -29,7 +29,7 @@ std::string roughestText(const nlohmann::json& finish) {
   return roughest < 0.0 ? std::string() : "Roughness: up to Ra " + roundedText(roughest, 3) + " µm.\n";
 }
 
-// Of newtons: four digits, without an exponent.
+// Returns a force in newtons with four digits, without an exponent.
 std::string forceText(double newtons) {
   return newtons < 1000.0 ? roundedText(newtons, 4) : std::to_string(std::llround(newtons));
 }

@@ -12,30 +12,31 @@
 
 namespace handwheel {
 
-// What 'handwheel turn' reports.
+// The figures that 'handwheel turn' reports.
 struct TurnStatistics {
   double removed = 0.0;                   // mm³
-  double force = 0.0, power = 0.0;        // N, kW: the largest
-  std::optional<std::size_t> collisions;  // none where they were not looked for
+  double force = 0.0, power = 0.0;        // N, kW: largest values
+  std::optional<std::size_t> collisions;  // none: not checked
   double time = 0.0;                      // s
-  std::optional<double> profileError;     // mm, from a target
-  nlohmann::json finish;                  // as finishJson() has it; null where nothing was cut
+  std::optional<double> profileError;     // mm, deviation from a target
+  nlohmann::json finish;                  // finishJson() of the part; null if nothing was cut
 };
 
-// Adds the time of a pass and its peaks on a part that has this profile before it. spindle: r/min, of a pass that does
-// not tell its own. Threads and abrasives are not of Kienzle's law: they have no force here. False: cancelled.
+// Adds the time of a pass and its peaks on a part that has this profile before it. spindle: r/min, for a pass without
+// its own speed. Threads and abrasives have no force here, since Kienzle's law does not cover them. False: cancelled.
 bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
              const WorkMaterial& material, double spindle, Progress progress);
 
-// As JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s, profile_error_mm, finish.
+// Returns the figures as JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s,
+// profile_error_mm, finish.
 std::string statisticsAsJson(const TurnStatistics& figures);
 std::string statisticsAsText(const TurnStatistics& figures);
 
-// The target in a file: a drawing as DXF or SVG, or a workpiece. Errors: those of the readers, FormatUnknown.
+// Reads the target from a file: a drawing as DXF or SVG, or a workpiece. Errors: those of the readers, FormatUnknown.
 Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress);
 
-// How far a part is from its target, at most, between the ends of the target, mm. The upper ends of both are put
-// together.
+// Returns the largest deviation of a part from its target between the ends of the target, mm. The upper ends of both
+// are aligned.
 double profileError(const TargetProfile& target, const TurnedProfile& part);
 
 }  // namespace handwheel

@@ -61,7 +61,7 @@ const WorkpieceSnapshot* workpieceIn(const OpenedFile& opened) {
   return dynamic_cast<const WorkpieceSnapshot*>(opened.content.get());
 }
 
-// Whether the passes cut the same part from the bar, bit for bit.
+// Returns true if the passes cut the same part from the bar, bit for bit.
 bool repeats(const WorkpieceSnapshot& workpiece, Progress progress) {
   if (!workpiece.part) return true;
   TurnedProfile profile = TurnedProfile::barOf(workpiece.stock, workpiece.part->profile.size());
@@ -117,7 +117,7 @@ int replay(const WorkpieceSnapshot& workpiece, bool asJson) {
   return code == kExitDone && !isSame ? kExitSomethingLeft : code;
 }
 
-// Why a program may not cut the work, which an exercise or a workpiece that belongs to one is; empty: it may.
+// Returns the reason why a program may not cut the work of an exercise; empty: it may.
 std::string refusalOfProgram(const TurnRequest& request, const OpenedFile& file,
                              const std::optional<ExerciseStock>& exercise) {
   if (request.program.empty()) return {};
@@ -131,7 +131,7 @@ void useSpindle(double speed, const Arguments& arguments, TurnRequest& request) 
   if (speed > 0.0 && !arguments.has("spindle")) request.spindle = speed;
 }
 
-// Of an exercise: its material and its speed, unless the words say otherwise. Its chuck is that of the workpiece.
+// Takes material and speed from an exercise, unless the arguments set them. The chuck is that of the workpiece.
 void useMachineOf(const TurningTask& task, const Arguments& arguments, TurnRequest& request) {
   useSpindle(task.lathe.spindleSpeed, arguments, request);
   const WorkMaterials& materials = WorkMaterials::standard();
@@ -158,7 +158,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (const std::string refusal = refusalOfProgram(request, file, exercise); !refusal.empty()) return refuse(refusal);
   if (const std::string refusal = refusalToReplace(request.output, file.file); !refusal.empty()) return refuse(refusal);
   std::vector<std::filesystem::path> inputs{request.program, request.recording, request.tools, request.target};
-  if (exercise) inputs.emplace_back(request.input);  // a workpiece would take the place of the exercise
+  if (exercise) inputs.emplace_back(request.input);  // a workpiece would replace the exercise
   if (const std::string refusal = refusalToOverwrite(request.output, inputs); !refusal.empty()) return refuse(refusal);
   if (exercise)
     useMachineOf(*exercise->task, arguments, request);

@@ -24,8 +24,8 @@ std::vector<TabledForce> forcesOf(const WorkMaterial& material) {
   return forces;
 }
 
-// What six sources say of 2 mm, 0.2 mm and 150 m/min in medium carbon steel: a handbook, four makers of tools and a
-// textbook. Their mean is the best there is; none is right alone.
+// The values of six sources for 2 mm, 0.2 mm and 150 m/min in medium carbon steel: a handbook, four makers of tools and
+// a textbook. Their mean is the best available; none is right alone.
 std::vector<TabledForce> meanOfSources() {
   return {{{2.0, 0.2, 150.0}, (846.0 + 855.0 + 824.0 + 957.0 + 1080.0 + 640.0) / 6.0}};
 }

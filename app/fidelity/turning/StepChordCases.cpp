@@ -21,7 +21,7 @@ ProfileNurbs halfCircle() {
   return {2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, -r}, {r, -r}, {r, 0}, {r, r}, {0, r}}, {1, w, 1, w, 1}};
 }
 
-// The largest distance of triangles that are inscribed into the ball, at places all over them.
+// Returns the largest distance of triangles that are inscribed into the ball, at positions all over them.
 double distanceToBall(const TriangleSoup& soup) {
   constexpr int kSteps = 6;
   double largest = 0.0;

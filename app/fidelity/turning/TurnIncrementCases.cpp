@@ -15,7 +15,7 @@ namespace {
 using Do = LatheCommand::Kind;
 
 constexpr StockCylinder kSteppedBar{44.0, 100.0, 0.0};
-constexpr double kRest = 2.0;        // s, in which the spindle comes to its speed and the tool to its place
+constexpr double kRest = 2.0;        // s, in which the spindle reaches its speed and the tool its position
 constexpr double kSpindle = 1500.0;  // r/min
 constexpr double kStiff = 1e15;      // N/mm²: what the law presses on does not bend
 constexpr const char* kTool = "right-finishing";
@@ -37,11 +37,11 @@ class SteppedLathe {
     m_simulation.step(m_dt, {});
     ++m_steps;
   }
-  // Starts the spindle, brings the tip to a place, and waits. Returns the time.
+  // Starts the spindle, moves the tip to a position, and waits. Returns the time.
   double begin(const ProfilePoint& tip) {
     send(Do::Speed, kSpindle);
     send(Do::Spindle, 1.0);
-    send(Do::Place, tip.x(), tip.y());
+    send(Do::MoveTip, tip.x(), tip.y());
     runUntil(kRest);
     return static_cast<double>(m_steps) * m_dt;
   }
@@ -113,17 +113,17 @@ FidelitySample ballByHand(double dt) {
     return ProfilePoint(centre + around * ProfilePoint(std::sin(angle), std::cos(angle)) - lathe.centre());
   };
   lathe.begin(tipAt(kFirst));
-  const double way = around * (0.5 * M_PI - kFirst);
+  const double distance = around * (0.5 * M_PI - kFirst);
   FidelitySample sample;
   const double all = cpuMilliseconds([&] {
-    for (double gone = 0.0; gone < way;) {
-      gone = std::min(way, gone + kHand * dt);
+    for (double gone = 0.0; gone < distance;) {
+      gone = std::min(distance, gone + kHand * dt);
       const ProfilePoint tip = tipAt(kFirst + gone / around);
-      lathe.send(Do::Place, tip.x(), tip.y());
+      lathe.send(Do::MoveTip, tip.x(), tip.y());
       lathe.step();
     }
   });
-  sample.cost = all / (way / kHand);
+  sample.cost = all / (distance / kHand);
   sample.error = distanceFromArc(lathe.profile(), centre, kBall, centre.y(), kSteppedBar.length - lathe.nose());
   return sample;
 }

@@ -24,8 +24,8 @@ double distanceToLine(const ProfilePoint& p, const ProfilePoint& a, const Profil
   return (p - a - t * along).norm();
 }
 
-// The last pass of a round nose, from one place to another, and how far a point is from what it must leave. The passes
-// before are further out, each by the depth.
+// The last pass of a round nose, from one position to another, with the distance of a point from the ideal surface. The
+// previous passes are further out, each by the depth.
 struct StraightPass {
   std::string name;
   ProfilePoint from, to;

@@ -33,11 +33,11 @@ struct Grooves {
 
 // Between the grooves, where the wave has its crests; flanks at the ends are vertical, and off by a sample in any case.
 double largestError(const TurnedProfile& profile, const Grooves& grooves) {
-  constexpr int kPlaces = 100'000;
+  constexpr int kPositions = 100'000;
   const double from = grooves.centre(0), to = grooves.centre(grooves.count() - 1);
   double largest = 0.0;
-  for (int i = 0; i <= kPlaces; ++i) {
-    const double z = from + (to - from) * i / kPlaces;
+  for (int i = 0; i <= kPositions; ++i) {
+    const double z = from + (to - from) * i / kPositions;
     const double at = z / profile.spacing();
     const auto below = std::min(static_cast<std::size_t>(at), profile.size() - 2);
     const double t = at - static_cast<double>(below);

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A curve of a report as a plot, in the language of the program.
+// Returns a curve of a report as a plot, in the language of the program.
 Plot plotOf(const ReportCurve& curve);
 
 }  // namespace handwheel

@@ -25,7 +25,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kPlotWidth = 640, kPlotHeight = 300;  // in pixels at 96 a inch
-constexpr double kSharpness = 2.0;                  // of the plots on paper
+constexpr double kSharpness = 2.0;                  // resolution of the plots on paper
 
 // Makes the element of an image.
 using ImageElement = std::function<std::string(const QImage&, const std::string& name)>;
@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped().toStdString();
 }
 
-// Names of students come this way, too: they are no words of the program, and stay.
+// Names of students are also passed here: they are no words of the program, and stay.
 std::string word(const char* text) {
   return translatedText({text, {}});
 }
@@ -55,8 +55,8 @@ std::string cellsOf(const std::vector<std::string>& cells, const char* element) 
   return html + "</tr>\n";
 }
 
-// Whether the columns of the class can be headed by the names of the criteria. They are as wide as the longest words of
-// these, which have to stand beside each other on a page of A4.
+// Returns true if the columns of the class can be headed by the names of the criteria. They are as wide as the longest
+// words of these, which have to stand beside each other on a page of A4.
 bool areNamesShort(const std::vector<MarkingCriterion>& criteria) {
   constexpr qsizetype kLongestName = 14, kRoom = 48;  // signs
   qsizetype width = 0;

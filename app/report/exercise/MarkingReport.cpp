@@ -58,7 +58,7 @@ Json jsonOf(const SubmissionsReport& report, const ReportMeasurement& each) {
   return {{"figure", each.figure}, {"unit", type ? type->unit : std::string()}, {"measured", each.value}};
 }
 
-// What is broken in a file that was handed in: the teacher is to know before giving no points.
+// Returns the damage of a file that was handed in: the teacher must know it before giving no points.
 std::vector<std::string> damageRemarks(const DocumentFile& file, std::string (*describe)(const Error&)) {
   std::vector<std::string> remarks;
   for (const Error& error : file.damage) remarks.push_back("The file is damaged: " + describe(error));
@@ -73,7 +73,7 @@ bool isSameRecording(const std::vector<RecordedPiece>& a, const std::vector<Reco
   return !a.empty() && std::ranges::equal(a, b, {}, &RecordedPiece::fingerprint, &RecordedPiece::fingerprint);
 }
 
-// How often each work of a class has each piece that was moved by hand.
+// Number of occurrences, in each work of a class, of each piece that was moved by hand.
 using HandPieces = std::unordered_map<std::uint64_t, std::map<std::size_t, std::size_t>>;
 
 HandPieces handPiecesOf(const std::vector<ReportedWork>& works) {
@@ -155,7 +155,7 @@ SubmissionsReport submissionsReportOf(const ExerciseSnapshot& exercise) {
   SubmissionsReport report{inLanguage(exercise), measurementTypes(*exercise.subject), {}};
   if (!exercise.marked) return report;
   const std::uint64_t scheme = schemeMark(exercise);
-  const std::uint64_t older = schemeMark(exercise.exercise);  // as older versions stored it, without the task
+  const std::uint64_t older = schemeMark(exercise.exercise);  // mark of older versions, without the task
   for (const auto& work : *exercise.marked) {
     report.works.push_back(*work);
     if (work->scheme != scheme && work->scheme != older && work->row.problem.empty())

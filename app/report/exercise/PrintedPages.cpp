@@ -20,19 +20,19 @@ constexpr double kMarginOfPaper = 2.0 / 2.54;  // inches
 
 std::vector<PrintedBlock> blocksOf(const QTextDocument& document) {
   std::vector<PrintedBlock> blocks;
-  const QTextTable* table = nullptr;  // of the last block
+  const QTextTable* table = nullptr;  // table of the last block
   int row = -1;
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
-    const QRectF place = document.documentLayout()->blockBoundingRect(block);
+    const QRectF rect = document.documentLayout()->blockBoundingRect(block);
     const QTextTable* const its = QTextCursor(block).currentTable();
     const int itsRow = its ? its->cellAt(block.position()).row() : -1;
     if (its && its == table && itsRow == row) {
-      blocks.back().top = std::min(blocks.back().top, place.top());
-      blocks.back().bottom = std::max(blocks.back().bottom, place.bottom());
+      blocks.back().top = std::min(blocks.back().top, rect.top());
+      blocks.back().bottom = std::max(blocks.back().bottom, rect.bottom());
     } else {
       const QTextBlockFormat format = block.blockFormat();
       const bool beginsPage = format.pageBreakPolicy().testFlag(QTextFormat::PageBreak_AlwaysBefore);
-      blocks.push_back({place.top(), place.bottom(), beginsPage, format.headingLevel() > 0});
+      blocks.push_back({rect.top(), rect.bottom(), beginsPage, format.headingLevel() > 0});
     }
     table = its;
     row = itsRow;
@@ -104,7 +104,7 @@ void printWholeRows(QTextDocument& document, QPaintDevice& device, const std::fu
   document.setTextWidth(room.width());
   const QFont numbers(document.defaultFont(), &device);
   QAbstractTextDocumentLayout::PaintContext context;
-  context.palette.setColor(QPalette::Text, Qt::black);  // whatever the theme of the window is
+  context.palette.setColor(QPalette::Text, Qt::black);  // independent of the theme of the window
   int number = 0;
   for (const PrintedPage& page : pagesOf(blocksOf(document), room.height())) {
     if (++number > 1) newPage();

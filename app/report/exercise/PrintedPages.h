@@ -11,8 +11,8 @@ class QTextDocument;
 
 namespace handwheel {
 
-// What stays in one piece on paper. It is a paragraph with its pictures, or a row of a table; heights from the top of a
-// document that is in one piece.
+// A block that stays in one piece on paper. It is a paragraph with its pictures, or a row of a table. Heights are from
+// the top of the document before it is divided into pages.
 struct PrintedBlock {
   double top = 0.0, bottom = 0.0;
   bool beginsPage = false;
@@ -24,13 +24,13 @@ struct PrintedPage {
   double from = 0.0, to = 0.0;
 };
 
-// The pages of blocks that follow each other down the document. A page ends between two blocks; only a block that is
-// higher than a page is cut. O(blocks).
+// Returns the pages of blocks that follow each other down the document. A page ends between two blocks; only a block
+// that is higher than a page is cut. O(blocks).
 std::vector<PrintedPage> pagesOf(const std::vector<PrintedBlock>& blocks, double height);
 
-// Prints a document with margins of 2 cm and numbers on its pages. QTextDocument::print() would cut rows of tables
-// between their lines. The document is laid out anew, for the device; pictures that are larger than the room between
-// the margins are made as large as that.
+// Prints a document with margins of 2 cm and page numbers. QTextDocument::print() would cut rows of tables between
+// their lines. The document is laid out anew, for the device; larger pictures are scaled down to the area between the
+// margins.
 void printWholeRows(QTextDocument& document, QPaintDevice& device, const std::function<void()>& newPage);
 void printWholeRows(QTextDocument& document, QPagedPaintDevice& device);
 

@@ -28,9 +28,9 @@ BodyVisibility visibilityOf(const Body& body, const Viewport& view) {
   for (std::size_t i = 0; i < points.size(); i += step) {
     const Vec3 point = body.pose * points[i];
     if (!navigation.isBeforeEye(point)) continue;
-    const Vec2 place = navigation.toScreen(point);
-    if ((place.array() < 0.0).any() || (place.array() > size.array()).any()) continue;
-    const ViewRay ray = navigation.rayAt(place, whole);
+    const Vec2 pixel = navigation.toScreen(point);
+    if ((pixel.array() < 0.0).any() || (pixel.array() > size.array()).any()) continue;
+    const ViewRay ray = navigation.rayAt(pixel, whole);
     const Pick first = view.pickAlong(ray.origin, ray.direction);
     const double depth = (point - ray.origin).dot(ray.direction) - kSightDepth * navigation.unitsPerPixelAt(point);
     if (first.isNothing() || first.distance >= depth || bodyOfPart(partOf(first)) == body.id)

@@ -8,14 +8,14 @@ namespace handwheel {
 
 class Viewport;
 
-// Whether a body is visible from the camera, or from its goal during a flight.
+// The visibility of a body from the camera, or from its goal during a flight.
 enum class BodyVisibility {
   Seen,
-  Covered,  // by other parts
-  Outside,  // of the view, or the body has no surface
+  Covered,  // Covered by other parts
+  Outside,  // Outside the view, or without a surface
 };
 
-// Looks at some points of the surface. Parts that cannot be searched yet cover nothing.
+// Returns the visibility, from some points of the surface. Parts that cannot be searched yet cover nothing.
 BodyVisibility visibilityOf(const Body& body, const Viewport& view);
 
 }  // namespace handwheel

@@ -25,19 +25,19 @@ class CellBodies : public QObject {
  public:
   CellBodies(const WindowContext& parts, QObject* parent);
 
-  void setDocument(DocumentTab* document);  // null: no cell is in view
-  BodyPointer selected() const;             // the only one; null: none, or several
+  void setDocument(DocumentTab* document);  // Null: no cell is in view
+  BodyPointer selected() const;             // Null unless exactly one body is selected
   BodySelection& selection() { return m_selection; }
   const BodySelection& selection() const { return m_selection; }
   QList<QAction*> all();
-  void placeBeside(BodyId id);         // in front of all else, on the floor; nothing, where a link carries it
-  QList<QAction*> adding();            // those that add a body
-  QMenu& menu() { return *m_menu; }    // all of them
-  BodyList* list() { return m_list; }  // owned by the window
+  void placeBeside(BodyId id);  // In front of all other objects, on the floor; does nothing if a link carries the body
+  QList<QAction*> adding();     // Actions that add a body
+  QMenu& menu() { return *m_menu; }    // Menu of all actions
+  BodyList* list() { return m_list; }  // Owned by the window
 
  signals:
   void selectionChanged();
-  void chosen(handwheel::BodyId body);  // in the list: it is to be seen
+  void chosen(handwheel::BodyId body);  // The body was chosen in the list and should be shown
   void added(handwheel::BodyId body, bool isFromFile);
   void message(const handwheel::Message& message);
 
@@ -50,12 +50,12 @@ class CellBodies : public QObject {
   const Box& robotAtRest(const RobotCellSnapshot& content);
   bool standBeside(const RobotCellSnapshot& content, Body& body, OperationValues& values);
   void placeAsInFile(BodyId id);
-  void place(BodyId id, const Pose& pose, const QString& text);  // with %1 for its name
+  void place(BodyId id, const Pose& pose, const QString& text);  // text: with %1 for the body's name
   void askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen);
   void setVisible(const std::set<BodyId>& ids, bool visible);
   void removeSelected();
   void mountSelected();
-  void setCentreAtTip(BodyId id);  // of the tool
+  void setCentreAtTip(BodyId id);  // The tool centre point at the tip of the body
   void carry(const std::set<BodyId>& ids, std::uint32_t link);
   void rename(BodyId body, const QString& name);
   void applyToSelected(const char* verb);
@@ -74,12 +74,12 @@ class CellBodies : public QObject {
   DocumentTab* m_document = nullptr;
   BodySelection m_selection;
   BodyList* m_list;
-  QMenu* m_shapes;  // owned by the window
+  QMenu* m_shapes;  // Owned by the window
   QAction m_add, m_link, m_rename, m_unit, m_beside, m_mount, m_tip, m_release, m_remove, m_hide, m_showAll, m_update,
       m_relink, m_unlink;
-  QMenu* m_menu;  // owned by the window
+  QMenu* m_menu;  // Owned by the window
   std::weak_ptr<const CellRobot> m_measured;
-  Box m_robotAtRest;  // of m_measured
+  Box m_robotAtRest;  // Bounds of m_measured at rest
 };
 
 }  // namespace handwheel

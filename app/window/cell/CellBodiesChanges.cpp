@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How the actions for bodies change the document.
+// Changes of the document by the actions for bodies.
 #include "base/NumberText.h"
 #include "controls/QuantityText.h"
 #include "document/OperationText.h"
@@ -85,7 +85,8 @@ std::string operandOf(const QString& path) {
 
 }  // namespace
 
-// Whatever the arm does now: its bounds in the pose in which a robot is opened. Computed once for each robot.
+// Returns the bounds in the pose in which a robot is opened, whatever its present joint values. Computed once for each
+// robot.
 const Box& CellBodies::robotAtRest(const RobotCellSnapshot& content) {
   if (m_measured.lock() != content.robot)
     m_robotAtRest = displayOf(*content.robot, restValues(content.robot->model)).bounds();
@@ -98,7 +99,8 @@ void CellBodies::placeBeside(BodyId id) {
   const bool canStand = body && body->carrier.empty() && !body->geometry->bounds().isEmpty();
   if (!canStand) return;
   const RobotCellSnapshot content = contentOf(cell());
-  place(id, Pose(Eigen::Translation3d(wayBeside(boundsOf(*body), robotAtRest(content), content, id)) * body->pose),
+  place(id,
+        Pose(Eigen::Translation3d(displacementBeside(boundsOf(*body), robotAtRest(content), content, id)) * body->pose),
         tr("Place %1 beside the others"));
 }
 
@@ -117,14 +119,14 @@ void CellBodies::place(BodyId id, const Pose& pose, const QString& text) {
   if (*edit) cell().commit(text.arg(QString::fromStdString(body->name)), std::move(edit).value());
 }
 
-// Where a body that is to be added from a file would be inside something else it gets another place, also in the
-// values. False: it stays where its file says.
+// Moves a body from a file that would be inside another object, also in the values. Returns false if it keeps the pose
+// of its file.
 bool CellBodies::standBeside(const RobotCellSnapshot& content, Body& body, OperationValues& values) {
   if (!values.isSet("add") || values.isSet("at")) return false;
   const Box own = boundsOf(body), &robots = robotAtRest(content);
   if (!isInsideOthers(own, robots, content)) return false;
   Pose beside = body.pose;
-  beside.pretranslate(wayBeside(own, robots, content));
+  beside.pretranslate(displacementBeside(own, robots, content));
   if (!isRigid(beside)) return false;  // too far away
   body.pose = beside;
   const Vec3 at = beside.translation();
@@ -141,7 +143,7 @@ void CellBodies::addShape(const PrimitiveDescription& primitive) {
   const auto geometry =
       PrimitiveGeometry::make(primitive.primitive, std::vector<double>(primitive.dimensions.size(), kNewShape));
   const RobotCellSnapshot content = contentOf(cell());
-  const Vec3 at = wayBeside(geometry.value()->bounds(), robotAtRest(content), content);
+  const Vec3 at = displacementBeside(geometry.value()->bounds(), robotAtRest(content), content);
   values.setValid("at", std::vector<double>{at.x(), at.y(), at.z()});
   apply(values);
 }
@@ -247,7 +249,7 @@ void CellBodies::relinkSelected() {
              });
 }
 
-// Of the selected body; the choices say how large it is in each.
+// Asks for the unit of the selected body; each choice gives its resulting size.
 void CellBodies::askForUnit() {
   const BodyPointer body = selected();
   if (!body) return;
@@ -305,7 +307,7 @@ void CellBodies::scale(BodyId id, double factor) {
   m_parts.jobs.start(std::move(job));
 }
 
-// What is said of a new body: that its numbers have no unit, and that it is not where they say.
+// Reports a new body: its numbers have no unit, or it is not at the position that they give.
 void CellBodies::reportAdded(BodyId id, const QString& file, bool hasUnit, bool isBeside) {
   if (hasUnit && !isBeside) return;
   const BodyPointer body = cell().bodies().withId(id);

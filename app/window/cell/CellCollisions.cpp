@@ -32,7 +32,7 @@ void CellCollisions::setDocument(DocumentTab* document) {
   prepare();
 }
 
-// Who hears of a change before this does asks for the scene with joint values that it may not have.
+// Clients that hear of a change before this object may ask for the scene with joint values that it does not have.
 bool CellCollisions::isOfPresentRobots() const {
   return m_document && m_scene && m_scene->robot.get() == &cell().robot();
 }
@@ -134,7 +134,7 @@ std::vector<CellCollision> CellCollisions::mark(DisplayModel& shown, const Joint
     markColliding(shown, *scene, here.pairs);
     if (!here.pairs.empty()) found.push_back(std::move(here));
   };
-  // Where nothing is dragged each robot may meet something.
+  // If nothing is dragged any robot may collide.
   const std::shared_ptr<const CellScene> first = moved ? m_scene : sceneMoving(joints);
   markOf(first);
   for (const auto& other : m_others) {
@@ -143,14 +143,15 @@ std::vector<CellCollision> CellCollisions::mark(DisplayModel& shown, const Joint
   return found;
 }
 
-std::vector<CellCollision> CellCollisions::markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const {
+std::vector<CellCollision> CellCollisions::markMoved(DisplayModel& shown, std::size_t robot,
+                                                     const Pose& displacement) const {
   constexpr qint64 kMostMs = 8;  // half of a frame
   const auto scene = sceneFor(robot);
   if (!scene) return {};
   QElapsedTimer since;
   since.start();
-  CellCollision found{scene, scene->planned(cell().joints()), {}, way};
-  found.pairs = scene->scene.metWhenMoved(found.values, way, [&] { return since.elapsed() >= kMostMs; });
+  CellCollision found{scene, scene->planned(cell().joints()), {}, displacement};
+  found.pairs = scene->scene.metWhenMoved(found.values, displacement, [&] { return since.elapsed() >= kMostMs; });
   markColliding(shown, *scene, found.pairs);
   return {std::move(found)};
 }

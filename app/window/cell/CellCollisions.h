@@ -11,8 +11,8 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// What collides in the cell in view, now and while the robot is dragged. Prepares the cell on a worker whenever its
-// robot, bodies or allowed pairs have changed. Window thread.
+// The collisions in the current cell, at present and while the robot is dragged. Prepares the cell on a worker whenever
+// its robot, bodies or allowed pairs have changed. Window thread.
 class CellCollisions : public QObject {
   Q_OBJECT
 
@@ -20,22 +20,22 @@ class CellCollisions : public QObject {
   CellCollisions(const WindowContext& parts, QObject* parent);
 
   void setDocument(DocumentTab* document);
-  // The cell prepared for planning with the robot that is planned for, as it is now; null while that is under way, or
-  // impossible.
+  // Returns the present cell prepared for planning with the robot that is planned for; null while it is being prepared,
+  // or if that is impossible.
   std::shared_ptr<const CellScene> scene() const;
-  // The same for another robot, by its number; null, too, while the other ones are being prepared.
+  // Returns the same for another robot, by its number; also null while the other robots are being prepared.
   std::shared_ptr<const CellScene> sceneFor(std::size_t arm) const;
-  bool isReady() const { return m_document && isPrepared() && areOthersPrepared(); }  // for all robots
+  bool isReady() const { return m_document && isPrepared() && areOthersPrepared(); }  // True if prepared for all robots
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
-  // Prepares the cell if that was cancelled. Whoever needs scene() and has none calls it.
+  // Prepares the cell if that was cancelled. Called by any client that needs scene() while it is null.
   void prepareIfIdle();
 
-  // Colours what collides in a cell that is shown: the robot at these joint values, where a body is being moved (null:
-  // none is) with that alone. Nothing, while the cell is not prepared. Returns what was found.
+  // Colours the collisions of a displayed cell: of the robot at these joint values, or if a body is being moved (null:
+  // none) of that body alone. Does nothing while the cell is not prepared. Returns the collisions.
   std::vector<CellCollision> mark(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr) const;
-  // The same where a robot is moved as a whole, so far, with all that it carries. Where that takes longer than a frame
-  // may, the rest stays as it is.
-  std::vector<CellCollision> markMoved(DisplayModel& shown, std::size_t robot, const Pose& way) const;
+  // Does the same while a robot is moved as a whole by this displacement, with all bodies that it carries. If this
+  // takes longer than a frame, the rest keeps its colour.
+  std::vector<CellCollision> markMoved(DisplayModel& shown, std::size_t robot, const Pose& displacement) const;
 
  signals:
   void prepared();
@@ -53,10 +53,10 @@ class CellCollisions : public QObject {
   DocumentTab* m_document = nullptr;
   std::shared_ptr<const CellScene> m_scene;
   bool m_isUnderWay = false;
-  // The same for the other robots, in order: what collides while these are dragged. Null where that is impossible.
-  // Until new ones come they may be of former joint values.
+  // Scenes of the other robots, in order, for collisions while these are dragged. Null if preparing failed. Until they
+  // are replaced they may be of former joint values.
   std::vector<std::shared_ptr<const CellScene>> m_others;
-  std::set<std::pair<std::string, std::string>> m_allowed;  // that m_scene was made with
+  std::set<std::pair<std::string, std::string>> m_allowed;  // Allowed pairs of m_scene
 };
 
 }  // namespace handwheel

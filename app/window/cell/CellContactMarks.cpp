@@ -83,7 +83,7 @@ void CellContactMarks::find() {
   job.work = [this, cell = m_cell, collisions = *collisions](Progress progress) -> Job::Finish {
     std::vector<ContactMark> marks;
     for (const CellContact& contact : contactsOf(collisions, kMostMarked, progress))
-      marks.push_back({contact.place, contact.normal});
+      marks.push_back({contact.position, contact.normal});
     return [this, cell, marks = std::move(marks)]() mutable {
       m_isUnderWay = false;
       if (cell == m_cell && shown()) m_layer->setContacts(std::move(marks));

@@ -13,13 +13,13 @@ namespace handwheel {
 
 class ContactLayer;
 
-// Marks where things in the shown cell touch, also while they move. The places are found by a worker, the latest of
-// what is shown next. Window thread.
+// Marks the contacts in the displayed cell, also while its objects move. A worker computes them, always for the latest
+// display. Window thread.
 class CellContactMarks : public QObject {
   Q_OBJECT
 
  public:
-  // Who shows the cell: what a replay shows hides what a tool does, and that the document.
+  // The source of the displayed cell: a replay hides what a tool shows, and a tool hides the document.
   enum class Source { Document, Tool, Replay };
   using Collisions = std::vector<CellCollision>;
 
@@ -28,9 +28,9 @@ class CellContactMarks : public QObject {
 
   QAction* action() { return &m_action; }
   void setVisible(bool isVisible);
-  // What collides in the cell as the source shows it; empty: nothing.
+  // Sets the collisions of the cell as the source shows it; empty: none.
   void show(Source source, Collisions collisions);
-  // The source shows nothing any more.
+  // Called when the source shows nothing any more.
   void clear(Source source);
   void clearAll();
 
@@ -43,9 +43,9 @@ class CellContactMarks : public QObject {
   std::shared_ptr<ContactLayer> m_layer;
   QAction m_action;
   std::array<std::optional<Collisions>, 3> m_sources;
-  std::uint64_t m_cell = 0;  // counts the cells that were shown
+  std::uint64_t m_cell = 0;  // Counts the cells that were shown
   bool m_isUnderWay = false;
-  bool m_isStale = false;  // something else is shown than what is being looked at
+  bool m_isStale = false;  // True if the display has changed since the running computation began
   JobRunner m_finding;
 };
 

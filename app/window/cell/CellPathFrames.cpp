@@ -12,7 +12,7 @@
 namespace handwheel {
 
 // The selected one, unless a robot carries it: its own tool is mostly what is selected then.
-BodyPointer CellPaths::bodyForPlaces() const {
+BodyPointer CellPaths::bodyForTargets() const {
   const BodyPointer selected = m_selected();
   return selected && carrierOf(*selected, cell().robot().model) == kNone ? selected : nullptr;
 }
@@ -22,7 +22,7 @@ void CellPaths::storeFrame() {
   CellPlans changed = plans();
   const std::string preferred = tr("Frame %1").arg(changed.frames.size() + 1).toStdString();
   NamedFrame frame{.name = changed.frameNames().take(preferred)};
-  const BodyPointer body = bodyForPlaces();
+  const BodyPointer body = bodyForTargets();
   if (body) frame.body = body->id;
   frame = frameAt(std::move(frame), toolPose(cell().robot(), changed, seenJoints()), seenPlacement());
   const PlanTree::Entry entry{PlanTree::Entry::Kind::Frame, frame.name};
@@ -57,7 +57,7 @@ void CellPaths::workIn(const std::string& name) {
   commit(isChosen ? tr("Work in no frame") : tr("Work in %1").arg(shown), std::move(changed));
 }
 
-// What carries each, and which one is chosen.
+// Returns the carrier of each frame, and marks the chosen one.
 std::map<std::string, QString> CellPaths::frameRemarks() const {
   std::map<std::string, QString> remarks;
   for (const NamedFrame& frame : plans().frames) {

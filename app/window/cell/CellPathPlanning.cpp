@@ -18,7 +18,7 @@
 namespace handwheel {
 
 void CellPaths::askForPath() {
-  CellPlans offered = plans();  // configurations of another robot are no places of this one
+  CellPlans offered = plans();  // Configurations of another robot are no waypoints of this one
   std::erase_if(offered.configurations,
                 [&](const NamedConfiguration& each) { return !isSameArm(cell().robot(), each.arm, offered.arm); });
   auto* dialog = new PlanDialog(cell().robot(), offered, m_parts.fidelity.values(), m_planned,
@@ -38,7 +38,7 @@ void CellPaths::verifyAgain() {
   m_checks.verify(*present, PathChecks::Request::Again);
 }
 
-// What a person asked for, which is known already in most cases: that it was done is to be seen.
+// Reports a verification on request. In most cases the result is known already, so the report shows that it was done.
 void CellPaths::reportVerified(const PathResult& result) {
   const PathChecks::State state{&result, BasisChange::Nothing, false};
   const QString name = QString::fromStdString(result.basis.path.name);
@@ -50,7 +50,7 @@ void CellPaths::reportVerified(const PathResult& result) {
   if (!result.problem.isEmpty()) details += result.problem;
   QString detail = details.join(QStringLiteral("; "));
   if (result.checked) {
-    const QString done = tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.places.size()) - 1) +
+    const QString done = tr("%Ln motion(s)", nullptr, static_cast<int>(result.basis.path.waypoints.size()) - 1) +
                          QStringLiteral(", ") +
                          tr("%Ln point(s) checked.", nullptr, static_cast<int>(result.checked->verification.steps));
     detail = detail.isEmpty() ? done : done + QLatin1Char(' ') + detail;
@@ -72,7 +72,7 @@ void CellPaths::reportVerified(const PathResult& result) {
   emit message(said);
 }
 
-// What came out of all of them: how many are proven, and what hinders the first that is not.
+// Reports the result of all: the number of proven paths, and the problem of the first other one.
 void CellPaths::reportAllVerified() {
   int proven = 0;
   QStringList others;
@@ -107,10 +107,10 @@ void CellPaths::plan(const OperationValues& values) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<std::vector<Waypoint>> places = placesOf(values, *scene, *content);
-  if (!places) return report(places.error());
+  const Result<std::vector<Waypoint>> waypoints = waypointsOf(values, *scene, *content);
+  if (!waypoints) return report(waypoints.error());
   const std::string name = plans().freePathName(values.isSet("name") ? values.text("name") : tr("Path").toStdString());
-  startPlanning(*places, routeSettingsOf(values, plans()), name, tr("Plan %1"), [this, values] { plan(values); });
+  startPlanning(*waypoints, routeSettingsOf(values, plans()), name, tr("Plan %1"), [this, values] { plan(values); });
 }
 
 void CellPaths::planAgain() {
@@ -128,14 +128,14 @@ void CellPaths::planAgain() {
   setFidelity(values, m_parts.fidelity.values());
   RouteSettings settings = routeSettingsOf(values, plans());
   settings.plan.check.clearance = plans().clearanceOf(*present);
-  startPlanning(present->places, settings, present->name, text, again);
+  startPlanning(present->waypoints, settings, present->name, text, again);
 }
 
-void CellPaths::startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,
+void CellPaths::startPlanning(std::vector<Waypoint> waypoints, const RouteSettings& settings, const std::string& name,
                               const QString& text, std::function<void()> again) {
-  startPlanning([places = std::move(places), settings](
+  startPlanning([waypoints = std::move(waypoints), settings](
                     const CellScene& scene, const RobotCellSnapshot& content,
-                    Progress progress) { return plannedThrough(scene, *content.plans, places, settings, progress); },
+                    Progress progress) { return plannedThrough(scene, *content.plans, waypoints, settings, progress); },
                 {name, text, std::move(again)});
 }
 
@@ -192,7 +192,7 @@ void CellPaths::takePlanned(DocumentTab& tab, PlannedPath made, const std::optio
   const bool wasEdited = old != changed.paths.end() && !(before && *old == *before);
   if (wasEdited) planned.name = changed.freePathName(wanted);
   const QString name = QString::fromStdString(planned.name);
-  const int count = static_cast<int>(planned.places.size());
+  const int count = static_cast<int>(planned.waypoints.size());
   const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, planned.name};
   if (old == changed.paths.end() || wasEdited)
     changed.paths.push_back(std::move(planned));

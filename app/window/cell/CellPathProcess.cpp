@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-const std::string kField = "process.";  // of the ids of the fields
+const std::string kField = "process.";  // Prefix of the ids of the fields
 
 Property measureToRead(const char* id, const char* label, const QString& text) {
   Property property{
@@ -23,7 +23,7 @@ Property measureToRead(const char* id, const char* label, const QString& text) {
   return property;
 }
 
-// What planners compare paths by.
+// Returns the measures by which planners compare paths.
 std::vector<Property> measuresOf(const PathFindings& found, LengthUnit unit) {
   constexpr double kSumRounding = 1e-6;  // mm: the mean of many that are as far as is measured is so, too
   const QLocale locale;

@@ -22,7 +22,7 @@ namespace handwheel {
 
 namespace {
 
-// As the name of a file.
+// Returns the name of a path as a file name.
 QString fileNameOf(const std::string& path) {
   QString name = QString::fromStdString(path);
   for (QChar& each : name) {
@@ -50,7 +50,7 @@ const PostProcessor* postForSuffix(const QString& file) {
   return found == posts().end() ? nullptr : found->get();
 }
 
-// The name with the ending of the post, in place of that of another.
+// Returns the name with the ending of the post instead of that of another one.
 QString withEnding(const QString& file, const PostProcessor& post) {
   qsizetype ending = 0;
   if (const PostProcessor* const whole = postForEnding(file.toStdString()))
@@ -223,7 +223,7 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
   for (const SmallerBlend& each : std::span(written.smaller).first(std::min(written.smaller.size(), kMostBlends))) {
     detail +=
         QLatin1Char(' ') + tr("The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.")
-                               .arg(each.place + 1)
+                               .arg(each.waypoint + 1)
                                .arg(locale.toString(each.kept, 'g', 4), locale.toString(each.wanted, 'g', 6));
   }
   if (written.smaller.size() > kMostBlends) {
@@ -285,7 +285,7 @@ void CellPaths::importProgram(const QString& file) {
   m_parts.jobs.start(std::move(job));
 }
 
-// Nothing, where its places are in the base of the robot, and it is led as the program says.
+// Says nothing if the waypoints are relative to the base of the robot, and the path follows the program exactly.
 void CellPaths::reportOpened(DocumentTab& tab, const QString& file, const TakenFrames& frames,
                              const QStringList& remarks) {
   const auto listed = [](const std::vector<std::string>& names) {

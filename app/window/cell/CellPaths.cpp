@@ -151,9 +151,9 @@ void CellPaths::connectActions() {
   connect(&m_again, &QAction::triggered, this, &CellPaths::planAgain);
   connect(&m_optimise, &QAction::triggered, this, &CellPaths::optimise);
   connect(&m_insert, &QAction::triggered, this, &CellPaths::insertHere);
-  connect(&m_here, &QAction::triggered, this, &CellPaths::setPlaceHere);
-  connect(&m_up, &QAction::triggered, this, [this] { movePlace(-1); });
-  connect(&m_down, &QAction::triggered, this, [this] { movePlace(1); });
+  connect(&m_here, &QAction::triggered, this, &CellPaths::setWaypointHere);
+  connect(&m_up, &QAction::triggered, this, [this] { moveWaypoint(-1); });
+  connect(&m_down, &QAction::triggered, this, [this] { moveWaypoint(1); });
   connect(&m_straight, &QAction::triggered, this, &CellPaths::setStraight);
   connect(&m_verify, &QAction::triggered, this, &CellPaths::verifyAgain);
   connect(&m_verifyAll, &QAction::triggered, this, [this] {
@@ -208,7 +208,7 @@ void CellPaths::connectActions() {
   connect(&m_collisions, &CellCollisions::prepared, this, [this] {
     verify();
     offerActions();
-    if (checked() != m_drawn) showPath();  // what is known of a path is only shown with the scene
+    if (checked() != m_drawn) showPath();  // The results for a path are only shown with the scene
   });
   connect(&m_targets, &CellTargets::reachChanged, this, &CellPaths::update);
 }
@@ -276,7 +276,7 @@ const NamedFrame* CellPaths::frame() const {
 
 const RobotPath* CellPaths::path() const {
   const PlanTree::Entry entry = m_tree->current();
-  const bool isOfPath = entry.kind == PlanTree::Entry::Kind::Path || entry.kind == PlanTree::Entry::Kind::Place;
+  const bool isOfPath = entry.kind == PlanTree::Entry::Kind::Path || entry.kind == PlanTree::Entry::Kind::Waypoint;
   const RobotPath* const found = isOfPath                    ? plans().path(entry.name)
                                  : plans().paths.size() == 1 ? &plans().paths.front()
                                                              : nullptr;
@@ -294,15 +294,15 @@ void CellPaths::followDocument() {
   showPath();
 }
 
-// Of several paths that are asked for one after the other only the last is looked at: those that are left out are once
-// they are the present path again.
+// If several paths are requested one after the other only the last is verified: the others are when they become
+// the present path again.
 void CellPaths::verify() {
   const RobotPath* const present = path();
-  if (present && scene() && present->places.size() >= 2) m_checks.verify(*present);
+  if (present && scene() && present->waypoints.size() >= 2) m_checks.verify(*present);
 }
 
-// The way of the tool's centre point: straight lines of the tool solid, other ways to a place as travel, and what
-// collides in another colour.
+// Shows the path of the tool centre point: straight lines of the tool solid, other motions to a waypoint as travel, and
+// collisions in another colour.
 void CellPaths::showPath() {
   const auto known = checked();
   const auto scene = m_collisions.scene();
@@ -311,8 +311,8 @@ void CellPaths::showPath() {
     const RobotPath& present = *path();
     for (const PathSample& sample : known->metrics.samples) {
       const Vec3 at = (scene->arm.tipPose(sample.values) * plans().tool).translation();
-      const std::size_t leg = known->way.placeOf.empty() ? 0 : known->placeOf(sample.motion);
-      const bool isLine = present.places[leg].motion == ProgramMotion::Kind::Linear;
+      const std::size_t leg = known->resolved.waypointOf.empty() ? 0 : known->waypointOf(sample.motion);
+      const bool isLine = present.waypoints[leg].motion == ProgramMotion::Kind::Linear;
       points.push_back({at, leg, isLine ? PathLine::Look::Feed : PathLine::Look::Travel});
     }
     markCollisions(*known, points);
@@ -344,7 +344,7 @@ void CellPaths::showDetail() {
   QString text;
   bool hasLinks = false;
   const RobotPath* const of =
-      entry.kind == Kind::Path || entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
+      entry.kind == Kind::Path || entry.kind == Kind::Waypoint ? plans().path(entry.name) : nullptr;
   if (of) {
     const PathStatus status = pathStatusOf(m_checks.stateOf(*of), *of, cell().displayUnit(), QLocale());
     hasLinks = of == path() && !status.collisions.empty();
@@ -365,40 +365,40 @@ void CellPaths::offerActions() {
   using Kind = PlanTree::Entry::Kind;
   const PlanTree::Entry entry = m_tree->current();
   const bool isCell = m_document != nullptr, isSomething = entry.kind != Kind::None;
-  const bool isPlace = entry.kind == Kind::Place;
+  const bool isWaypoint = entry.kind == Kind::Waypoint;
   const RobotPath* const present = path();
-  const bool isOfOther = !present && (isPlace || entry.kind == Kind::Path);
-  const QString noCell = tr("Open a robot cell first."), noPlace = tr("Select a place of a path first."),
+  const bool isOfOther = !present && (isWaypoint || entry.kind == Kind::Path);
+  const QString noCell = tr("Open a robot cell first."), noWaypoint = tr("Select a place of a path first."),
                 noPath = isOfOther ? tr("Choose the robot of the path first.") : tr("Select a path first.");
   offer(m_store, isCell, noCell);
   offer(m_storeTarget, isCell, noCell);
   offer(m_storeFrame, isCell, noCell);
-  const bool isAnyPlace = !plans().configurations.empty() || !plans().targets.empty();
-  offer(m_plan, isCell && isAnyPlace,
+  const bool hasEnds = !plans().configurations.empty() || !plans().targets.empty();
+  offer(m_plan, isCell && hasEnds,
         isCell ? tr("Store a configuration or a target first: where the path is to begin or end.") : noCell);
   const bool isTarget = entry.kind == Kind::Target, isFrame = entry.kind == Kind::Frame;
   offer(m_workIn, isFrame, tr("Select a frame in the list first."));
   m_workIn.setChecked(isFrame && entry.name == plans().workFrame);
-  offer(m_go, entry.kind == Kind::Configuration || isPlace || isTarget,
+  offer(m_go, entry.kind == Kind::Configuration || isWaypoint || isTarget,
         tr("Select a configuration, a place or a target first."));
   offer(m_choose, entry.kind == Kind::Robot, tr("Select a robot in the list first, in a cell with several."));
-  offer(m_again, present && present->places.size() >= 2, noPath);
-  offer(m_optimise, present && present->places.size() >= 3,
+  offer(m_again, present && present->waypoints.size() >= 2, noPath);
+  offer(m_optimise, present && present->waypoints.size() >= 3,
         present ? tr("There is nothing between the ends of the path.") : noPath);
   offer(m_insert, present != nullptr, noPath);
-  offer(m_here, isPlace || isTarget || isFrame || entry.kind == Kind::Configuration,
+  offer(m_here, isWaypoint || isTarget || isFrame || entry.kind == Kind::Configuration,
         tr("Select a configuration, a place of a path, a target or a frame first."));
-  offer(m_up, isPlace && entry.place > 0, noPlace);
-  offer(m_down, isPlace && present && entry.place + 1 < present->places.size(), noPlace);
-  offer(m_straight, isPlace && entry.place > 0, noPlace);
-  m_straight.setChecked(isPlace && present && entry.place < present->places.size() &&
-                        present->places[entry.place].motion == ProgramMotion::Kind::Linear);
-  offer(m_verify, present && present->places.size() >= 2, noPath);
+  offer(m_up, isWaypoint && entry.waypoint > 0, noWaypoint);
+  offer(m_down, isWaypoint && present && entry.waypoint + 1 < present->waypoints.size(), noWaypoint);
+  offer(m_straight, isWaypoint && entry.waypoint > 0, noWaypoint);
+  m_straight.setChecked(isWaypoint && present && entry.waypoint < present->waypoints.size() &&
+                        present->waypoints[entry.waypoint].motion == ProgramMotion::Kind::Linear);
+  offer(m_verify, present && present->waypoints.size() >= 2, noPath);
   offer(m_verifyAll, !plans().paths.empty(), isCell ? tr("The cell has no path yet.") : noCell);
   const auto known = checked();
   const bool isUnderWay = present && m_checks.stateOf(*present).isUnderWay;
-  // What is not known is verified first, which it asks about.
-  offer(m_export, known ? known->isCertified() : present && !isUnderWay && present->places.size() >= 2,
+  // An unverified path is verified first, with a question.
+  offer(m_export, known ? known->isCertified() : present && !isUnderWay && present->waypoints.size() >= 2,
         !present     ? noPath
         : isUnderWay ? tr("The path is being verified.")
                      : tr("Only a path that is proven free of collisions is exported."));

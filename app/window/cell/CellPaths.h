@@ -26,20 +26,20 @@ struct RobotSemantics;
 class RobotCellDocument;
 
 // The list of the plans of a robot cell and its actions. Stores configurations, targets and frames, plans paths through
-// them, edits their places, verifies and shows them. The path of the selected row, or the only one, is the present one,
-// if it is of the robot that is planned for.
+// them, edits their waypoints, verifies and shows them. The path of the selected row, or the only one, is the present
+// one, if it is of the robot that is planned for.
 class CellPaths : public QObject {
   Q_OBJECT
 
  public:
-  // selected: the body that is selected alone; null: none is.
+  // selected: returns the only selected body; null unless exactly one is selected.
   CellPaths(const WindowContext& parts, CellCollisions& collisions, CellTargets& targets, CellRobots& robots,
             std::function<BodyPointer()> selected, QObject* parent);
   ~CellPaths() override;
 
   void setDocument(DocumentTab* document);
   void forget(const DocumentTab* document);
-  // The actions, by what they are for.
+  // Actions, grouped by purpose.
   QList<QAction*> ofConfigurations() { return {&m_store, &m_storeTarget, &m_storeFrame, &m_go, &m_workIn}; }
   QList<QAction*> ofPaths() {
     return {&m_plan, &m_again, &m_optimise, &m_insert, &m_here, &m_up, &m_down, &m_straight};
@@ -47,46 +47,48 @@ class CellPaths : public QObject {
   QList<QAction*> ofPrograms() { return {&m_export, &m_import, &m_declareFrame}; }
   QList<QAction*> ofVerification() { return {&m_verify, &m_verifyAll, &m_pairs, &m_semantics}; }
   QList<QAction*> ofRows() { return {&m_rename, &m_remove}; }
-  QAction* choosing() { return &m_choose; }                                                        // the robot
-  QList<QAction*> buttons() { return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export}; }  // those of the panel
+  QAction* choosing() { return &m_choose; }  // The action that chooses the robot
+  QList<QAction*> buttons() {
+    return {&m_store, &m_storeTarget, &m_plan, &m_verify, &m_export};
+  }  // Actions of the panel
   QMenu& menu() { return *m_menu; }
-  // Plans a path along a curve on a part (processPathOperation()). surface: of the part; null: it is found.
+  // Plans a path along a curve on a part (processPathOperation()). surface: of the part; null: it is computed.
   void planProcess(const OperationValues& values, std::shared_ptr<const PartSurface> surface);
-  // What is known of the path of the selected row, as fields to read, and the clearance that it keeps; empty: it is no
-  // path.
+  // Returns the results for the path of the selected row, as read-only fields, and its clearance; empty if the row is
+  // no path.
   std::vector<Property> resultProperties() const;
-  // How the path of the selected row is worked off along its curve; empty: it is no such path.
+  // Returns the settings of the path of the selected row along its curve; empty if it is no such path.
   std::vector<Property> processProperties() const;
   // Plans that path anew with one of these changed; false: the id is none of them.
   bool takeProcessEdit(const std::string& id, const PropertyValue& value, bool stillDragging);
-  // Adds the configuration of the document to the path of the selected row, behind the selected place or at the end, or
-  // begins one with it.
-  void addPlace();
-  PlanTree* tree() const { return m_tree; }    // owned by the window
-  QLabel* detail() const { return m_detail; }  // what is known of the selected row in full; owned by the window
-  void setVisible(bool isVisible);             // the line of the path in the view
+  // Adds the configuration of the document to the path of the selected row, after the selected waypoint or at the end,
+  // or begins a path with it.
+  void addWaypoint();
+  PlanTree* tree() const { return m_tree; }    // Owned by the window
+  QLabel* detail() const { return m_detail; }  // Full description of the selected row; owned by the window
+  void setVisible(bool isVisible);             // Applies to the line of the path in the view
 
-  // What the view shows in place of where the robot stands, while a path is played; none: nothing. Configurations,
-  // places, targets and frames are stored as they are seen.
+  // Sets the joint values that the view shows instead of the document's, while a path is played; nothing: the
+  // document's. Configurations, waypoints, targets and frames are stored from the displayed values.
   void setShownJoints(std::optional<JointValues> joints) { m_shownJoints = std::move(joints); }
 
   bool showsOtherJoints() const { return m_shownJoints.has_value(); }
-  // As the view shows the robots of the cell.
+  // Returns the joint values of the cell as displayed in the view.
   const JointValues& seenJoints(const RobotCellDocument& of) const;
 
-  const NamedTarget* target() const;  // of the selected row; null: that is none
-  const NamedFrame* frame() const;    // likewise
-  // The present path, and what is known of it; null while nothing is.
+  const NamedTarget* target() const;  // Target of the selected row; null if it is none
+  const NamedFrame* frame() const;    // Frame of the selected row; null if it is none
+  // Returns the present path, or its latest valid result; null if there is none.
   const RobotPath* path() const;
   std::shared_ptr<const CheckedPath> checked() const;
   std::shared_ptr<const CellScene> scene() const { return m_collisions.scene(); }
   const CellPlans& plans() const;
 
  signals:
-  void rowChanged();                         // another row is selected
-  void pathChanged();                        // the present path, or what is known of it
-  void robotSent();                          // to a configuration, place or target, where it is to be seen
-  void collisionChosen(std::size_t number);  // of the present path, by its number in stretchesOf()
+  void rowChanged();   // Another row is selected
+  void pathChanged();  // The present path or its results have changed
+  void robotSent();    // The robot was moved to a configuration, waypoint or target, and should be shown
+  void collisionChosen(std::size_t number);  // number: index of a collision of the present path in stretchesOf()
   void message(const handwheel::Message& message);
 
  private:
@@ -95,20 +97,20 @@ class CellPaths : public QObject {
   CellPlacement seenPlacement() const;
   void connectActions();
   static RobotCellDocument& cellIn(DocumentTab& tab);
-  // Whether the cell is still as it was when the scene was made of it.
+  // Returns true if the cell is unchanged since the scene was made of it.
   static bool isUnchanged(DocumentTab& tab, const CellScene& scene, const RobotCellSnapshot& before);
-  // False: there are too many, which was reported.
+  // Returns false if there are too many entries, which was reported.
   bool commit(DocumentTab& tab, const QString& text, CellPlans plans);
   bool commit(const QString& text, CellPlans plans) { return commit(*m_document, text, std::move(plans)); }
-  void select(const DocumentTab& tab, const PlanTree::Entry& entry);  // if it is in view
+  void select(const DocumentTab& tab, const PlanTree::Entry& entry);  // Selects the entry if the document is in view
   void store();
   void storeTarget();
   void setTargetHere(const std::string& name);
   void setConfigurationHere(const std::string& name);
   void storeFrame();
   void setFrameHere(const std::string& name);
-  void workIn(const std::string& name);  // or in none, if it is in this frame
-  BodyPointer bodyForPlaces() const;     // that what is stored is on; null: none
+  void workIn(const std::string& name);  // Works in no frame if this frame is current already
+  BodyPointer bodyForTargets() const;    // The body that stored configurations belong to; null: none
   std::map<std::string, QString> frameRemarks() const;
   void goTo(const PlanTree::Entry& entry);
   void goToTarget(const std::string& name);
@@ -117,53 +119,53 @@ class CellPaths : public QObject {
   void planAgain();
   void optimise();
   void takeOptimised(DocumentTab& tab, const OptimisedPath& optimised);
-  // again: what begins the same once more, for the cell as it is then.
-  void startPlanning(std::vector<Waypoint> places, const RouteSettings& settings, const std::string& name,
+  // again: repeats the same for the cell as it is then.
+  void startPlanning(std::vector<Waypoint> waypoints, const RouteSettings& settings, const std::string& name,
                      const QString& text, std::function<void()> again);
   using Planning = std::function<Result<PlannedPath>(const CellScene& scene, const RobotCellSnapshot& cell, Progress)>;
   static Planning processPlanning(const OperationValues& values, std::shared_ptr<const PartSurface> surface,
                                   const std::optional<Pose>& chosenAt);
-  // What is planned, and what follows.
+  // A planning job and its completion.
   struct PlanRequest {
-    std::string name;  // of the path
-    QString text;      // of the step, with %1 for the name
+    std::string name;  // Name of the path
+    QString text;      // Undo text, with %1 for the name
     std::function<void()> again;
-    std::function<void()> ended = {};  // called before the result is taken, or when there is none
-    const void* owner = nullptr;       // of the job; null: the document
-    std::string part = {};             // that a new path leads along; empty: none, or that of the path of this name
+    std::function<void()> ended = {};  // Called before the result is taken, or if there is none
+    const void* owner = nullptr;       // Owner of the job; null: the document
+    std::string part = {};  // The part along which a new path leads; empty: none, or that of the existing path
   };
   void startPlanning(Planning planning, PlanRequest request);
-  // Calls what needs scene(): at once, or when the cell has been prepared. Not where another document is in view by
-  // then.
+  // Calls a function that needs scene(): at once, or as soon as the cell is prepared. Not if another document is in
+  // view by then.
   void whenPrepared(const std::function<void()>& then);
-  // How a path is to be worked off that is being planned for it; the owner of that job.
+  // The settings along the curve with which a path is being planned; the owner of that job.
   struct WantedProcess {
     std::string path;
     OperationValues values;
-    std::uint64_t number = 0;  // of m_remakes
+    std::uint64_t number = 0;  // Value of m_remakes at its start
   };
-  const WantedProcess* wanted(const std::string& path) const;  // of the document in view; null: none is
+  const WantedProcess* wanted(const std::string& path) const;  // In the document in view; null: none
   void remakeProcess(const std::string& name, const OperationValues& values);
   void takePlanned(DocumentTab& tab, PlannedPath made, const std::optional<RobotPath>& before, const QString& text);
   void reportChanged(DocumentTab& tab, const std::string& path, const std::function<void()>& again);
   void insertHere();
-  void insertAt(std::size_t behind);  // in the present path
-  void setPlaceHere();
-  void movePlace(int by);
+  void insertAt(std::size_t behind);  // In the present path
+  void setWaypointHere();
+  void moveWaypoint(int by);
   void setStraight(bool isStraight);
   void removeCurrent();
   void rename(const PlanTree::Entry& entry, const QString& name);
-  // named: what may be given a better name at once.
+  // named: an entry that the message offers to rename.
   void reportStored(const DocumentTab& tab, const QString& title, const QString& detail,
                     std::optional<PlanTree::Entry> named = {});
-  void showSelected();  // in the view
+  void showSelected();  // Shows the selected row in the view
   void showDetail();
   void askForPairs();
   void readSemantics(const QString& file);
   void reportSemantics(const DocumentTab& tab, const RobotSemantics& read, const QString& file, const QString& robot);
   void requestProgram();
   void askForProgram(OutdatedPath outdated);
-  // What is to be written, as it was when that was asked for.
+  // The program to write, as at the time of the request.
   struct ProgramRequest {
     RobotPath path;
     OutdatedPath outdated;
@@ -173,7 +175,7 @@ class CellPaths : public QObject {
   void exportProgram(const PostProcessor& post, const QString& file, const ProgramRequest& request);
   void reportRemoved(const QString& configuration, const std::vector<std::string>& paths);
   void reportNotWritten(const std::string& path);
-  // tab: null where it was closed.
+  // tab: null if it was closed.
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
                      const QString& file, const CheckedPath& checked);
   void importProgram(const QString& file);
@@ -183,11 +185,11 @@ class CellPaths : public QObject {
   void reportVerified(const PathResult& result);
   void reportAllVerified();
   static QString failure() { return tr("This could not be done"); }
-  // tab: null where none is in view.
+  // tab: null if none is in view.
   void report(const DocumentTab* tab, const Error& error, const QString& title = failure());
   void report(const Error& error, const QString& title = failure()) { report(m_document, error, title); }
-  // The error of a plan that something hinders. The message offers to let a body touch the part that is worked on, and
-  // to go to the place where it is met.
+  // Reports the error of a plan that an obstacle hinders. The message offers to let a body touch the part that is
+  // worked on, and to go to the position of the collision.
   void reportHindered(DocumentTab& tab, const Error& error, const QString& title, const PlanRequest& request);
   void reportUnprepared();
   void followDocument();
@@ -204,17 +206,17 @@ class CellPaths : public QObject {
   PlanTree* m_tree;
   QLabel* m_detail;
   std::shared_ptr<PathLayer> m_layer;
-  std::shared_ptr<const CheckedPath> m_drawn;            // in that layer; null: nothing is
-  std::map<const DocumentTab*, PlanTree::Entry> m_rows;  // that were selected when it was in view last
+  std::shared_ptr<const CheckedPath> m_drawn;            // The path in that layer; null: none
+  std::map<const DocumentTab*, PlanTree::Entry> m_rows;  // Selected row when the document was last in view
   PathChecks m_checks;
   std::optional<JointValues> m_shownJoints;
-  std::optional<OperationValues> m_planned;              // what was chosen in the dialog last
-  std::map<const DocumentTab*, WantedProcess> m_wanted;  // one at most of a document
-  std::uint64_t m_remakes = 0;                           // that were begun
+  std::optional<OperationValues> m_planned;              // Values last chosen in the dialog
+  std::map<const DocumentTab*, WantedProcess> m_wanted;  // At most one per document
+  std::uint64_t m_remakes = 0;                           // Number of remakes begun
   QAction m_store, m_storeTarget, m_storeFrame, m_workIn, m_go, m_plan, m_again, m_insert, m_here, m_up, m_down,
       m_straight, m_verify, m_verifyAll, m_export, m_import, m_declareFrame, m_semantics, m_pairs, m_rename, m_remove,
       m_optimise, m_choose;
-  QMenu* m_menu;  // owned by the window
+  QMenu* m_menu;  // Owned by the window
 };
 
 }  // namespace handwheel

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How the actions for paths change the document.
+// Changes of the document by the actions for paths.
 #include "document/FileBytes.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
@@ -34,7 +34,8 @@ RobotPath* pathOf(CellPlans& plans, const std::string& name) {
   return found == plans.paths.end() ? nullptr : &*found;
 }
 
-// The path whose places a person changes: it is no longer planned along a curve, so that planning it again keeps them.
+// Returns the path whose waypoints the user edits: it is no longer planned along a curve, so that planning it again
+// keeps them.
 RobotPath* pathByHand(CellPlans& plans, const std::string& name) {
   RobotPath* const path = pathOf(plans, name);
   if (path) path->process.reset();
@@ -87,7 +88,7 @@ void CellPaths::store() {
   m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
   const std::string preferred = tr("Configuration %1").arg(changed.configurations.size() + 1).toStdString();
-  const std::string name = changed.freePlaceName(preferred);
+  const std::string name = changed.freePoseName(preferred);
   changed.configurations.push_back({name, seenJoints(), changed.arm});
   if (!commit(tr("Store %1").arg(QString::fromStdString(name)), std::move(changed))) return;
   m_tree->select({Kind::Configuration, name});
@@ -117,10 +118,10 @@ void CellPaths::storeTarget() {
   m_document->document.settle();  // the hand may lead the robot
   CellPlans changed = plans();
   const std::string preferred = tr("Target %1").arg(changed.targets.size() + 1).toStdString();
-  NamedTarget target{.name = changed.freePlaceName(preferred)};
+  NamedTarget target{.name = changed.freePoseName(preferred)};
   const RobotModel& robot = cell().robot().model;
   target.pose = toolPose(cell().robot(), changed, seenJoints());
-  const BodyPointer body = bodyForPlaces();
+  const BodyPointer body = bodyForTargets();
   const NamedFrame* const work = changed.frame(changed.workFrame);
   const bool isStill = work && !movesWith(*work, cell().bodies(), robot,
                                           dofsOfArm(cell().robot(), activeArmNumber(cell().robot(), changed)));
@@ -168,9 +169,9 @@ void CellPaths::goToTarget(const std::string& name) {
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
   const auto content = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot());
-  const Result<Waypoint> place = placeCalled(*scene, *content, name, cell().joints());
-  if (!place) return report(place.error());
-  if (auto edit = cell().jointEdit(place->joints))
+  const Result<Waypoint> waypoint = waypointCalled(*scene, *content, name, cell().joints());
+  if (!waypoint) return report(waypoint.error());
+  if (auto edit = cell().jointEdit(waypoint->joints))
     cell().commit(tr("Go to %1").arg(QString::fromStdString(name)), std::move(edit));
   emit robotSent();
 }
@@ -181,58 +182,59 @@ void CellPaths::goTo(const PlanTree::Entry& entry) {
   if (entry.kind == Kind::Target && plans().target(entry.name)) return goToTarget(entry.name);
   const NamedConfiguration* const configuration =
       entry.kind == Kind::Configuration ? plans().configuration(entry.name) : nullptr;
-  const RobotPath* const of = entry.kind == Kind::Place ? plans().path(entry.name) : nullptr;
-  const bool isPlace = of && entry.place < of->places.size();
-  if (!configuration && !isPlace) return;
-  const JointValues& set = configuration ? configuration->joints : of->places[entry.place].joints;
+  const RobotPath* const of = entry.kind == Kind::Waypoint ? plans().path(entry.name) : nullptr;
+  const bool isWaypoint = of && entry.waypoint < of->waypoints.size();
+  if (!configuration && !isWaypoint) return;
+  const JointValues& set = configuration ? configuration->joints : of->waypoints[entry.waypoint].joints;
   const std::string& arm = configuration ? configuration->arm : of->arm;
   auto edit = cell().jointEdit(jointsSetBy(cell().robot(), arm, set, cell().joints()));
   const QString name = QString::fromStdString(entry.name);
   const QString text =
-      configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.place + 1).arg(name);
+      configuration ? tr("Go to %1").arg(name) : tr("Go to place %1 of %2").arg(entry.waypoint + 1).arg(name);
   if (edit) cell().commit(text, std::move(edit));
   emit robotSent();
 }
 
-// Before the goal, if no place before that is selected: the path goes on ending there.
+// Inserts before the goal, unless an earlier waypoint is selected: the path still ends at its goal.
 void CellPaths::insertHere() {
   m_document->document.settle();
   const PlanTree::Entry entry = m_tree->current();
   const RobotPath* const present = path();
   if (!present) return;
-  const std::size_t count = present->places.size();
+  const std::size_t count = present->waypoints.size();
   const std::size_t goal = count < 2 ? count : count - 1;
-  insertAt(entry.kind == Kind::Place ? std::min(entry.place + 1, goal) : goal);
+  insertAt(entry.kind == Kind::Waypoint ? std::min(entry.waypoint + 1, goal) : goal);
 }
 
 void CellPaths::insertAt(std::size_t behind) {
   CellPlans changed = plans();
   RobotPath& of = *pathByHand(changed, path()->name);
-  Waypoint place{.joints = seenJoints()};
+  Waypoint waypoint{.joints = seenJoints()};
   if (behind > 0)
-    place.speed = of.places[behind - 1].motion == place.motion ? of.places[behind - 1].speed : place.speed;
-  of.places.insert(of.places.begin() + static_cast<std::ptrdiff_t>(behind), std::move(place));
-  const PlanTree::Entry inserted{Kind::Place, of.name, behind};
+    waypoint.speed =
+        of.waypoints[behind - 1].motion == waypoint.motion ? of.waypoints[behind - 1].speed : waypoint.speed;
+  of.waypoints.insert(of.waypoints.begin() + static_cast<std::ptrdiff_t>(behind), std::move(waypoint));
+  const PlanTree::Entry inserted{Kind::Waypoint, of.name, behind};
   const QString name = QString::fromStdString(of.name);
-  const std::size_t count = of.places.size();
+  const std::size_t count = of.waypoints.size();
   if (!commit(tr("Insert a place into %1").arg(name), std::move(changed))) return;
   m_tree->select(inserted);
   reportStored(*m_document, tr("Place %1 of %2 was stored").arg(behind + 1).arg(name),
                tr("The path has %Ln place(s) now.", nullptr, static_cast<int>(count)));
 }
 
-void CellPaths::addPlace() {
+void CellPaths::addWaypoint() {
   m_document->document.settle();  // the hand may lead the robot
   const PlanTree::Entry chosen = m_tree->current();
-  if (chosen.kind == Kind::Path || chosen.kind == Kind::Place) {
+  if (chosen.kind == Kind::Path || chosen.kind == Kind::Waypoint) {
     const RobotPath* const present = path();
     if (!present) return;
-    const std::size_t count = present->places.size();
-    return insertAt(chosen.kind == Kind::Place ? std::min(chosen.place + 1, count) : count);
+    const std::size_t count = present->waypoints.size();
+    return insertAt(chosen.kind == Kind::Waypoint ? std::min(chosen.waypoint + 1, count) : count);
   }
   CellPlans changed = plans();
   RobotPath begun{changed.freePathName(tr("Path").toStdString()), {{.joints = cell().joints()}}, changed.arm};
-  const PlanTree::Entry first{Kind::Place, begun.name, 0};
+  const PlanTree::Entry first{Kind::Waypoint, begun.name, 0};
   const QString name = QString::fromStdString(begun.name);
   changed.paths.push_back(std::move(begun));
   if (!commit(tr("Begin a path"), std::move(changed))) return;
@@ -241,7 +243,7 @@ void CellPaths::addPlace() {
                tr("The next places that are stored continue the path."));
 }
 
-void CellPaths::setPlaceHere() {
+void CellPaths::setWaypointHere() {
   m_document->document.settle();
   const PlanTree::Entry entry = m_tree->current();
   if (entry.kind == Kind::Configuration) return setConfigurationHere(entry.name);
@@ -249,34 +251,34 @@ void CellPaths::setPlaceHere() {
   if (entry.kind == Kind::Frame) return setFrameHere(entry.name);
   CellPlans changed = plans();
   RobotPath* const of = pathByHand(changed, entry.name);
-  if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
-  Waypoint& place = of->places[entry.place];
-  place.joints = seenJoints();
-  place.isCritical = true;
-  place.target.reset();
-  place.configuration.clear();
-  commit(tr("Set place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
+  if (entry.kind != Kind::Waypoint || !of || entry.waypoint >= of->waypoints.size()) return;
+  Waypoint& waypoint = of->waypoints[entry.waypoint];
+  waypoint.joints = seenJoints();
+  waypoint.isCritical = true;
+  waypoint.target.reset();
+  waypoint.configuration.clear();
+  commit(tr("Set place %1 of %2").arg(entry.waypoint + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
 }
 
-void CellPaths::movePlace(int by) {
+void CellPaths::moveWaypoint(int by) {
   const PlanTree::Entry entry = m_tree->current();
   CellPlans changed = plans();
   RobotPath* const of = pathByHand(changed, entry.name);
-  const std::size_t to = entry.place + static_cast<std::size_t>(by);  // below 0: larger than all
-  if (entry.kind != Kind::Place || !of || std::max(entry.place, to) >= of->places.size()) return;
-  std::swap(of->places[entry.place], of->places[to]);
-  commit(tr("Move place %1 of %2").arg(entry.place + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
-  m_tree->select({Kind::Place, entry.name, to});
+  const std::size_t to = entry.waypoint + static_cast<std::size_t>(by);  // below 0: larger than all
+  if (entry.kind != Kind::Waypoint || !of || std::max(entry.waypoint, to) >= of->waypoints.size()) return;
+  std::swap(of->waypoints[entry.waypoint], of->waypoints[to]);
+  commit(tr("Move place %1 of %2").arg(entry.waypoint + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
+  m_tree->select({Kind::Waypoint, entry.name, to});
 }
 
 void CellPaths::setStraight(bool isStraight) {
   const PlanTree::Entry entry = m_tree->current();
   CellPlans changed = plans();
   RobotPath* const of = pathByHand(changed, entry.name);
-  if (entry.kind != Kind::Place || !of || entry.place >= of->places.size()) return;
-  setMotion(*of, entry.place, isStraight ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
-  commit(isStraight ? tr("Straight line to place %1").arg(entry.place + 1)
-                    : tr("Joint motion to place %1").arg(entry.place + 1),
+  if (entry.kind != Kind::Waypoint || !of || entry.waypoint >= of->waypoints.size()) return;
+  setMotion(*of, entry.waypoint, isStraight ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
+  commit(isStraight ? tr("Straight line to place %1").arg(entry.waypoint + 1)
+                    : tr("Joint motion to place %1").arg(entry.waypoint + 1),
          std::move(changed));
 }
 
@@ -297,9 +299,9 @@ void CellPaths::removeCurrent() {
     std::erase_if(changed.paths, [&](const RobotPath& each) { return each.name == entry.name; });
     commit(tr("Remove %1").arg(name), std::move(changed));
   } else if (RobotPath* const of = pathByHand(changed, entry.name);
-             entry.kind == Kind::Place && of && entry.place < of->places.size()) {
-    of->places.erase(of->places.begin() + static_cast<std::ptrdiff_t>(entry.place));
-    commit(tr("Remove place %1 of %2").arg(entry.place + 1).arg(name), std::move(changed));
+             entry.kind == Kind::Waypoint && of && entry.waypoint < of->waypoints.size()) {
+    of->waypoints.erase(of->waypoints.begin() + static_cast<std::ptrdiff_t>(entry.waypoint));
+    commit(tr("Remove place %1 of %2").arg(entry.waypoint + 1).arg(name), std::move(changed));
   }
 }
 
@@ -326,8 +328,8 @@ void CellPaths::reportRemoved(const QString& configuration, const std::vector<st
 void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
   CellPlans changed = plans();
   const std::string wanted = name.toStdString();
-  const bool isPlace = entry.kind == Kind::Configuration || entry.kind == Kind::Target;
-  const bool isTaken = isPlace                     ? changed.configuration(wanted) || changed.target(wanted)
+  const bool isWaypoint = entry.kind == Kind::Configuration || entry.kind == Kind::Target;
+  const bool isTaken = isWaypoint                  ? changed.configuration(wanted) || changed.target(wanted)
                        : entry.kind == Kind::Frame ? changed.frame(wanted) != nullptr
                                                    : changed.path(wanted) != nullptr;
   if (wanted == entry.name || isTaken || !isBodyName(wanted)) return update();
@@ -345,7 +347,7 @@ void CellPaths::rename(const PlanTree::Entry& entry, const QString& name) {
   m_tree->select({entry.kind, wanted});
 }
 
-// Of the selected robot, or else the one that is planned for.
+// Reads for the selected robot, or else the one that is planned for.
 void CellPaths::readSemantics(const QString& file) {
   const CellRobot& robots = cell().robot();
   const PlanTree::Entry entry = m_tree->current();

@@ -31,10 +31,10 @@ class CellReachOutline : public QObject {
   DocumentTab* m_document = nullptr;
   std::shared_ptr<PathLayer> m_layer;
   QAction m_action;
-  // What the present outline is of.
+  // Inputs of the present outline.
   std::shared_ptr<const CellScene> m_scene;
   Pose m_tool = Pose::Identity();
-  Vec3 m_direction = Vec3::Zero();  // of unit length; zero: there is none
+  Vec3 m_direction = Vec3::Zero();  // Unit length; zero: no outline
 };
 
 }  // namespace handwheel

@@ -39,7 +39,7 @@ Box boundsOf(const RobotCellSnapshot& cell, const JointValues& joints) {
 }
 
 // Beside all that is there, along x.
-Pose freePlace(const RobotCellSnapshot& cell, const RobotCellSnapshot& robot) {
+Pose freePose(const RobotCellSnapshot& cell, const RobotCellSnapshot& robot) {
   const Box there = boundsOf(cell, cell.joints), own = boundsOf(robot, robot.joints);
   Pose base = Pose::Identity();
   if (!there.isEmpty() && !own.isEmpty()) base.translation().x() = std::ceil(there.max().x() - own.min().x());
@@ -198,7 +198,7 @@ void CellRobots::add(const QString& what, Reading reading) {
 void CellRobots::addTo(DocumentTab& tab, const std::shared_ptr<const RobotCellSnapshot>& robot) {
   auto& document = static_cast<RobotCellDocument&>(tab.document);
   const auto now = snapshotOfCell(document);
-  Result<RobotCellSnapshot> changed = withRobotAdded(*now, {robot, {}, freePlace(*now, *robot)});
+  Result<RobotCellSnapshot> changed = withRobotAdded(*now, {robot, {}, freePose(*now, *robot)});
   if (!changed) return report(document, changed.error());
   const QString text = tr("Add the robot %1").arg(QString::fromStdString(changed->robot->arms.back().name));
   document.commit(text, document.robotsEdit(std::move(changed).value()));

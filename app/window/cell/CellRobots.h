@@ -16,26 +16,26 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// The robots of the current cell. Adds one beside what is there, removes one, and lets the user choose the one that is
-// planned for. Window thread.
+// The robots of the current cell. Adds one beside the other objects, removes one, and lets the user choose the one that
+// is planned for. Window thread.
 class CellRobots : public QObject {
   Q_OBJECT
 
  public:
-  // selected: the name of the robot that is selected in the list; empty: none is.
+  // selected: returns the name of the robot that is selected in the list; empty: none.
   CellRobots(const WindowContext& parts, std::function<std::string()> selected, QObject* parent);
 
   void setDocument(DocumentTab* document);
   QList<QAction*> all() { return {&m_add, &m_addBuiltIn, &m_remove}; }
   QComboBox* box() const { return m_box; }  // owned by the window; hidden for a cell with one robot
 
-  // By their names; no such robot: nothing happens.
+  // Choose or remove a robot by its name; an unknown name does nothing.
   void choose(const std::string& name);
   void remove(const std::string& name);
 
  signals:
   void message(const handwheel::Message& message);
-  void added();  // a robot, to the cell in view
+  void added();  // A robot was added to the cell in view
 
  private:
   using Reading = std::function<Result<OpenedFile>(Progress)>;
@@ -55,7 +55,7 @@ class CellRobots : public QObject {
   QComboBox* m_box;
 };
 
-// Lets a person choose a robot of the library; chosen gets its id.
+// Lets the user choose a robot of the library; chosen receives its id.
 void askForLibraryRobot(QWidget* window, const QString& title, QObject* receiver,
                         const std::function<void(const char* id)>& chosen);
 

@@ -37,11 +37,12 @@ TargetReach reachOf(const CellScene& scene, const CellPlans& plans, const NamedT
     return {false,
             target.body != 0 ? CellTargets::tr("its body was removed") : CellTargets::tr("its frame is on nothing")};
   }
-  const std::vector<CellIkSolution> ways = ikSolutionsTo(scene, plans, *pose, scene.planned(joints));
-  const auto count = std::count_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isFree(); });
-  const QString remark = ways.empty() ? CellTargets::tr("out of reach")
-                         : count > 0  ? CellTargets::tr("%Ln configuration(s)", nullptr, static_cast<int>(count))
-                                      : problemText(scene, ways.front());
+  const std::vector<CellIkSolution> solutions = ikSolutionsTo(scene, plans, *pose, scene.planned(joints));
+  const auto count = std::count_if(solutions.begin(), solutions.end(),
+                                   [](const CellIkSolution& solution) { return solution.isFree(); });
+  const QString remark = solutions.empty() ? CellTargets::tr("out of reach")
+                         : count > 0       ? CellTargets::tr("%Ln configuration(s)", nullptr, static_cast<int>(count))
+                                           : problemText(scene, solutions.front());
   const BodyPointer body = scene.bodies.withId(target.body);
   if (body) return {count > 0, CellTargets::tr("%1 (on %2)").arg(remark, QString::fromStdString(body->name))};
   if (target.frame.empty()) return {count > 0, remark};

@@ -12,13 +12,13 @@ namespace handwheel {
 
 class PathLayer;
 
-// What is known of a target: whether the tool gets there.
+// The reachability of a target by the tool.
 struct TargetReach {
   bool isFree = false;
   QString remark;  // "out of reach"
 };
 
-// The targets of the current cell, drawn as axes like its frames, and their reachability. Looks for that on a worker.
+// The targets of the current cell, drawn as axes like its frames, and their reachability. A worker computes the latter.
 // Window thread.
 class CellTargets : public QObject {
   Q_OBJECT
@@ -29,22 +29,22 @@ class CellTargets : public QObject {
 
   void setDocument(DocumentTab* document);
   void setVisible(bool isVisible);
-  // By their names; empty: none is. What is selected has longer axes.
+  // Sets the selected target and frame by their names; empty: none. The selected ones have longer axes.
   void setSelected(const std::string& target, const std::string& frame);
-  const std::map<std::string, TargetReach>& reach() const { return m_reach; }  // by target; those that are known
+  const std::map<std::string, TargetReach>& reach() const { return m_reach; }  // By target; only those already computed
 
  signals:
   void reachChanged();
 
  private:
-  // What the reach of the targets depends on.
+  // The inputs of the reachability of the targets.
   struct Question {
     std::shared_ptr<const CellScene> scene;
     std::vector<NamedTarget> targets;
     std::vector<NamedFrame> frames;
     Pose tool = Pose::Identity();
     double clearance = 0.0;
-    JointValues joints;  // where a target is on what a robot carries; else empty
+    JointValues joints;  // Set if a target is on a body that a robot carries; else empty
     bool operator==(const Question& other) const;
   };
 

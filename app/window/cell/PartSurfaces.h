@@ -10,14 +10,14 @@
 
 namespace handwheel {
 
-// The surfaces of bodies, prepared for curves on them. A worker does so when they are first asked for. Window thread.
+// The surfaces of bodies, prepared for curves on them. A worker prepares each at its first use. Window thread.
 class PartSurfaces : public QObject {
   Q_OBJECT
 
  public:
   PartSurfaces(JobRunner& jobs, QObject* parent) : QObject(parent), m_jobs(jobs) {}
 
-  // Null while it is being prepared; then prepared() follows.
+  // Returns the surface; null while it is being prepared, and prepared() follows.
   std::shared_ptr<const PartSurface> of(const BodyPointer& body);
   void clear();
 
@@ -27,7 +27,7 @@ class PartSurfaces : public QObject {
  private:
   struct Entry {
     GeometryPointer geometry;
-    std::shared_ptr<const PartSurface> surface;  // null: under way
+    std::shared_ptr<const PartSurface> surface;  // Null: being prepared
   };
   JobRunner& m_jobs;
   std::map<BodyId, Entry> m_entries;

@@ -18,9 +18,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostResults = 8;  // of a path
+constexpr std::size_t kMostResults = 8;  // Number of results per path
 
-// Whether what is stored contradicts itself, as no verification finds it.
+// Returns true if stored findings contradict each other, as those of a verification never do.
 bool isContradictory(const PathFindings& found, BasisChange change, double clearance) {
   constexpr double kTolerance = 1e-6;  // mm
   if (found.isCertified && (found.collisions > 0 || !found.listed.empty())) return true;
@@ -68,7 +68,7 @@ void PathChecks::setDocument(DocumentTab* document) {
   recall();
 }
 
-// What is stored of the paths of a document that was opened.
+// Restores the stored results of the paths of a document that was opened.
 void PathChecks::recall() {
   const auto now = content();
   if (now->proofs->empty()) m_recalled.insert(m_document);
@@ -101,14 +101,14 @@ std::shared_ptr<const RobotCellSnapshot> PathChecks::content() const {
   return std::static_pointer_cast<const RobotCellSnapshot>(m_document->document.snapshot());
 }
 
-// One that was renamed is found by its places.
+// A renamed path is found by its waypoints.
 const PathResult* PathChecks::resultOf(const RobotPath& path, const RobotCellSnapshot& now) const {
   const auto known = m_results.find(m_document);
   if (known == m_results.end()) return nullptr;
   const Results& results = known->second;
   auto of = results.find(path.name);
   if (of == results.end()) {
-    const auto isSame = [&](const PathResult& result) { return areSameWay(result.basis.path, path); };
+    const auto isSame = [&](const PathResult& result) { return haveSameWaypoints(result.basis.path, path); };
     of = std::find_if(results.begin(), results.end(), [&](const auto& each) {
       return !now.plans->path(each.first) && std::any_of(each.second.begin(), each.second.end(), isSame);
     });
@@ -150,7 +150,7 @@ void PathChecks::verify(const RobotPath& path, Request request) {
     m_run->isAsked |= request == Request::Again;
     return;
   }
-  // What was only stored is verified again.
+  // A result that was only stored is verified again.
   const bool isKnown =
       state.last && state.change == BasisChange::Nothing && (state.last->checked || !state.last->found);
   if (request != Request::Again && isKnown) return;
@@ -159,7 +159,8 @@ void PathChecks::verify(const RobotPath& path, Request request) {
       .clearance = now->plans->clearanceOf(path),
       .resolution = std::min(PathCheckSettings().resolution, fidelity.of(planResolutionSetting())),
       .step = fidelity.of(verifyStepSetting())};
-  // One of those that wait gives way to the one that is asked for; also the last of all, which is not done.
+  // A running verification of a waiting path gives precedence to the requested one; so does the last of all, which is
+  // not finished.
   if (m_run && (m_isAllAsked || !m_waiting.empty())) m_waiting.push_back(m_run->basis.path.name);
   m_parts.jobs.cancelOf(this);
   const std::uint64_t run = ++m_runs;
@@ -228,7 +229,7 @@ void PathChecks::store(const PathResult& result, bool isAsked) {
   cell.setProofs(std::move(proofs), isAsked && isNew);
 }
 
-// What undo and redo bring back holds again, and no change that is to be saved.
+// A result that undo or redo makes valid again is stored, but is no change that has to be saved.
 void PathChecks::storeThoseThatHold() {
   auto& cell = static_cast<RobotCellDocument&>(m_document->document);
   const auto now = content();
@@ -260,7 +261,7 @@ void PathChecks::verifyAll() {
   if (!m_document) return;
   m_waiting.clear();
   for (const RobotPath& path : content()->plans->paths) {
-    if (path.places.size() >= 2) m_waiting.push_back(path.name);
+    if (path.waypoints.size() >= 2) m_waiting.push_back(path.name);
   }
   m_isAllAsked = true;
   goOn();
@@ -271,7 +272,7 @@ std::shared_ptr<const CellScene> PathChecks::sceneFor(const RobotPath& path, con
   return number ? m_collisions.sceneFor(*number) : nullptr;
 }
 
-// With the next one that waits, once the cell is prepared and nothing else is under way.
+// Continues with the next waiting path, once the cell is prepared and nothing else is running.
 void PathChecks::goOn() {
   if (!m_document || !m_collisions.isReady()) return;
   const auto now = content();
@@ -281,7 +282,7 @@ void PathChecks::goOn() {
   while (!m_run && !m_waiting.empty()) {
     const RobotPath* const path = now->plans->path(m_waiting.front());
     m_waiting.pop_front();
-    if (path && path->places.size() >= 2) verify(*path, Request::OfAll);
+    if (path && path->waypoints.size() >= 2) verify(*path, Request::OfAll);
   }
   if (!m_run && std::exchange(m_isAllAsked, false)) emit allVerified();
 }

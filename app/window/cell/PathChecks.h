@@ -19,29 +19,28 @@ namespace handwheel {
 // The result of a verification of a path.
 struct PathResult {
   PathBasis basis;
-  std::optional<PathFindings> found;           // none: it could not be verified
-  QString problem = {};                        // then why
-  std::shared_ptr<const CheckedPath> checked;  // null: not in this session
+  std::optional<PathFindings> found;           // Nothing: it could not be verified
+  QString problem = {};                        // The reason in that case
+  std::shared_ptr<const CheckedPath> checked;  // Null: not verified in this session
   QDateTime at = {};
-  BasisChange changedBefore = BasisChange::Nothing;  // of one that was stored: since then, before it was opened
-  BasisDigests digests = {};                         // of the basis
+  BasisChange changedBefore = BasisChange::Nothing;  // The change of a stored result before the document was opened
+  BasisDigests digests = {};                         // Digests of the basis
 };
 
-// What is known of the paths of the open cells. A path is verified on a worker, one at a time. Its last results are
-// kept, also while another path or document is shown. One holds while all that it depends on is as it was, so undo
-// brings it back. The one that holds is stored with the cell in brief, with digests of what it depends on. Window
-// thread.
+// The verification results of the paths of the open cells. A path is verified on a worker, one at a time. Its last
+// results are kept, also while another path or document is shown. A result holds while all its inputs are unchanged, so
+// undo makes it valid again. The valid one is stored with the cell in brief, with digests of its inputs. Window thread.
 class PathChecks : public QObject {
   Q_OBJECT
 
  public:
-  // What is known of a path now.
+  // The present verification state of a path.
   struct State {
-    const PathResult* last = nullptr;  // that holds, else the last one; null: it was never verified
+    const PathResult* last = nullptr;  // The valid result, else the last one; null: never verified
     BasisChange change = BasisChange::Nothing;
     bool isUnderWay = false;
   };
-  // Again: even if it is known, and verified() follows. OfAll: one of all that a person asked for.
+  // Again: even if the result is known, and verified() follows. OfAll: one of all paths, on the user's request.
   enum class Request { Known, Again, OfAll };
 
   PathChecks(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
@@ -54,15 +53,15 @@ class PathChecks : public QObject {
     m_interrupted.erase(document);
   }
 
-  // Begins to verify a path, unless its result is known. What is under way for another path or another state of it
-  // ends. Nothing happens where the cell is not prepared for its robot.
+  // Begins to verify a path, unless its result is known. A running verification of another path, or another state of
+  // this one, ends. Does nothing if the cell is not prepared for its robot.
   void verify(const RobotPath& path, Request request = Request::Known);
-  // All paths of all robots whose results are not known, one after the other; allVerified() follows.
+  // Verifies all paths of all robots without a known result, one after the other; allVerified() follows.
   void verifyAll();
-  // To be called when a path got another name: what is stored of it goes along.
+  // Must be called after a path was renamed: its stored results take the new name.
   void renamed(const std::string& from, const std::string& to);
   State stateOf(const RobotPath& path) const;
-  // What holds for the path as it and the cell are now; null: nothing.
+  // Returns the result that is valid for the present path and cell; null: none.
   std::shared_ptr<const CheckedPath> of(const RobotPath& path) const;
 
  signals:
@@ -77,13 +76,13 @@ class PathChecks : public QObject {
     bool isOfAll = false;
     std::uint64_t number = 0;
   };
-  // What was left to be verified when another document came into view: it goes on when this one is shown again.
+  // The remaining verifications of a document that is not in view: they continue when it is shown again.
   struct Interrupted {
-    std::optional<std::string> asked;  // by its name
+    std::optional<std::string> asked;  // Name of the path
     std::deque<std::string> waiting;
     bool isAll = false;
   };
-  // What a run found, or why nothing.
+  // The result of a run, or its error.
   struct Outcome {
     Result<CheckedPath> checked;
     std::shared_ptr<const CellScene> scene;
@@ -104,17 +103,17 @@ class PathChecks : public QObject {
   WindowContext m_parts;
   CellCollisions& m_collisions;
   DocumentTab* m_document = nullptr;
-  QMetaObject::Connection m_changes;                               // of the document
-  using Results = std::map<std::string, std::vector<PathResult>>;  // by the name of the path, the last one behind
+  QMetaObject::Connection m_changes;                               // Changes of the document
+  using Results = std::map<std::string, std::vector<PathResult>>;  // By the name of the path, the latest last
   std::map<const DocumentTab*, Results> m_results;
-  std::set<const DocumentTab*> m_recalled;  // of which nothing stored is left to be recalled
+  std::set<const DocumentTab*> m_recalled;  // Documents whose stored results have all been recalled
   std::optional<Run> m_run;
-  std::uint64_t m_runs = 0;            // that were begun
-  std::deque<std::string> m_waiting;   // names of paths that are to be verified, too
-  bool m_isAllAsked = false;           // verifyAll() was called, and they are not done
-  std::optional<std::string> m_asked;  // the path that a person asked for before another document came into view
+  std::uint64_t m_runs = 0;            // Number of runs begun
+  std::deque<std::string> m_waiting;   // Names of the paths that are to be verified next
+  bool m_isAllAsked = false;           // True from verifyAll() until all are done
+  std::optional<std::string> m_asked;  // The path that the user asked for before another document came into view
   std::map<const DocumentTab*, Interrupted> m_interrupted;
-  std::shared_ptr<const PathDigests> m_digests;  // the last that were made of the document
+  std::shared_ptr<const PathDigests> m_digests;  // The last digests of the document
 };
 
 }  // namespace handwheel

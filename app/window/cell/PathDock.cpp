@@ -55,7 +55,7 @@ void PathDock::makeDock() {
   auto* const column = new QVBoxLayout(page);
   column->addWidget(m_text);
   column->addWidget(m_line, 1);
-  m_dock->setWidget(new ScrolledPanel(page, ScrolledPanel::Ways::Both, m_dock));
+  m_dock->setWidget(new ScrolledPanel(page, ScrolledPanel::Directions::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   connect(m_line, &TimeLinePanel::timeChanged, this, &PathDock::show);
   connect(m_dock, &QDockWidget::visibilityChanged, this, [this] {
@@ -75,7 +75,8 @@ JointValues PathDock::standing() const {
   return static_cast<const RobotCellDocument&>(m_document->document).joints();
 }
 
-// Who moves the robot, in whatever panel, sees where it stands; who works in another frame, the place in that.
+// Users who move the robot, in any panel, see its present joint values; those who work in another frame, the position
+// in that frame.
 void PathDock::takeChange() {
   if (!m_isOpen) return;
   const JointValues now = standing();
@@ -111,7 +112,7 @@ void PathDock::prepare() {
   m_timed.reset();
   const auto scene = m_paths.scene();
   const bool isKnown = m_shown && scene && m_paths.path();
-  const bool isBegun = isKnown && !m_shown->way.placeOf.empty();
+  const bool isBegun = isKnown && !m_shown->resolved.waypointOf.empty();
   m_line->setEnabled(isBegun);
   if (!isBegun) {
     m_line->setRecordings({});
@@ -120,7 +121,8 @@ void PathDock::prepare() {
                                      : tr("Select a path in the panel, or plan one, to play it here."));
     return;
   }
-  m_timed = std::make_unique<TimedPath>(timed(*scene, m_paths.plans(), *m_paths.path(), m_shown->way, m_shown->blends));
+  m_timed =
+      std::make_unique<TimedPath>(timed(*scene, m_paths.plans(), *m_paths.path(), m_shown->resolved, m_shown->blends));
   m_line->setRecordings({recordingOf(*m_shown)});
   show(0.0);
   goToWanted();
@@ -142,7 +144,7 @@ void PathDock::goToWanted() {
 }
 
 double PathDock::timeOf(std::size_t motion, double share) const {
-  // The way within a motion is not even in time: looked for by halving.
+  // Travel within a motion is not uniform in time: found by bisection.
   double low = m_timed->beginOf(motion), high = m_timed->beginOf(motion + 1);
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
@@ -203,9 +205,9 @@ void PathDock::show(double seconds) {
   CellCollision colliding{scene, values, {}};
   if (nearest.link != kNone) colliding.pairs = scene->scene.allTooNear(values, 0.0, 0.0);
   markColliding(*model, *scene, colliding.pairs);
-  const std::size_t place = m_shown->placeOf(m_timed->motionAt(seconds));
+  const std::size_t waypoint = m_shown->waypointOf(m_timed->motionAt(seconds));
   QString text =
-      tr("To place %1 of %2: %3").arg(place + 1).arg(m_paths.path()->places.size()).arg(toolText(*scene, values));
+      tr("To place %1 of %2: %3").arg(waypoint + 1).arg(m_paths.path()->waypoints.size()).arg(toolText(*scene, values));
   if (nearest.link != kNone) {
     const auto [link, other] = scene->namesOf(nearest);
     text += tr("; collision: %1 with %2").arg(QString::fromStdString(link), QString::fromStdString(other));

@@ -25,7 +25,8 @@ struct CheckedPath;
 struct TimeLineRecording;
 
 // The dock “Path”, which plays a path of the robot on a time line. Clearance, manipulability and margin to the limits
-// are curves along it, collisions are marks. As long as it is open the view shows the robot there. Window thread.
+// are curves along it, collisions are marks. While it is open the view shows the robot at the current time. Window
+// thread.
 class PathDock : public QObject {
   Q_OBJECT
 
@@ -37,7 +38,7 @@ class PathDock : public QObject {
   void close() { open(false); }
 
  signals:
-  // What the view is to show before all else, and what collides there; null: nothing.
+  // Sets the parts that the view shows before all others, and their collisions; null: none.
   void partsShown(const std::shared_ptr<const handwheel::DisplayModel>& parts,
                   const std::vector<handwheel::CellCollision>& collisions);
 
@@ -60,14 +61,14 @@ class PathDock : public QObject {
   QAction m_toggle;
   bool m_isOpen = false;
   DocumentTab* m_document = nullptr;
-  JointValues m_standing;   // where the robot stood when it was opened
-  std::string m_countedIn;  // the frame that the text counts in; empty: the cell
+  JointValues m_standing;   // Joint values of the document when it was opened
+  std::string m_countedIn;  // The frame of the displayed coordinates; empty: the cell
   QPointer<QDockWidget> m_dock;
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;
   std::shared_ptr<const CheckedPath> m_shown;
-  std::unique_ptr<TimedPath> m_timed;  // of m_shown
-  // What is to be shown once its path is known: a collision of it, by its number in stretchesOf().
+  std::unique_ptr<TimedPath> m_timed;  // m_shown in time
+  // A collision to show once its path is verified, by its index in stretchesOf().
   std::optional<std::pair<std::string, std::size_t>> m_wanted;
 };
 

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The trajectory of the tool's centre point along the path last asked for. It is computed by a worker. Window thread.
+// The trajectory of the tool centre point along the path last asked for. It is computed by a worker. Window thread.
 class PathGuides : public QObject {
   Q_OBJECT
 
@@ -15,7 +15,8 @@ class PathGuides : public QObject {
   PathGuides(JobRunner& jobs, const CellCollisions& collisions, QObject* parent)
       : QObject(parent), m_jobs(jobs), m_collisions(collisions) {}
 
-  // Null while it is being found, or the cell prepared; then prepared() follows. Cheap where nothing has changed.
+  // Returns the curve; null while it is being computed, or the cell prepared, and prepared() follows. Cheap if nothing
+  // has changed.
   std::shared_ptr<const GuideCurve> of(const std::string& path, const std::shared_ptr<const CellPlans>& plans);
   void clear();
 
@@ -28,10 +29,10 @@ class PathGuides : public QObject {
 
   JobRunner& m_jobs;
   const CellCollisions& m_collisions;
-  std::shared_ptr<const CellPlans> m_plans;  // that the curve was found with; null: none was asked for
-  std::shared_ptr<const CellRobot> m_robot;  // and the robots, with where they stand
+  std::shared_ptr<const CellPlans> m_plans;  // Plans that the curve was computed with; null: none was requested
+  std::shared_ptr<const CellRobot> m_robot;  // Robots that the curve was computed with, with their bases
   std::string m_path;
-  std::shared_ptr<const GuideCurve> m_curve;  // null: under way
+  std::shared_ptr<const GuideCurve> m_curve;  // Null: being computed
 };
 
 }  // namespace handwheel

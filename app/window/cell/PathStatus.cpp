@@ -97,7 +97,7 @@ class Words {
   }
 
  private:
-  // Of the day; of another one its date.
+  // Time of the day, or on another day its date.
   QString time(const PathResult& result) const {
     const bool isToday = result.at.date() == QDate::currentDate();
     return isToday ? m_locale.toString(result.at.time(), QLocale::ShortFormat)
@@ -111,7 +111,7 @@ class Words {
     const QString met = tr("%Ln collision(s)", nullptr, meeting);
     return tooNear > 0 ? tr("%1, %2").arg(met, nearly) : met;
   }
-  // Of a path that is not free.
+  // Adds the problem of a path that is not free.
   static QString withProblem(const PathFindings& found, const QString& text) {
     return tr("%1; %2").arg(text, found.stopsAt ? tr("line cannot be followed") : collisions(found));
   }
@@ -140,10 +140,11 @@ QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLoca
   QStringList texts;
   for (const PathFindings::Meeting& each : found.listed) {
     const QString link = QString::fromStdString(each.link), other = QString::fromStdString(each.other);
-    texts += each.distance > 0.0 ? Words::tr("On the way to place %1: %2 only %4 from %3")
-                                       .arg(each.place + 1)
-                                       .arg(link, other, clearanceText(each.distance, unit, locale))
-                                 : Words::tr("On the way to place %1: %2 with %3").arg(each.place + 1).arg(link, other);
+    texts += each.distance > 0.0
+                 ? Words::tr("On the way to place %1: %2 only %4 from %3")
+                       .arg(each.waypoint + 1)
+                       .arg(link, other, clearanceText(each.distance, unit, locale))
+                 : Words::tr("On the way to place %1: %2 with %3").arg(each.waypoint + 1).arg(link, other);
   }
   return texts;
 }
@@ -203,7 +204,7 @@ QString clearanceText(double least, LengthUnit unit, const QLocale& locale) {
   constexpr double kFarthest = PathMetricsSettings().farthest;
   if (!(least < kFarthest)) return QStringLiteral("> ") + quantityText(kFarthest, Quantity::Length, unit, locale);
   const bool isMetric = unit == LengthUnit::Millimetre;
-  constexpr double kThousandths = 1e3;  // of other units; rounded down, too
+  constexpr double kThousandths = 1e3;  // Also for other units; rounded down, too
   const double shown = isMetric
                            ? shownDistance(least)
                            : std::floor(least / perShownUnit(Quantity::Length, unit) * kThousandths) / kThousandths;
@@ -216,7 +217,7 @@ PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, L
   const auto plain = [](const QString& text, const QString& details, const char* icon) {
     return PathStatus{text, text, details, {}, QLatin1String(icon), false};
   };
-  if (path.places.size() < 2)
+  if (path.waypoints.size() < 2)
     return plain(Words::tr("too few places"), Words::tr("A path needs at least two places."), "info");
   if (state.isUnderWay) return plain(Words::tr("verifying…"), Words::tr("The path is being verified."), "");
   if (!state.last) {

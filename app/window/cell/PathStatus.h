@@ -11,31 +11,31 @@ namespace handwheel {
 
 // The verification state of a path as text: short, as a sentence, and in full. Never empty. Any thread.
 struct PathStatus {
-  QString text;     // short enough for a column: "free, 12.3 mm, 14:05"
+  QString text;     // Short enough for a column: "free, 12.3 mm, 14:05"
   QString summary;  // "free of collisions (14:05, clearance 12.3 mm)"
-  QString details;  // sentences, a line each
-  // Those of these lines that are collisions, in the order of stretchesOf().
+  QString details;  // Sentences, one per line
+  // The collisions among these lines, in the order of stretchesOf().
   QStringList collisions;
-  QString icon;  // its name; empty: none
+  QString icon;  // Name of an icon; empty: none
   bool isFree = false;
 };
 PathStatus pathStatusOf(const PathChecks::State& state, const RobotPath& path, LengthUnit unit, const QLocale& locale);
 
-// "12.3 mm": the least clearance that was found; "> 1000 mm" where everything is further away than is measured.
+// Returns the least clearance, as in "12.3 mm"; "> 1000 mm" if all distances are beyond the measured range.
 QString clearanceText(double least, LengthUnit unit, const QLocale& locale);
 
-// Why a path does not lead to what it was planned for any more, a sentence each.
+// Returns the reasons why a path is out of date, one sentence each.
 QStringList outdatedSentences(const OutdatedReasons& outdated);
 
-// Pairs that may touch, of which nothing is proven: the first of them, and how many more there are. None: empty.
+// Returns the first of the unproven pairs, which may touch, and the number of others. No pairs: empty.
 QString notCheckedText(const std::vector<std::pair<std::string, std::string>>& pairs);
 
-// The first collisions that were found, a text each.
+// Returns the first collisions that were found, one text each.
 QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLocale& locale);
-// The same, and how many more there are.
+// Returns the same, and the number of further ones.
 QStringList listedCollisions(const PathFindings& found, LengthUnit unit, const QLocale& locale);
 
-// The details as rich text, in which each collision is a link to its number, from 0.
+// Returns the details as rich text, in which each collision is a link to its index, from 0.
 QString linkedDetails(const PathStatus& status);
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ namespace handwheel {
 PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const FidelityValues& fidelity,
                        const std::optional<OperationValues>& before, LengthUnit unit, QWidget* parent)
     : QDialog(parent),
-      m_places{"here"},
+      m_waypoints{"here"},
       m_values(planOperation()),
       m_clearance(plans.clearance),
       m_hasPlainShapes(hasPlainShapes(robot.model, robot.arms, activeArmNumber(robot, plans))),
@@ -27,8 +27,8 @@ PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const Fid
       m_remark(new QLabel(this)) {
   setObjectName(QStringLiteral("planDialog"));
   setWindowTitle(tr("Plan a path"));
-  for (const NamedConfiguration& each : plans.configurations) m_places.push_back(each.name);
-  for (const NamedTarget& each : plans.targets) m_places.push_back(each.name);
+  for (const NamedConfiguration& each : plans.configurations) m_waypoints.push_back(each.name);
+  for (const NamedTarget& each : plans.targets) m_waypoints.push_back(each.name);
   setFidelity(m_values, fidelity);
   if (const double offered = defaultClearance(robot, plans); offered > m_clearance)
     m_values.setValid("clearance", offered);
@@ -37,8 +37,8 @@ PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const Fid
     const bool isOfOnePath = id == "from" || id == "to" || id == "via" || id == "name" || id == "seed";
     if (before && !isOfOnePath && before->isSet(id)) m_values.setValid(id, *before->value(id));
   }
-  m_values.setValid("from", m_places.size() > 2 ? m_places[1] : m_places[0]);
-  m_values.setValid("to", m_places.back());
+  m_values.setValid("from", m_waypoints.size() > 2 ? m_waypoints[1] : m_waypoints[0]);
+  m_values.setValid("to", m_waypoints.back());
   auto* layout = new QVBoxLayout(this);
   m_list->setLengthUnit(unit);
   m_list->setMinimumSize(420, 230);
@@ -48,8 +48,8 @@ PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const Fid
   m_via->setObjectName(QStringLiteral("planVia"));
   m_via->setDragDropMode(QAbstractItemView::InternalMove);
   m_via->setMaximumHeight(120);
-  for (std::size_t i = 1; i < m_places.size(); ++i) {
-    auto* item = new QListWidgetItem(QString::fromStdString(m_places[i]), m_via);
+  for (std::size_t i = 1; i < m_waypoints.size(); ++i) {
+    auto* item = new QListWidgetItem(QString::fromStdString(m_waypoints[i]), m_via);
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Unchecked);
   }
@@ -66,10 +66,10 @@ PlanDialog::PlanDialog(const CellRobot& robot, const CellPlans& plans, const Fid
   connect(m_via, &QListWidget::itemChanged, this, &PlanDialog::showValues);
   connect(m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
     const auto* const number = std::get_if<double>(&value);
-    const bool isPlace = (id == "from" || id == "to") && number;
+    const bool isWaypoint = (id == "from" || id == "to") && number;
     const std::string problem =
-        isPlace ? m_values.set(id, m_places[std::min(static_cast<std::size_t>(*number), m_places.size() - 1)])
-                : m_values.set(id, value);
+        isWaypoint ? m_values.set(id, m_waypoints[std::min(static_cast<std::size_t>(*number), m_waypoints.size() - 1)])
+                   : m_values.set(id, value);
     if (!problem.empty()) m_list->refuse(id, value, QString::fromStdString(problem));
     showValues();
   });
@@ -84,10 +84,10 @@ void PlanDialog::showValues() {
     Property property = parameter.property;
     if (id == "from" || id == "to") {
       property.label = id == "from" ? QT_TRANSLATE_NOOP("Property", "From") : QT_TRANSLATE_NOOP("Property", "To");
-      property.choices = m_places;
+      property.choices = m_waypoints;
       property.choices[0] = QT_TRANSLATE_NOOP("Property", "Current position of the robot");
-      const auto chosen = std::find(m_places.begin(), m_places.end(), m_values.text(id));
-      property.value = static_cast<double>(chosen - m_places.begin());
+      const auto chosen = std::find(m_waypoints.begin(), m_waypoints.end(), m_values.text(id));
+      property.value = static_cast<double>(chosen - m_waypoints.begin());
     } else if (id == "name") {
       property.label = QT_TRANSLATE_NOOP("Property", "Name");
       property.value = m_values.isSet(id) ? m_values.text(id) : std::string();

@@ -15,14 +15,12 @@ class QPushButton;
 
 namespace handwheel {
 
-// A dialog that asks for a path. It asks where it begins and ends, for the configurations on its way, and how it is
-// planned.
+// A dialog that asks for a path. It asks for its ends, the configurations in between, and the options of planning.
 class PlanDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // The robot that the plans are for. before: what was chosen the time before; but for ends and name it is offered
-  // again.
+  // robot: the robots of the cell. before: the values of the previous path; all but ends and name are offered again.
   PlanDialog(const CellRobot& robot, const CellPlans& plans, const FidelityValues& fidelity,
              const std::optional<OperationValues>& before, LengthUnit unit, QWidget* parent);
 
@@ -34,10 +32,10 @@ class PlanDialog : public QDialog {
   void accept() override;
   void keyPressEvent(QKeyEvent* event) override;
 
-  std::vector<std::string> m_places;  // that can be chosen, "here" first
+  std::vector<std::string> m_waypoints;  // Names that can be chosen, "here" first
   OperationValues m_values;
-  double m_clearance;     // mm, of the cell
-  bool m_hasPlainShapes;  // the robot
+  double m_clearance;     // mm, clearance of the cell
+  bool m_hasPlainShapes;  // True if the robot has simplified shapes
   PropertyList* m_list;
   QListWidget* m_via;
   QLabel* m_remark;

@@ -17,7 +17,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kKindRole = Qt::UserRole, kNameRole = Qt::UserRole + 1, kPlaceRole = Qt::UserRole + 2;
+constexpr int kKindRole = Qt::UserRole, kNameRole = Qt::UserRole + 1, kWaypointRole = Qt::UserRole + 2;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ PlanTree::PlanTree(QWidget* parent) : QTreeWidget(parent) {
   });
 }
 
-// What is renamed fills the tree anew, which takes the editor away: that has to be closed by then.
+// Renaming fills the tree anew, which removes the editor: it has to be closed by then.
 void PlanTree::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
   QTreeWidget::closeEditor(editor, hint);
   const Entry renamed = std::exchange(m_renamed, Entry());
@@ -57,7 +57,7 @@ void PlanTree::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint h
 PlanTree::Entry PlanTree::entryOf(const QTreeWidgetItem* item) const {
   if (!item) return {};
   return {static_cast<Entry::Kind>(item->data(0, kKindRole).toInt()), item->data(0, kNameRole).toString().toStdString(),
-          static_cast<std::size_t>(item->data(0, kPlaceRole).toULongLong())};
+          static_cast<std::size_t>(item->data(0, kWaypointRole).toULongLong())};
 }
 
 QTreeWidgetItem* PlanTree::add(QTreeWidgetItem* parent, const Entry& entry, const QString& text,
@@ -65,10 +65,10 @@ QTreeWidgetItem* PlanTree::add(QTreeWidgetItem* parent, const Entry& entry, cons
   auto* item = new QTreeWidgetItem({text, status});
   item->setData(0, kKindRole, static_cast<int>(entry.kind));
   item->setData(0, kNameRole, QString::fromStdString(entry.name));
-  item->setData(0, kPlaceRole, static_cast<qulonglong>(entry.place));
+  item->setData(0, kWaypointRole, static_cast<qulonglong>(entry.waypoint));
   item->setToolTip(0, text);
   item->setToolTip(1, status);
-  const bool isNamed = entry.kind != Entry::Kind::Place && entry.kind != Entry::Kind::Robot;
+  const bool isNamed = entry.kind != Entry::Kind::Waypoint && entry.kind != Entry::Kind::Robot;
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isNamed ? Qt::ItemIsEditable : Qt::NoItemFlags));
   parent->addChild(item);
   return item;
@@ -100,18 +100,18 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
   }
   const int scrolledBy = verticalScrollBar()->value();
   clear();
-  const auto placeText = [](const Waypoint& place, std::size_t number) {
-    const QString name = QString::fromStdString(place.name);
+  const auto waypointText = [](const Waypoint& waypoint, std::size_t number) {
+    const QString name = QString::fromStdString(waypoint.name);
     if (!name.isEmpty()) return tr("%1: %2").arg(number + 1).arg(name);
-    return place.isCritical ? tr("%1: critical").arg(number + 1) : QString::number(number + 1);
+    return waypoint.isCritical ? tr("%1: critical").arg(number + 1) : QString::number(number + 1);
   };
-  // Whose it is, if that is not the robot that is planned for.
+  // The robot, if it is not the one that is planned for.
   const auto ofOther = [&](const std::string& arm) {
     const auto number = robot ? armNumber(*robot, arm) : std::nullopt;
     if (!number || *number == activeArmNumber(*robot, plans)) return QString();
     return tr("of %1").arg(QString::fromStdString(robot->arms[*number].name));
   };
-  constexpr std::size_t kMostPlaces = 2'000;  // that are listed of a path
+  constexpr std::size_t kMostWaypoints = 2'000;  // Limit on the listed waypoints of a path
   auto* configurations = new QTreeWidgetItem(this, {tr("Configurations")});
   configurations->setFlags(Qt::ItemIsEnabled);
   for (const NamedConfiguration& each : plans.configurations)
@@ -126,9 +126,9 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
                                 owner.isEmpty() ? status.text : tr("%1: %2").arg(owner, status.text));
     item->setToolTip(1, status.details);
     if (!status.icon.isEmpty()) item->setIcon(0, icon(status.icon));
-    for (std::size_t i = 0; i < std::min(path.places.size(), kMostPlaces); ++i) {
-      add(item, {Entry::Kind::Place, path.name, i}, placeText(path.places[i], i),
-          path.places[i].motion == ProgramMotion::Kind::Linear ? tr("straight line") : QString());
+    for (std::size_t i = 0; i < std::min(path.waypoints.size(), kMostWaypoints); ++i) {
+      add(item, {Entry::Kind::Waypoint, path.name, i}, waypointText(path.waypoints[i], i),
+          path.waypoints[i].motion == ProgramMotion::Kind::Linear ? tr("straight line") : QString());
     }
     item->setExpanded(!collapsed.contains(path.name));
   }
@@ -156,7 +156,7 @@ void PlanTree::setPlans(const CellPlans& plans, const CellRobot* robot,
   configurations->setExpanded(true);
   paths->setExpanded(true);
   shareColumns();
-  // The rows stay where they are: a click may be on its way to one.
+  // The rows do not scroll: a click may be about to hit one.
   setAutoScroll(false);
   select(before);
   setAutoScroll(true);

@@ -10,25 +10,25 @@
 
 namespace handwheel {
 
-// A tree of the planned content of a cell. It lists its configurations, its paths with their places, its targets, its
-// frames where it has some, and its robots where it has several. It only asks for changes.
+// A tree of the planned content of a cell. It lists its configurations, its paths with their waypoints, its targets,
+// and if there are any its frames, and its robots if there are several. It only requests changes.
 class PlanTree : public QTreeWidget {
   Q_OBJECT
 
  public:
-  // What a row stands for.
+  // The item of a row.
   struct Entry {
-    enum class Kind { None, Configuration, Path, Place, Target, Frame, Robot };
+    enum class Kind { None, Configuration, Path, Waypoint, Target, Frame, Robot };
     Kind kind = Kind::None;
-    std::string name;       // of the configuration, the target, the frame, the path, or the robot
-    std::size_t place = 0;  // in the path
+    std::string name;          // Name of the configuration, target, frame, path, or robot
+    std::size_t waypoint = 0;  // Index of the waypoint in the path
     bool operator==(const Entry&) const = default;
   };
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // statuses: what is known of each path, by its name; reach: of targets; remarks: on frames. robot: null where there
-  // is no cell.
+  // statuses: of the verification of each path, by its name; reach: of targets; remarks: on frames. robot: null if
+  // there is no cell.
   void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, PathStatus>& statuses,
                 const std::map<std::string, TargetReach>& reach, const std::map<std::string, QString>& remarks = {});
   Entry current() const;
@@ -36,7 +36,7 @@ class PlanTree : public QTreeWidget {
 
  signals:
   void currentChanged();
-  void activated(const handwheel::PlanTree::Entry& entry);  // by a double click or Return
+  void activated(const handwheel::PlanTree::Entry& entry);  // By a double click or Return
   void renameRequested(const handwheel::PlanTree::Entry& entry, const QString& name);
   void removalRequested();
 
@@ -52,7 +52,7 @@ class PlanTree : public QTreeWidget {
   QTreeWidgetItem* add(QTreeWidgetItem* parent, const Entry& entry, const QString& text, const QString& status);
 
   bool m_isFilling = false;
-  Entry m_renamed;  // by the editor that is about to close
+  Entry m_renamed;  // Entry whose editor is about to close
   QString m_newName;
 };
 

@@ -45,7 +45,7 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             [this] { return handGuidingTool(); },
                             "lead",
                             HandGuidingTool::keys()};
-  const ToolDescriptor ways{
+  const ToolDescriptor solutions{
       QStringLiteral("armWaysTool"),
       tr("&Choose the arm's configuration"),
       tr("Show all configurations in which the arm reaches a pose of its tool: shoulder, elbow and wrist"),
@@ -54,15 +54,15 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
       [this] { return ikSolutionsTool(); },
       "ways",
       IkSolutionsTool::keys()};
-  const ToolDescriptor place{QStringLiteral("placeTool"),
-                             tr("Place a body or robot with &handles"),
-                             tr("Move and turn the selected body, or the base of the selected robot, along and about "
-                                "axes"),
-                             QStringLiteral("axes"),
-                             QKeySequence(Qt::SHIFT | Qt::Key_W),
-                             [this] { return placeTool(); },
-                             "place",
-                             PlaceBodyTool::keys()};
+  const ToolDescriptor placing{QStringLiteral("placeTool"),
+                               tr("Place a body or robot with &handles"),
+                               tr("Move and turn the selected body, or the base of the selected robot, along and about "
+                                  "axes"),
+                               QStringLiteral("axes"),
+                               QKeySequence(Qt::SHIFT | Qt::Key_W),
+                               [this] { return placeBodyTool(); },
+                               "place",
+                               PlaceBodyTool::keys()};
   const ToolDescriptor snap{QStringLiteral("faceSnapTool"),
                             tr("Lay a body &face to face"),
                             tr("Lay a body with one of its faces on a face of another"),
@@ -71,7 +71,7 @@ std::vector<ToolDescriptor> RobotCellUi::tools() {
                             [this] { return faceMateTool(); },
                             "snap",
                             FaceMateTool::keys()};
-  return {joints, lead, ways, place, snap, process, measureParts()};
+  return {joints, lead, solutions, placing, snap, process, measureParts()};
 }
 
 std::optional<RobotCellPick> RobotCellUi::pickCell(const Ray& ray) const {
@@ -101,7 +101,7 @@ std::unique_ptr<Tool> RobotCellUi::handGuidingTool() {
   HandGuidingServices services;
   services.scene = [this] { return m_collisions.scene(); };
   services.mark = [this](DisplayModel& shown, const JointValues& joints) { markShown(shown, joints); };
-  services.addPlace = [this] { m_paths.addPlace(); };
+  services.addWaypoint = [this] { m_paths.addWaypoint(); };
   services.time = [this] { return 1e-3 * static_cast<double>(m_clock.elapsed()); };
   services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
   services.ikTolerance = parts().fidelity.values().of(ikToleranceSetting());
@@ -125,8 +125,8 @@ PlaceBodyServices RobotCellUi::placeServices() {
   services.mark = [this](DisplayModel& shown, const Body& moved) {
     markShown(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
   };
-  services.markRobot = [this](DisplayModel& shown, std::size_t robot, const Pose& way) {
-    m_contacts->show(CellContactMarks::Source::Tool, m_collisions.markMoved(shown, robot, way));
+  services.markRobot = [this](DisplayModel& shown, std::size_t robot, const Pose& displacement) {
+    m_contacts->show(CellContactMarks::Source::Tool, m_collisions.markMoved(shown, robot, displacement));
   };
   services.robot = [this] {
     const std::string name = selectedRobot();
@@ -158,7 +158,7 @@ void RobotCellUi::selectRobotToPlace(std::size_t number) {
        &document()->document});
 }
 
-std::unique_ptr<Tool> RobotCellUi::placeTool() {
+std::unique_ptr<Tool> RobotCellUi::placeBodyTool() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
   return std::make_unique<PlaceBodyTool>(cell, m_bodies.selection(), placeServices());
 }

@@ -133,8 +133,8 @@ QWidget* RobotCellUi::makePanel() {
   plansColumn->setContentsMargins(0, 0, 0, 0);
   plansColumn->addLayout(plansLine);
   plansColumn->addWidget(m_paths.tree(), 1);
-  // As high whatever is known of the selected row, so that the rows above stay where they are.
-  auto* known = new ScrolledPanel(m_paths.detail(), ScrolledPanel::Ways::Vertical, plans);
+  // The height is fixed, so that the rows above do not move with the description of the selected row.
+  auto* known = new ScrolledPanel(m_paths.detail(), ScrolledPanel::Directions::Vertical, plans);
   known->setObjectName(QStringLiteral("planDetailArea"));
   constexpr int kLines = 3;
   known->setFixedHeight(kLines * plans->fontMetrics().lineSpacing() + 12);
@@ -205,7 +205,7 @@ void RobotCellUi::showReplay(const std::shared_ptr<const DisplayModel>& model,
   }
 }
 
-// Of a replay, which ends: the robot stands there from now on.
+// Ends a replay: the robot keeps its displayed joint values.
 void RobotCellUi::takeShownPose() {
   auto& cell = static_cast<RobotCellDocument&>(document()->document);
   const JointValues joints = m_paths.seenJoints(cell);
@@ -258,7 +258,7 @@ void RobotCellUi::refreshVisibility() {
   m_contacts->setVisible(document()->visible);
 }
 
-// What collides where the robot stands has a colour of its own, and marks where it touches.
+// Collisions have a colour of their own, and marks at the contacts.
 DisplayModel RobotCellUi::displayed(const Document& document) const {
   DisplayModel model = RigidPartsUi::displayed(document);
   m_contacts->show(CellContactMarks::Source::Document,
@@ -309,13 +309,13 @@ std::vector<Property> RobotCellUi::listedProperties(const Document& document) co
                                                                              : std::span<const Body>());
 }
 
-// What was selected last is shown. A row that has fields takes the place of the body; a path only where a person
-// chooses it, as one that was planned meanwhile is selected, too.
+// Shows the latest selection. A row with fields replaces the body; a path only if the user chooses it, as one that was
+// planned meanwhile is also selected.
 void RobotCellUi::followRow(bool isChosen) {
   if (!document()) return;
   using Kind = PlanTree::Entry::Kind;
   const Kind kind = m_paths.tree()->current().kind;
-  if (kind == Kind::Place || kind == Kind::Robot || (kind == Kind::Path && isChosen)) m_bodies.selection().clear();
+  if (kind == Kind::Waypoint || kind == Kind::Robot || (kind == Kind::Path && isChosen)) m_bodies.selection().clear();
   m_showsRow = kind == Kind::Target || kind == Kind::Frame || m_bodies.selection().empty();
   refreshPanel();
   parts().tools.refresh();
@@ -354,8 +354,9 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   const PlanTree::Entry entry = m_paths.tree()->current();
   std::vector<Property> first = m_paths.resultProperties();
   for (Property& each : m_paths.processProperties()) first.push_back(std::move(each));
-  if (const RobotPath* const path = cell.plans()->path(entry.name); entry.kind == PlanTree::Entry::Kind::Place && path)
-    first = waypointProperties(*path, entry.place);
+  if (const RobotPath* const path = cell.plans()->path(entry.name);
+      entry.kind == PlanTree::Entry::Kind::Waypoint && path)
+    first = waypointProperties(*path, entry.waypoint);
   std::vector<Property> all = cellProperties(cell.robot(), m_paths.seenJoints(cell), *cell.plans());
   const std::string base = "robot." + selectedRobot() + '.';
   std::erase_if(all, [&](const Property& each) {
@@ -396,7 +397,7 @@ void RobotCellUi::select(const Pick& pick) {
   if (const std::uint32_t link = linkOfPart(cell.robot(), partOf(pick)); link != kNone) selectRobot(link);
 }
 
-// Of what is under the pointer: a body gets selected, but nothing is deselected.
+// Returns the menu for the object under the pointer: a body is selected, but nothing is deselected.
 QMenu* RobotCellUi::menuAt(const QPointF& position) {
   const auto body = bodyOfPart(partOf(parts().viewport.pickAt(position)));
   if (body && !m_bodies.selection().bodies().contains(*body)) m_bodies.selection().select(*body);
@@ -410,7 +411,7 @@ void RobotCellUi::markSelected(bool isCovered) {
   layer().setSelected(names, m_isCovered);
 }
 
-// What covered it may be gone.
+// The part that covered it may be gone.
 void RobotCellUi::lookAgain() {
   const auto shown = m_isCovered ? shownBody(document()->document) : std::nullopt;
   const BodyPointer body = shown ? placedBody(shown->id) : nullptr;

@@ -58,7 +58,7 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> processTool();
   std::unique_ptr<Tool> handGuidingTool();
   std::unique_ptr<Tool> ikSolutionsTool();
-  std::unique_ptr<Tool> placeTool();
+  std::unique_ptr<Tool> placeBodyTool();
   std::unique_ptr<Tool> faceMateTool();
   PlaceBodyServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
@@ -73,9 +73,10 @@ class RobotCellUi : public RigidPartsUi {
   void showRobots();
   void showReplay(const std::shared_ptr<const DisplayModel>& model, const std::vector<CellCollision>& collisions);
   void takeShownPose();
-  void markShown(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr);  // by a tool
+  void markShown(DisplayModel& shown, const JointValues& joints,
+                 const Body* moved = nullptr);  // Marks the collisions of a model that a tool shows
   void select(const Pick& pick);
-  void followRow(bool isChosen);  // by a person
+  void followRow(bool isChosen);  // isChosen: by the user
   std::string selectedRobot() const;
   void selectRobot(std::uint32_t link);
   void selectRobotToPlace(std::size_t number);
@@ -83,15 +84,15 @@ class RobotCellUi : public RigidPartsUi {
   void lookAgain();
   void reveal(BodyId id, bool isNew);
 
-  // Of the messages about a document; numbers count on from 1.
+  // Counters of the messages about a document, from 1.
   struct SaidLast {
-    std::uint64_t number = 0, news = 0;  // of the last, and of the last that was no error or warning
+    std::uint64_t number = 0, news = 0;  // The last message, and the last that was no error or warning
     QString title = {};
   };
 
   CellBodies m_bodies;
   CellCollisions m_collisions;
-  CellContactMarks* const m_contacts;  // a child
+  CellContactMarks* const m_contacts;  // A child object
   CellTargets m_targets;
   CellRobots m_robots;
   CellReachOutline m_reach;
@@ -102,12 +103,12 @@ class RobotCellUi : public RigidPartsUi {
   PathGuides m_guides;
   QPointer<QWidget> m_panel;
   QElapsedTimer m_clock;
-  QTimer m_replayFields;      // until the fields show where the time line has the robot
-  bool m_isReplayed = false;  // the view shows the robot on a path
+  QTimer m_replayFields;      // Runs until the fields show the joint values of the time line
+  bool m_isReplayed = false;  // True if the view shows the robot on a path
   std::map<const DocumentTab*, std::vector<HandGuidingTrial>> m_trials;
-  bool m_showsRow = true;         // in the panel, not the selected body: it was selected later
-  bool m_isCovered = false;       // the selected body was, when it was last looked for
-  std::optional<Body> m_dragged;  // where it stands while it is dragged
+  bool m_showsRow = true;         // True if the panel shows the row instead of the selected body: it was selected later
+  bool m_isCovered = false;       // True if the selected body was covered at the last test
+  std::optional<Body> m_dragged;  // The body at its dragged pose
   std::map<const Document*, SaidLast> m_said;
 };
 

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kFocus = 300.0;  // mm before the tool
 
-// How the robot has moved the tool between two displays of it: by a part of this link, which carries the tool, or of
-// one that it is fixed to. None where these have no parts.
+// Returns the motion of the tool between two display models: of a part of this link, which carries the tool, or of one
+// that it is fixed to. Nothing if these have no parts.
 std::optional<Pose> motionOfTool(const CellRobot& robot, std::uint32_t link, const DisplayModel& from,
                                  const DisplayModel& to) {
   while (link != kNone) {

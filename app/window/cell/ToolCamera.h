@@ -12,7 +12,7 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// A camera at the tool's centre point, which moves with the robot. It looks where the tool works. Window thread.
+// A camera at the tool centre point, which moves with the robot. It looks along the tool. Window thread.
 class ToolCamera : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class ToolCamera : public QObject {
 
   QAction* action() { return &m_action; }
   void setDocument(DocumentTab* document);
-  // Follows the robot as it is shown by a tool or a path that is played; null: as it stands in the document.
+  // Follows the robot as a tool or a played path shows it; null: as in the document.
   void follow(const DisplayModel* shown);
 
  private:
@@ -33,10 +33,10 @@ class ToolCamera : public QObject {
   WindowContext m_parts;
   DocumentTab* m_document = nullptr;
   QAction m_action;
-  std::optional<CameraState> m_before;  // the camera to go back to; none: the view is not the tool's
+  std::optional<CameraState> m_before;  // The camera to return to; nothing: the view is not the tool's
 };
 
-// The camera of a tool at this pose: its z axis goes into the picture, its x axis to the right.
+// Returns the camera of a tool at this pose: its z axis goes into the picture, its x axis to the right.
 CameraState cameraOfTool(const Pose& tool);
 
 }  // namespace handwheel

@@ -26,8 +26,9 @@ using std::chrono::milliseconds;
 constexpr milliseconds kSoon{250};
 // The pause after an autosave, in the time that it took: a twentieth of the time is spent on it.
 constexpr int kPause = 19;
-// What is in use at the start is looked at again after so long, then after twice that, up to the last pause: for a
-// minute in all. A program that was killed keeps its lock until the system has freed its memory, or written its core.
+// Sessions in use at the start are checked again after the first pause, then after twice that, up to the last pause:
+// for a minute in all. A program that was killed keeps its lock until the system has freed its memory, or written its
+// core.
 constexpr milliseconds kFirstLook{250}, kLastLook{32'000};
 
 }  // namespace
@@ -70,7 +71,7 @@ void Autosave::follow(DocumentTab* document) {
   });
 }
 
-// Whether that made it differ from its file is not known before the edit is in the history.
+// Until the edit is in the history, it is unknown if the document differs from its file.
 void Autosave::changed(DocumentTab* document) {
   if (m_timer.interval() == 0) return;
   need();
@@ -100,7 +101,7 @@ void Autosave::watch(ToolHost& tools) {
   });
 }
 
-// Whether a tool runs whose gestures take minutes, and changes something now.
+// Returns true if a tool runs whose gestures take minutes, and changes something now.
 bool Autosave::hasWorkGoingOn() const {
   const Tool* const tool = m_tools->runner().tool();
   return dynamic_cast<const UnfinishedGesture*>(tool) && tool->isLive();
@@ -118,7 +119,7 @@ void Autosave::saveWork() {
   for (const auto& each : m_tabs.all()) {
     if (const SnapshotPointer value = m_tools->valueWithGesture(each->document)) save(each.get(), value);
   }
-  if (hasWorkGoingOn()) m_timer.start();  // what goes on
+  if (hasWorkGoingOn()) m_timer.start();  // saves the unfinished work
   rest();
 }
 
@@ -201,7 +202,7 @@ void Autosave::offer(OrphanedAutosaves found) {
   if (!orphans->found().empty()) offer(orphans);
 }
 
-// Of a program that goes on, and of this one, nothing is ever found.
+// Running programs, and this one, have no orphaned files.
 void Autosave::lookAgain(std::vector<std::filesystem::path> sessions, milliseconds pause) {
   if (sessions.empty() || pause > kLastLook) return;
   QTimer::singleShot(pause, this, [this, sessions = std::move(sessions), pause] {

@@ -25,19 +25,19 @@ class ToolHost;
 class WindowServices;
 struct DocumentTab;
 
-// Saves modified documents to the recovery folder. This is done soon after each edit, so that a kill takes nothing that
-// was finished; what a tool has under way is saved at intervals. Documents that take long to save are saved less often,
-// but at least once in the interval. The file is removed when its document is saved or closed. The files of a session
-// that was killed are offered at the next start, until they are recovered or discarded; those of one whose
-// lock the system has not yet released then, soon after.
+// Saves modified documents to the recovery folder. A document is saved soon after each edit, so that a kill takes
+// nothing that was finished; the unfinished work of a tool is saved at intervals. Documents that take long to save are
+// saved less often, but at least once in the interval. The file is removed when its document is saved or closed. The
+// files of a killed session are offered at the next start, until they are recovered or discarded; those of a session
+// whose lock is not yet released then are offered soon after.
 class Autosave : public QObject {
   Q_OBJECT
 
  public:
   Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
 
-  void setInterval(int seconds);  // the longest; 0: never
-  // Saves what the tools of a window have under way, too.
+  void setInterval(int seconds);  // longest interval; 0: never
+  // Also saves the unfinished work of the tools of a window.
   void watch(ToolHost& tools);
   void offerRecovery();
 
@@ -50,7 +50,7 @@ class Autosave : public QObject {
   struct Followed {
     std::uint64_t key = 0;
     std::unique_ptr<QTimer> timer;      // started by the first change after an autosave
-    std::chrono::milliseconds cost{0};  // of the last autosave, on the clock
+    std::chrono::milliseconds cost{0};  // duration of the last autosave, wall-clock time
     bool isFailing = false;             // the last autosave failed
   };
 
@@ -78,10 +78,10 @@ class Autosave : public QObject {
   LogModel& m_log;
   WindowServices& m_services;
   ToolHost* m_tools = nullptr;
-  QThreadPool m_pool;  // its own, so that long jobs do not delay it
+  QThreadPool m_pool;  // own pool, so that long jobs do not delay it
   JobRunner m_jobs;
-  QTimer m_timer;        // of what is under way; its interval is the longest
-  ServiceHandle m_need;  // held while something is to be saved
+  QTimer m_timer;        // timer for unfinished work; its interval is the longest
+  ServiceHandle m_need;  // held while there is something to save
   std::shared_ptr<RecoverySession> m_session;
   std::map<const DocumentTab*, Followed> m_followed;
   std::uint64_t m_lastKey = 0;

@@ -19,8 +19,8 @@ class JobRunner;
 struct DocumentTab;
 struct Message;
 
-// The actions that open the surface of the current document as another kind. A mesh as a volume, and back. Kinds may
-// ask how that is to be made (KindUi::askToCopy()).
+// The actions that open the surface of the current document as another kind. For example, a mesh as a volume, and back.
+// Kinds may ask for the parameters (KindUi::askToCopy()).
 class CopyActions : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class CopyActions : public QObject {
   CopyActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
               Open open);
 
-  // One for each kind that is made of surfaces.
+  // Returns one action for each kind that is made of surfaces.
   QList<QAction*> actions() const;
 
  signals:

@@ -10,10 +10,10 @@ namespace handwheel {
 
 class Document;
 
-// Applies edits in a property list to the document that present() returns. A drag is one undo step. When the document
-// refuses an edit, the list says why.
+// Applies edits in a property list to the document that present() returns. A drag is one undo step. If the document
+// refuses an edit, the list shows the reason.
 void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner);
-// Applies one of them.
+// Applies a single edit.
 void applyEdit(PropertyList& list, Document& document, const std::string& id, const PropertyValue& value,
                bool stillDragging);
 
@@ -25,9 +25,9 @@ class DocumentProperties : public QObject {
   explicit DocumentProperties(PropertyList& list, QObject* parent = nullptr);
 
   using Listed = std::function<std::vector<Property>(const Document&)>;
-  // Null: none. listed: makes the properties that are shown now.
+  // Sets the document; null: none. listed: makes the properties that are shown now.
   void setDocument(Document* document, Listed listed);
-  // To be called when other properties are to be listed.
+  // Updates the list after other properties are to be listed.
   void show();
 
  private:

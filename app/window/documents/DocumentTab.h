@@ -21,15 +21,15 @@ struct DocumentTab {
 
   const std::unique_ptr<Document> owned;
   Document& document;
-  KindUi& ui;                         // of its kind
+  KindUi& ui;                         // interface of the document's kind
   std::optional<CameraState> camera;  // absent until it is first shown
   QString tool;                       // id of the active tool; empty: the default tool
   bool visible = true;
   bool written = false;  // its file was written by this program, so it holds nothing else than the document
   bool cardDismissed = false;
   QString reportedLosses;       // the losses of its file, as last reported to the user
-  std::uint64_t autosaved = 0;  // the revision of its autosave
-  // The properties in its file, or of a new document. Absent after a recovery, when they are unknown.
+  std::uint64_t autosaved = 0;  // revision of the document in its autosave
+  // The properties in its file, or of a new document. Absent after a recovery, as they are unknown then.
   std::optional<std::vector<Property>> inFile;
 };
 

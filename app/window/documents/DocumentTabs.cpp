@@ -103,9 +103,9 @@ void DocumentTabs::setCurrent(const DocumentTab* document) {
   m_bar->setCurrentIndex(indexOf(document));
 }
 
-void DocumentTabs::step(int places) {
+void DocumentTabs::step(int count) {
   if (m_bar->count() == 0) return;
-  m_bar->setCurrentIndex((m_bar->currentIndex() + places + m_bar->count()) % m_bar->count());
+  m_bar->setCurrentIndex((m_bar->currentIndex() + count + m_bar->count()) % m_bar->count());
 }
 
 void DocumentTabs::close(DocumentTab* document) {

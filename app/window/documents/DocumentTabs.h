@@ -24,19 +24,19 @@ class DocumentTabs : public QFrame {
   DocumentTab* current() const;
   const std::vector<std::unique_ptr<DocumentTab>>& all() const { return m_documents; }
   bool contains(const DocumentTab* document) const;
-  DocumentTab* withPath(const QString& path) const;  // null when it is not open
-  // Whether a document other than this one, which may be null, has the file.
+  DocumentTab* withPath(const QString& path) const;  // null if it is not open
+  // Returns true if a document other than this one, which may be null, has the file.
   bool isOpenBeside(const Document* document, const QString& path) const;
 
-  void add(std::unique_ptr<DocumentTab> document);  // and makes it current
+  void add(std::unique_ptr<DocumentTab> document);  // also makes it current
   void setCurrent(const DocumentTab* document);
-  void step(int places);                 // to the right, cyclically
-  void close(DocumentTab* document);     // without asking
-  void setCloseTip(const QString& tip);  // of the button in each tab
+  void step(int count);                  // moves to the right, cyclically
+  void close(DocumentTab* document);     // closes it without asking
+  void setCloseTip(const QString& tip);  // tool tip of the button in each tab
 
  signals:
   void added(handwheel::DocumentTab* document);
-  void currentChanged(handwheel::DocumentTab* document);  // null when none is left
+  void currentChanged(handwheel::DocumentTab* document);  // null if none is left
   void closing(handwheel::DocumentTab* document);         // the last signal for which the pointer is valid
   void closeRequested(handwheel::DocumentTab* document);
 

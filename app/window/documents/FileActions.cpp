@@ -239,7 +239,7 @@ void FileActions::askForName(DocumentTab* document, std::function<void(bool)> en
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
   dialog->setNameFilters(saveFilters(document->document.kind()));
-  const bool hasRecordings = !document->document.file().recordings.empty();  // which no foreign file holds
+  const bool hasRecordings = !document->document.file().recordings.empty();  // no foreign file holds recordings
   QString suggestion = hasRecordings || asContainer ? document->ui.KindUi::suggestedName(*document)
                                                     : document->ui.suggestedName(*document);
   const bool isCopy = document->document.file().path.empty() && QFileInfo::exists(suggestion);

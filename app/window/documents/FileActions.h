@@ -40,9 +40,9 @@ class FileActions : public QObject {
   // Runs the start action of a tile, by its name.
   void begin(const QString& tile);
 
-  QString iconNameFor(const QString& path) const;  // the icon for a file
+  QString iconNameFor(const QString& path) const;  // icon for a file
   void openPaths(const QStringList& paths);
-  // Closes a document; when it is modified the user is asked first. then: called once it is closed. A second request
+  // Closes a document; if it is modified the user is asked first. then: called once it is closed. A second request
   // while the user is asked, or the document is saved, waits for the same answer.
   void requestClose(DocumentTab* document, std::function<void()> then = {});
   // Asks about each modified document, and closes all once no file is being written, unless the user cancels or saving
@@ -52,23 +52,24 @@ class FileActions : public QObject {
  signals:
   void aboutToClose();  // a document is going to be closed, unless the user cancels
   void message(const handwheel::Message& message);
-  void saved(const handwheel::Document* document, const QString& topic);  // as FileSaver::succeeded()
+  void saved(const handwheel::Document* document, const QString& topic);  // see FileSaver::succeeded()
 
  private:
   QList<QAction*> startActions(bool isNew) const;
   void askForFiles();
   bool offerBeside(const QString& path);
   void saveCurrent();
-  // ended: as for FileSaver::save(); also called when no name was chosen.
+  // ended: as for FileSaver::save(); also called if no name was chosen.
   void saveOrAsk(DocumentTab* document, std::function<void(bool)> ended);
   void askForName(DocumentTab* document, std::function<void(bool)> ended, bool asContainer = false);
   void offerAnotherName(DocumentTab* document, Message message);
   void offerContainer(DocumentTab* document, Message message);
   static bool wouldLose(const DocumentTab& document);
-  // Asks what to do with what a document would lose. decided: false when the user cancels, or saving fails.
+  // Asks what to do with the changes that a document would lose. decided: false if the user cancels, or saving fails.
   void decide(DocumentTab* document, std::function<void(bool)> decided);
   void endClosing(DocumentTab* document, bool close);
-  // decided: the revisions of documents at the user's answers about them. What changes later is asked about again.
+  // decided: the revisions of documents at the user's answers about them. Documents that change later are asked about
+  // again.
   void decideNext(std::map<const DocumentTab*, std::uint64_t> decided, std::function<void()> then);
   void followDocument();
   void fillRecentMenu();
@@ -82,9 +83,9 @@ class FileActions : public QObject {
   RecentFiles& m_recent;
   FileLoader m_loader;
   FileSaver m_saver;
-  // Documents being asked about or saved before closing, with the callbacks for when they are closed.
+  // Documents being asked about or saved before closing, with the callbacks for after closing.
   std::map<const DocumentTab*, std::vector<std::function<void()>>> m_closing;
-  QMetaObject::Connection m_afterSaving;  // closes all once nothing is written any more
+  QMetaObject::Connection m_afterSaving;  // closes all once no file is being written
   QAction m_open;
   std::vector<std::pair<StartAction, QAction*>> m_startActions;
   QAction m_save;

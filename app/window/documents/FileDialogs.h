@@ -13,19 +13,20 @@ class Document;
 
 // The initial folder of file dialogs. Window thread.
 
-// The folder that was used last in any of them; at first that of the user's documents. Never that of the samples.
+// Returns the folder that was used last in any dialog; at first that of the user's documents. Never that of the
+// samples.
 QString lastFolder();
-// From the path of a file that was chosen.
+// Remembers the folder of a file that was chosen.
 void rememberFolder(const QString& path);
-// That of the document's own file; of one without a file, or with one of the samples, the folder that was used last.
+// Returns the folder of the document's file; if it has no file, or is a sample, the folder that was used last.
 QString folderFor(const Document& document);
 
-// Lets a dialog begin in the folder that was used last for this purpose, a word for the settings; at first in that
-// which was used last at all. What is chosen is remembered.
+// Sets the initial folder of a dialog to the one that was used last for this purpose, a word for the settings; at first
+// to the one that was used last at all. The chosen folder is remembered.
 void beginInFolderOf(QFileDialog& dialog, const QString& purpose);
 
-// A dialog for a file that is there, in the folder for the document; the folder that is chosen is remembered. It is
-// owned by the window and ends with its closing; to be opened by the caller.
+// Returns a dialog for an existing file, in the folder for the document; the chosen folder is remembered. It is owned
+// by the window and destroyed when it is closed; the caller opens it.
 QFileDialog* openingDialog(QWidget* window, const Document& document, const QString& title, const QString& filter);
 
 }  // namespace handwheel

@@ -33,7 +33,7 @@ Error withoutFile(Error error) {
   return error;
 }
 
-// Whether all that is wrong with a file is that others which it names are missing.
+// Returns true if the only damage of a file is that other files which it names are missing.
 bool isIncomplete(const DocumentFile& file) {
   return !file.damage.empty() && file.unlistedDamage == 0 &&
          std::all_of(file.damage.begin(), file.damage.end(),

@@ -37,18 +37,18 @@ class FileLoader : public QObject {
   FileLoader(const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent,
              LogModel& log, QObject* parent = nullptr);
 
-  // Opens a file, or shows its document when it is already open.
+  // Opens a file, or shows its document if it is already open.
   void load(const QString& path, const ReadOptions& options = {});
-  // Shows what was made elsewhere as a document, and makes it current.
+  // Shows an opened file as a document, and makes it current.
   DocumentTab* open(OpenedFile opened);
-  // The same of what would be lost if it were closed without being saved. It keeps its unit.
+  // Shows a document that would be lost if it were closed without being saved. It keeps its unit.
   DocumentTab* openUnsaved(OpenedFile opened);
   // Creates a document of default size, of a kind that supports it.
   void create(const std::string& kind);
   // Opens the autosave of a document, which info describes. then: called with the document when it is open.
   void recover(const std::filesystem::path& file, const AutosaveInfo& info, std::function<void(DocumentTab*)> then);
 
-  // Adds what is to be said of the reading of a file to the log: damage, losses and notes.
+  // Adds the findings of reading a file to the log: damage, losses and notes.
   static void logFindings(const DocumentFile& file, LogModel& log);
 
  signals:

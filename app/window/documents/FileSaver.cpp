@@ -24,8 +24,9 @@ namespace handwheel {
 
 namespace {
 
-// Whether another program may have written the document's own file since it was read or saved: it differs from what the
-// document came from, or a recovered document does not know what that was. A file that is gone is no loss.
+// Returns true if another program may have written the document's own file since it was read or saved: it differs from
+// the file from which the document was read, or a recovered document does not know that file. A missing file is no
+// loss.
 bool wasChanged(const DocumentFile& file, const std::filesystem::path& target) {
   if (target.string() != file.path) return false;
   const std::optional<FileTimestamp> now = timestampOf(target);
@@ -66,7 +67,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
                 {}};
   // Null once it is closed: another document may have the address of its tab then.
   const QPointer<const Document> open = &document->document;
-  // What the saves before this one have written is no change by another program.
+  // Files written by the saves before this one are no change by another program.
   const auto stamp = std::make_shared<std::optional<FileTimestamp>>(document->document.file().stamp);
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
@@ -113,7 +114,7 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
     document->written = true;
     document->inFile = state.properties;
     saved.markSaved(state.path, !foreign, state.stamp);
-    emit succeeded(&saved, kOpeningTopic);  // what was said of the file that it was opened from
+    emit succeeded(&saved, kOpeningTopic);  // ends the messages about the file that it was opened from
   } else {
     if (state.path == saved.path()) {
       document->autosaved = 0;  // it is described with the stamp of the file before

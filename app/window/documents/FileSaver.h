@@ -16,22 +16,22 @@ class LogModel;
 class RecentFiles;
 struct DocumentTab;
 
-// The topic of messages about saving, which the next success makes pointless.
+// The topic of messages about saving; the next success removes them.
 inline const QString kSavingTopic = QStringLiteral("saving");
 
-// Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged. The
-// file of another open document is never written: that document would not know what is in its file any more.
-// Writing a format from which the document cannot be read back is an export: the document stays unsaved.
+// Writes documents to files on a worker thread. Afterwards the new file is complete and checked, or the old one is
+// unchanged. The file of another open document is never written: that document would no longer match its file. Writing
+// a format from which the document cannot be read back is an export: the document stays unsaved.
 class FileSaver : public QObject {
   Q_OBJECT
 
  public:
   FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent = nullptr);
 
-  // What happens to a file that another program wrote since the document was opened or saved.
+  // Treatment of a file that another program wrote since the document was opened or saved.
   enum class Changed { Refuse, Replace };
 
-  // ended: always called at the end; true when the file holds the present state of the document, and the user already
+  // ended: always called at the end; true if the file holds the present state of the document, and the user already
   // knows what the file lacks.
   void save(DocumentTab* document, const QString& path, std::function<void(bool)> ended = {},
             Changed changed = Changed::Refuse);
@@ -52,12 +52,12 @@ class FileSaver : public QObject {
     std::uint64_t revision;
     std::vector<Property> properties;
     LengthUnit displayUnit;
-    std::optional<FileTimestamp> stamp;  // of the file afterwards
+    std::optional<FileTimestamp> stamp;  // timestamp of the file afterwards
   };
   void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
   bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);
   void reportExport(const DocumentTab& document, const QString& name, QStringList losses);
-  // document: null when it is closed by now.
+  // document: null if it is closed by now.
   void reportCancelled(DocumentTab* document, const QString& path);
   void reportFailure(DocumentTab* document, const QString& path, const Error& error);
 

@@ -8,10 +8,10 @@ class QFileInfo;
 
 namespace handwheel {
 
-// The path of a sample shipped with the program; empty when it is missing.
+// Returns the path of a sample shipped with the program; empty if it is missing.
 QString samplePath(const QString& name);
 
-// Whether the file is one of these samples.
+// Returns true if the file is one of these samples.
 bool isSample(const QFileInfo& file);
 
 }  // namespace handwheel

@@ -42,7 +42,7 @@ void Thumbnails::store(const QString& path, const QImage& picture) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     picture.save(&buffer, "PNG");
-    // As a whole, for it may be read meanwhile. Where it cannot be written, the tile shows the kind's icon.
+    // Written atomically, as it may be read meanwhile. If it cannot be written, the tile shows the kind's icon.
     (void)writeFileAtomically(file.toStdString(), {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
     const auto tell = [self] {
       if (self) emit self->stored();

@@ -19,8 +19,8 @@ class Thumbnails : public QObject {
   explicit Thumbnails(QThreadPool& pool, QObject* parent = nullptr) : QObject(parent), m_pool(pool) {}
 
   static QImage pictureOf(const QImage& view);             // the middle of a view, scaled down
-  void store(const QString& path, const QImage& picture);  // writes a scaled-down picture, on a worker
-  static QPixmap of(const QString& path);                  // null when there is none
+  void store(const QString& path, const QImage& picture);  // writes a scaled-down picture, on a worker thread
+  static QPixmap of(const QString& path);                  // null if there is none
 
  signals:
   void stored();

@@ -45,7 +45,7 @@ std::vector<Property> ofTask(const std::vector<Property>& all) {
   return some;
 }
 
-// Without what the step editor shows as lists: hints and marks of steps.
+// Returns the properties without those that the step editor shows as lists: hints and criteria of steps.
 std::vector<Property> withoutLists(std::vector<Property> all) {
   std::erase_if(all, [](const Property& each) {
     return each.id.starts_with("step.") && (each.id.ends_with(".hints") || each.id.ends_with(".criteria"));
@@ -60,15 +60,15 @@ QString describedSize(const ExerciseSnapshot& exercise, const MarkingCriterion& 
   QString text = QString::fromStdString(size.name);
   if (!type) return text;
   const double zero = exercise.subject->drawingZero(*exercise.task).value_or(0.0);
-  QStringList places;
+  QStringList positions;
   for (std::size_t i = 0; i < type->arguments.size() && i < size.arguments.size(); ++i) {
     if (!type->arguments[i].ends_with('Z')) continue;
     const double z = std::round(1e3 * (size.arguments[i] - zero)) / 1e3 + 0.0;
-    places << QCoreApplication::translate("Property", type->arguments[i].c_str()) + QLatin1Char(' ') +
-                  QLocale().toString(z);
+    positions << QCoreApplication::translate("Property", type->arguments[i].c_str()) + QLatin1Char(' ') +
+                     QLocale().toString(z);
   }
   return QStringLiteral("%1, %2: %3")
-      .arg(text, QCoreApplication::translate("Figure", type->label.c_str()), places.join(QStringLiteral(", ")));
+      .arg(text, QCoreApplication::translate("Figure", type->label.c_str()), positions.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
   auto* task = new QVBoxLayout(m_taskPage);
   task->setContentsMargins(0, 0, 8, 8);
   task->addWidget(m_task, 1);
-  m_task->keepPlaceForRemarks();
+  m_task->reserveRemarkSpace();
   const auto present = [this]() -> Document* { return m_document; };
   connectEdits(*m_task, present, this);
   m_criteria = makeRows(QStringLiteral("criteria"), tr("Add what is marked"), [this](QToolButton* add) {
@@ -104,7 +104,7 @@ ExerciseEditor::ExerciseEditor(QWidget* parent)
       m_steps.list->setCurrentRow(m_steps.list->count() - 1);
     });
   });
-  m_criteria.properties->keepPlaceForRemarks();
+  m_criteria.properties->reserveRemarkSpace();
   connect(m_criteria.remove, &QToolButton::clicked, this, [this] {
     const int row = m_criteria.list->currentRow();
     if (!m_document || row < 0) return;
@@ -174,10 +174,10 @@ ExerciseEditor::Rows ExerciseEditor::makeRows(const QString& name, const QString
   return rows;
 }
 
-// What a step has several of, in lists of their own.
+// Makes the editor of the lists of a step.
 void ExerciseEditor::makeInstructionEditor() {
   m_step = new InstructionEditor(m_steps.page);
-  m_steps.page->layout()->addWidget(new ScrolledPanel(m_step, ScrolledPanel::Ways::Vertical));
+  m_steps.page->layout()->addWidget(new ScrolledPanel(m_step, ScrolledPanel::Directions::Vertical));
   connect(m_step, &InstructionEditor::markToggled, this, &ExerciseEditor::toggleMark);
   connect(m_step, &InstructionEditor::hintAdded, this, &ExerciseEditor::addHint);
   connect(m_step, &InstructionEditor::hintChanged, this, &ExerciseEditor::changeHint);
@@ -197,7 +197,7 @@ std::string ExerciseEditor::partOfHint(std::size_t hint) const {
   return "step." + std::to_string(m_steps.list->currentRow()) + ".hint." + std::to_string(hint);
 }
 
-// Its text, which is typed next, belongs to the same undo step.
+// The text of the hint, which is typed next, belongs to the same undo step.
 void ExerciseEditor::addHint() {
   std::size_t added = 0;
   auto exercise = withHints([&](std::vector<std::string>& hints) {
@@ -288,7 +288,7 @@ void ExerciseEditor::fillRows(Rows& rows, const QStringList& names, const std::v
   rows.properties->setProperties(row < 0 ? std::vector<Property>() : beginningWith(properties, prefix(row)));
 }
 
-// What the target has and the marking scheme not yet: all at once, and each.
+// Adds menu items for the sizes of the target that are not in the marking scheme: all at once, and each.
 void ExerciseEditor::addSizes(QMenu& menu) {
   const ExerciseSnapshot& exercise = m_document->exercise();
   const std::vector<MarkingCriterion> sizes = unmarkedSizes(exercise);

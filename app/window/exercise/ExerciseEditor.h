@@ -27,22 +27,22 @@ class ExerciseEditor : public QTabWidget {
  public:
   explicit ExerciseEditor(QWidget* parent = nullptr);
 
-  // Null: none. Shows it anew after each change.
+  // Sets the document to edit; null: none. The panel follows its changes.
   void setDocument(ExerciseDocument* document);
   void refresh();
   SubmissionsView* classView() const { return m_class; }
-  // Buttons below the task for what makes the target.
+  // Adds buttons below the task for commands that make the target.
   void showTargetActions(const QList<QAction*>& actions);
 
  private:
-  // A list of rows with what each has below it.
+  // A list of rows with the properties of the selected one below it.
   struct Rows {
     QWidget* page = nullptr;
     QListWidget* list = nullptr;
     PropertyList* properties = nullptr;
     QToolButton* remove = nullptr;
     QToolButton *up = nullptr, *down = nullptr;
-    QLabel* sum = nullptr;  // of all rows
+    QLabel* sum = nullptr;  // the sum over all rows
   };
   Rows makeRows(const QString& name, const QString& addTip, const std::function<void(QToolButton*)>& setUpAdding);
   void fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,
@@ -56,7 +56,7 @@ class ExerciseEditor : public QTabWidget {
   void addHint();
   void changeHint(std::size_t hint, const std::string& text);
   void removeHint(std::size_t hint);
-  // The exercise with other hints of the step that is shown; none: no step is.
+  // Returns the exercise with other hints of the shown step; none: no step is shown.
   std::optional<ExerciseSnapshot> withHints(const std::function<void(std::vector<std::string>&)>& changing) const;
   std::string partOfHint(std::size_t hint) const;
   void change(const QString& text, ExerciseSnapshot exercise);

@@ -43,24 +43,24 @@ LessonStep lessonStep(const Exercise& exercise, const Attempt& attempt, std::siz
 
 // "-30": a coordinate in mm.
 QString coordinateText(double at) {
-  constexpr double kShown = 1e6;  // parts of a mm: what is below is rounding
+  constexpr double kShown = 1e6;  // steps per mm; smaller differences are rounding
   return QLocale().toString(std::round(at * kShown) / kShown + 0.0, 'g', 8);
 }
 
-// Where a criterion is measured: the faces of a length by their heights, else each place with its name. zero: Z from
-// which the read-out counts.
-QString placeText(const MarkingCriterion& c, const MeasurementType& type, double zero) {
-  QStringList places, heights;
+// Returns the positions at which a criterion is measured: the faces of a length by their heights, else each position
+// with its name. zero: zero of the read-out in Z.
+QString measuredAtText(const MarkingCriterion& c, const MeasurementType& type, double zero) {
+  QStringList positions, heights;
   for (std::size_t i = 0; i < std::min(type.arguments.size(), c.arguments.size()); ++i) {
     const bool isHeight = type.arguments[i].ends_with('Z');
     const QString at = coordinateText(c.arguments[i] - (isHeight ? zero : 0.0));
     if (isHeight) heights << at;
-    places << QCoreApplication::translate("Property", type.arguments[i].c_str()) + QLatin1Char(' ') + at +
-                  QStringLiteral(" mm");
+    positions << QCoreApplication::translate("Property", type.arguments[i].c_str()) + QLatin1Char(' ') + at +
+                     QStringLiteral(" mm");
   }
-  const bool areFaces = heights.size() == 2 && places.size() == 4;  // with the radius at which each is
+  const bool areFaces = heights.size() == 2 && positions.size() == 4;  // with the radius at which each is
   return areFaces ? ExerciseLesson::tr("between the faces at Z %1 mm and Z %2 mm").arg(heights[0], heights[1])
-                  : places.join(QStringLiteral(", "));
+                  : positions.join(QStringLiteral(", "));
 }
 
 // "⌀30 ±0.15" does not say "±0.1".
@@ -95,11 +95,11 @@ QString sizeText(const MarkingCriterion& c, const MeasurementType& type, double 
     text += ExerciseLesson::tr(": at most %1%2").arg(value(*c.upper), unit);
   else if (c.lower)
     text += ExerciseLesson::tr(": at least %1%2").arg(value(*c.lower), unit);
-  const QString place = placeText(c, type, zero);
-  return place.isEmpty() ? text : text + QStringLiteral("\n    ") + place;
+  const QString position = measuredAtText(c, type, zero);
+  return position.isEmpty() ? text : text + QStringLiteral("\n    ") + position;
 }
 
-// What is on the drawing: stock and machine, then each size with its limits.
+// Returns the data of the drawing: stock and machine, then each size with its limits.
 QString drawingText(const ExerciseSnapshot& shown, const Exercise& exercise) {
   QStringList lines;
   for (const ExerciseText& line : shown.subject->conditions(*shown.task)) lines += exerciseText(line);
@@ -148,11 +148,11 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
   m_measure->setToolTip(tr("Measure the sizes of the drawing on the part as it is now"));
   m_sizes->setObjectName(QStringLiteral("lesson/sizes"));
   m_name->setObjectName(QStringLiteral("lesson/name"));
-  m_name->setMaxLength(static_cast<int>(Attempt::kLongestText / 4));  // of UTF-8
+  m_name->setMaxLength(static_cast<int>(Attempt::kLongestText / 4));  // a character of UTF-8 has at most 4 bytes
   m_name->setPlaceholderText(tr("Your name"));
   m_name->setAccessibleName(tr("Your name"));
   m_handIn->setObjectName(QStringLiteral("lesson/handIn"));
-  // What is read scrolls, and the buttons stay.
+  // The text scrolls; the buttons stay.
   auto* page = new QWidget;
   auto* reading = new QVBoxLayout(page);
   reading->setContentsMargins(0, 0, 0, 0);
@@ -161,7 +161,7 @@ ExerciseLesson::ExerciseLesson(QWidget* parent)
   reading->addWidget(m_steps, 1);
   reading->addWidget(m_sizes);
   auto* column = new QVBoxLayout(this);
-  m_reading = new ScrolledPanel(page, ScrolledPanel::Ways::Vertical, this);
+  m_reading = new ScrolledPanel(page, ScrolledPanel::Directions::Vertical, this);
   column->addWidget(m_reading, 1);
   for (QWidget* each : std::initializer_list<QWidget*>{m_measure, m_name, m_handIn}) column->addWidget(each);
   connect(m_begin, &QPushButton::clicked, this, &ExerciseLesson::begun);
@@ -205,7 +205,7 @@ void ExerciseLesson::setMeasured(const ExerciseSnapshot& measured, const Marking
   m_sizes->setText(measuredText(exercise, marking));
   m_sizes->setEnabled(true);
   m_isMeasured = true;
-  // They may be below what is in view. Once they are laid out.
+  // The sizes may be outside of the view, so scroll to them once they are laid out.
   QTimer::singleShot(0, this, [this] { m_reading->verticalScrollBar()->setValue(m_sizes->y()); });
 }
 

@@ -16,7 +16,7 @@ class LessonPanel;
 class ScrolledPanel;
 
 // The panel with which a student works on an exercise. It has the task, sizes of the drawing, steps with their hints,
-// time, sizes as measured, handing in.
+// time, measured sizes, and the submission.
 class ExerciseLesson : public QWidget {
   Q_OBJECT
 
@@ -26,16 +26,16 @@ class ExerciseLesson : public QWidget {
   // isRunning: the work has begun.
   void setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning);
   void setSeconds(double seconds, double allowed);
-  // Ticks the steps whose marks are met, and no others of those that have any.
+  // Ticks the steps whose criteria are met. Other steps with criteria are unticked.
   void setMet(const ExerciseSnapshot& measured, const Marking& marking);
-  // Shows each size of the drawing; the ticks stay.
+  // Shows the measured value of each size of the drawing; the ticks are unchanged.
   void setMeasured(const ExerciseSnapshot& exercise, const Marking& marking);
-  // The part is another one than was measured: the sizes stay, but look old.
+  // Marks the measured sizes as outdated, because the part has changed.
   void setOutdated();
 
  signals:
   void begun();
-  void hintTaken(std::size_t step, std::size_t count);  // so many of the step were looked at
+  void hintTaken(std::size_t step, std::size_t count);  // count: number of hints of the step that were shown
   void stepDone(std::size_t step);
   void measuringRequested();
   void nameChanged(const QString& student);
@@ -53,10 +53,10 @@ class ExerciseLesson : public QWidget {
   QLineEdit* m_name;
   QPushButton* m_handIn;
   bool m_isRunning = false;
-  bool m_isMeasured = false;  // the sizes are those of the part as it is
+  bool m_isMeasured = false;  // the sizes are those of the present part
 };
 
-// Whether all criteria of a step are met; false for a step without any.
+// Returns true if all criteria of a step are met; false for a step without any.
 bool isMet(const ExerciseStep& step, const Marking& marking);
 
 }  // namespace handwheel

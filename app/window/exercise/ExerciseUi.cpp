@@ -44,7 +44,7 @@ ExerciseUi::ExerciseUi(const WindowContext& window)
       m_editor(new ExerciseEditor(m_pages)),
       m_student(new ExerciseLesson(m_pages)),
       m_attempt(new RunningAttempt(window, this)) {
-  RigidPartsUi::panel()->hide();  // the pages stand in its place
+  RigidPartsUi::panel()->hide();  // the pages replace it
   m_student->setObjectName(QStringLiteral("exercisePage"));
   m_pages->addWidget(m_editor);
   m_pages->addWidget(m_student);
@@ -108,8 +108,7 @@ std::shared_ptr<const ExerciseSnapshot> ExerciseUi::snapshot() const {
 }
 
 void ExerciseUi::setDocument(DocumentTab* document) {
-  // Without its pages an exercise is a picture; what was in front, or closed, belongs to the document that was shown
-  // before.
+  // Without its pages an exercise is only a picture, and the visibility of panels belongs to the previous document.
   if (document && document != this->document()) showKindPanel(parts());
   RigidPartsUi::setDocument(document);
   if (current() != nullptr) connect(current(), &Document::changed, this, &ExerciseUi::refresh);
@@ -121,8 +120,8 @@ void ExerciseUi::forget(DocumentTab* document) {
   parts().jobs.cancelOf(document);
 }
 
-// A title that is changed is none of the shape. Work that takes long to prepare would take as long to be shown here:
-// its task stands for it, and Begin opens it.
+// A change of the title does not change the shape. Work that takes long to prepare is not shown here: its task is shown
+// instead, and Begin opens it.
 DisplayModel ExerciseUi::displayed(const Document& document) const {
   const ExerciseSnapshot& exercise = static_cast<const ExerciseDocument&>(document).exercise();
   if (m_displayedTask != exercise.task || m_displayedWork != exercise.work) {
@@ -295,7 +294,7 @@ void ExerciseUi::takeWork(bool asTarget) {
        tr("“Open the model solution” shows it. Students do not get it.")});
 }
 
-// Another document: what is changed there does not change the exercise.
+// Opens another document: changes there do not change the exercise.
 void ExerciseUi::openSolution() {
   const ExerciseSnapshot& exercise = current()->exercise();
   const DocumentKind* kind = parts().kinds.withId(exercise.subject->kind().id());

@@ -36,7 +36,7 @@ class ExerciseUi : public RigidPartsUi {
   QList<QAction*> toolBar() override;
   std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
   Suggestion suggestion() override;
-  std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // of turning
+  std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // the axis of turning
   QString openedText(const DocumentTab& document) const override;
   QString suggestedName(const DocumentTab& document) const override;
 
@@ -55,12 +55,12 @@ class ExerciseUi : public RigidPartsUi {
   void takeTarget(const SnapshotPointer& work);
   void askForTarget();
   void importTarget(DocumentTab* owner, const QString& path);
-  void askForPlace(DocumentTab* owner, const QString& name, const TaskPointer& before,
-                   const ExerciseSubject::ImportedTask& imported);
-  // False: it stays as it is.
+  void askForPosition(DocumentTab* owner, const QString& name, const TaskPointer& before,
+                      const ExerciseSubject::ImportedTask& imported);
+  // Returns false if the target is unchanged.
   bool changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
   void turnTarget();
-  // A message that is removed as soon as the exercise has another task.
+  // Shows a message that is removed as soon as the exercise has another task.
   void sayWhileTarget(Message said, DocumentTab* owner, const TaskPointer& task);
   void askToRound();
   void chooseSubmissions();
@@ -69,7 +69,7 @@ class ExerciseUi : public RigidPartsUi {
   void reportMarked(const std::vector<ReportedWork>& works);
   void removeWorks(const std::vector<std::size_t>& works);
   void showClass();
-  // name: that is suggested, without its ending.
+  // name: suggested name, without extension.
   void chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);
   enum class ClassFile { Report, Table, Comparison };
@@ -81,11 +81,11 @@ class ExerciseUi : public RigidPartsUi {
   ExerciseEditor* m_editor;
   ExerciseLesson* m_student;
   RunningAttempt* m_attempt;
-  // The class that is shown, and what else of the exercise is in its table and report.
+  // The class that is shown, and the other values that its table and report depend on.
   std::shared_ptr<const MarkedSubmissions> m_shownClass;
   std::string m_shownScheme;
   TaskPointer m_shownTask;
-  // What is shown, and what it was made from.
+  // The shown model, and the data it was made from.
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;
   mutable SnapshotPointer m_displayedWork;

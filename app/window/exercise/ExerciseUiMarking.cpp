@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Marking what a class has handed in, and writing what came out.
+// Marking the submissions of a class, and writing the results.
 #include "document/AtomicFile.h"
 #include "document/exercise/ExerciseDocument.h"
 #include "document/exercise/ShippedExercises.h"
@@ -90,7 +90,7 @@ void ExerciseUi::removeWorks(const std::vector<std::size_t>& works) {
   current()->change(tr("Remove from the class"), std::move(changed));
 }
 
-// Each change of the exercise comes here, and few are of the class or of what its report says.
+// Called after each change of the exercise, few of which concern the class or its report.
 void ExerciseUi::showClass() {
   const ExerciseSnapshot& exercise = current()->exercise();
   const Exercise shown = inLanguage(exercise);
@@ -104,7 +104,7 @@ void ExerciseUi::showClass() {
   m_editor->classView()->setReport(submissionsReportOf(exercise));
 }
 
-// What came out in short: the table is in the panel.
+// Reports the results in short: the table is in the panel.
 void ExerciseUi::reportMarked(const std::vector<ReportedWork>& works) {
   const QLocale locale;
   std::vector<const ReportedWork*> marked;

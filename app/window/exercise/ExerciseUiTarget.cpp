@@ -14,7 +14,7 @@
 #include "window/documents/FileDialogs.h"
 #include "window/exercise/ExerciseUi.h"
 #include "window/exercise/RoundTargetDialog.h"
-#include "window/kinds/TargetPlaceView.h"
+#include "window/kinds/TargetPlacementView.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -54,57 +54,57 @@ void ExerciseUi::importTarget(DocumentTab* owner, const QString& path) {
     const auto imported =
         exercise.subject->withImportedTarget(*exercise.task, QFile::encodeName(path).toStdString(), {}, progress);
     if (!imported) return [failed, error = imported.error()] { failed(error); };
-    return [this, owner, name, before = exercise.task, made = *imported] { askForPlace(owner, name, before, made); };
+    return [this, owner, name, before = exercise.task, made = *imported] { askForPosition(owner, name, before, made); };
   };
   parts().jobs.start(std::move(job));
 }
 
-// What is changed in the dialog is changed in the task that it holds.
-void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const TaskPointer& before,
-                             const ExerciseSubject::ImportedTask& imported) {
+// The dialog changes its own copy of the task.
+void ExerciseUi::askForPosition(DocumentTab* owner, const QString& name, const TaskPointer& before,
+                                const ExerciseSubject::ImportedTask& imported) {
   if (!parts().tabs.contains(owner)) return;
   const auto task = std::make_shared<TaskPointer>(imported.task);
   const ExerciseSubject& subject = *static_cast<ExerciseDocument&>(owner->document).exercise().subject;
-  // What is said of the place is of the place that is in the fields by then.
+  // The notes concern the position that is in the fields at that time.
   const auto intro = [task, &subject, ofFile = imported.notes] {
     QStringList notes;
-    for (const std::vector<Note>& of : {subject.placeNotes(**task), ofFile})
+    for (const std::vector<Note>& of : {subject.fitNotes(**task), ofFile})
       for (const Note& note : of) notes << noteText(note);
     if (const auto ends = subject.endsNote(**task)) notes << noteText(*ends);
     return notes.join(QLatin1Char('\n'));
   };
   const auto shownDialog = std::make_shared<QPointer<PropertyDialog>>();
-  auto* view = new TargetPlaceView;
-  const auto showPlace = [task, &subject, intro, shownDialog, view] {
+  auto* view = new TargetPlacementView;
+  const auto showPosition = [task, &subject, intro, shownDialog, view] {
     if (!*shownDialog) return;
     (*shownDialog)->setIntro(intro());
-    view->setPicture(subject.placePicture(**task));
+    view->setPicture(subject.targetPicture(**task));
   };
   auto* dialog = new PropertyDialog(
       {tr("Where the target lies"), intro(), tr("&Import")},
-      [task, &subject, place = imported.place] {
+      [task, &subject, group = imported.positionGroup] {
         std::vector<Property> shown = subject.properties(**task);
-        std::erase_if(shown, [&](const Property& each) { return each.group != place; });
+        std::erase_if(shown, [&](const Property& each) { return each.group != group; });
         return shown;
       },
-      [task, &subject, showPlace](const std::string& id, const PropertyValue& value) -> Status {
+      [task, &subject, showPosition](const std::string& id, const PropertyValue& value) -> Status {
         Result<TaskPointer> changed = subject.withProperty(**task, id, value);
         if (!changed) return changed.error();
         *task = std::move(*changed);
-        showPlace();
+        showPosition();
         return Done{};
       },
       parts().window);
   *shownDialog = dialog;
   dialog->addView(view);
-  connect(view, &TargetPlaceView::turned, dialog, [task, &subject, showPlace, dialog] {
+  connect(view, &TargetPlacementView::turned, dialog, [task, &subject, showPosition, dialog] {
     Result<TaskPointer> turned = subject.withTurnedTarget(**task);
     if (!turned) return;  // there is no picture of it, and no button
     *task = std::move(*turned);
-    showPlace();
+    showPosition();
     dialog->refresh();
   });
-  showPlace();
+  showPosition();
   dialog->setObjectName(QStringLiteral("targetPlaceDialog"));
   dialog->setModal(true);
   connect(dialog, &QDialog::accepted, this, [this, owner, name, before, task, isTurned = subject.isTurned()] {
@@ -124,7 +124,7 @@ void ExerciseUi::askForPlace(DocumentTab* owner, const QString& name, const Task
   dialog->open();
 }
 
-// Where the task was changed in the meantime it stays as it is.
+// Changes nothing if the task was changed in the meantime.
 bool ExerciseUi::changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before,
                               const TaskPointer& made) {
   if (!parts().tabs.contains(owner)) return false;

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kRows = 4;  // that are seen at once
+constexpr int kRows = 4;  // rows visible at once
 
 QListWidget* listIn(QVBoxLayout& column, QWidget* parent, const QString& heading, const QString& name) {
   auto* label = new QLabel(heading, parent);
@@ -30,7 +30,7 @@ QListWidget* listIn(QVBoxLayout& column, QWidget* parent, const QString& heading
   return list;
 }
 
-// Rows that stay keep their place, so that editing goes on.
+// Remaining rows keep their index, so that editing continues.
 void setCount(QListWidget& list, std::size_t count) {
   while (list.count() > static_cast<int>(count)) delete list.takeItem(list.count() - 1);
   while (list.count() < static_cast<int>(count)) list.addItem(QString());

@@ -12,8 +12,8 @@ class QVBoxLayout;
 
 namespace handwheel {
 
-// Edits the lists of an exercise step: its criteria and its hints. The marks that tick the step are a list to be
-// checked; hints have a row each.
+// Edits the lists of an exercise step: its criteria and its hints. The criteria that tick the step are a list of check
+// boxes; hints have a row each.
 class InstructionEditor : public QWidget {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace handwheel {
 
 // An exercise text in the language of the program.
 QString exerciseText(const ExerciseText& text);
-// Why a mark is what it is, and where or why not that was measured: "it could not be measured (the first face is
-// missing)".
+// Returns the reason of a mark, with the position of the measurement or the reason why there is none: "it could not be
+// measured (the first face is missing)".
 QString reasonText(const Mark& mark);
 
 }  // namespace handwheel

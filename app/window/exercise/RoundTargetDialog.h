@@ -15,12 +15,12 @@ class QPushButton;
 
 namespace handwheel {
 
-// A dialog for the rounding of an exercise's target, with a preview of the change. Rounding is a job.
+// A dialog to round an exercise's target, with a preview of the change. Rounding is a job.
 class RoundTargetDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // Subject and pool outlive it.
+  // Subject and pool must outlive the dialog.
   RoundTargetDialog(const ExerciseSubject& subject, TaskPointer task, QThreadPool& pool, QWidget* parent);
 
  signals:
@@ -34,7 +34,7 @@ class RoundTargetDialog : public QDialog {
   const ExerciseSubject& m_subject;
   TaskPointer m_task;
   OperationValues m_values;
-  TaskPointer m_rounded;  // null: the values are not possible, or not tried yet
+  TaskPointer m_rounded;  // null: the values are impossible, or not tried yet
   PropertyList* m_list;
   QLabel* m_remark;
   QPushButton* m_round;

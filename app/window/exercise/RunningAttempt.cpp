@@ -32,18 +32,18 @@ namespace handwheel {
 namespace {
 
 constexpr int kTickMs = 500;
-// Between two checks of what is under way: at least so long, and so often the time that the last of them took. A fifth
-// of the time is spent on them at most, in part on the window's thread.
+// Least pause between two checks during a gesture. The pause is also a multiple of the duration of the last check, so
+// that checks take at most a fifth of the time, in part on the window's thread.
 constexpr std::chrono::seconds kPause{2};
 constexpr int kPauseOfCost = 4;
-// Who only looks is asked to save the time after so many seconds of it.
+// Least working time, s, for which the user is asked to save work that is otherwise unchanged.
 constexpr double kSecondsWorthAsking = 60.0;
 
 const ExerciseKind& exerciseKind(const DocumentKinds& kinds) {
   return static_cast<const ExerciseKind&>(*kinds.withId("exercise"));
 }
 
-// What the document is called in which an exercise is worked on; empty: as one without a title is.
+// Returns the title of the document of work on an exercise; empty: as for a document without a title.
 QString titleOfWork(const ExerciseSnapshot& exercise) {
   const QString title = QString::fromStdString(inLanguage(exercise).title);
   if (title.isEmpty()) return {};
@@ -58,7 +58,7 @@ bool hasCheckedSteps(const Exercise& exercise) {
   return std::any_of(exercise.steps.begin(), exercise.steps.end(), isChecked);
 }
 
-// Why something of a work earns nothing, each reason once.
+// Returns the reasons why figures of the work could not be measured, each once.
 QStringList unmeasured(const Marking& marking) {
   QStringList reasons;
   for (const Mark& mark : marking.marks)
@@ -134,8 +134,8 @@ const DocumentTab* RunningAttempt::workOn(const DocumentTab& from) const {
   return any;
 }
 
-// A submission is another one than the next student's, though both are of one exercise, and the copy that a teacher
-// tries is another one than the exercise; a teacher who has changed the exercise begins anew. file: of the exercise.
+// The submission of another student is other work, even on the same exercise, and so is the copy that a teacher tries;
+// a teacher who has changed the exercise begins anew. file: file of the exercise.
 RunningAttempt::Work* RunningAttempt::begunFrom(const std::shared_ptr<const ExerciseSnapshot>& exercise,
                                                 const DocumentFile& file, const AssignedExercise& assigned) {
   const auto isOfThis = [&](const Work& each) { return each.origin == exercise; };
@@ -195,7 +195,7 @@ void RunningAttempt::start(const std::shared_ptr<const ExerciseSnapshot>& exerci
   follow(tab);
   if (Work* const begun = find(tab)) begun->origin = exercise;
   emit changed();
-  // The window has raised the panel of the new document by then, and the lesson says what to do with it.
+  // By then the window has raised the panel of the new document, and the lesson has its instructions.
   QTimer::singleShot(0, this, [this] { showDock(m_isCurrent && m_isDockWanted); });
 }
 
@@ -231,8 +231,8 @@ void RunningAttempt::follow(DocumentTab* tab) {
     m_changes = connect(&tab->document, &Document::changed, this, &RunningAttempt::check);
     m_records = connect(&tab->document, &Document::fileChanged, this, &RunningAttempt::recorded);
     find(tab)->see();
-    const auto place = m_works.begin() + (find(tab) - m_works.data());
-    std::rotate(place, place + 1, m_works.end());
+    const auto position = m_works.begin() + (find(tab) - m_works.data());
+    std::rotate(position, position + 1, m_works.end());
     show(m_works.back());
     m_since.start();
     m_clock.start(kTickMs);
@@ -241,7 +241,7 @@ void RunningAttempt::follow(DocumentTab* tab) {
   if (m_toggle) m_toggle->setEnabled(m_isCurrent);
 }
 
-// With the sizes as they were measured, which may be old by now.
+// Also shows the last measured sizes, which may be outdated.
 void RunningAttempt::show(const Work& work) {
   m_lesson->setExercise(*work.exercise, work.attempt, true);
   if (!work.sizes) return;
@@ -298,7 +298,7 @@ void RunningAttempt::tick() {
   followGesture(*work);
 }
 
-// A pass that goes on for minutes makes and spoils sizes before it is in the document.
+// A pass of several minutes makes and spoils sizes before it is in the document.
 void RunningAttempt::followGesture(Work& work) {
   if (!m_parts.tools.isUnderWay(work.tab->document)) {
     if (work.isUnderWay) check();  // it was given up
@@ -308,7 +308,7 @@ void RunningAttempt::followGesture(Work& work) {
   if (m_checks.isIdle() && Clock::now() >= work.nextCheck) checkSteps(work);
 }
 
-// With the sizes of the drawing, as the student asks for them.
+// Measures the sizes of the drawing too, as the student requested.
 void RunningAttempt::measure() {
   Work* const measured = current();
   if (!measured) return;
@@ -326,7 +326,7 @@ void RunningAttempt::outdate(Work& work) {
   if (&work == current()) m_lesson->setOutdated();
 }
 
-// The value of the document, with what is under way in it.
+// Returns the value of the document, including an unfinished gesture.
 SnapshotPointer RunningAttempt::now(Work& work) {
   const Document& document = work.tab->document;
   const std::uint64_t before = document.revision();
@@ -340,8 +340,8 @@ SnapshotPointer RunningAttempt::now(Work& work) {
   return value;
 }
 
-// A step is ticked as soon as the part is so; the sizes stay for those who ask. The tool may be in the midst of what
-// has changed the document, so it is asked for what it has under way behind that.
+// Ticks steps as soon as their criteria are met; sizes are only shown on request. The tool may be in the middle of the
+// call that changed the document, so its gesture is queried afterwards.
 void RunningAttempt::check() {
   Work* const changed = current();
   if (!changed) return;
@@ -357,8 +357,8 @@ void RunningAttempt::check() {
   });
 }
 
-// What is recorded without an undo step, such as a crash, has marks, too. The name of the file has none, nor has what
-// is not in the value.
+// Crashes and other records without an undo step have marks, too. Changes outside of the value, such as the name of the
+// file, have none.
 void RunningAttempt::recorded() {
   const Work* const work = current();
   if (!work || m_isStoring || work->tab->document.revision() == work->revision) return;
@@ -388,7 +388,7 @@ void RunningAttempt::start(JobRunner& jobs, const QString& name, Work& measured,
       Work* const found = find(tab);
       if (!found) return;
       if (!showsSizes) found->nextCheck = Clock::now() + std::max<Clock::duration>(kPause, kPauseOfCost * cost);
-      // The part is another one by now: checks were started again with that change, and so is what was asked for.
+      // The part has changed: that change has restarted the checks, and the requested measurement is restarted here.
       if (found->changes != changes) return showsSizes ? startMeasuring(*found) : void();
       take(tab, *exercise, marking, showsSizes);
     };
@@ -474,7 +474,7 @@ void RunningAttempt::writeSubmission(const QString& path) {
         handed.detail += QLatin1Char(' ') + tr("Some of it cannot be measured: %1").arg(missing.join(QLatin1Char(' ')));
         handed.advice = tr("Give that file to your teacher, or go on with the work and hand it in once more.");
       }
-      // The student's: not before the eyes of who looks at the exercise by then.
+      // The message is about the student's document and must not show beside the exercise.
       if (m_parts.tabs.contains(tab)) handed.about = &tab->document;
       emit message(handed);
     };

@@ -19,43 +19,44 @@ class ExerciseLesson;
 class PanelToggle;
 
 // The documents that are work on an exercise, and the panel with its steps. The panel is beside the current document.
-// Exercise and attempt are kept in the document of the work, and so in its file and its autosave: who opens it goes on.
-// The time runs while the document is the current one.
+// Exercise and attempt are kept in the document of the work, and so in its file and its autosave, from which the work
+// can be continued. The time runs while the document is the current one.
 class RunningAttempt : public QObject {
   Q_OBJECT
 
  public:
   RunningAttempt(const WindowContext& parts, QObject* parent);
 
-  // Opens what the student begins with, or continues with; shows the work that was begun from the same document before.
-  // from: a student's or a teacher's document; neither is shown the work of the other.
+  // Opens new work on the exercise, or shows the work that was begun from the same document before. from: a student's
+  // or a teacher's document; neither is shown the work of the other.
   void begin(const DocumentTab& from);
-  // The work that was begun from the exercise of a tab and was current last, or else any work on that exercise; null:
-  // none is open.
+  // Returns the work that was begun from the exercise of a tab and was current last, or else any work on that exercise;
+  // null: none is open.
   const DocumentTab* workOn(const DocumentTab& from) const;
 
  signals:
-  void changed();  // which work there is
+  void changed();  // the set of open works
   void message(const handwheel::Message& message);
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Work {
-    void see();  // its document as it is
+    void see();  // records the present state of the document
 
     DocumentTab* tab;
-    std::shared_ptr<const ExerciseSnapshot> exercise;  // as the student has it
+    std::shared_ptr<const ExerciseSnapshot> exercise;  // the student's copy
     Attempt attempt;
-    std::shared_ptr<const ExerciseSnapshot> origin;  // that it was begun from in this window; null: from a file
+    // exercise from which it was begun in this window; null: it was opened from a file
+    std::shared_ptr<const ExerciseSnapshot> origin;
     double secondsInFile = 0.0;
-    int changes = 0;                                      // that were seen: tells what was measured before one
-    std::shared_ptr<const Marking> sizes = nullptr;       // as measured last, on demand; null: not yet
-    bool areSizesOld = false;                             // the work has gone on since
-    std::uint64_t revision = 0;                           // of the document, that was seen
-    std::weak_ptr<SnapshotPointer::element_type> seen{};  // likewise its value, of kinds that keep it
-    bool isUnderWay = false;                              // something was seen that is not in the document yet
-    bool isCheckDue = false;                              // of the steps, as soon as the tool has ended its call
-    Clock::time_point nextCheck{};                        // what is under way is not checked before
+    int changes = 0;                                      // number of changes seen, to detect outdated measurements
+    std::shared_ptr<const Marking> sizes = nullptr;       // last marking on demand; null: none yet
+    bool areSizesOld = false;                             // the work has changed since then
+    std::uint64_t revision = 0;                           // revision of the document that was last seen
+    std::weak_ptr<SnapshotPointer::element_type> seen{};  // likewise its value, for kinds that keep it
+    bool isUnderWay = false;                              // an unfinished gesture is not in the document yet
+    bool isCheckDue = false;        // the steps are to be checked as soon as the tool has ended its call
+    Clock::time_point nextCheck{};  // earliest time of the next check during a gesture
   };
   Work* find(const DocumentTab* tab);
   Work* current() { return m_works.empty() || !m_isCurrent ? nullptr : &m_works.back(); }
@@ -89,18 +90,18 @@ class RunningAttempt : public QObject {
 
   WindowContext m_parts;
   QDockWidget* m_dock = nullptr;
-  PanelToggle* m_toggle = nullptr;  // of the dock, for the menu View and the search; enabled where there is a lesson
+  PanelToggle* m_toggle = nullptr;  // toggles the dock, for the menu View and the search; enabled if there is a lesson
   ExerciseLesson* m_lesson;
-  std::vector<Work> m_works;  // the one that was current last is the last
-  bool m_isCurrent = false;   // the last of them is the current document
+  std::vector<Work> m_works;  // the last one was current last
+  bool m_isCurrent = false;   // the last one is the current document
   bool m_isDockWanted = true;
   QElapsedTimer m_since;
   QTimer m_clock;
-  JobRunner m_checks;                                   // of the steps, after each change of the work
-  QMetaObject::Connection m_changes, m_records;         // of the current document
-  bool m_isStoring = false;                             // what is recorded by then is known here
-  std::shared_ptr<const ExerciseSnapshot> m_beginning;  // that a document is being opened for
-  std::shared_ptr<const nlohmann::json> m_beginningAs;  // as that document has it
+  JobRunner m_checks;                                   // checks of the steps, after each change of the work
+  QMetaObject::Connection m_changes, m_records;         // connections to the current document
+  bool m_isStoring = false;                             // changes recorded meanwhile are known here
+  std::shared_ptr<const ExerciseSnapshot> m_beginning;  // the exercise for which a document is being opened
+  std::shared_ptr<const nlohmann::json> m_beginningAs;  // its description in that document
 };
 
 }  // namespace handwheel

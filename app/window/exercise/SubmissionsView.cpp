@@ -23,7 +23,7 @@ QString figureWord(const std::string& text) {
   return QCoreApplication::translate("Figure", text.c_str());
 }
 
-// As the clock on the wall showed it; sorted by time.
+// Returns a time in the local time zone; sorted by time.
 ResultCell timeCell(const std::string& utc) {
   const QDateTime at = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
   if (!at.isValid()) return {QString::fromStdString(utc)};
@@ -55,7 +55,7 @@ ResultCell cellOf(const Exercise& exercise, const SubmissionTable& table, std::s
   return cell;
 }
 
-// What was recorded over time of one student's work.
+// Returns the recording of one student's work over time.
 TimeLineRecording recordingOf(const ReportedWork& work) {
   TimeLineRecording recording;
   const SubmissionRow& row = work.row;

@@ -22,9 +22,9 @@ class SubmissionsView : public QWidget {
   explicit SubmissionsView(QWidget* parent = nullptr);
 
   void setReport(SubmissionsReport report);
-  // The report with the works in the order in which the table shows them.
+  // Returns the report with the works in the order of the table.
   SubmissionsReport shownReport() const;
-  // The same with the two selected works alone.
+  // Returns the same with the two selected works only.
   SubmissionsReport comparedReport() const;
 
  signals:
@@ -32,13 +32,13 @@ class SubmissionsView : public QWidget {
   void reportRequested();
   void comparisonRequested();
   void tableRequested();
-  void openRequested(std::size_t work);  // of the report
+  void openRequested(std::size_t work);  // index in the report
   void removalRequested(const std::vector<std::size_t>& works);
 
  private:
   void showRecordings();
-  std::vector<std::size_t> selected() const;        // works of the report
-  std::vector<std::size_t> selectedMarked() const;  // those that could be marked
+  std::vector<std::size_t> selected() const;        // indices in the report
+  std::vector<std::size_t> selectedMarked() const;  // indices of those that were marked
 
   SubmissionsReport m_report;
   ResultTable* m_table;

@@ -79,7 +79,7 @@ void BenchmarkRunner::begin(std::vector<const FidelityRegistry::Entry*> entries)
   next();
 }
 
-// What was measured is kept setting by setting, by the worker: a write to the disk may take its time.
+// The worker stores the measurements setting by setting: a write to the disk may take its time.
 void BenchmarkRunner::next() {
   if (m_done == m_entries.size() || m_elapsed.elapsed() > std::chrono::milliseconds(kLongestCalibration).count())
     return end();
@@ -110,7 +110,7 @@ void BenchmarkRunner::measured(const Calibration& calibration, const Status& sto
   next();
 }
 
-// Who has chosen Fit has what fits by the new curves.
+// If the user has chosen Fit, the values that fit by the new curves are applied.
 void BenchmarkRunner::end() {
   m_isRunning = false;
   if (m_before == m_choice.values() && !m_choice.isFit()) m_choice.use(m_choice.fit().values);

@@ -16,7 +16,7 @@ namespace {
 
 const auto kFidelityKey = QStringLiteral("fidelity");
 
-// As it comes with the program.
+// Returns the curve that comes with the program.
 CurveFile shippedCurve(const FidelitySetting& setting) {
   QFile file(QStringLiteral(":/fidelity/") + QString::fromStdString(setting.id) + QStringLiteral(".json"));
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -121,8 +121,8 @@ std::optional<CurvePoint> FidelityChoice::predicted(const std::string& id, doubl
   if (above == points.begin() || above->value == value) return CurvePoint{value, above->error, above->cost};
   const CurvePoint& below = *(above - 1);
   const FidelitySetting& setting = m_registry.find(id)->setting;
-  const double start = placeOf(setting, below.value);
-  const double share = (placeOf(setting, value) - start) / (placeOf(setting, above->value) - start);
+  const double start = scalePositionOf(setting, below.value);
+  const double share = (scalePositionOf(setting, value) - start) / (scalePositionOf(setting, above->value) - start);
   return CurvePoint{value, between(below.error, above->error, share), between(below.cost, above->cost, share)};
 }
 

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// The user's choice between speed and accuracy: a preset and single values. Stored in the settings; jobs read it when
-// they start.
+// The user's choice between speed and accuracy: a preset and single values. It is stored in the settings; jobs read it
+// when they start.
 class FidelityChoice : public QObject {
   Q_OBJECT
 
@@ -19,31 +19,31 @@ class FidelityChoice : public QObject {
 
   const FidelityRegistry& registry() const { return m_registry; }
   const FidelityValues& values() const { return m_values; }
-  double of(std::string_view id) const;  // of a registered setting
+  double of(std::string_view id) const;  // value of a registered setting
 
   void use(const FidelityValues& values);
-  // Values out of range change nothing.
+  // Sets a value. Values out of range change nothing.
   void set(const std::string& id, double value);
 
-  // The measured curve of a setting: of this machine, else the one the presets were derived from; empty when there is
-  // none.
+  // The measured curve of a setting: of this machine, or else of the one from which the presets were derived; empty if
+  // there is none.
   const std::vector<CurvePoint>& curve(const std::string& id) const { return known(id).curve; }
-  // Where and when it was measured.
+  // The machine and the date of the measurement.
   const CurveFile& measurement(const std::string& id) const { return known(id).file; }
-  // The error and cost of a value of a registered setting, predicted by that curve. Interpolates linearly on
+  // Returns the error and cost of a value of a registered setting, predicted by that curve. Interpolates linearly on
   // logarithmic scales between measured points. None without a curve.
   std::optional<CurvePoint> predicted(const std::string& id, double value) const;
 
-  // The predicted duration (us) of a tick in contact for a loop of this rate (Hz). None without curves.
+  // Returns the predicted duration (us) of a tick in contact for a loop of this rate (Hz). None without curves.
   std::optional<double> predictedTick(double rate) const;
 
   // The measurements on this machine, which replace the curves that come with the program.
   const Calibration& calibration() const { return m_calibration; }
   void setCalibration(const Calibration& calibration);
 
-  // The preset Fit, by the present curves. Cheap except for the first call.
+  // Returns the preset Fit, by the present curves. Cheap except for the first call.
   const FidelityFit& fit() const;
-  bool isFit() const;  // whether the present values are those of Fit
+  bool isFit() const;  // returns true if the present values are those of Fit
 
  signals:
   void changed();

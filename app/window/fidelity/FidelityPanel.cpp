@@ -131,10 +131,10 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
     if (const auto* number = std::get_if<double>(&value)) edit(id, *number);
   });
   const auto setting = [this]() -> const FidelitySetting& { return m_choice.registry().find(m_shown)->setting; };
-  connect(m_slider, &QSlider::sliderMoved, this, [=, this](int place) { predict(valueAtStep(setting(), place)); });
+  connect(m_slider, &QSlider::sliderMoved, this, [=, this](int step) { predict(valueAtStep(setting(), step)); });
   connect(m_slider, &QSlider::valueChanged, this,
-          [=, this](int place) { m_choice.set(m_shown, valueAtStep(setting(), place)); });
-  // Let go where it began, it changes nothing; shown later, as the slider takes its place after this signal.
+          [=, this](int step) { m_choice.set(m_shown, valueAtStep(setting(), step)); });
+  // Released at its old value, it changes nothing; shown later, as the slider moves to its position after this signal.
   connect(
       m_slider, &QSlider::sliderReleased, this, [this] { showSetting(m_shown); }, Qt::QueuedConnection);
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
@@ -201,7 +201,7 @@ void FidelityPanel::showSetting(const std::string& id) {
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(0, stepsOf(setting));
     m_slider->setPageStep(std::max(1, stepsOf(setting) / 10));
-    m_slider->setValue(static_cast<int>(std::lround(placeOf(setting, value) * stepsOf(setting))));
+    m_slider->setValue(static_cast<int>(std::lround(scalePositionOf(setting, value) * stepsOf(setting))));
   }
   predict(value);
 }

@@ -17,8 +17,8 @@ class PropertyList;
 
 // The panel that shows and edits the accuracy settings. It has the preset and each setting. For the setting that has
 // the focus, or had it last, it shows a slider on its own scale, the predicted error and cost, the presets, and the
-// measured curve with the present value. These follow the slider while it is dragged; the value is applied when it is
-// released.
+// measured curve with the present value. These follow the slider while it is dragged; the value is applied when the
+// slider is released.
 class FidelityPanel : public SqueezedPage {
   Q_OBJECT
 
@@ -39,7 +39,7 @@ class FidelityPanel : public SqueezedPage {
   FidelityChoice& m_choice;
   PropertyList* m_list;
   QLabel* m_fit;    // the limits of the preset Fit
-  QLabel* m_title;  // of the setting shown below
+  QLabel* m_title;  // title of the setting shown below
   QSlider* m_slider;
   QLabel* m_prediction;
   PlotWidget* m_curve;

@@ -30,8 +30,8 @@ FrameTiming::FrameTiming(Viewport& viewport, FidelityChoice& choice, QWidget* pa
   connect(&choice, &FidelityChoice::curvesChanged, this, &FrameTiming::tell);
 }
 
-// What is swapped without being drawn, as where only a panel has changed, is no frame; and what nobody sees is not
-// worked out.
+// A buffer swap without drawing, such as when only a panel has changed, is no frame; and nothing is computed while the
+// label is hidden.
 void FrameTiming::sample() {
   const int drawn = m_viewport.framesDrawn();
   const double spent = m_viewport.timeDrawing().clock;

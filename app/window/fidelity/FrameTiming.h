@@ -27,9 +27,9 @@ class FrameTiming : public QLabel {
 
   Viewport& m_viewport;
   FidelityChoice& m_choice;
-  std::deque<double> m_frames;  // ms each, the latest
-  int m_drawn = 0;              // number of frames at the last sample,
-  double m_spent = 0.0;         // and their drawing time, ms
+  std::deque<double> m_frames;  // latest drawing times, ms
+  int m_drawn = 0;              // number of frames at the last sample
+  double m_spent = 0.0;         // drawing time of these frames, ms
   QTimer m_pause;               // limits how often the text changes
 };
 

@@ -16,7 +16,7 @@ struct BuiltInDevicesWords {
 };
 
 constexpr const char* kMouse = "mouse";
-constexpr const char* kTurnedAddress = "turned-hand";  // of the simulated device with motors for torque
+constexpr const char* kTurnedAddress = "turned-hand";  // address of the simulated device with motors for torque
 
 }  // namespace
 

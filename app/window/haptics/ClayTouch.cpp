@@ -16,7 +16,7 @@ void ClayTouch::set(const std::shared_ptr<ClayChannel>& channel, const ClayFeel&
   const auto make = [channel, feel](const TouchContext& context) {
     ClayFeel inScene = feel;
     inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
-    // That of a drill follows from its thrust in the scene, as that of its simulation does.
+    // The resistance of a drill follows from its thrust in the scene, as in its simulation.
     if (feel.spindle == 0.0) inScene.resistance = context.mapping.sceneStiffness(feel.resistance);
     return std::make_unique<ClayForce>(channel, inScene);
   };

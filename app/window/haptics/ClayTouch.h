@@ -11,12 +11,12 @@ namespace handwheel {
 
 class HapticSceneBuilder;
 
-// What the hand feels of voxels: the force source kClaySource in the haptic scene. Window thread.
+// Makes voxels touchable: the force source kClaySource in the haptic scene. Window thread.
 class ClayTouch {
  public:
   explicit ClayTouch(HapticSceneBuilder& scene) : m_scene(scene) {}
 
-  // The channel of a simulation, or of a volume that rests, and what its tool feels like. Null: nothing is felt.
+  // Sets the channel of a simulation, or of a volume at rest, and the feel of its tool. Null: no force.
   void set(const std::shared_ptr<ClayChannel>& channel, const ClayFeel& feel);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Searches for connected devices on a worker thread, because querying them may be slow. Plugins are loaded by the first
-// search, so a program that never uses a device never loads one. Window thread.
+// Searches for connected devices on a worker thread, because querying them may be slow. The first search loads the
+// plugins, so a program that never uses a device never loads one. Window thread.
 class DeviceFinder : public QObject {
   Q_OBJECT
 
@@ -24,13 +24,13 @@ class DeviceFinder : public QObject {
   // Switches a repeated search every two seconds.
   void setWatching(bool isOn);
   void look();
-  // Creates a device, on any thread; null when it is not there. May outlive the finder.
+  // Creates a device, on any thread; null if it is not connected. May outlive the finder.
   using Maker = std::function<std::unique_ptr<Device>()>;
   Maker maker(const std::string& driver, const std::string& address) const;
 
  signals:
-  void looked();   // after each search
-  void changed();  // emitted before looked(), when the set of devices has changed
+  void looked();   // emitted after each search
+  void changed();  // emitted before looked(), if the set of devices has changed
 
  private:
   struct Catalogue;

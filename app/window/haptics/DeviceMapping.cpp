@@ -10,10 +10,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kRestShare = 0.05;         // of the workspace: where a displacement from rest is none
+constexpr double kRestShare = 0.05;         // fraction of the workspace: smaller displacements from rest are ignored
 constexpr double kRestAngle = 0.02;         // radian
 constexpr std::uint32_t kClutch = 1u << 2;  // the first two are those of the tools
-constexpr double kBefore = 0.1;             // of the height of the view: of a surface that is seen
+constexpr double kBefore = 0.1;  // fraction of the height of the view: distance in front of a visible surface
 constexpr double kLeastFactor = 1e-3, kLargestFactor = 1e3;
 
 QString keyOf(const std::string& driver, const char* name) {
@@ -26,7 +26,7 @@ double number(const std::string& driver, const char* name, double standard, doub
   return isNumber && kept >= least && kept <= largest ? kept : standard;
 }
 
-// "+0-1+2": for each axis of the view, the way and the axis of the device.
+// "+0-1+2": for each axis of the view, the sign and the axis of the device.
 QString textOf(const std::array<DeviceAxis, 3>& axes) {
   QString text;
   for (const DeviceAxis& axis : axes) text += (axis.isInverted ? u'-' : u'+') + QString::number(axis.axis);
@@ -116,19 +116,19 @@ std::array<AboutAxis, 3> axesAbout(const Ray& axis, const WorkspaceMapping& inSc
   const Eigen::Matrix3d directions = inScene.sceneFromView.linear() * inScene.viewFromDevice();
   std::array<AboutAxis, 3> all{};
   for (int i = 0; i < 3; ++i) {
-    const Vec3 way = directions.col(i).normalized();
-    if (std::abs(way.dot(along)) > kMostly)
+    const Vec3 direction = directions.col(i).normalized();
+    if (std::abs(direction.dot(along)) > kMostly)
       all[static_cast<std::size_t>(i)] = AboutAxis::Along;
-    else if (std::abs(way.dot(radius)) > kMostly)
+    else if (std::abs(direction.dot(radius)) > kMostly)
       all[static_cast<std::size_t>(i)] = AboutAxis::Radius;
-    else if (std::abs(way.dot(along.cross(radius))) > kMostly)
+    else if (std::abs(direction.dot(along.cross(radius))) > kMostly)
       all[static_cast<std::size_t>(i)] = AboutAxis::Across;
   }
   return all;
 }
 
-bool isInView(const CameraState& camera, const Vec3& place) {
-  const Vec3 seen = camera.orientation.conjugate() * (place - camera.centre);
+bool isInView(const CameraState& camera, const Vec3& point) {
+  const Vec3 seen = camera.orientation.conjugate() * (point - camera.centre);
   return seen.cwiseAbs().maxCoeff() <= 0.5 * camera.height;
 }
 

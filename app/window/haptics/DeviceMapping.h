@@ -12,26 +12,27 @@
 
 namespace handwheel {
 
-// The default mapping of a device into the view. A scale of 1 means that the workspace fills the view.
+// Returns the default mapping of a device into the view. A scale of 1 means that the workspace fills the view.
 WorkspaceMapping standardMapping(const DeviceCapabilities& device);
 
-// The user's settings of a mapping, stored for each driver. These are axes, scale, gain, dead zones, clutch. Missing
-// or invalid values are taken from `standard`.
+// Loads the user's settings of a mapping, stored for each driver: axes, scale, gain, dead zones, clutch. Missing or
+// invalid values are taken from `standard`.
 WorkspaceMapping loadMapping(const std::string& driver, const WorkspaceMapping& standard);
 // Stores the user's settings of a mapping.
 void storeMapping(const std::string& driver, const WorkspaceMapping& mapping);
 
 // Places the user's mapping in a view of the model. The centre of the workspace lies in front of the model in the
 // middle of the view, so that the tip does not start inside it, and its radius spans half of the height. seen: the
-// surface point in the middle of the view, where it is known; the centre lies a little in front of it.
+// surface point in the middle of the view, if it is known; the centre lies a little in front of it.
 WorkspaceMapping mappingInView(const WorkspaceMapping& user, const DeviceCapabilities& device,
                                const CameraState& camera, const Box& model, const std::optional<Vec3>& seen = {});
 
-// What the axes of a device do about an axis in the scene, as that of a lathe, where the tip is now.
+// Returns the direction of each axis of a device relative to an axis in the scene, such as that of a lathe, at the
+// present tip.
 enum class AboutAxis { Oblique, Along, Radius, Across };
 std::array<AboutAxis, 3> axesAbout(const Ray& axis, const WorkspaceMapping& inScene, const Vec3& tip);
 
-// Whether a point (mm) is roughly within the view. Decides whether the tip may stay where it is when the camera moves.
-bool isInView(const CameraState& camera, const Vec3& place);
+// Returns true if a point (mm) is roughly within the view. Decides if the tip may stay when the camera moves.
+bool isInView(const CameraState& camera, const Vec3& point);
 
 }  // namespace handwheel

@@ -9,9 +9,9 @@ namespace handwheel {
 
 // Messages to the user about devices, translated.
 Message notOpenedMessage(const QString& name, const Error& error);
-// status: Absent or Failed, after it was there. The action, which opens it again, is to be added: a device that its
-// driver lists always never seems to come back.
+// status: Absent or Failed, after the device was there. The caller adds the action, which opens the device again: a
+// device that its driver always lists never seems to return.
 Message lostMessage(const QString& name, DeviceStatus status);
-Message unusedPluginMessage(const PluginInfo& plugin);  // with its error
+Message unusedPluginMessage(const PluginInfo& plugin);  // includes the error of the plugin
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ constexpr double kStill = 0.25;  // pixels: a hand that moves less moves nothing
 // A tip that lies in the surface itself would begin behind it as often as before it.
 constexpr double kClear = 2.0;          // pixels
 constexpr double kNotch = 15.0;         // degrees of the wheel
-constexpr double kDepthOfNotch = 0.01;  // of the height of the view
+constexpr double kDepthOfNotch = 0.01;  // fraction of the height of the view
 
 double pixelOf(const Viewport& viewport) {
   return viewport.camera().height / std::max(1, viewport.height());
@@ -82,32 +82,32 @@ void DevicePointer::letGo() {
   pull();
 }
 
-// Tools ask what is seen along the line of sight, so the ray is that through the place at which the cursor is shown;
-// where the hand itself is, which may be below the surface, tells the pose.
+// Tools ask for the surface along the line of sight, so the ray is that through the displayed cursor; the pose is that
+// of the hand itself, which may be below the surface.
 PointerEvent DevicePointer::eventAt(const ServoSample& sample) const {
   const CameraState camera = m_viewport.camera();
-  const Vec3& place = sample.felt.proxy;
+  const Vec3& position = sample.felt.proxy;
   PointerEvent event;
   event.pixel = pixelOf(m_viewport);
   const Qt::KeyboardModifiers keys = QGuiApplication::keyboardModifiers();
   event.modifiers = {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
                      keys.testFlag(Qt::AltModifier)};
   event.device = Eigen::Translation3d(sample.tip.position) * sample.tip.orientation;
-  event.proxy = place;
+  event.proxy = position;
   if (sample.felt.isHeld) event.held = sample.felt.held;
   if (camera.projection == Projection::Perspective) {
     event.eye = camera.eye();
     event.focus = camera.eyeDistance();
-    event.ray = {camera.eye(), (place - camera.eye()).stableNormalized()};
+    event.ray = {camera.eye(), (position - camera.eye()).stableNormalized()};
   } else {
     const Box model = m_viewport.bounds();
     const double before = camera.height + (model.isEmpty() ? 0.0 : model.diagonal().norm());
-    event.ray = {place + before * camera.towardsViewer(), -camera.towardsViewer()};
+    event.ray = {position + before * camera.towardsViewer(), -camera.towardsViewer()};
   }
   return event;
 }
 
-// What the mouse holds would pull at a device from any distance.
+// A spring held by the mouse would pull at a device from any distance.
 void DevicePointer::pull() {
   if (!m_session.isOpen()) return;
   const Tool* const tool = m_tools.runner().tool();
@@ -129,9 +129,9 @@ std::optional<Pose> DevicePointer::placeMouse(const PointerInput& input, const V
     m_depth.turnWheel(input.wheel / kNotch, kDepthOfNotch * m_viewport.camera().height);
   const Pick under = m_isHeld ? Pick{} : m_viewport.pickAlong(ray.origin, ray.direction);
   if (!under.isNothing()) m_depth.setSurface((under.point - ray.origin).norm() - kClear * pixelOf(m_viewport));
-  const Vec3 place = m_depth.place(ray.origin, ray.direction);
-  mouse->point(place, (m_isHeld ? kFirst : 0u) | (input.held.testFlag(Qt::RightButton) ? kSecond : 0u));
-  return Pose(Eigen::Translation3d(place) * m_viewport.camera().orientation);
+  const Vec3 position = m_depth.positionOn(ray.origin, ray.direction);
+  mouse->point(position, (m_isHeld ? kFirst : 0u) | (input.held.testFlag(Qt::RightButton) ? kSecond : 0u));
+  return Pose(Eigen::Translation3d(position) * m_viewport.camera().orientation);
 }
 
 }  // namespace handwheel

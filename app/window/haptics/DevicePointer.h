@@ -17,9 +17,9 @@ struct PointerEvent;
 struct ServoSample;
 
 // Converts the motion of a haptic device to pointer events for the tools. It does so sixty times a second, from the
-// pose of the device and its first two buttons; the springs of the tool are felt while the first button is held. When
-// the mouse is the device, it keeps its normal pointing, the tip lies on the surface under the mouse, and the wheel
-// moves the tip along the pick ray; with Ctrl the wheel moves the camera.
+// pose of the device and its first two buttons; the springs of the tool are felt while the first button is held. If the
+// mouse is the device, it keeps its normal pointing, the tip lies on the surface under the mouse, and the wheel moves
+// the tip along the pick ray; with Ctrl the wheel moves the camera.
 class DevicePointer : public QObject {
   Q_OBJECT
 
@@ -39,11 +39,11 @@ class DevicePointer : public QObject {
   Viewport& m_viewport;
   ToolHost& m_tools;
   HapticSceneBuilder& m_scene;
-  PointerDepth m_depth;        // of the mouse
-  Vec3 m_last = Vec3::Zero();  // where the last event was, mm
+  PointerDepth m_depth;        // depth of the mouse
+  Vec3 m_last = Vec3::Zero();  // position of the last event, mm
   Vec3 m_lastProxy = Vec3::Zero();
   bool m_isPointing = false;  // the tool has got events of the device, and no leave event yet
-  bool m_isHeld = false;      // the first button
+  bool m_isHeld = false;      // the first button is held
   bool m_isSecondHeld = false;
 };
 

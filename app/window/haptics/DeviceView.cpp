@@ -32,7 +32,7 @@ void DeviceView::followCamera() {
   m_session.setView(camera, m_viewport.bounds(), surfaceInMiddle(camera));
 }
 
-// The front of the model takes the place of a surface that cannot be looked for yet: no tip begins inside.
+// The front of the model replaces a surface that cannot be picked yet, so that no tip begins inside.
 std::optional<Vec3> DeviceView::surfaceInMiddle(const CameraState& camera) const {
   const Box model = m_viewport.bounds();
   if (model.isEmpty()) return std::nullopt;

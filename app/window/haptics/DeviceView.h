@@ -20,9 +20,9 @@ class DeviceView : public QObject {
  public:
   DeviceView(HapticSession& session, Viewport& viewport, QObject* parent = nullptr);
 
-  // To be called when another model is shown: the tip moves to the place of the device in front of it.
+  // Moves the tip to the position of the device in front of the model, after another model is shown.
   void followModel();
-  // Shows another cursor, of a recording, instead of the device's; none: the device's again.
+  // Shows the cursor of a recording instead of the device's; none: the device's again.
   void showInstead(const std::optional<DeviceCursor>& cursor);
 
  private:

@@ -11,8 +11,8 @@ class HapticSession;
 class HapticSceneBuilder;
 
 // Applies the chosen accuracy settings to the haptic device. These are rate and velocity window of its loop, stiffness
-// and tolerance of the contact. The stiffness in the device panel and the setting are kept equal, both ways. Window
-// thread.
+// and tolerance of the contact. The stiffness in the device panel and the setting are kept equal in both directions.
+// Window thread.
 class HapticFidelity : public QObject {
   Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-// mm at the device: what draws from further, as the edges of a large cube would, is in the way.
+// mm at the device: an attraction from further away, such as by the edges of a large cube, would be in the way.
 constexpr double kFarthestSnap = 5.0;
 
 bool isSameSpring(const DeviceSpring& a, const DeviceSpring& b) {
@@ -80,7 +80,7 @@ void HapticSceneBuilder::setSprings(const std::vector<DeviceSpring>& terms) {
   if (terms.empty()) return setSource(kSpringSource, {}, true);
   const auto make = [this, terms](const TouchContext& context) {
     const WorkspaceMapping& mapping = context.mapping;
-    // Of a device whose maker states none, that which the tool asks for.
+    // For a device whose maker states no limit, the stiffness that the tool asks for.
     const double stated = m_session.capabilities().maxAngularStiffness;
     const double stiffest = stated > 0.0 ? stated : std::numeric_limits<double>::infinity();
     std::vector<Spring> springs;

@@ -18,15 +18,15 @@ class HapticSession;
 
 // The context in which force sources are made when the scene is published.
 struct TouchContext {
-  const WorkspaceMapping& mapping;  // for stiffnesses, which are those at the device
+  const WorkspaceMapping& mapping;  // mapping for stiffnesses, which are those at the device
   const TouchSettings& touch;
   ContactOptions contact;         // with the chosen tolerance and friction
-  std::size_t snapFeatures;       // that may attract at once
+  std::size_t snapFeatures;       // number of features that may attract at once
   Vec3 comesFrom = Vec3::Zero();  // towards the viewer
 };
 
-// The haptic scene: a list of force sources that kinds of documents and tools provide. Passed to the servo loop as a
-// whole with each change; nothing is passed while no device is open. Window thread.
+// Builds the haptic scene from the force sources of kinds of documents and tools. The scene is passed to the servo loop
+// as a whole with each change; nothing is passed while no device is open. Window thread.
 class HapticSceneBuilder : public QObject {
   Q_OBJECT
 
@@ -35,16 +35,17 @@ class HapticSceneBuilder : public QObject {
 
   // Makes a source for the present view and settings; called again whenever these change. Null: nothing now.
   using MakeSource = std::function<std::unique_ptr<ForceSource>(const TouchContext&)>;
-  // Adds a source to the scene or replaces the one of the same id; null removes it. isEdit: the same thing after an
-  // edit, which takes effect at once. Otherwise the force ramps up.
+  // Adds a source to the scene or replaces the one of the same id; null removes it. isEdit: it is the same object after
+  // an edit, which takes effect at once; otherwise the force ramps up.
   void setSource(const std::string& id, MakeSource make, bool isEdit);
 
-  // What a source is made of, for a recording of the device; asked for only while one runs, whenever the scene changes.
+  // Describes the contents of a source, for a recording of the device. Called only while a recording runs, whenever the
+  // scene changes.
   using Describe = std::function<QJsonObject()>;
 
-  // Sets the contact surface, the source kSurfaceSource. describe: of what it is the surface; may be null.
+  // Sets the contact surface, the source kSurfaceSource. describe: describes the object with this surface; may be null.
   void setSurface(std::optional<ContactSurface> surface, bool isEdit, Describe describe = {});
-  // Sets the snap field, the source kSnapSource, which attracts the tip within `distance` (mm in the scene) unless
+  // Sets the snap field, the source kSnapSource. It attracts the tip within `distance` (mm in the scene) unless
   // something is held or snapping is switched off.
   void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
   void setHolding(bool isHolding);

@@ -13,7 +13,7 @@
 #include <QSettings>
 #include <algorithm>
 
-// How a device is chosen, opened and closed; HapticSessionLoop.cpp has what is done with one that is open.
+// Choosing, opening and closing of a device; HapticSessionLoop.cpp has the work with an open device.
 namespace handwheel {
 
 namespace {

@@ -38,27 +38,29 @@ class HapticSession : public QObject {
                          QObject* parent = nullptr);
   ~HapticSession() override;
 
-  // The simulated device and the mouse, then the devices of the last search.
+  // Returns the simulated device and the mouse, then the devices of the last search.
   QList<DeviceInfo> found() const;
   DeviceFinder& finder() { return m_finder; }
   // Searches for devices every two seconds while a list of them is visible.
   void setWatching(bool isOn);
   const std::vector<PluginInfo>& plugins() const { return m_finder.plugins(); }
 
-  // Opens a device in a job, in place of the previous one.
+  // Opens a device in a job, replacing the previous one.
   void choose(const std::string& driver, const std::string& address);
   void close();
-  // Opens the device that was in use when the program ended. No message when it is not connected.
+  // Opens the device that was in use when the program ended. No message if it is not connected.
   void takeUp();
   bool isOpen() const { return m_open != nullptr; }
-  DeviceInfo chosen() const { return m_chosen; }  // being opened, open, or waited for; all empty: none
-  DeviceStatus status() const;                    // of the chosen one
-  DeviceCapabilities capabilities() const;        // of the open one
+  DeviceInfo chosen() const {
+    return m_chosen;
+  }                                         // the device being opened, open, or waited for; all members empty: none
+  DeviceStatus status() const;              // status of the chosen device
+  DeviceCapabilities capabilities() const;  // capabilities of the open device
 
   // The latest tick at the last sampled(); null: no device is open, or no tick has passed. Valid until the next
   // sampled().
   const ServoSample* latest() const;
-  const ServoStatistics* measure() const;  // null: none is open
+  const ServoStatistics* measure() const;  // null: no device is open
   RealTimeState realTime() const;
   std::uint64_t missedTicks() const;
   double rate() const { return m_rate; }  // measured ticks per second over the last half second
@@ -67,7 +69,7 @@ class HapticSession : public QObject {
   // workspace fills the view.
   WorkspaceMapping mapping() const { return m_mapping; }
   void setMapping(const WorkspaceMapping& mapping);
-  // Sets the view of the mapping. The tip stays where it is as long as it is within the view, else it moves into the
+  // Sets the view of the mapping. The tip stays unchanged while it is within the view, otherwise it moves into the
   // view. seen: the surface point in the middle of the view.
   void setView(const CameraState& camera, const Box& model, const std::optional<Vec3>& seen = {});
   const CameraState& camera() const { return m_camera; }
@@ -87,22 +89,22 @@ class HapticSession : public QObject {
 
   bool isForceOn() const { return m_isForceOn; }
   void setForceOn(bool isOn);
-  // Starts a test that pulls gently along each axis of the device. Up to kTestForce, through the safety chain; the
-  // forces of the scene are off meanwhile.
+  // Starts a test that pulls gently along each axis of the device. The force is at most kTestForce and passes through
+  // the safety chain; the forces of the scene are off meanwhile.
   void startForceTest();
   bool isTesting() const { return m_testEnd.has_value(); }
   static constexpr double kTestForce = 0.5;  // N
 
   // Starts recording every tick. Ends with stopRecording(), when the device is closed, or at ForceRecorder::kMostTicks;
-  // recorded() is then emitted. Does nothing when no device is open, or a recording is running already.
+  // recorded() is then emitted. Does nothing if no device is open, or a recording is running already.
   void startRecording();
   void stopRecording();
   const ForceRecorder* recorder() const;  // null: nothing is being recorded
   // Adds an event to the running recording, if there is one.
   void mark(const QString& event);
 
-  // Sets the scene whose forces are felt from the next tick on. Dropped when no device is open, and during a force
-  // test; sceneRequested() then requests it again. note: what it is made of, for a recording: a JSON object.
+  // Sets the scene whose forces are felt from the next tick on. Dropped if no device is open, and during a force test;
+  // sceneRequested() then requests it again. note: the contents of the scene, for a recording: a JSON object.
   void setScene(std::unique_ptr<HapticScene> scene, const std::string& note = "{}");
   // Tells the servo loop that the force may change abruptly; starts the force ramp.
   void announceDiscontinuity();
@@ -114,7 +116,7 @@ class HapticSession : public QObject {
  signals:
   void foundChanged();
   void chosenChanged();  // another device was chosen, opened, or closed
-  void sampled();        // 60 times a second while one is open
+  void sampled();        // 60 times a second while a device is open
   void sceneRequested();
   void forceOnChanged(bool isOn);
   void mappingChanged();  // the user's settings
@@ -123,7 +125,7 @@ class HapticSession : public QObject {
   void viewChanged();
   void touchChanged();
   void recordingStarted();
-  // forceLimit: of the device, N in the scene by the scale at the end.
+  // forceLimit: that of the device, N in the scene by the scale at the end.
   void recorded(const handwheel::Recording& recording, const QString& device, double forceLimit);
   void message(const handwheel::Message& message);
 
@@ -143,7 +145,7 @@ class HapticSession : public QObject {
   void lose(DeviceStatus status);
   void reportPlugins();
   void setLost(std::optional<DeviceStatus> how);
-  std::optional<DeviceInfo> listingOf(const DeviceInfo& device) const;  // as it is connected now
+  std::optional<DeviceInfo> listingOf(const DeviceInfo& device) const;  // listing of the device as it is connected now
   void openAgain(const DeviceInfo& device);
   void takeUpReturned();
 
@@ -165,8 +167,8 @@ class HapticSession : public QObject {
   std::optional<double> m_testEnd;  // s, by the clock of the loop
   std::size_t m_pluginsReported = 0;
   bool m_isWatched = false;            // a list of devices is visible
-  std::optional<DeviceStatus> m_lost;  // how the chosen device was lost, whose return is waited for,
-  bool m_isMissed = false;             // and it has been absent from the list since
+  std::optional<DeviceStatus> m_lost;  // status in which the chosen device was lost, if its return is waited for
+  bool m_isMissed = false;             // the lost device has been absent from the list since
 };
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-// What HapticSession does with a device that is open: recording, mapping, forces, and what a sample says.
+// The part of HapticSession that works with an open device: recording, mapping, forces, and samples.
 namespace handwheel {
 
 namespace {
@@ -87,8 +87,8 @@ WorkspaceMapping HapticSession::mappingInScene() const {
   return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model, m_seen);
 }
 
-// Of mappings that follow closely the loop takes the last only: a tip that is to jump would stay where it was, which
-// may be inside of the model, if the next one kept it.
+// If mappings follow closely, the loop takes the last only: a tip that is to jump would stay at its old position, which
+// may be inside the model, if the next mapping kept it.
 void HapticSession::applyMapping(bool keepsTip, bool isDiscontinuous) {
   if (!m_open) return;
   WorkspaceMapping mapping = mappingInScene();
@@ -171,7 +171,7 @@ void HapticSession::sample() {
   if (m_parts.services.haptics().counters().ticks == m_open->ticksBefore) return;
   const DeviceStatus before = m_open->sample ? m_open->sample->device.status : DeviceStatus::Starting;
   m_open->sample = m_open->loop->latest();
-  // The tick that was under way then may not have had the mapping.
+  // The tick that was running then may not have had the mapping.
   if (m_open->jumpedAfter && m_open->sample->tick > *m_open->jumpedAfter + 1) m_open->jumpedAfter.reset();
   measureRate();
   if (m_open->sample->device.status != before) reportStatus(m_open->sample->device.status);

@@ -23,7 +23,7 @@ class Playback : public QObject {
   void takeUp(const StoredRecording& recording);  // loads a recording, paused at its beginning
   void leave();
   bool isRecordingLoaded() const { return m_player.has_value(); }
-  const std::string& key() const { return m_key; }  // of the loaded recording
+  const std::string& key() const { return m_key; }  // key of the loaded recording
 
   void play();
   void pause();
@@ -32,7 +32,7 @@ class Playback : public QObject {
   double position() const { return m_player ? m_player->position() : 0.0; }  // s
   double duration() const { return m_player ? m_player->duration() : 0.0; }
 
-  // The cursor at the present position. None: no recording is loaded, or the device had no valid position.
+  // Returns the cursor at the present position. None: no recording is loaded, or the device had no valid position.
   std::optional<DeviceCursor> cursor() const;
 
  signals:

@@ -8,7 +8,7 @@ namespace handwheel {
 
 class HapticSession;
 
-// A status bar button that shows for how long the device is being recorded. Hidden while nothing is recorded.
+// A status bar button that shows the duration of the running recording of the device. Hidden while nothing is recorded.
 class RecordingIndicator : public QToolButton {
   Q_OBJECT
 

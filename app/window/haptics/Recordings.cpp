@@ -42,7 +42,7 @@ Recordings::Recordings(const Parts& parts, QObject* parent)
   prepareActions();
   connect(&m_record, &QAction::triggered, this, [this](bool isOn) {
     isOn ? m_parts.session.startRecording() : m_parts.session.stopRecording();
-    enableActions();  // where it could not begin
+    enableActions();  // if it could not begin
   });
   connect(&m_play, &QAction::triggered, this, &Recordings::togglePlaying);
   connect(&m_leave, &QAction::triggered, &m_playback, &Playback::leave);

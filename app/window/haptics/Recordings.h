@@ -17,8 +17,8 @@ class HapticSession;
 class JobRunner;
 class LogModel;
 
-// Manages the haptic recordings of the current document. Has the commands: recording, playing, writing as CSV,
-// renaming, deleting. A recording is added to the document in which it was started, as an undo step. Window thread.
+// Manages the haptic recordings of the current document. Provides the commands for recording, playing, writing as CSV,
+// renaming and deleting. A recording is added to the document in which it was started, as an undo step. Window thread.
 class Recordings : public QObject {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class Recordings : public QObject {
   // Notes the active tool by its recordedName(); empty: none. A change is stored in the recording.
   void noteTool(const std::string& name);
 
-  std::vector<StoredRecording> all() const;  // of the current document
+  std::vector<StoredRecording> all() const;  // recordings of the current document
   const StoredRecording* chosen() const;     // null: none
   void choose(const std::string& key);
   void rename(const std::string& key, const QString& name);
@@ -54,7 +54,7 @@ class Recordings : public QObject {
   QAction* removeAction() { return &m_remove; }
 
  signals:
-  void changed();                          // the list, or the chosen recording
+  void changed();                          // the list, or the chosen recording, has changed
   void nameRequested(const QString& key);  // the user is to edit the name
   void message(const handwheel::Message& message);
 
@@ -74,7 +74,7 @@ class Recordings : public QObject {
   Parts m_parts;
   Playback m_playback;
   QPointer<Document> m_document;
-  QPointer<Document> m_recorded;  // in which the recording was started
+  QPointer<Document> m_recorded;  // document in which the recording was started
   std::string m_chosen;           // key
   std::string m_tool;             // its recordedName()
   bool m_isNamedStop = false;     // present texts of the actions

@@ -15,12 +15,12 @@ namespace handwheel {
 namespace {
 
 constexpr double kLongestShowWait = 60.0;  // s for what a step waits for
-constexpr double kHandSpeed = 0.45;        // of the height of the view in a second
+constexpr double kHandSpeed = 0.45;        // heights of the view per second
 constexpr double kShortest = 0.25;         // s of a movement
 constexpr double kArrived = 2.0;           // pixels
-constexpr double kLift = 0.15;             // of a way through the air
+constexpr double kLift = 0.15;             // fraction of the distance through the air
 constexpr double kEffort = 4.0;            // 1/s: how fast the hand makes up for what holds the tip
-constexpr double kMostEffort = 0.2;        // of the height of the view
+constexpr double kMostEffort = 0.2;        // fraction of the height of the view
 constexpr int kMostSamples = 100;          // for the tip to arrive, which may be held back
 constexpr int kLeastSamples = 3;           // at rest: tools have seen the buttons, however slow the machine
 constexpr double kFrame = 0.016;           // s, from one sample to the next
@@ -117,28 +117,28 @@ void ScriptedDeviceDemo::follow() {
 void ScriptedDeviceDemo::startMoving(const ServoSample& now) {
   const DemoStep& step = m_steps[m_step];
   m_from = m_to = now.tip.position;
-  if (step.place) {
-    const std::optional<Vec3> place = step.place();
-    if (!place) return stop();
-    m_to = *place;
+  if (step.goal) {
+    const std::optional<Vec3> goal = step.goal();
+    if (!goal) return stop();
+    m_to = *goal;
   }
-  const double way = (m_to - m_from).norm(), height = m_viewport.camera().height;
-  m_duration = way > 0.0 ? std::max(kShortest, way / (kHandSpeed * height)) : 0.0;
-  m_lift = step.buttons == 0 ? kLift * way : 0.0;
+  const double distance = (m_to - m_from).norm(), height = m_viewport.camera().height;
+  m_duration = distance > 0.0 ? std::max(kShortest, distance / (kHandSpeed * height)) : 0.0;
+  m_lift = step.buttons == 0 ? kLift * distance : 0.0;
   m_phase = Phase::Moving;
   m_samples = 0;
   m_clock.start();
   move(now);
 }
 
-Vec3 ScriptedDeviceDemo::wayAt(double share) const {
+Vec3 ScriptedDeviceDemo::positionAt(double share) const {
   const double s = smooth(share);
   return m_from + s * (m_to - m_from) + 4.0 * s * (1.0 - s) * m_lift * m_viewport.camera().towardsViewer();
 }
 
 void ScriptedDeviceDemo::move(const ServoSample& now) {
   const double passed = seconds();
-  lead(now, wayAt(m_duration > 0.0 ? std::min(1.0, passed / m_duration) : 1.0));
+  lead(now, positionAt(m_duration > 0.0 ? std::min(1.0, passed / m_duration) : 1.0));
   if (passed < m_duration) return;
   const double pixel = m_viewport.camera().height / std::max(1, m_viewport.height());
   const bool isThere = (now.tip.position - m_to).norm() < kArrived * pixel;
@@ -149,12 +149,12 @@ void ScriptedDeviceDemo::move(const ServoSample& now) {
 }
 
 // A person sees where the tip is, pushes further where it does not follow, and goes on so until what held it lets go.
-void ScriptedDeviceDemo::lead(const ServoSample& now, const Vec3& place) {
+void ScriptedDeviceDemo::lead(const ServoSample& now, const Vec3& goal) {
   const WorkspaceMapping mapping = m_session.mappingInScene();
-  m_effort += m_pace * kEffort * kFrame * (place - now.tip.position);
+  m_effort += m_pace * kEffort * kFrame * (goal - now.tip.position);
   const double most = kMostEffort * m_viewport.camera().height;
   if (m_effort.norm() > most) m_effort *= most / m_effort.norm();
-  const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place + m_effort - now.tip.position);
+  const Vec3 inView = mapping.sceneFromView.linear().transpose() * (goal + m_effort - now.tip.position);
   HandPose pose;
   pose.position = now.device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
   pose.buttons = m_steps[m_step].buttons;

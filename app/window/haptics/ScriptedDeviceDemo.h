@@ -18,18 +18,18 @@ class Viewport;
 struct HandPose;
 struct ServoSample;
 
-// One step of a scripted demonstration. Runs begin, waits until isReady, moves the tip to place, and rests.
+// One step of a scripted demonstration. It runs begin, waits until isReady, moves the tip to goal, and rests.
 struct DemoStep {
   QString caption;  // description of the step; empty: as in the step before
-  QString detail;   // how the user can do it; only with a caption
+  QString detail;   // instructions for the user; only with a caption
   std::function<void()> begin;
-  std::function<bool()> isReady;               // waited for before the tip moves; none: at once
-  std::function<std::optional<Vec3>()> place;  // goal of the tip, mm, called when ready; none: it stays
-  std::uint32_t buttons = 0;                   // held during the motion
-  double rest = 0.0;                           // s, pause at the goal
+  std::function<bool()> isReady;              // condition before the tip moves; none: at once
+  std::function<std::optional<Vec3>()> goal;  // goal of the tip, mm, called when ready; none: it stays
+  std::uint32_t buttons = 0;                  // buttons held during the motion
+  double rest = 0.0;                          // s, pause at the goal
 };
 
-// Plays a scripted demonstration with the simulated haptic device. Its tip is moved through space and its buttons are
+// Plays a scripted demonstration with the simulated haptic device. The tip is moved through space and the buttons are
 // pressed, so that everything between the servo loop and the tools works as with a real device. Window thread.
 class ScriptedDeviceDemo : public QObject {
   Q_OBJECT
@@ -40,7 +40,7 @@ class ScriptedDeviceDemo : public QObject {
 
   // Starts the demonstration with the simulated device. The device in use before is opened again at the end.
   void start(std::vector<DemoStep> steps);
-  // Ends the demonstration early; does nothing when none is running.
+  // Ends the demonstration early; does nothing if none is running.
   void stop();
   bool isRunning() const { return m_isRunning; }
   const QString& caption() const { return m_caption; }
@@ -58,8 +58,8 @@ class ScriptedDeviceDemo : public QObject {
   void follow();
   void startMoving(const ServoSample& now);
   void move(const ServoSample& now);
-  Vec3 wayAt(double share) const;
-  void lead(const ServoSample& now, const Vec3& place);
+  Vec3 positionAt(double share) const;
+  void lead(const ServoSample& now, const Vec3& goal);
   void press(std::uint32_t buttons);
   double seconds() const;
   void finish(bool isWhole);
@@ -71,12 +71,12 @@ class ScriptedDeviceDemo : public QObject {
   bool m_isRunning = false;
   QString m_caption, m_detail;
   double m_pace = 1.0;
-  std::string m_driver, m_address;  // of the device that was in use
+  std::string m_driver, m_address;  // driver and address of the device that was in use
 
   Phase m_phase = Phase::Waiting;
   int m_samples = 0;             // samples since the end of the motion, or at rest
-  QElapsedTimer m_clock;         // of the phase
-  Vec3 m_from, m_to;             // of the tip, in the scene; mm
+  QElapsedTimer m_clock;         // time since the beginning of the phase
+  Vec3 m_from, m_to;             // start and end of the motion of the tip, in the scene; mm
   double m_duration = 0.0;       // s
   double m_lift = 0.0;           // mm towards the viewer at half of the motion
   Vec3 m_effort = Vec3::Zero();  // mm, offset of the target that compensates forces on the tip

@@ -99,10 +99,10 @@ void SessionDevicePanel::leadHand() {
   if (!hand) return m_goal.reset();
   if (m_goal) {
     HandPose next = *m_goal;
-    const Vec3 way = next.position - hand->target().position;
+    const Vec3 displacement = next.position - hand->target().position;
     const double most = kLeadSpeed * kSamplePeriod;
-    if (way.norm() > most) {
-      next.position = hand->target().position + way * (most / way.norm());
+    if (displacement.norm() > most) {
+      next.position = hand->target().position + displacement * (most / displacement.norm());
     } else {
       m_goal.reset();
     }

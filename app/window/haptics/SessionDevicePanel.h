@@ -22,9 +22,9 @@ class SessionDevicePanel : public DevicePanel {
  public:
   explicit SessionDevicePanel(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
 
-  // The names of the devices that move the view.
+  // Sets the names of the devices that move the view.
   void setSpaceMice(std::vector<std::string> names);
-  // The axis about which the work turns, as that of a lathe: the axes of the hand are named after it.
+  // Sets the axis about which the work turns, such as that of a lathe. The axes of the hand are named after it.
   void setTurningAxis(const std::optional<Ray>& axis);
 
  protected:
@@ -42,7 +42,7 @@ class SessionDevicePanel : public DevicePanel {
   std::vector<std::string> m_spaceMice;
   std::optional<Ray> m_turningAxis;
   QElapsedTimer m_sinceRun;        // since timings were last shown
-  std::optional<HandPose> m_goal;  // of the simulated hand, on its way there
+  std::optional<HandPose> m_goal;  // goal of the simulated hand while it moves there
 };
 
 }  // namespace handwheel

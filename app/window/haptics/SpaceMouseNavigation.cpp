@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMoveMs = 16;           // 60 a second
 constexpr int kSettlingMs = 1000;     // from a new node to its permissions
-constexpr int kTries = 2;             // of opening one: the permissions may come later still
+constexpr int kTries = 2;             // number of attempts to open one: the permissions may be set later still
 constexpr double kLongestStep = 0.1;  // s: a window that was busy does not leap
 constexpr double kShiftSpeed = 1.0;   // heights of the view in a second at full deflection; enlarging by e
 constexpr double kTurnSpeed = 1.6;    // rad/s for a tilt of 1
@@ -87,7 +87,7 @@ void SpaceMouseNavigation::drop(IsMeant isMeant) {
   if (isAny) emit changed();
 }
 
-// What has gone may come back; with spacenavd, which comes up, the devices themselves go.
+// A disconnected device may return; when spacenavd starts, the devices themselves disappear.
 void SpaceMouseNavigation::followList() {
   if (m_folders.directories().isEmpty()) return;
   const std::vector<DeviceInfo>& found = m_session.finder().found();
@@ -107,7 +107,7 @@ void SpaceMouseNavigation::followChoice() {
   followList();
 }
 
-// Of a device that is made, but not open, the type is known.
+// The type of a device is known once it is made, before it is open.
 void SpaceMouseNavigation::tryOpening(const DeviceInfo& listing) {
   ++m_tries[keyOf(listing)];
   Job job;
@@ -177,7 +177,7 @@ SpaceMouseNavigation::Motion SpaceMouseNavigation::motion() {
   return sum;
 }
 
-// What is seen in the middle of the view, else the middle of the model.
+// Returns the surface point in the middle of the view, or else the middle of the model.
 Vec3 SpaceMouseNavigation::pivot() const {
   const QPointF middle(0.5 * m_viewport.width(), 0.5 * m_viewport.height());
   const Pick pick = m_viewport.pickAt(middle);

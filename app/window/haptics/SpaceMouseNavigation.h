@@ -17,9 +17,9 @@ namespace handwheel {
 class HapticSession;
 class Viewport;
 
-// Moves the view with all connected space mice; none needs to be chosen. It is opened beside the haptic device, if
-// there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for there is no
-// force. One that is chosen as the haptic device leads the tip instead. Window thread.
+// Moves the view with all connected space mice; none needs to be chosen. A space mouse is opened beside the haptic
+// device, if there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for
+// there is no force. A space mouse that is chosen as the haptic device moves the tip instead. Window thread.
 class SpaceMouseNavigation : public QObject {
   Q_OBJECT
 
@@ -28,19 +28,19 @@ class SpaceMouseNavigation : public QObject {
   SpaceMouseNavigation(HapticSession& session, Viewport& viewport, QThreadPool& pool, QObject* parent);
   ~SpaceMouseNavigation() override;
 
-  // Begins to look for devices: now, and whenever a node "hidraw*" or "spnav.sock" comes to these folders or goes. As
-  // long as there is none, no plugin is loaded.
+  // Starts looking for devices: now, and whenever a node "hidraw*" or "spnav.sock" appears in these folders or
+  // disappears. While there is none, no plugin is loaded.
   void watch(const QStringList& folders);
   // speed: 1 is usual.
   void setMotion(bool isOn, double speed);
-  // Hands the cap's shift to something else than the view, as to the slides of a machine: a way in the scene, in
-  // heights of the view. Empty: to the view again.
-  using Taker = std::function<void(const Vec3& way)>;
+  // Sets a receiver for the translation of the cap, instead of the view, such as the slides of a machine. It gets the
+  // displacement in the scene, in heights of the view. Empty: the view again.
+  using Taker = std::function<void(const Vec3& displacement)>;
   void setTaker(Taker taker) { m_taker = std::move(taker); }
-  std::vector<std::string> names() const;  // of the open ones
+  std::vector<std::string> names() const;  // names of the open devices
 
  signals:
-  void changed();  // another set of them is open
+  void changed();  // another set of devices is open
   void message(const handwheel::Message& message);
 
  private:
@@ -50,7 +50,7 @@ class SpaceMouseNavigation : public QObject {
     WorkspaceMapping mapping;
     double reach = 1.0;  // mm
   };
-  // Of the model, in a second, along the axes of the view.
+  // Motion of the model per second, along the axes of the view.
   struct Motion {
     Vec3 shift = Vec3::Zero();
     Vec3 turn = Vec3::Zero();
@@ -74,10 +74,10 @@ class SpaceMouseNavigation : public QObject {
   Viewport& m_viewport;
   JobRunner m_jobs;
   QFileSystemWatcher m_folders;
-  QTimer m_settling;  // until the next look: the permissions of a new node come after it
+  QTimer m_settling;  // delay of the next search: the permissions of a new node are set after its creation
   QStringList m_nodes;
   std::vector<OpenDevice> m_devices;
-  std::map<std::string, int> m_tries;  // of the listings there are, by address
+  std::map<std::string, int> m_tries;  // number of attempts for each present listing, by address
   QTimer m_timer;
   QElapsedTimer m_sinceMove;
   std::optional<Vec3> m_pivot;  // while the view is moved

@@ -10,8 +10,8 @@ namespace handwheel {
 class FidelityChoice;
 class HapticSession;
 
-// Shows the duration of a servo tick as a share of its period. Shows beside it the duration that the curves predict
-// for a tick in contact. Visible while a device is open. Computed exactly from the latest ticks, where ServoStatistics
+// Shows the duration of a servo tick as a share of its period. Shows beside it the duration that the curves predict for
+// a tick in contact. Visible while a device is open. Computed exactly from the latest ticks, while ServoStatistics
 // counts in bins of 5 us.
 class TickTiming : public QLabel {
   Q_OBJECT

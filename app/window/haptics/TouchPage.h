@@ -10,8 +10,8 @@ namespace handwheel {
 
 class HapticSession;
 
-// The page of the device panel with the haptic surface properties. Includes the command that switches snapping.
-// Connected to the session, which stores the settings; available with or without a device.
+// The page of the device panel with the haptic surface properties. It includes the command that switches snapping. It
+// is connected to the session, which stores the settings, and available with or without a device.
 class TouchPage : public PropertyList {
   Q_OBJECT
 

@@ -63,7 +63,7 @@ QString keyOf(const Property& property) {
   return QStringLiteral("haptics/") + QString::fromStdString(property.id);
 }
 
-// What is kept for a property, or its own value where that makes no sense.
+// Returns the stored value of a property, or its own value if the stored one is invalid.
 PropertyValue keptValue(const Property& property) {
   const QVariant kept = QSettings().value(keyOf(property));
   if (std::holds_alternative<bool>(property.value)) {

@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// The haptic properties of surfaces. They are independent of the document and the view: lengths and forces are those
-// at the device. Stored in the settings, except for the stiffness.
+// The haptic properties of surfaces. They are independent of the document and the view: lengths and forces are those at
+// the device. They are stored in the settings, except for the stiffness.
 struct TouchSettings {
-  double stiffness = 0.5;  // N/mm: the fidelity setting contact.stiffness, which stores it (HapticFidelity)
+  double stiffness = 0.5;  // N/mm; the fidelity setting contact.stiffness, which stores it (HapticFidelity)
   double damping = 0.0;    // N·s/mm, along the normal
   double friction = 0.0;   // Coulomb's µ
 
@@ -29,7 +29,7 @@ TouchSettings loadTouch();
 // Stores the touch settings.
 void storeTouch(const TouchSettings& touch);
 
-// The touch settings as properties for a form.
+// Returns the touch settings as properties for a form.
 std::vector<Property> propertiesOf(const TouchSettings& touch);
 // Changes one touch setting by its property id. Unknown ids and values that are not numbers change nothing; others are
 // clamped to the limits.

@@ -20,16 +20,16 @@ namespace handwheel {
 
 namespace {
 
-struct KindPlaceWords {
+struct KindMenuWords {
   Q_DECLARE_TR_FUNCTIONS(KindMenus)
 };
 
 // With a line between the two, where there is something to part.
-template <class Place>
-void fill(Place& place, const QList<QAction*>& tools, const QList<QAction*>& others) {
-  place.addActions(tools);
-  if (!tools.isEmpty() && !others.isEmpty()) place.addSeparator();
-  place.addActions(others);
+template <class Bar>
+void fill(Bar& bar, const QList<QAction*>& tools, const QList<QAction*>& others) {
+  bar.addActions(tools);
+  if (!tools.isEmpty() && !others.isEmpty()) bar.addSeparator();
+  bar.addActions(others);
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ KindMenus::KindMenus(QDockWidget& dock, QStackedWidget& panels, QToolBar& bar)
     : m_dock(dock),
       m_panels(panels),
       m_bar(bar),
-      m_empty(new QLabel(KindPlaceWords::tr("No document is open."), &panels)) {
+      m_empty(new QLabel(KindMenuWords::tr("No document is open."), &panels)) {
   m_empty->setProperty("muted", true);
   m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_empty->setContentsMargins(12, 12, 12, 12);
@@ -55,7 +55,7 @@ void KindMenus::add(const std::string& id, KindUi& kind, const QList<QAction*>& 
 }
 
 void KindMenus::show(KindUi* kind) {
-  const QString title = kind ? kind->panelTitle() : KindPlaceWords::tr("Document");
+  const QString title = kind ? kind->panelTitle() : KindMenuWords::tr("Document");
   m_dock.setWindowTitle(title);
   m_dock.setAccessibleName(title);
   m_dock.findChild<PanelToggle*>()->setIcon(icon(kind ? kind->panelIcon() : QStringLiteral("file")));

@@ -27,7 +27,7 @@ class KindMenus {
 
   // before: the menu to insert in front of.
   void add(const std::string& id, KindUi& kind, const QList<QAction*>& tools, QMenuBar& menus, QMenu& before);
-  // Null: no document is open.
+  // kind: null: no document is open.
   void show(KindUi* kind);
 
  private:

@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// Brings the panel of the kind before the panels that share its place. One that a person has closed stays so.
+// Raises the panel of the kind above the panels that share its dock area. A panel closed by the user stays closed.
 void raiseKindPanel(const WindowContext& window);
-// Also one that was closed, for kinds that are worked on in it.
+// Shows it even if it was closed, for kinds whose work is done in it.
 void showKindPanel(const WindowContext& window);
 
 }  // namespace handwheel

@@ -46,7 +46,7 @@ QString KindUi::saveCommand(const DocumentTab& open, const QString& path) const 
   if (!open.inFile) return {};
   const Document& document = open.document;
   const std::vector<Property> now = document.properties();
-  // What was added or removed is none of their values.
+  // Added or removed properties do not count as changed values.
   const auto hasSameId = [](const Property& a, const Property& b) { return a.id == b.id; };
   if (!std::equal(now.begin(), now.end(), open.inFile->begin(), open.inFile->end(), hasSameId)) return {};
   if (document.file().path.empty()) return newCommand(document.kind().id(), *open.inFile, now, path);

@@ -48,7 +48,7 @@ struct WindowContext {
   LogModel& log;
   Viewport& viewport;
   WindowServices& services;
-  MachineSound& sound;  // of the machine that runs, if a person wants to hear it
+  MachineSound& sound;  // Sound of the running machine, if enabled
   ToolHost& tools;
   FidelityChoice& fidelity;
   HapticSession& haptics;
@@ -56,9 +56,9 @@ struct WindowContext {
   ServoClock& servoClock;
   SpaceMouseNavigation& spaceMouse;
   QAction* saveAs;
-  std::function<void(const QString& id)> chooseTool;  // of the current document
+  std::function<void(const QString& id)> chooseTool;  // Tool of the current document
   std::function<void(const QString& path)> openFile;
-  std::function<DocumentTab*(OpenedFile opened)> openDocument;  // of any kind; makes it current
+  std::function<DocumentTab*(OpenedFile opened)> openDocument;  // Opens a document of any kind and makes it current
   std::function<bool()> isPanelVisible;
   QAction* showPanel;
 };
@@ -70,28 +70,28 @@ struct ToolDescriptor {
   QString tip;
   QString icon;
   QKeySequence key;
-  std::function<std::unique_ptr<Tool>()> make;  // creates it for the current document
+  std::function<std::unique_ptr<Tool>()> make;  // Creates it for the current document
   std::string tool;                             // Tool::id() of the created tool
-  std::span<const ToolKey> keys;                // of it
-  bool isDefault = false;                       // the default tool, active while no other is chosen
+  std::span<const ToolKey> keys;                // Keys of the tool
+  bool isDefault = false;                       // The default tool, active while no other is chosen
 };
 
-// The descriptor of the measuring tool, which several kinds offer.
+// Returns the descriptor of the measuring tool, which several kinds offer.
 ToolDescriptor measureToolDescriptor(std::function<std::unique_ptr<Tool>()> make);
 
 // A command that creates or opens a first document of a kind. Shown in the File menu and as a tile of the start page.
 struct StartAction {
-  QString id;  // of the command: "openSample"
+  QString id;  // Id of the command: "openSample"
   QString text;
   QString tip;
   QString icon;
-  QString sample = {};                 // file name of a shipped sample; empty: a new document
-  std::optional<StartTile> tile = {};  // none: only in the menu
-  bool asks = false;                   // KindUi::begin() does it, after a question
+  QString sample = {};                 // File name of a shipped sample; empty: a new document
+  std::optional<StartTile> tile = {};  // Nothing: only in the menu
+  bool asks = false;                   // True if KindUi::begin() does it, after a question
 };
 
-// Creates the content of a document from the surface of another, as DocumentKind::ofSurface() does. The notes are what
-// there is to say of it.
+// Creates the content of a document from the surface of another, as DocumentKind::ofSurface() does. notes: remarks
+// about the result.
 using MakeOfSurface = std::function<Result<SnapshotPointer>(const TriangleSoup& surface, const std::string& source,
                                                             std::vector<Note>& notes, Progress progress)>;
 
@@ -103,83 +103,83 @@ class KindUi : public QObject {
   using QObject::QObject;
 
   virtual std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) = 0;
-  // To be called when a document was read from a file and all of it is reported; may add messages of the kind.
+  // Must be called after a document was read from a file and reported in full; may add messages of the kind.
   virtual void opened(DocumentTab& document) { (void)document; }
-  // Sets the current document; null when it is of another kind, or none is open. Fills the viewport or leaves it empty.
+  // Sets the current document; null if it is of another kind, or none is open. Fills the viewport or leaves it empty.
   virtual void setDocument(DocumentTab* document) = 0;
-  // To be called after DocumentTab::visible was changed.
+  // Must be called after DocumentTab::visible was changed.
   virtual void refreshVisibility() = 0;
-  // Shows what the running tool previews in place of the document, or in terms of this kind; empty when none runs. The
-  // window shows the rest.
+  // Shows the preview of the running tool that replaces the document, or is specific to this kind; empty if none runs.
+  // The window shows the rest.
   virtual void showPreview(const ToolPreview& preview) { (void)preview; }
-  // To be called before a document is destroyed.
+  // Must be called before a document is destroyed.
   virtual void forget(DocumentTab* document) { (void)document; }
 
-  // Opens a file beside the current document, such as a program that is to run on it; false: it is no such file.
+  // Opens a file beside the current document, such as a program that runs on it; false: it is no such file.
   virtual bool take(const QString& path) {
     (void)path;
     return false;
   }
-  // What would be lost with a document and is not in it, such as the text of a program: its name. Empty: nothing.
+  // Returns the name of unsaved data beside a document, such as the text of a program. Empty: none.
   virtual QString unsavedBeside(const DocumentTab& document) const {
     (void)document;
     return {};
   }
-  // Saves that; ended: called with whether it is saved, which a person may have declined.
+  // Saves these data; ended: receives true if they are saved, false if the user declined.
   virtual void saveBeside(DocumentTab& document, std::function<void(bool isSaved)> ended) {
     (void)document;
     ended(true);
   }
 
   virtual std::vector<StartAction> startActions() const { return {}; }
-  // Carries out one of them that asks for something first; any document may be current, or none.
+  // Carries out an action that asks something first; any document may be current, or none.
   virtual void begin(const QString& startAction) { (void)startAction; }
 
-  // Asks how a document of this kind is to be made of the surface of another, and calls start with that, which a person
-  // may decline; false: nothing is to be asked.
+  // Asks for the options of making a document of this kind from the surface of another, and calls start with them
+  // unless the user declines; false: there are none.
   virtual bool askToCopy(const Document& from, std::function<void(MakeOfSurface)> start) {
     (void)from;
     (void)start;
     return false;
   }
 
-  // The properties of the current document, of this kind, that are in the list of its properties now.
+  // Returns the properties of the current document, of this kind, that its list of properties shows at present.
   virtual std::vector<Property> listedProperties(const Document& document) const;
-  // The menu of what is at a position of the view; null: the tool gets the click.
+  // Returns the menu for the object at a position of the view; null: the tool gets the click.
   virtual QMenu* menuAt(const QPointF& position) {
     (void)position;
     return nullptr;
   }
 
   virtual QString panelTitle() const = 0;
-  virtual QString panelIcon() const = 0;  // name of an icon
-  virtual QWidget* panel() = 0;           // content of the kind's dock; owned by the window
+  virtual QString panelIcon() const = 0;  // Name of an icon
+  virtual QWidget* panel() = 0;           // Content of the kind's dock; owned by the window
   virtual QString menuTitle() const = 0;
   virtual QList<QAction*> menu() = 0;
   virtual QList<QAction*> toolBar() = 0;
-  // Actions of the help menu for such documents, available at any time.
+  // Returns actions of the help menu for such documents, available at any time.
   virtual QList<QAction*> help() { return {}; }
-  // The tools for such documents. Descriptors with the same id in several kinds are the same tool to the user.
+  // Returns the tools for such documents. Descriptors with the same id in several kinds are the same tool to the user.
   virtual std::vector<ToolDescriptor> tools() { return {}; }
 
   virtual std::vector<Hint> hints() { return {}; }
   virtual Suggestion suggestion() { return {}; }
-  // The axis through which the current document is cut for a half section; none: it has none.
+  // Returns the axis through which the current document is cut for a half section; nothing: it has none.
   virtual std::optional<Ray> sectionAxis() const { return std::nullopt; }
-  // Measurements of the section by the clipping plane; shown below its settings.
+  // Returns measurements of the section by the clipping plane; shown below its settings.
   virtual std::vector<Property> sectionMeasurements() const { return {}; }
   virtual QString statistics() const { return {}; }  // "1 234 triangles"
-  // One line for the log when a document was opened.
+  // Returns one line for the log when a document was opened.
   virtual QString openedText(const DocumentTab& document) const = 0;
-  // The command line that produces the file from the one the document was opened from; empty when there is none.
+  // Returns the command line that produces the file from the one the document was opened from; empty if there is none.
   virtual QString saveCommand(const DocumentTab& document, const QString& path) const;
-  // The file name that "Save as" proposes.
+  // Returns the file name that "Save as" proposes.
   virtual QString suggestedName(const DocumentTab& document) const;
-  // True when nothing is running that will still change what is shown.
+  // Returns true if nothing is running that will still change the display.
   virtual bool isSettled() const { return true; }
 
  signals:
-  void stateChanged();  // hints, next step or statistics
+  void stateChanged();  // Hints, next step or statistics have changed
   void message(const handwheel::Message& message);
 };
 
@@ -194,7 +194,7 @@ struct KindEntry {
 // The registered kinds of documents and the factories of their user interfaces. Factories are found by the id of the
 // kind.
 struct KindSet {
-  // Kinds are asked in this order whether a file is theirs.
+  // entries: in the order in which kinds are asked if they read a file.
   explicit KindSet(std::vector<KindEntry> entries);
 
   DocumentKinds documents;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAhead = 0.1;  // s that it may take until a scene is felt
 
-// The parts of one model that are not in the other, or not in the same place.
+// Returns the parts of one model that are not in the other, or have another pose there.
 std::vector<const DisplayPart*> changedParts(const DisplayModel& model, const DisplayModel& other) {
   std::map<std::string_view, const DisplayPart*> known;
   for (const DisplayPart& part : other.parts) known.emplace(part.name, &part);
@@ -93,8 +93,8 @@ void RigidPartsHaptics::build(std::vector<Shape> shapes) {
   m_making.start(std::move(job));
 }
 
-// Where nothing has changed at the hand the proxy goes on from where it was. Else it comes from the viewer again, as
-// the tip may be in what has moved there, and the force by the ramp.
+// If nothing has changed at the hand the proxy continues from its position. Otherwise it starts at the viewer again, as
+// the tip may be inside a part that was moved, and the force rises by the ramp.
 void RigidPartsHaptics::place() {
   const bool isEdit = m_placed && !isAtHand(*m_placed, *m_parts) && !isAtHand(*m_parts, *m_placed);
   std::vector<ContactSurface::Placed> bodies;
@@ -141,8 +141,8 @@ QJsonObject RigidPartsHaptics::describe() {
   return note;
 }
 
-// Whether the tip, its proxy, or where the tip may soon be lies in a part of the first model that the other has not, or
-// has elsewhere.
+// Returns true if the tip, its proxy, or a position that the tip may soon reach lies in a part of the first model that
+// is missing or elsewhere in the other.
 bool RigidPartsHaptics::isAtHand(const DisplayModel& moved, const DisplayModel& others) const {
   const ServoSample* const last = m_session.latest();
   if (!last) return false;

@@ -18,7 +18,7 @@ class HapticSession;
 struct WindowContext;
 
 // The contact surface of the displayed parts of a document, in their poses. While a device is open a job builds that of
-// each shape, once; a part that moves is felt elsewhere at once. Window thread.
+// each shape, once; a part that moves is felt at its new pose at once. Window thread.
 class RigidPartsHaptics : public QObject {
   Q_OBJECT
 
@@ -42,13 +42,13 @@ class RigidPartsHaptics : public QObject {
   HapticSceneBuilder& m_scene;
   JobRunner m_making;
   std::shared_ptr<const DisplayModel> m_parts;
-  std::map<Shape, ContactSurface> m_surfaces;    // of the shapes of m_parts, or fewer
-  std::shared_ptr<const DisplayModel> m_placed;  // what is felt; null: nothing
-  ContactSurface m_felt;                         // of it
-  bool m_isEdit = false;                         // it goes on from the one before
-  std::shared_ptr<const DisplayModel> m_noted;   // what the present recording knows of; null: nothing
-  std::map<Shape, std::string> m_digests;        // of what was noted
-  bool m_isOpen = false;                         // state of the session at its last signal
+  std::map<Shape, ContactSurface> m_surfaces;    // Contact surfaces of some or all shapes of m_parts
+  std::shared_ptr<const DisplayModel> m_placed;  // The parts that are felt; null: none
+  ContactSurface m_felt;                         // Their contact surface
+  bool m_isEdit = false;                         // True if it continues the one before
+  std::shared_ptr<const DisplayModel> m_noted;   // The parts that the present recording contains; null: none
+  std::map<Shape, std::string> m_digests;        // Digests of the noted shapes
+  bool m_isOpen = false;                         // State of the session at its last signal
 };
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ class RigidPartsUi : public KindUi {
   Q_OBJECT
 
  public:
-  // groups: of the properties that the panel of the kind shows. firstView: of a document that was never looked at.
+  // groups: of the properties that the panel of the kind shows. firstView: of a document that was never viewed.
   RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups,
                StandardView firstView = StandardView::Isometric);
   ~RigidPartsUi() override;
@@ -37,32 +37,33 @@ class RigidPartsUi : public KindUi {
   DocumentTab* document() const { return m_document; }
   const WindowContext& parts() const { return m_parts; }
   ToolDescriptor measureParts() const;
-  // Whether the displayed parts are felt as they are: not while a tool has forces of its own for them.
+  // Sets if the displayed parts are felt as they are: not while a tool has its own forces for them.
   void setFelt(bool isFelt);
-  // The properties in the panel of the kind. By default those of its groups.
+  // Returns the properties in the panel of the kind. By default those of its groups.
   virtual std::vector<Property> panelProperties(const Document& document) const;
-  // The groups in that panel that can be folded away, and whether they are open at first. By default none.
+  // Returns the groups in that panel that can be folded away, and true for those that are open at first. By default
+  // none.
   virtual std::map<std::string, bool> foldingGroups(const Document& document) const {
     (void)document;
     return {};
   }
-  // Whether the document is of work in a lathe, whose axis is level in all standard views.
+  // Returns true if the document is of work in a lathe, whose axis is level in all standard views.
   virtual bool isOfLathe() const { return m_firstView == StandardView::Lathe; }
-  // Takes an edit in that panel that is none of the document; false: it is.
+  // Takes an edit in that panel that does not belong to the document; false: it does.
   virtual bool takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
     (void)id, (void)value, (void)stillDragging;
     return false;
   }
-  // What is displayed of the document. By default what its kind says.
+  // Returns the display model of the document. By default that of its kind.
   virtual DisplayModel displayed(const Document& document) const;
-  void show();  // after it changed
-  // Shows other parts in place of those of the document, unless a tool shows its own; null: the document's.
+  void show();  // Must be called after it changed
+  // Shows other parts instead of those of the document, unless a tool shows its own; null: the document's.
   void showInstead(const std::shared_ptr<const DisplayModel>& model);
-  // Shows other parts before all else, as those of a replay; null: nothing.
+  // Shows other parts before all others, such as those of a replay; null: none.
   void showPast(const std::shared_ptr<const DisplayModel>& model);
   PartsLayer& layer() { return *m_layer; }
   void refreshPanel();
-  std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
+  std::vector<QAction*> panelActions() const;  // Offered by the next step when the panel is hidden
 
  private:
   void showParts();
@@ -74,10 +75,10 @@ class RigidPartsUi : public KindUi {
   std::shared_ptr<PartsLayer> m_layer;
   RigidPartsHaptics* m_haptics;
   bool m_isFelt = true;
-  std::shared_ptr<const DisplayModel> m_model;     // of the document; null: none
-  std::shared_ptr<const DisplayModel> m_replaced;  // by the tool; null: nothing
-  std::shared_ptr<const DisplayModel> m_instead;   // of showInstead()
-  std::shared_ptr<const DisplayModel> m_past;      // of showPast()
+  std::shared_ptr<const DisplayModel> m_model;     // Model of the document; null: none
+  std::shared_ptr<const DisplayModel> m_replaced;  // Model of the tool; null: none
+  std::shared_ptr<const DisplayModel> m_instead;   // Model of showInstead()
+  std::shared_ptr<const DisplayModel> m_past;      // Model of showPast()
   QPointer<PropertyList> m_panel;
   DocumentTab* m_document = nullptr;
 };

@@ -18,7 +18,7 @@ QString fileNameOf(const QStringList& words, const QString& ending) {
     while (part.startsWith(QLatin1Char('.'))) part.remove(0, 1);
     if (!part.isEmpty()) parts += part;
   }
-  // What comes last tells files of the same beginning apart.
+  // The last word distinguishes files of the same beginning.
   const QString separator = QStringLiteral(", ");
   const QString rest = parts.size() < 2 ? QString() : separator + parts.mid(1).join(separator);
   const qsizetype room = std::max(kLongest - rest.size(), qsizetype{0});

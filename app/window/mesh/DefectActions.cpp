@@ -29,7 +29,7 @@ auto chosen(const auto& values, int row) {
   return row < 0 ? values : std::decay_t<decltype(values)>{values[static_cast<std::size_t>(row)]};
 }
 
-// What names the defect of a row; empty, which names all, for -1.
+// Returns the faces that name the defect of a row; empty, which names all, for -1.
 FaceSelection faceOf(const std::vector<Face>& faces, int row) {
   return row < 0 ? FaceSelection() : FaceSelection{faces[static_cast<std::size_t>(row)]};
 }
@@ -192,7 +192,7 @@ void DefectActions::follow() {
   followShown();
 }
 
-// What would change nothing is not offered: the text of the preview says why, and the row keeps it.
+// A fix that would change nothing is not offered: the text of the preview gives the reason, and the row keeps it.
 void DefectActions::followShown() {
   const bool isOfLoop = selectedLoop() >= 0;
   if (const char* why = m_shown.isPointless() ? m_shown.shown().reason : nullptr;
@@ -226,7 +226,7 @@ std::optional<OfferedFix> DefectActions::offeredBy(const QAction* action) const 
   return std::nullopt;
 }
 
-// Of the button that has the pointer; else of what is selected, where a hole has no patch to show.
+// Returns the fix of the button under the pointer, or else that of the selection, if a hole has no patch to show.
 std::optional<OfferedFix> DefectActions::offered() const {
   if (auto pointed = offeredBy(m_pointed)) return pointed;
   if (const int loop = selectedLoop(); loop >= 0) {

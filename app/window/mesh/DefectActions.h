@@ -26,32 +26,33 @@ class DefectActions : public QObject {
   Q_OBJECT
 
  public:
-  // shown: gets the fix that is offered.
+  // shown: gets the offered fix.
   DefectActions(LoopSelection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
                 const FidelityChoice& fidelity, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);  // null: no mesh is in view
-  // Sets the selection in the list: one row of a kind, or -1 for all of it.
+  // Sets the selection in the list: one row of a kind, or -1 for all rows.
   void choose(std::optional<DefectKind> kind, int row);
-  // Whether the pointer is on the button of one of these actions. Then what it would do is shown, not the patch.
+  // Sets the action whose button is under the pointer. The preview then shows the effect of this action, not the patch.
   void pointAt(const QAction* action, bool isPointed);
 
-  // The thickness that sheets will get, mm: that which was set for this document, else the default. A mesh is in view.
+  // Returns the thickness that sheets will get, mm: the one set for this document, or else the default. A mesh must be
+  // in view.
   double thickness() const;
   void setThickness(double thickness);
 
-  QAction* fix() { return &m_fix; }                      // hidden when there is nothing to fix
+  QAction* fix() { return &m_fix; }                      // hidden if there is nothing to fix
   QAction* thickenSheet() { return &m_thickenSheet; }    // makes a thin body of the selected sheet, or of all
   QAction* cutAndClose() { return &m_cutAndClose; }      // hidden unless a patch would intersect the part
-  QAction* reverseBodies() { return &m_reverseBodies; }  // all that are inside out
-  QAction* resolveIntersections() { return &m_resolveIntersections; }  // all
-  QAction* uniteBodies() { return &m_uniteBodies; }                    // all that intersect
+  QAction* reverseBodies() { return &m_reverseBodies; }  // reverses all bodies that are inside out
+  QAction* resolveIntersections() { return &m_resolveIntersections; }  // resolves all intersections
+  QAction* uniteBodies() { return &m_uniteBodies; }                    // unites all bodies that intersect
   QList<QAction*> all() {
     return {&m_fix, &m_thickenSheet, &m_cutAndClose, &m_reverseBodies, &m_resolveIntersections, &m_uniteBodies};
   }
 
  signals:
-  // The thickness that sheets will get may be another.
+  // The thickness that sheets will get may have changed.
   void thicknessChanged();
 
  private:
@@ -81,8 +82,8 @@ class DefectActions : public QObject {
   std::optional<DefectKind> m_kind;
   int m_row = -1;
   bool m_mayFix = false, m_mayCut = false;  // unless the preview shows that it would change nothing
-  const QAction* m_pointed = nullptr;       // whose button has the pointer
-  double m_thickness = 0.0;                 // mm; 0: what is proposed
+  const QAction* m_pointed = nullptr;       // action whose button has the pointer
+  double m_thickness = 0.0;                 // mm; 0: the proposed one
   QAction m_fix;
   QAction m_thickenSheet;
   QAction m_cutAndClose;

@@ -19,7 +19,7 @@ namespace handwheel {
 namespace {
 
 // Share of the model's diagonal that the camera shows at least.
-constexpr double kLeastPlace = 0.08;
+constexpr double kLeastBox = 0.08;
 // A defect of few triangles has an outline, so that it stands out from others that lie on it.
 constexpr std::size_t kMostOutlined = 16;
 
@@ -142,13 +142,13 @@ void DefectScene::refreshVisibility() {
 
 void DefectScene::showLoop(int loop) {
   if (!m_document || loop < 0) return;
-  const auto [place, outward] = m_defects.placeOf(m_defects.loopIndex(loop));
-  flyTo(place, outward);
+  const auto [box, outward] = m_defects.viewTargetOf(m_defects.loopIndex(loop));
+  flyTo(box, outward);
 }
 
-void DefectScene::showPlace(const QModelIndex& defect) {
-  const auto [place, outward] = m_defects.placeOf(defect);
-  if (!isWellSeen(m_viewport, place, outward)) flyTo(place, outward);
+void DefectScene::showDefect(const QModelIndex& defect) {
+  const auto [box, outward] = m_defects.viewTargetOf(defect);
+  if (!isWellSeen(m_viewport, box, outward)) flyTo(box, outward);
 }
 
 void DefectScene::markChosen(const QModelIndex& defect) {
@@ -163,14 +163,13 @@ bool DefectScene::isChosen(Face f) const {
   return std::binary_search(m_chosen.begin(), m_chosen.end(), f);
 }
 
-void DefectScene::flyTo(const Box& place, const Vec3& outward) {
-  if (!m_document || place.isEmpty()) return;
+void DefectScene::flyTo(const Box& box, const Vec3& outward) {
+  if (!m_document || box.isEmpty()) return;
   const HalfEdgeMesh& mesh = m_document->document.mesh();
   // A tiny defect is shown with enough around it to see where it is.
-  const double least = kLeastPlace * m_document->document.defects().box.diagonal().norm();
-  const double grow = std::max(0.0, (least - place.diagonal().norm()) / 2.0);
-  m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow),
-                   unobstructedDirection(mesh, place, outward));
+  const double least = kLeastBox * m_document->document.defects().box.diagonal().norm();
+  const double grow = std::max(0.0, (least - box.diagonal().norm()) / 2.0);
+  m_viewport.flyTo(Box(box.min().array() - grow, box.max().array() + grow), unobstructedDirection(mesh, box, outward));
 }
 
 void DefectScene::drawLoops() {

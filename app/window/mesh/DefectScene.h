@@ -24,16 +24,16 @@ class DefectScene : public QObject {
               QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);         // the camera is stored with the previous document
-  void showLoop(int loop);                     // moves the camera there
-  void showPlace(const QModelIndex& defect);   // moves the camera there if it is not well seen
-  void markChosen(const QModelIndex& defect);  // among the others of its kind; invalid: none
+  void showLoop(int loop);                     // moves the camera to the loop
+  void showDefect(const QModelIndex& defect);  // moves the camera to the defect if it is not well visible
+  void markChosen(const QModelIndex& defect);  // marks the defect among the others of its kind; invalid: none
   void refreshVisibility();                    // after MeshTab::visible was changed
 
  private:
-  int loopAt(const Pick& pick) const;  // also when the cursor is inside the hole, not on its rim
+  int loopAt(const Pick& pick) const;  // also if the cursor is inside the hole, not on its rim
   void drawLoops();
   bool isChosen(Face f) const;
-  void flyTo(const Box& place, const Vec3& outward);
+  void flyTo(const Box& box, const Vec3& outward);
   void drawDefects();
 
   Viewport& m_viewport;

@@ -16,11 +16,11 @@ struct MeshTab;
 
 // Command lines equivalent to the edits of a mesh.
 
-// The command line for a step that is about to be applied. A whole command when the mesh equals its file, else only
-// the part to add to the previous command.
+// Returns the command line for a step that is about to be applied. It is a whole command if the mesh equals its file,
+// otherwise only the part to add to the previous command.
 QString stepCommand(const MeshTab& document, const std::string& step);
 
-// The command line that repairs a file as the window has repaired it.
+// Returns the command line that repairs a file as the window has repaired it.
 QString repairCommand(const QString& path, const RepairOptions& options);
 
 // The steps from a file to the present state.
@@ -28,15 +28,15 @@ struct OperationSequence {
   const OperationsOrigin* base;
   std::vector<std::string> steps;
 };
-// Finds the steps from the newest usable file to the present state. None when an edit has no step, or there is no such
+// Finds the steps from the newest usable file to the present state. None if an edit has no step, or there is no such
 // file.
 std::optional<OperationSequence> editPath(const MeshTab& document, bool toContainer = true);
 
-// The command line that writes the present state to a file. When it would be too long, it reads the steps from a
-// separate file, which "Save steps" writes. Empty when there is none.
+// Returns the command line that writes the present state to a file. If it would be too long, it reads the steps from a
+// separate file, which "Save steps" writes. Empty if there is none.
 QString editCommand(const MeshTab& document, const QString& to);
 QString stepsName(const QString& path);  // "part.stl" becomes "part.steps"
-// The text of a steps file, with a comment line on its purpose.
+// Returns the text of a steps file, with a comment line on its purpose.
 QByteArray stepsText(const OperationSequence& path);
 
 // Notes that the document equals its file. To be called when it was opened or saved, or is again in that state.

@@ -14,8 +14,7 @@ class HoleFillerCache {
  public:
   explicit HoleFillerCache(HalfEdgeMesh mesh) : m_mesh(std::move(mesh)) {}
 
-  // Returns the filler, building it on the first call. Null when cancelled before it is ready; the next call starts
-  // over.
+  // Returns the filler, building it on the first call. Null if cancelled before it is ready; the next call starts over.
   HoleFiller* filler(Progress progress) {
     if (!m_filler) {
       m_filler.emplace(m_mesh, progress);

@@ -39,7 +39,7 @@ int loopAround(const DefectList& defectList, const CameraState& camera, const Ve
                const std::optional<Vec3>& hit) {
   const HalfEdgeMesh& mesh = defectList.document().mesh();
   const Vec3 towards = camera.towardsViewer();
-  const Vec2 place = onScreen(camera, onSight);
+  const Vec2 cursor = onScreen(camera, onSight);
   int best = -1;
   double least = 0.0;
   for (int id = 0; id < defectList.loopCount(); ++id) {
@@ -47,10 +47,10 @@ int loopAround(const DefectList& defectList, const CameraState& camera, const Ve
     if (loop.isSheetBoundary) continue;  // it surrounds the whole sheet
     if (hit && (loop.centre - *hit).dot(towards) <= 0.0) continue;
     const double reach = loop.box.diagonal().norm();
-    if ((onScreen(camera, loop.centre) - place).norm() > reach) continue;
+    if ((onScreen(camera, loop.centre) - cursor).norm() > reach) continue;
     std::vector<Vec2> polygon;
     for (HalfEdge h : loop.halfEdges) polygon.push_back(onScreen(camera, mesh.position(mesh.from(h))));
-    const Outline outline = look(polygon, place);
+    const Outline outline = look(polygon, cursor);
     const double area = std::abs(outline.doubleArea);
     if (!outline.encloses || (best >= 0 && area >= least)) continue;
     best = id;

@@ -18,8 +18,8 @@ bool isSame(const EarWeights& a, const EarWeights& b) {
   return a.length == b.length && a.angles == b.angles && a.normal == b.normal && a.lid == b.lid;
 }
 
-// Each by itself: where a method fails, no other takes its place.
-// shown: the patch of the preview, if any; it may be of a method that succeeds only after others have failed.
+// Tries each method by itself: if a method fails, no other replaces it. shown: the patch of the preview, if any; it may
+// be of a method that succeeds only after others have failed.
 std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop& loop, FillOptions options,
                                     const std::optional<FillAttempt>& shown, Progress progress) {
   std::vector<MethodTrial> trials;

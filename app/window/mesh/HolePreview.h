@@ -16,22 +16,22 @@ class FidelityChoice;
 class WindowServices;
 struct MeshTab;
 
-// The data that a fill can reuse from the preview. The filler cache unless a worker is using it, the attempt that the
-// preview showed when there is one, and the options that the user has chosen.
+// The data that a fill can reuse from the preview. It has the filler cache unless a worker is using it, the attempt
+// that the preview showed if there is one, and the options that the user has chosen.
 struct PreparedFill {
   std::shared_ptr<HoleFillerCache> cache;
   std::optional<FillAttempt> attempt;
   std::optional<FillOptions> options = {};
 };
 
-// Computes a preview of the fill of the selected hole on a worker. Starts as soon as the hole is selected.
+// Computes a preview of the fill of the selected hole on a worker thread. It starts as soon as the hole is selected.
 class HolePreview : public QObject {
   Q_OBJECT
 
  public:
   HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent = nullptr);
 
-  // Requests a preview. Does nothing when it is already shown or being computed. loop -1 or no document: no preview.
+  // Requests a preview. Does nothing if it is already shown or being computed. loop -1 or no document: no preview.
   void request(MeshTab* document, int loop);
   void clear() { request(nullptr, -1); }
   // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only.
@@ -39,11 +39,11 @@ class HolePreview : public QObject {
   // Requests the shown preview anew, if the options have changed.
   void refresh() { request(m_document, m_loop); }
 
-  // How holes are filled one by one; the tool changes it. Separate from the settings of fidelity, by which "Repair all"
-  // works: a value follows its setting only as long as it is the same.
+  // The options for filling holes one by one; the tool changes them. They are separate from the settings of fidelity,
+  // by which "Repair all" works: a value follows its setting only while it is the same.
   const std::shared_ptr<OperationValues>& choice() const { return m_choice; }
   FillMethod method() const { return fillOptionsOf(*m_choice).method; }
-  // Clears the preview and drops all cached data. For when the document changes.
+  // Clears the preview and drops all cached data, because the document changes.
   void forget();
 
   const PreviewState& state() const { return m_state; }

@@ -18,7 +18,7 @@ class LoopSelection : public QObject {
   int loop() const { return m_loop; }        // -1 for none
   int hovered() const { return m_hovered; }  // -1 for none
 
-  // Restores the selection that the document had when it was last shown. Null: none is open.
+  // Restores the selection that the document had when it was last shown. Null: no document is open.
   void setDocument(MeshTab* document);
   void select(int loop);
   void hover(int loop);

@@ -26,7 +26,7 @@ namespace handwheel {
 
 namespace {
 
-// Of what draws the tip so many snap distances are looked at around it: rarely anew, and never much.
+// Number of snap distances around the tip in which features are gathered: rarely anew, and never many.
 constexpr double kReach = 16.0;
 constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
 
@@ -167,19 +167,19 @@ void MeshHapticsProvider::gatherNear(bool isEdit) {
   const ServoSample* const last = m_session.latest();
   m_near.reset();
   if (!m_surface || !last) return;  // comes with the surface, or with the tip
-  const Vec3 place = last->tip.position;
+  const Vec3 position = last->tip.position;
   const double distance = m_fidelity.values().of(snapRadiusSetting()) * m_side;
   Job job;
   job.name = tr("Preparing to snap");
-  job.work = [this, isEdit, place, distance, snapTargets = m_snapTargets, surface = *m_surface,
+  job.work = [this, isEdit, position, distance, snapTargets = m_snapTargets, surface = *m_surface,
               mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
-    const NearFeatures near = nearFeatures(mesh, surface, snapTargets, place, kReach * distance);
+    const NearFeatures near = nearFeatures(mesh, surface, snapTargets, position, kReach * distance);
     std::optional<SnapField> field;
     if (!near.features.items().empty()) field.emplace(near.features, progress);
     const bool isSomewhere = near.reach > 0.0;
     const double mayMove = isSomewhere ? std::max(0.5 * (near.reach - distance), 0.25 * near.reach) : kNeverAgain;
-    return [this, isEdit, place, distance, mayMove, field = std::move(field)]() mutable {
-      m_near = Near{place, mayMove};
+    return [this, isEdit, position, distance, mayMove, field = std::move(field)]() mutable {
+      m_near = Near{position, mayMove};
       m_scene.setSnap(std::move(field), distance, isEdit);
     };
   };
@@ -189,7 +189,7 @@ void MeshHapticsProvider::gatherNear(bool isEdit) {
 void MeshHapticsProvider::followTip() {
   const ServoSample* const last = m_session.latest();
   if (!m_snapTargets.areEverywhere() || !last || !m_gathering.isIdle()) return;
-  if (!m_near || !((last->tip.position - m_near->place).norm() <= m_near->mayMove)) gatherNear(m_near.has_value());
+  if (!m_near || !((last->tip.position - m_near->position).norm() <= m_near->mayMove)) gatherNear(m_near.has_value());
 }
 
 // While it is being made, it is made of a mesh that is no longer there.
@@ -210,7 +210,7 @@ void MeshHapticsProvider::setSurface(bool isEdit) {
   m_scene.setSurface(*m_surface, isEdit, [this] { return describe(); });
 }
 
-// What steps the surface comes from, while a recording wants to know.
+// Notes the steps that lead to the surface, while a recording runs.
 void MeshHapticsProvider::noteSteps() {
   if (!m_document || !m_surface || !m_session.recorder()) return;
   if (m_noted) {
@@ -220,7 +220,8 @@ void MeshHapticsProvider::noteSteps() {
   }
 }
 
-// How the mesh came to be since the note before: "keep" steps of those from the file, and then "steps".
+// Describes the changes of the mesh since the previous note: the first "keep" steps of those from the file remain, and
+// then come "steps".
 QJsonObject MeshHapticsProvider::describe() {
   QJsonObject note;
   if (!m_noted || !m_noted->steps) {

@@ -21,10 +21,10 @@ class HapticSceneBuilder;
 struct MeshTab;
 struct WindowContext;
 
-// Provides the contact surface and the snap features of the current mesh. The surface is built on a worker when a
-// device is opened or another mesh is shown, and updated after each edit in time proportional to the edit. The snap
+// Provides the contact surface and the snap features of the current mesh. The surface is built on a worker thread when
+// a device is opened or another mesh is shown, and updated after each edit in time proportional to the edit. The snap
 // features are those of the active tool, and only those near the tip are considered. Nothing is kept without a device.
-// A tool that works on voxels is felt by these instead of the surface.
+// For a tool that works on voxels, the voxels are felt instead of the surface.
 class MeshHapticsProvider : public QObject {
   Q_OBJECT
 
@@ -57,28 +57,28 @@ class MeshHapticsProvider : public QObject {
   ToolHost& m_tools;
   FidelityChoice& m_fidelity;
   ClayTouch m_voxels;
-  bool m_isOfVoxels = false;  // what is felt is that of a tool's
-  JobRunner m_making;         // the surface
-  JobRunner m_gathering;      // snap features
+  bool m_isOfVoxels = false;  // the voxels of a tool are felt
+  JobRunner m_making;         // makes the surface
+  JobRunner m_gathering;      // gathers the snap features
   MeshTab* m_document = nullptr;
-  std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is being built
+  std::optional<ContactSurface> m_surface;  // surface of the present mesh; none while it is being built
   bool m_isOpen = false;                    // state of the session at its last signal
   double m_side = 0.0;                      // mm, the mean length of an edge of the mesh
   SnapTargets m_snapTargets;                // snap features in the scene, or being gathered
   bool m_asCurves;                          // rims attract as curves (TouchSettings)
 
-  // Where the snap features were gathered, and how far the tip may move from there (mm).
+  // Position at which the snap features were gathered, and distance that the tip may move from there (mm).
   struct Near {
-    Vec3 place;
+    Vec3 position;
     double mayMove;
   };
   std::optional<Near> m_near;
 
-  // What a running recording of the device knows of the mesh: the file, and the steps from it.
+  // State of the mesh in the notes of a running recording: the file, and the steps from it.
   struct Noted {
     OperationsOrigin base;
-    std::optional<std::vector<std::string>> steps;      // to the present surface; none: an edit has no step
-    std::optional<std::vector<std::string>> lastNoted;  // in the last note
+    std::optional<std::vector<std::string>> steps;      // steps to the present surface; none: an edit has no step
+    std::optional<std::vector<std::string>> lastNoted;  // steps in the last note
   };
   std::optional<Noted> m_noted;
 };

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Reads the mesh in a file. Errors: those of the readers; NoTriangles where it holds no mesh. Any thread.
+// Reads the mesh in a file. Errors: those of the readers; NoTriangles if it holds no mesh. Any thread.
 Result<HalfEdgeMesh> readMesh(const DocumentKinds& kinds, const QString& path, Progress progress);
 
 }  // namespace handwheel

@@ -30,18 +30,18 @@ struct MeshTab : DocumentTab {
 
   MeshDocument& document;
   DefectList defectList;
-  const HalfEdgeMesh asOpened;                      // shares unchanged pages with the present mesh
-  std::shared_ptr<MeshDeviation> deviation;         // the comparison that is shown; null for none
-  Vertex selected = kNone;                          // DefectList::keyOf() of the selected loop
-  std::optional<HistoryPoint> repairedAt;           // after "Repair all" ran last
-  FidelityValues repairedWith;                      // and the settings that it had
-  std::optional<HistoryPoint> fixedAt;              // after the last "Repair all" or fix of a defect that changed it
-  std::map<HistoryPoint, RepairFindings> findings;  // after each of them, for undo and redo
+  const HalfEdgeMesh asOpened;               // shares unchanged pages with the present mesh
+  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null for none
+  Vertex selected = kNone;                   // DefectList::keyOf() of the selected loop
+  std::optional<HistoryPoint> repairedAt;    // state after the last "Repair all"
+  FidelityValues repairedWith;               // settings of the last "Repair all"
+  std::optional<HistoryPoint> fixedAt;  // state after the last "Repair all" or fix of a defect that changed the mesh
+  std::map<HistoryPoint, RepairFindings> findings;  // findings after each of them, for undo and redo
 
-  std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
+  std::size_t faceSlots = document.mesh().faceSlots();  // number at the last change
   FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
 
-  // Number of changes of the mesh, including undo and redo; and that number when the mesh last equalled its file.
+  // Number of changes of the mesh, including undo and redo, and this number when the mesh last equalled its file.
   std::uint64_t changes = 0;
   std::uint64_t changesInFile = 0;
   std::vector<OperationsOrigin> bases;  // the newest last
@@ -55,12 +55,14 @@ struct MeshTab : DocumentTab {
     newest.dropDead(document.mesh());
     if (!added.empty()) newest = added;
   }
-  // After a repair or fix of the present mesh.
+  // Stores the findings after a repair or fix of the present mesh.
   void keepFindings() { findings[presentPoint(document)] = defectList.findings(); }
-  bool isRepaired() const { return repairedAt == presentPoint(document); }  // by "Repair all", which was the last step
-  // Whether "Repair all" or the fix of a defect was what happened last, or was redone last, and changed something.
+  bool isRepaired() const { return repairedAt == presentPoint(document); }  // "Repair all" was the last step
+  // Returns true if the last change, or the last redone one, was "Repair all" or the fix of a defect, and it changed
+  // something.
   bool isJustRepaired() const { return fixedAt == presentPoint(document); }
-  // Whether the mesh equals that of the file, which was read without loss. The loops marked to be kept open may differ.
+  // Returns true if the mesh equals that of the file, which was read without loss. The loops marked to be kept open may
+  // differ.
   bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
 };
 

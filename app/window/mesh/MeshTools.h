@@ -30,16 +30,16 @@ class MeshTools : public QObject {
   void setDocument(MeshTab* document);
   // Sets the method for holes that are filled one by one.
   void chooseMethod(FillMethod method);
-  // Hides the patch of the hole while the preview of another way to close it is shown.
+  // Hides the patch of the hole while the preview of another method to close it is shown.
   void setPatchHidden(bool isHidden);
-  // Shows how holes are filled, after it was changed by another than the tool.
+  // Shows the fill options after a change that the tool did not make.
   void showChoice();
 
   std::unique_ptr<Tool> fillTool();
   std::unique_ptr<Tool> selectTool();
   std::unique_ptr<Tool> boundaryTool();
   std::unique_ptr<Tool> makeFaceTool();
-  // Works on the selected faces, else on those that the last edit added.
+  // Works on the selected faces, or else on those that the last edit added.
   std::unique_ptr<Tool> sculptTool();
   std::unique_ptr<Tool> measureTool();
   std::unique_ptr<Tool> decimateTool();
@@ -57,14 +57,14 @@ class MeshTools : public QObject {
   void followTool();
   MeshServices services();
 
-  QWidget* m_window;  // that asks
+  QWidget* m_window;  // parent of questions
   ToolHost& m_host;
   const MeshLayer& m_layer;
   LoopSelection& m_selection;
   HolePreview& m_preview;
   RepairActions& m_actions;
   RepairJobs& m_jobs;
-  JobRunner m_thinking;  // the jobs of the select tool
+  JobRunner m_thinking;  // runs the jobs of the select tool
   MeshTab* m_document = nullptr;
   std::uint64_t m_ticket = 0;
   bool m_isPatchHidden = false;

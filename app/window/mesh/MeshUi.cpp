@@ -126,7 +126,7 @@ void MeshUi::connectSelection() {
           [this](const MeshTab* document, const QString& what, const QString& how) {
             emit message(partlyChangedMessage(document->document, what, how));
           });
-  connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
+  connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showDefect);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_tools, &MeshTools::chooseMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
     if (!m_panel) return;
@@ -197,7 +197,7 @@ void MeshUi::opened(DocumentTab& tab) {
   emit message(*doubt);
 }
 
-// What is kept open is marked at once, without a job that would log it.
+// A loop is marked to be kept open at once, without a job that would log it.
 void MeshUi::logMark(const MeshTab& open) {
   const QUndoStack& history = *open.document.history();
   if (history.index() == 0 || history.index() != history.count()) return;  // an undo, most likely
@@ -246,7 +246,7 @@ void MeshUi::showPreview(const ToolPreview& preview) {
   selectFaces();
 }
 
-// What a fix takes away looks like what the user has selected, and what it makes like a patch.
+// The faces that a fix removes look like the user's selection, and the new ones like a patch.
 void MeshUi::showFix() {
   const ChangePreview& fix = m_fixPreview.shown();
   m_layer->setPreview(fix.added.points, fix.added.triangles);

@@ -77,8 +77,8 @@ class MeshUi : public KindUi {
   WindowContext m_parts;
   MeshKind& m_kind;
   std::shared_ptr<MeshLayer> m_layer;
-  std::shared_ptr<VolumeLayer> m_voxelLayer;  // of a tool
-  std::shared_ptr<const ClayState> m_voxels;  // in it; null: nothing
+  std::shared_ptr<VolumeLayer> m_voxelLayer;  // voxels of a tool
+  std::shared_ptr<const ClayState> m_voxels;  // contents of the voxel layer; null: nothing
   LoopSelection m_selection;
   HolePreview m_preview;
   SelfIntersectionSearch m_search;

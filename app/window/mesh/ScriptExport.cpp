@@ -52,8 +52,8 @@ void ScriptExport::ask() {
 
 void ScriptExport::write(const MeshTab& document, const QString& path) {
   const QString name = QFileInfo(path).fileName();
-  const auto way = editPath(document);
-  if (!way) {
+  const auto sequence = editPath(document);
+  if (!sequence) {
     emit message({Message::Weight::Warning,
                   tr("%1 was not written").arg(name),
                   tr("There is no file from which the steps reproduce the current state."),
@@ -65,7 +65,7 @@ void ScriptExport::write(const MeshTab& document, const QString& path) {
                   &document.document});
     return;
   }
-  const Status written = writeFileAtomically(QFile::encodeName(path).toStdString(), stepsText(*way).toStdString());
+  const Status written = writeFileAtomically(QFile::encodeName(path).toStdString(), stepsText(*sequence).toStdString());
   if (!written) {
     emit message({Message::Weight::Error,
                   tr("%1 could not be saved").arg(name),
@@ -79,7 +79,7 @@ void ScriptExport::write(const MeshTab& document, const QString& path) {
     return;
   }
   m_parts.log.add(tr("Saved the steps as %1").arg(name),
-                  editCommandLine(way->base->path, path, editedName(document.document.path())));
+                  editCommandLine(sequence->base->path, path, editedName(document.document.path())));
 }
 
 }  // namespace handwheel

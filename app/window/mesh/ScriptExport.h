@@ -17,7 +17,7 @@ class ScriptExport : public QObject {
 
   QAction* action() { return &m_save; }
   void setDocument(MeshTab* document);  // null: no mesh is in view
-  void follow();                        // to be called when the document has changed
+  void follow();                        // to be called after the document has changed
 
  signals:
   void message(const handwheel::Message& message);

@@ -15,7 +15,7 @@ class Viewport;
 struct MeshTab;
 
 // Shows the section of the mesh by the clipping plane. The outline is shown in the viewport, its length and area in a
-// panel. Follows plane and mesh; the mesh is cut on a worker, so neither has to wait.
+// panel. It follows plane and mesh; the mesh is cut on a worker thread, so neither has to wait.
 class SectionView : public QObject {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class SectionView : public QObject {
   SectionView(Viewport& viewport, MeshLayer& layer, QThreadPool& pool, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
-  // Length, and of a closed outline the area; none without a plane.
+  // Length, and area of a closed outline; none without a plane.
   std::vector<Property> statistics() const;
 
  signals:
-  void changed();  // the statistics
+  void changed();  // the statistics have changed
 
  private:
   void cut();

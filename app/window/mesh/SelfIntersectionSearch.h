@@ -12,8 +12,8 @@ namespace handwheel {
 class WindowServices;
 struct MeshTab;
 
-// Searches for self-intersections of the current mesh on a worker. Starts when the mesh has not changed for a while.
-// Searched is what the file holds: once it is saved in fewer digits, the rounded mesh.
+// Searches for self-intersections of the current mesh on a worker thread. It starts when the mesh has not changed for a
+// while. It searches the mesh that the file holds: once saved in fewer digits, the rounded mesh.
 class SelfIntersectionSearch : public QObject {
   Q_OBJECT
 

@@ -29,7 +29,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostFilesOfShells = 20;  // as tabs; more are for the command line
+constexpr std::size_t kMostFilesOfShells = 20;  // opened as tabs; more are for the command line
 
 // "scan.stl" falls into "scan-shells" beside it.
 QString shellsFolder(const QString& path) {

@@ -23,7 +23,7 @@ struct SuggestionWords {
   Q_DECLARE_TR_FUNCTIONS(Suggestions)
 };
 
-// What may be wrong besides holes. What was reversed on opening is no defect any more.
+// The possible defects besides holes. Faces reversed on opening are no defect any more.
 constexpr DefectKind kFindings[] = {
     DefectKind::NonManifoldEdge, DefectKind::NonManifoldVertex, DefectKind::OneSided,
     DefectKind::InsideOut,       DefectKind::Inconsistent,      DefectKind::NearVertex,
@@ -89,7 +89,7 @@ QString failedFixes(const DefectList& defectList) {
       .arg(defectList.reason(DefectKind::SelfIntersection, -1));
 }
 
-// Of a sheet that no attempt has failed to thicken.
+// Returns true if there is a sheet that no attempt has failed to thicken.
 bool hasSheetToThicken(const DefectList& defectList) {
   const auto& open = defectList.keptOpen();
   return std::any_of(open.begin(), open.end(), [&](int id) {
@@ -137,7 +137,7 @@ QString nestedBodies(const MeshTab& document) {
                                            nullptr, nested);
 }
 
-// Where the headline does not name them.
+// For texts whose headline does not name them.
 QString openSheets(const DefectList& defectList) {
   const auto sheets = static_cast<int>(defectList.sheetCount());
   return sheets == 0 || isOnlyOpen(defectList) ? QString() : SuggestionWords::tr("%Ln open sheet(s).", nullptr, sheets);
@@ -158,14 +158,14 @@ QString joined(QStringList sentences) {
   return sentences.join(QLatin1Char(' '));
 }
 
-// Whether something is left after the repair of triangles that a repair by volume mends.
+// Returns true if a defect is left after the repair of triangles that a repair by volume mends.
 bool needsVolume(const DefectList& defectList) {
   const MeshState state = defectList.state();
   return defectList.count(DefectKind::SelfIntersection) > 0 || defectList.count(DefectKind::Hole) > 0 ||
          !state.manifold || !state.oriented;
 }
 
-// What may be done about what a repair leaves, in one place; not what was tried in vain. None of it is what most people
+// Adds the actions for defects that a repair leaves, except for those tried in vain. None of them is what most people
 // want: the card shows no such action as the obvious one.
 void addFurther(Suggestion& step, const MeshTab& document, const SuggestedActions& actions) {
   const DefectList& defectList = document.defectList;
@@ -192,7 +192,7 @@ QStringList shownWarnings(const DefectList& defectList) {
   return warnings << SuggestionWords::tr("…and %Ln more, see the log.", nullptr, more);
 }
 
-// What is closed, or kept open, with nothing else that "Repair all" mends.
+// Returns the step for a mesh that is closed, or kept open, with no other defect that "Repair all" mends.
 Suggestion cleanStep(const MeshTab& document, const SuggestedActions& actions) {
   const DefectList& defectList = document.defectList;
   const ThemeColours& colours = themeColours(currentTheme());

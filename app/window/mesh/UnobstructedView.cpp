@@ -16,15 +16,15 @@ namespace {
 
 constexpr double kTilts[] = {30.0, 50.0, 70.0};  // degrees from outward
 constexpr int kTurns = 8;                        // directions at each tilt
-// What a tilt costs against being hidden: at 70 degrees as much as a tenth of the place.
+// Cost of a tilt relative to obstruction: at 70 degrees as much as a tenth of the region.
 constexpr double kTiltCost = 0.15;
-// A place is well seen when it has so many pixels at least, and its normal such a cosine to the viewer's direction;
+// A region is well visible if it has at least so many pixels, and its normal such a cosine to the viewer's direction;
 constexpr double kLeastSize = 24.0;
 constexpr double kLeastFacing = 0.25;
 // such a share of its box lies in this share of the view from above, for below is the card;
 constexpr double kLeastShown = 0.8;
 constexpr double kFreeShare = 0.8;
-// what is less than so many pixels in front does not cover it.
+// a surface less than so many pixels in front does not cover it.
 constexpr double kDepthPixels = 2.0;
 constexpr std::size_t kFacesLookedAt = 100000;  // roughly
 
@@ -44,15 +44,15 @@ std::vector<Vec3> candidates(const Vec3& outward) {
 
 }  // namespace
 
-Vec3 unobstructedDirection(const HalfEdgeMesh& mesh, const Box& place, const Vec3& outward) {
-  if (outward.norm() == 0.0 || place.isEmpty()) return outward;
+Vec3 unobstructedDirection(const HalfEdgeMesh& mesh, const Box& region, const Vec3& outward) {
+  if (outward.norm() == 0.0 || region.isEmpty()) return outward;
   const std::vector<Vec3> directions = candidates(outward.normalized());
-  const Vec3 centre = place.center();
-  const double radius = std::max(place.diagonal().norm() / 2.0, 1e-12);
-  // Area of the mesh in front of the disc of this radius, seen from each direction. What is nearer than a quarter of
-  // the radius belongs to the surroundings of the place itself.
+  const Vec3 centre = region.center();
+  const double radius = std::max(region.diagonal().norm() / 2.0, 1e-12);
+  // Area of the mesh in front of the disc of this radius, seen from each direction. Faces nearer than a quarter of the
+  // radius belong to the surroundings of the region itself.
   std::vector<double> hidden(directions.size(), 0.0);
-  // Of a large mesh a part of the faces tells as much.
+  // For a large mesh a sample of the faces is sufficient.
   const auto step = static_cast<Face>(mesh.faceSlots() / kFacesLookedAt + 1);
   for (std::size_t slot = 0; slot < mesh.faceSlots(); slot += step) {
     const auto f = static_cast<Face>(slot);
@@ -80,13 +80,13 @@ Vec3 unobstructedDirection(const HalfEdgeMesh& mesh, const Box& place, const Vec
   return directions[best];
 }
 
-bool isWellSeen(const Viewport& view, const Box& place, const Vec3& outward) {
-  if (place.isEmpty()) return false;
+bool isWellSeen(const Viewport& view, const Box& region, const Vec3& outward) {
+  if (region.isEmpty()) return false;
   const CameraNavigation navigation(view.camera(), {view.width(), view.height()});
   if (outward.dot(view.camera().towardsViewer()) < kLeastFacing * outward.norm()) return false;
   const Eigen::AlignedBox2d room(Vec2(0.0, 0.0), Vec2(view.width(), kFreeShare * view.height()));
   Eigen::AlignedBox2d shown;
-  for (const Vec3& corner : cornersOf(place)) {
+  for (const Vec3& corner : cornersOf(region)) {
     if (!navigation.isBeforeEye(corner)) return false;
     shown.extend(navigation.toScreen(corner));
   }
@@ -94,10 +94,10 @@ bool isWellSeen(const Viewport& view, const Box& place, const Vec3& outward) {
   const Vec2 margin = Vec2::Ones();  // it may be a line
   shown = Eigen::AlignedBox2d(Vec2(shown.min() - margin), Vec2(shown.max() + margin));
   if (!room.intersects(shown) || room.intersection(shown).volume() < kLeastShown * shown.volume()) return false;
-  const ViewRay ray = navigation.rayAt(navigation.toScreen(place.center()), view.bounds());
+  const ViewRay ray = navigation.rayAt(navigation.toScreen(region.center()), view.bounds());
   const Pick first = view.pickAlong(ray.origin, ray.direction);
-  const double depth = (place.center() - ray.origin).dot(ray.direction) - place.diagonal().norm() / 2.0;
-  return first.isNothing() || first.distance >= depth - kDepthPixels * navigation.unitsPerPixelAt(place.center());
+  const double depth = (region.center() - ray.origin).dot(ray.direction) - region.diagonal().norm() / 2.0;
+  return first.isNothing() || first.distance >= depth - kDepthPixels * navigation.unitsPerPixelAt(region.center());
 }
 
 }  // namespace handwheel

@@ -21,8 +21,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kPreviewFrameMs = 16;           // of a live preview
-constexpr int kFramesToFigures = 8;           // how often numbers that change by themselves are shown anew
+constexpr int kPreviewFrameMs = 16;  // interval of a live preview
+constexpr int kFramesToFigures = 8;  // interval in frames after which numbers that change by themselves are shown anew
 constexpr std::string_view kLeaves = "done";  // effect of Esc in a tool that has nothing to revert
 
 PointerButton buttonOf(Qt::MouseButton button) {
@@ -66,7 +66,7 @@ std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ra
   return event.button == PointerButton::First ? std::optional(event) : std::nullopt;
 }
 
-// What a tool proposes is distinguished from what is there by its colour.
+// Proposals of a tool are distinguished from existing parts by their colour.
 void tint(std::vector<DisplayPart>& parts) {
   const QColor accent = themeColours(currentTheme()).accent;
   for (DisplayPart& part : parts) part.colour = {accent.redF(), accent.greenF(), accent.blueF()};
@@ -138,7 +138,7 @@ bool ToolHost::isUnderWay(const Document& document) const {
   return gesture && m_runner.document() == &document && !gesture->underWay().isEmpty();
 }
 
-// The runner gives its tool away as const, for everything that goes by it; deliver() is its way to call the tool.
+// The runner returns its tool as const, for all who only read it; the tool is called through deliver().
 SnapshotPointer ToolHost::valueWithGesture(const Document& document) {
   auto* const gesture = const_cast<UnfinishedGesture*>(dynamic_cast<const UnfinishedGesture*>(m_runner.tool()));
   if (!gesture || m_runner.document() != &document) return nullptr;
@@ -189,7 +189,7 @@ ToolReply ToolHost::perform(std::string_view action) {
   return m_runner.perform(action);
 }
 
-// What is dragged has its numbers beside the cursor.
+// Dragged values are shown beside the cursor.
 void ToolHost::showValues(const PointerInput& input, PointerEvent::Kind kind) {
   const Tool* tool = m_runner.tool();
   if (!tool || !m_runner.document() || kind != PointerEvent::Kind::Drag) return m_readout->hide();
@@ -236,7 +236,7 @@ bool ToolHost::takeKey(QKeyEvent& event) {
   return true;
 }
 
-// A tool hears of every place where the mouse was; what it shows is drawn once for all that wait.
+// A tool receives every position of the mouse; its display is drawn once for all positions that wait.
 void ToolHost::showSoon() {
   if (std::exchange(m_isShowDue, true)) return;
   QMetaObject::invokeMethod(
@@ -259,7 +259,7 @@ void ToolHost::show() {
   emit updated();
 }
 
-// What all kinds have is shown here, the rest by the kind of the document.
+// Parts of all kinds are shown here, the rest by the kind of the document.
 void ToolHost::showShapes(ToolPreview preview) {
   emit previewed(preview);
   if (!m_isVisible) preview = {};
@@ -273,8 +273,8 @@ void ToolHost::showShapes(ToolPreview preview) {
 
 void ToolHost::showLabel(const std::optional<ToolLabel>& label) {
   const CameraNavigation navigation(m_viewport.camera(), {m_viewport.width(), m_viewport.height()});
-  if (!label || !m_runner.document() || !navigation.isBeforeEye(label->place)) return m_label->hide();
-  const Vec2 screen = navigation.toScreen(label->place);
+  if (!label || !m_runner.document() || !navigation.isBeforeEye(label->position)) return m_label->hide();
+  const Vec2 screen = navigation.toScreen(label->position);
   const QPointF at(screen.x(), screen.y());
   if (!QRectF(m_viewport.rect()).contains(at)) return m_label->hide();
   m_label->show(*label, m_runner.document()->displayUnit(), at.toPoint());

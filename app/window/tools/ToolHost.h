@@ -30,41 +30,41 @@ class ToolHost : public QObject {
 
   void start(std::unique_ptr<Tool> tool, Document& document);
   void stop() { m_runner.stop(); }
-  // To be called when the tool previews something else without an input.
+  // Updates the display after the preview of the tool has changed without an input.
   void refresh() { showSoon(); }
-  // Hides what tools preview, with the document.
+  // Shows or hides the previews of tools, with the document.
   void setVisible(bool visible);
   // Changes a setting of a tool, for the running one and for later starts of it.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
-  // Sets what Esc does in the view when the tool has nothing to revert, as by cancelling a job. Returns whether it did
-  // anything; otherwise the key is the tool's.
+  // Sets the effect of Esc in the view if the tool has nothing to revert, such as cancelling a job. The function
+  // returns true if it did anything; otherwise the key goes to the tool.
   void setEscape(std::function<bool()> escape) { m_escape = std::move(escape); }
   ToolRunner& runner() { return m_runner; }
-  // Whether the tool has something under way in a document that is not in its value yet.
+  // Returns true if the tool has unfinished work in a document that is not in its value yet.
   bool isUnderWay(const Document& document) const;
-  // The value of a document with what is under way; null: nothing is. What that has struck is recorded in the document
-  // by it, so it must not be asked for within a call of the tool.
+  // Returns the value of a document with the unfinished work; null: there is none. Strokes already made are then
+  // recorded in the document by the work, so it must not be called from within the tool.
   SnapshotPointer valueWithGesture(const Document& document);
   ToolKeys& keys() { return m_keys; }
   // Passes a pointer event of a haptic device; those of the mouse arrive by themselves.
   void point(const PointerEvent& event) { m_runner.pointer(event); }
-  // Called when the mouse is the haptic device, with each input before the tool gets it. Returns the pose of the tip;
-  // none when the mouse is only a mouse. The wheel then moves the tip; with Ctrl it moves the camera.
-  using MouseDevicePlace = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
-  // isOn: whether it is.
-  void setMouseDevice(MouseDevicePlace place, std::function<bool()> isOn) {
-    m_mouseDevice = std::move(place);
+  // Called while the mouse is the haptic device, with each input before the tool gets it. Returns the pose of the tip;
+  // none while the mouse is only a mouse. The wheel then moves the tip; with Ctrl it moves the camera.
+  using MouseDevicePose = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
+  // isOn: returns true while the mouse is the device.
+  void setMouseDevice(MouseDevicePose pose, std::function<bool()> isOn) {
+    m_mouseDevice = std::move(pose);
     m_isMouseDevice = std::move(isOn);
   }
-  // Called with each right click before the tool gets it. Returns whether it has opened a menu.
+  // Called with each right click before the tool gets it. Returns true if it has opened a menu.
   void setContextMenu(std::function<bool(const QPointF& position)> menu) { m_menu = std::move(menu); }
 
   // The present bindings of pointer and keys, translated.
   std::vector<Hint> hints() const;
 
  signals:
-  void updated();  // the hints or the display of the tool
-  // What the tool shows now; an empty preview when it has ended. The kind of the document shows its part of it.
+  void updated();  // the hints or the display of the tool have changed
+  // The present preview of the tool; empty when it has ended. The kind of the document shows its part of it.
   void previewed(const handwheel::ToolPreview& preview);
 
  protected:
@@ -91,7 +91,7 @@ class ToolHost : public QObject {
   ToolKeys& m_keys;
   ServiceRegistry& m_needs;
   ToolRunner m_runner;
-  MouseDevicePlace m_mouseDevice;
+  MouseDevicePose m_mouseDevice;
   std::function<bool()> m_isMouseDevice = [] { return false; };
   std::function<bool()> m_escape = [] { return false; };
   std::function<bool(const QPointF&)> m_menu;
@@ -99,11 +99,12 @@ class ToolHost : public QObject {
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called
   bool m_isVisible = true;
-  int m_frame = 0;  // shown while the preview is live
+  int m_frame = 0;  // frame shown while the preview is live
   QTimer m_frames;  // runs while the preview is live
   using Chosen = std::map<std::string, PropertyValue>;
-  std::map<std::string, Chosen> m_chosen;                                    // by tool
-  std::map<std::pair<std::string, std::string>, Chosen> m_chosenOfDocument;  // by the document's id and tool
+  std::map<std::string, Chosen> m_chosen;  // chosen settings, by tool
+  std::map<std::pair<std::string, std::string>, Chosen>
+      m_chosenOfDocument;  // chosen settings, by the document's id and tool
 };
 
 }  // namespace handwheel

@@ -22,7 +22,7 @@ bool isSign(int key) {
   return key > Qt::Key_Space && key < Qt::Key_Escape && !letterOrDigit;
 }
 
-// What may be meant by a press. A sign may need Shift or not, after the keyboard: "Ctrl++".
+// Returns the possible meanings of a press. A sign may need Shift or not, depending on the keyboard: "Ctrl++".
 QList<QKeySequence> meaningsOf(const QKeyEvent& event) {
   const Qt::KeyboardModifiers modifiers =
       event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);

@@ -18,8 +18,8 @@ namespace handwheel {
 
 class ContextAction;
 
-// The keys of all tools as actions of the window. So they can be listed, searched and changed like its other commands.
-// They are visible while their tool declares them.
+// The keys of all tools as actions of the window. Therefore they can be listed, searched and changed like its other
+// commands. They are visible while their tool declares them.
 class ToolKeys : public QObject {
   Q_OBJECT
 
@@ -32,18 +32,18 @@ class ToolKeys : public QObject {
   // Enables the keys of the actions that the tool declares. Null: no tool is running.
   void follow(const Tool* tool, const std::vector<ToolAction>& declared);
 
-  // The key of an action in native text; empty when it has none.
+  // Returns the key of an action in native text; empty if it has none.
   QString text(const Tool& tool, const ToolAction& action);
-  // The action of a key; none when there is no action, or more than one.
+  // Returns the action of a key; none if there is no action, or more than one.
   std::optional<ToolAction> actionFor(const Tool& tool, const QKeyEvent& event);
 
  signals:
-  void triggered(const std::string& action);  // not from the keyboard
+  void triggered(const std::string& action);  // emitted for other triggers than the keyboard
   void changed();                             // a key was changed
 
  private:
   QList<QKeySequence> keysOf(const Tool& tool, const ToolAction& action);
-  QAction* command(const std::string& name);  // a command of the window; null when there is none
+  QAction* command(const std::string& name);  // command of the window; null if there is none
   void watch(QAction& action);
 
   QWidget& m_view;
@@ -51,8 +51,8 @@ class ToolKeys : public QObject {
   std::map<std::string, QPointer<QAction>> m_commands;
 };
 
-// Whether the tool gets the key before the commands of the window. The window comes first where both do the same, and
-// where a key ends something: a selection in a list is ended before an operation of the tool.
+// Returns true if the tool gets the key before the commands of the window. The window comes first if both do the same,
+// and if a key ends something: a selection in a list is ended before an operation of the tool.
 bool comesFirst(const ToolAction& action, const QKeyEvent& event);
 
 }  // namespace handwheel

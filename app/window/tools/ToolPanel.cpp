@@ -11,8 +11,8 @@ namespace handwheel {
 
 namespace {
 
-// Those that can be pressed, each effect once: Return and Esc may both mean "done". One that had an effect of its own
-// before keeps its place and title, disabled, so that no other button comes under the pointer.
+// Returns the actions that can be pressed, each effect once: Return and Esc may both mean "done". An action that had an
+// effect of its own before keeps its position and title, disabled, so that no other button moves under the pointer.
 std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions,
                                   const std::map<std::string, std::string>& effectsBefore) {
   std::vector<ToolAction> shown;

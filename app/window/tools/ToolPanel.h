@@ -36,7 +36,7 @@ class ToolPanel : public QWidget {
   PropertyList* m_settings;
   QVBoxLayout* m_column;
   std::vector<std::pair<std::string, QPushButton*>> m_buttons;
-  std::map<std::string, std::string> m_effects;  // of the buttons, by action
+  std::map<std::string, std::string> m_effects;  // effects of the buttons, by action
 };
 
 }  // namespace handwheel

@@ -78,16 +78,16 @@ void ToolReadout::show(const std::vector<Property>& settings, LengthUnit unit, c
   showText(lines.join(QLatin1Char('\n')), cursor);
 }
 
-void ToolReadout::show(const ToolLabel& label, LengthUnit unit, const QPoint& place) {
+void ToolReadout::show(const ToolLabel& label, LengthUnit unit, const QPoint& position) {
   QStringList figures;
   for (const ToolLabel::Figure& figure : label.figures) figures << figureText(figure, unit);
-  showText(figures.join(QStringLiteral("  ")), place);
+  showText(figures.join(QStringLiteral("  ")), position);
 }
 
-void ToolReadout::showText(const QString& text, const QPoint& place) {
+void ToolReadout::showText(const QString& text, const QPoint& position) {
   setText(text);
   adjustSize();
-  const QPoint corner = place + kBesideCursor;
+  const QPoint corner = position + kBesideCursor;
   const QSize room = parentWidget()->size() - size();
   move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
   QLabel::show();

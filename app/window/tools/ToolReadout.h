@@ -10,21 +10,21 @@
 
 namespace handwheel {
 
-// A label in the view with the values and limits of a drag. Or with the label of a tool. Takes no input.
+// A label in the view with the values and limits of a drag. It also shows the label of a tool. It takes no input.
 class ToolReadout : public QLabel {
  public:
   explicit ToolReadout(QWidget* view);
 
-  // Shows the read-only settings; hides when there is none.
+  // Shows the read-only settings; hides if there are none.
   void show(const std::vector<Property>& settings, LengthUnit unit, const QPoint& cursor);
-  // Shows the figures of a tool beside its place in the view, to a hundredth of a millimetre.
-  void show(const ToolLabel& label, LengthUnit unit, const QPoint& place);
+  // Shows the values of a tool beside its position in the view, to a hundredth of a millimetre.
+  void show(const ToolLabel& label, LengthUnit unit, const QPoint& position);
 
  protected:
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void showText(const QString& text, const QPoint& place);
+  void showText(const QString& text, const QPoint& position);
 };
 
 }  // namespace handwheel

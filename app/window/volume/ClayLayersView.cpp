@@ -31,7 +31,7 @@
 namespace handwheel {
 namespace {
 
-constexpr int kSliderSteps = 100;  // of a strength of 1
+constexpr int kSliderSteps = 100;  // slider steps for a strength of 1
 constexpr int kAgainMs = 50;       // while a stroke is waited for
 
 QPushButton* layerButton(const QString& text, const char* name, const QString& tip) {
@@ -102,12 +102,12 @@ void ClayLayersView::makeDock() {
   buttons->addStretch();
   auto* const column = new QVBoxLayout(content);
   column->setContentsMargins(8, 4, 8, 8);
-  // The hint below the list has one line or three: what is clicked stays where it is.
+  // The hint below the list has one line or three, and must not move the buttons.
   column->addLayout(buttons);
   column->addLayout(strength);
   column->addWidget(m_list, 1);
   column->addWidget(m_hint);
-  m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Ways::Both, m_dock));
+  m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Directions::Both, m_dock));
   window->addDockWidget(Qt::RightDockWidgetArea, m_dock);
   if (auto* const kind = window->findChild<QDockWidget*>(QStringLiteral("kindDock")))
     window->tabifyDockWidget(kind, m_dock);
@@ -227,8 +227,8 @@ void ClayLayersView::computeStep() {
   m_computing.start(std::move(job));
 }
 
-// Computed anew after what was done meanwhile. What settled the document has done the step already; an undo of that
-// brings back the volume it was computed of, and another step may be under way there.
+// Repeats the computation if the volume was changed meanwhile. If the document was settled, the step has been done
+// already; an undo of that restores the volume of the computation, and another step may be in progress then.
 void ClayLayersView::finish(quint64 number, const std::shared_ptr<const VolumeSnapshot>& before,
                             const std::shared_ptr<const LayerStep>& made) {
   if (!m_step || m_step->number != number || !m_document) return;
@@ -259,7 +259,7 @@ void ClayLayersView::take(const QListWidgetItem& item) {
   if (name != layers()[static_cast<std::size_t>(number)].name) {
     volume().settle();
     set(number, "name", name, DragPhase::Ends);
-    refresh();  // what was refused is shown as it is
+    refresh();  // restores the shown state after a refused change
   }
   if (isChecked != isOn(number)) want({number, "on", strengthOf(number), isChecked, DragPhase::Ends, 0});
 }
@@ -276,7 +276,7 @@ void ClayLayersView::setStrength(DragPhase phase) {
 }
 
 void ClayLayersView::want(Wanted wanted) {
-  // One after the other, where it is not the next place of the same drag.
+  // Applies the previous request first, unless this one continues the same drag.
   if (m_wanted && (m_wanted->layer != wanted.layer || m_wanted->what != std::string_view(wanted.what))) applyWanted();
   if (!m_wanted) volume().settle();
   wanted.number = ++m_wantedCount;
@@ -290,7 +290,7 @@ void ClayLayersView::compute() {
   const std::shared_ptr<const VolumeSnapshot> now = volume().volume();
   const auto number = static_cast<std::size_t>(m_wanted->layer);
   const bool isThere = now->layers && number < now->layers->all().size();
-  // The end of a drag that is shown already.
+  // The end of a drag whose result is already shown.
   if (!isThere ||
       (now->layers->all()[number].strength == m_wanted->strength && now->layers->all()[number].isOn == m_wanted->isOn))
     return applyWanted();
@@ -315,8 +315,8 @@ bool ClayLayersView::isStrokeLive() const {
   return tool && tool->isLive();
 }
 
-// A stroke that began meanwhile is not taken away: it comes first, and the share is computed anew. Where the volume is
-// another one by an undo or what else was done, the share that was chosen before is dropped.
+// A stroke that began meanwhile is kept: it comes first, and the share is computed again. If the volume was changed by
+// an undo or another edit, the previously chosen share is dropped.
 void ClayLayersView::take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate) {
   const bool isMeant = m_document && m_wanted && wanted.number <= m_wanted->number;
   if (isMeant && isStrokeLive()) {

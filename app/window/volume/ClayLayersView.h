@@ -22,9 +22,9 @@ namespace handwheel {
 
 class VolumeDocument;
 
-// The panel of the layers of clay. The topmost layer is first: it is renamed, turned off and on in the list, the slider
-// is its strength. What becomes of the volume then, or without a layer, is computed on another thread; of what comes in
-// meanwhile the last counts. Window thread.
+// The panel of the layers of clay. The topmost layer is first. Layers are renamed and turned on and off in the list;
+// the slider sets the strength. The resulting volume is computed on another thread; of changes in the meantime, the
+// last one counts. Window thread.
 class ClayLayersView : public QObject {
   Q_OBJECT
 
@@ -32,34 +32,34 @@ class ClayLayersView : public QObject {
   ClayLayersView(const WindowContext& parts, QObject* parent);
 
   QAction* action() { return &m_toggle; }  // shows and hides the panel
-  // null: no volume is current, or none that is to be changed, for this reason (translated). A volume with layers shows
-  // the panel.
+  // Sets the current document. null: no volume is current, or it must not be changed, for this reason (translated). A
+  // volume with layers shows the panel.
   void setDocument(DocumentTab* document, const QString& reason);
-  // Says why the topmost layer takes no strokes.
+  // Tells the user why the topmost layer accepts no strokes.
   void refuse();
 
  signals:
   void message(const handwheel::Message& message);
 
  private:
-  // A share of a layer that is not in the volume yet.
+  // A share of a layer that is not yet applied to the volume.
   struct Wanted {
     int layer;
-    const char* what;  // its property that is another one: "strength" or "on"
+    const char* what;  // the changed property: "strength" or "on"
     double strength;
     bool isOn;
     DragPhase phase;
-    quint64 number;  // of all that were wanted
+    quint64 number;  // sequence number of the request
   };
 
   using StepOf = LayerStep (*)(const VolumeSnapshot&, std::size_t layer);
-  // A layer that is being taken away or merged.
+  // The removal or merging of a layer.
   struct Step {
-    QString text;  // of the undo step
+    QString text;  // text of the undo step
     StepOf of;
     std::size_t layer;
-    std::size_t count;  // of layers then: with as many, the layer is still the one that was meant
-    quint64 number;     // of all that were started
+    std::size_t count;  // number of layers at the start; if unchanged, the index still refers to the same layer
+    quint64 number;     // sequence number of the step
 
     bool isPossible(const VolumeSnapshot& volume) const {
       return volume.layers && volume.layers->all().size() == count && layer < count;
@@ -68,7 +68,7 @@ class ClayLayersView : public QObject {
 
   VolumeDocument& volume() const;
   const std::vector<ClayLayer>& layers() const;
-  int chosen() const;  // number of a layer, the lowest being 0; -1: none
+  int chosen() const;  // index of the selected layer, the lowest being 0; -1: none
   void makeDock();
   void show();
   void refresh();
@@ -84,13 +84,13 @@ class ClayLayersView : public QObject {
   void want(Wanted wanted);
   void compute();
   bool isStrokeLive() const;
-  // isLate: a stroke was waited for.
+  // isLate: the result had to wait for a stroke.
   void take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate = false);
-  void applyWanted();  // and a step, at once, on this thread
+  void applyWanted();  // applies the request and the step immediately, on this thread
   void apply(const Wanted& wanted);
   void set(int layer, const char* what, const PropertyValue& value, DragPhase phase);
   void warn(const Error& error);
-  double strengthOf(int layer) const;  // as it is wanted
+  double strengthOf(int layer) const;  // requested strength
   bool isOn(int layer) const;
 
   WindowContext m_parts;

@@ -29,7 +29,7 @@ constexpr int kPlotMs = 100;               // between two pictures of a plot
 constexpr int kSoundMs = 60;               // between two states of the sound
 constexpr std::size_t kMostShown = 4'000;  // moments in a plot: what a second of drilling adds is drawn in a few ms
 
-// Of a long hole every so many moments, so that a plot takes no longer the longer one drills.
+// Thins the moments of a long hole, so that the time for a plot is limited.
 std::vector<DrillMoment> shownOf(const PagedArray<DrillMoment>& moments) {
   const std::size_t step = moments.size() / kMostShown + 1;
   std::vector<DrillMoment> shown;
@@ -79,7 +79,7 @@ void DrillView::makeDock() {
   m_verdict->setObjectName(QStringLiteral("drillVerdict"));
   m_verdict->setProperty("strong", true);
   m_verdict->setWordWrap(true);
-  // Two lines always have room: what comes and goes would move the plots to and fro.
+  // Two lines are always reserved, so that changing texts do not move the plots.
   m_verdict->setMinimumHeight(2 * m_verdict->fontMetrics().lineSpacing());
   m_figures = new QLabel(content);
   m_figures->setObjectName(QStringLiteral("drillFigures"));
@@ -101,7 +101,7 @@ void DrillView::makeDock() {
   layout->setContentsMargins(8, 4, 8, 4);
   layout->addLayout(lines);
   layout->addLayout(plots, 1);
-  m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Ways::Both, m_dock));
+  m_dock->setWidget(new ScrolledPanel(content, ScrolledPanel::Directions::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
 }
 
@@ -125,7 +125,7 @@ void DrillView::follow() {
   }
 }
 
-// The words at once, the plots some ten times in a second and at the end.
+// The text is updated immediately, the plots about ten times a second and at the end.
 void DrillView::show(const HandDrill& tool, const DrillState& hole) {
   warn(tool, hole);
   const QString verdict = drillVerdict(hole, tool.isLive());
@@ -156,7 +156,7 @@ void DrillView::plot(const DrillSetup& setup, const DrillState& hole) {
   m_shown = std::make_shared<DrillState>(hole);
 }
 
-// Each once in a hole, and only in an exercise, where it costs marks.
+// Each warning appears once per hole, and only in an exercise, where it costs marks.
 void DrillView::warn(const HandDrill& tool, const DrillState& hole) {
   if (hole.moments.size() < m_warned.moments) m_warned = {};
   m_warned.moments = hole.moments.size();

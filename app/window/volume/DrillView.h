@@ -16,15 +16,15 @@ namespace handwheel {
 
 class PlotWidget;
 
-// The presentation of the Drill tool in the window. It has the dock with thrust and torque over time, the warnings of
-// an exercise, and the sound. It follows whatever tool drills, in meshes, too. Window thread.
+// The presentation of the Drill tool in the window. It consists of the dock with thrust and torque over time, the
+// warnings of an exercise, and the sound. It serves all tools that drill, also in meshes. Window thread.
 class DrillView : public QObject {
   Q_OBJECT
 
  public:
   DrillView(const WindowContext& parts, QObject* parent);
 
-  // To be called when the tool, or what it shows, has changed.
+  // Updates the presentation after the tool or its state has changed.
   void follow();
 
  signals:
@@ -38,7 +38,7 @@ class DrillView : public QObject {
   void warn(const HandDrill& tool, const DrillState& hole);
   void sound();
 
-  // What messages were sent about the present hole.
+  // The messages that were sent about the present hole.
   struct Warned {
     std::size_t moments = 0;
     bool besidePath = false, breakthrough = false, forbidden = false;
@@ -52,13 +52,13 @@ class DrillView : public QObject {
   PlotWidget* m_torque = nullptr;
   QTimer m_sounding;
   QElapsedTimer m_plotted;
-  std::shared_ptr<const DrillState> m_shown;  // plotted last
+  std::shared_ptr<const DrillState> m_shown;  // state plotted last
   Warned m_warned;
   bool m_isRunning = false;
 };
 
-// What the hole has come to, in a few words; empty: nothing to say. An exercise says it when the forbidden region was
-// entered, the drill is through, or it is beside the path. isDrilling: there is still something to stop.
+// Returns a short verdict on the hole; empty: none. In an exercise it reports an entered forbidden region, a
+// breakthrough, or a deviation from the path. isDrilling: the drill can still be stopped.
 QString drillVerdict(const DrillState& hole, bool isDrilling);
 
 }  // namespace handwheel

@@ -43,7 +43,7 @@ void RemeshAction::ask() {
   document.settle();
   m_volume = static_cast<VolumeDocument&>(document).volume();
   m_values = OperationValues(remeshOperation());
-  constexpr double kShare = 0.25;  // of a voxel: less than sampling has cost at edges
+  constexpr double kShare = 0.25;  // share of a voxel, less than the error of sampling at edges
   m_values.setValid("error", kShare * m_volume->volume.voxel());
   m_values.setValid("faces", std::max(4.0, std::round(0.5 * static_cast<double>(m_volume->surface.triangleCount()))));
   m_dialog = new PropertyDialog(
@@ -56,7 +56,7 @@ void RemeshAction::ask() {
   m_dialog->setObjectName(QStringLiteral("remeshDialog"));
   m_dialog->setModal(true);
   m_dialog->setLengthUnit(document.displayUnit());
-  // As the volume is called, without the ending.
+  // The name of the volume, without its extension.
   const std::string title = document.path().isEmpty() || !document.file().title.empty()
                                 ? document.file().title
                                 : QFileInfo(document.path()).completeBaseName().toStdString();
@@ -81,7 +81,7 @@ std::vector<Property> RemeshAction::shown() const {
     all.push_back(settingOf(m_values, "faces"));
     all.back().least = 4.0;
   }
-  // The other method makes some more of them along sharp edges.
+  // The other method makes more triangles along sharp edges.
   const bool isExact = m_goal == Goal::All && m_values.whole("method") == 0;
   const QString count =
       m_predicted ? (isExact ? tr("%1") : tr("about %1")).arg(QLocale().toString(std::round(*m_predicted), 'f', 0))
@@ -111,7 +111,7 @@ OperationValues RemeshAction::wanted() const {
   return values;
 }
 
-// By trying it on pieces of the surface, which takes a moment.
+// The prediction reduces sample pieces of the surface, which takes a moment.
 void RemeshAction::predict() {
   m_predicted.reset();
   Job job;
@@ -150,7 +150,7 @@ void RemeshAction::make(const std::string& title, LengthUnit unit, const void* o
                              .arg(QLocale().toString(static_cast<qulonglong>(made->before)),
                                   QLocale().toString(static_cast<qulonglong>(made->mesh.liveFaceCount())));
     return [this, said, opened]() mutable {
-      // No file has it, wherever the volume is: it is asked for before it is closed.
+      // The mesh has no file, so the user is asked to save it before it is closed.
       m_parts.openDocument(std::move(opened))->document.markRecovered({});
       m_parts.log.add(said);
     };

@@ -13,8 +13,8 @@ namespace handwheel {
 class PropertyDialog;
 struct VolumeSnapshot;
 
-// The command “Make mesh…” of volumes. It asks how many triangles are wanted, says how many there will be, and opens
-// the mesh as a document of its own. Window thread.
+// The command “Make mesh…” of volumes. It asks for the number of triangles, predicts it, and opens the mesh as a new
+// document. Window thread.
 class RemeshAction : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class RemeshAction : public QObject {
   QAction m_action;
   DocumentTab* m_document = nullptr;
   QPointer<PropertyDialog> m_dialog;
-  std::shared_ptr<const VolumeSnapshot> m_volume;  // that the dialog is about
+  std::shared_ptr<const VolumeSnapshot> m_volume;  // volume of the dialog
   Goal m_goal = Goal::Distance;
   OperationValues m_values;
   std::optional<double> m_predicted;  // triangles; none: they are being counted

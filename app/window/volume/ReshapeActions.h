@@ -12,8 +12,8 @@ namespace handwheel {
 
 class VolumeDocument;
 
-// The entries of the Volume menu that change a volume as a whole. Gives their tool what it needs of the window: jobs
-// with progress, the other documents, a file. Window thread.
+// The entries of the Volume menu that change a volume as a whole. They provide their tool with services of the window:
+// jobs with progress, the other documents, files. Window thread.
 class ReshapeActions : public QObject {
   Q_OBJECT
 
@@ -21,9 +21,10 @@ class ReshapeActions : public QObject {
   ReshapeActions(const WindowContext& parts, QObject* parent);
 
   QList<QAction*> all();
-  // null: no volume is current. reason: why that is not to be changed, translated; empty: it may be.
+  // Sets the current document. null: no volume is current. reason: translated reason why it must not be changed; empty:
+  // it may be.
   void setDocument(DocumentTab* document, const QString& reason);
-  // To be called when the tool that runs may be another one.
+  // Updates the actions after the running tool may have changed.
   void followTool();
   ToolDescriptor tool();
 
@@ -38,9 +39,9 @@ class ReshapeActions : public QObject {
 
   WindowContext m_parts;
   std::array<QAction, ReshapeTool::kChanges> m_actions;
-  ReshapeTool::Change m_change = ReshapeTool::Change::Shell;  // that the tool starts with
+  ReshapeTool::Change m_change = ReshapeTool::Change::Shell;  // initial change of the tool
   DocumentTab* m_document = nullptr;
-  QStringList m_files;  // that were chosen for this document
+  QStringList m_files;  // files chosen for this document
 };
 
 }  // namespace handwheel

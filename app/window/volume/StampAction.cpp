@@ -70,7 +70,7 @@ void StampAction::load(const QString& path) {
   m_parts.jobs.start(std::move(job));
 }
 
-// With the tool as it is, unless its action has no stamps.
+// Keeps the action of the tool, unless it has no stamps.
 void StampAction::use(std::size_t number) {
   const ToolRunner& runner = m_parts.tools.runner();
   if (!dynamic_cast<const ClayTool*>(runner.tool())) m_parts.chooseTool(QStringLiteral("clayTool"));

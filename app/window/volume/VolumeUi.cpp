@@ -113,7 +113,7 @@ void VolumeUi::showVolume() {
   m_volumeLayer->setVolume(volume().volume, volume().surface, volume().mask);
 }
 
-// What is felt while no tool runs. This thread is the only one that writes it.
+// Publishes the state for the haptic device while no tool runs. Only this thread writes it.
 void VolumeUi::offerStill() {
   auto state = std::make_shared<ClayState>();
   state->volume = volume().volume;
@@ -188,11 +188,11 @@ void VolumeUi::followFidelity() {
   m_kind.setPieceCells(pieceCellsOf(parts().fidelity.values().of(volumePiecesSetting())));
 }
 
-// It takes a second to be made.
+// Making the skull takes a second.
 void VolumeUi::begin(const QString&) {
   Job job;
   job.name = tr("Making the skull");
-  // This may be gone while the worker runs: its thread has the kind, which outlives the window.
+  // The window may be destroyed while the worker runs, so the worker only uses the kind, which outlives it.
   job.work = [this, &kind = m_kind](Progress) {
     OpenedFile opened{&kind, {}, skullContent(kind.pieceCells())};
     opened.file.id = newDocumentId();

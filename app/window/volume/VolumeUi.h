@@ -58,17 +58,17 @@ class VolumeUi : public RigidPartsUi {
   VolumeKind& m_kind;
   std::shared_ptr<VolumeLayer> m_volumeLayer;
   Segmentation* m_segmentation;
-  std::shared_ptr<const void> m_drawn;  // the volume in the layer, of the document or of a tool
+  std::shared_ptr<const void> m_drawn;  // volume in the layer, of the document or of a tool
   ClayLayersView* m_layers;
   DrillView* m_drillView;
   ReshapeActions* m_reshape;
   RemeshAction* m_remesh;
   StampAction* m_stamp;
   VoxelizeQuestion* m_voxelize;
-  std::shared_ptr<const ClayState> m_live;  // what a tool has made of the document; null: nothing
-  std::shared_ptr<ClayChannel> m_still;     // the document as it is
+  std::shared_ptr<const ClayState> m_live;  // present result of a tool; null: none
+  std::shared_ptr<ClayChannel> m_still;     // state of the document without a tool
   ClayTouch m_touch;
-  // What is displayed of the exercise that the document is work on, and what it was made from.
+  // The displayed plan of the document's exercise, and the JSON that it was made from.
   mutable std::shared_ptr<const nlohmann::json> m_plannedBy;
   mutable DisplayModel m_planned;
 };

@@ -13,16 +13,16 @@ class JobRunner;
 class PropertyDialog;
 class VolumeKind;
 
-// The dialog that asks how a volume is made of the surface of another document. It shows what that is going to take,
-// while numbers are typed, and remembers nothing. The surface is measured by a job before. Window thread.
+// The dialog that asks how a volume is made of the surface of another document. It shows the predicted cost while
+// numbers are typed, and does not remember its settings. A job measures the surface before. Window thread.
 class VoxelizeQuestion : public QObject {
   Q_OBJECT
 
  public:
-  // kind: of what is made; it outlives this.
+  // kind: the kind of the result; it must outlive this object.
   VoxelizeQuestion(QWidget* window, JobRunner& jobs, const VolumeKind& kind, QObject* parent);
 
-  // start: called with what makes the volume, unless the user declines.
+  // start: called with the function that makes the volume, unless the user declines.
   void ask(const Document& from, VoxelizeSettings::Purpose purpose, std::function<void(MakeOfSurface)> start);
 
  signals:

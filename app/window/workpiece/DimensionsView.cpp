@@ -20,7 +20,7 @@ namespace {
 constexpr double kPaper = 160.0;  // mm that the part would measure on a drawing: so large are the texts
 constexpr int kPerArc = 24;       // pieces
 
-// A place of the sheet in the scene. The chuck is left, the tool on this side, so that up is against y.
+// Converts a position on the sheet to the scene. The chuck is left, the tool on this side, so that up is against y.
 Vec3 inScene(const ProfilePoint& at, double scale) {
   return {0.0, -at.y() / scale, at.x() / scale};
 }
@@ -57,15 +57,15 @@ PathLayer::Lines linesOf(const Sheet& sheet, double scale) {
   return lines;
 }
 
-// On a worker.
+// Runs on a worker thread.
 PathLayer::Lines dimensionLines(const WorkpieceSnapshot& workpiece) {
   const Result<TargetProfile> section = sectionOf(workpiece);
   if (!section) return nullptr;
-  DrawingPlace place;
-  place.scale = kPaper / std::max(section->length(), 2.0 * section->largestRadius());
+  DrawingLayout layout;
+  layout.scale = kPaper / std::max(section->length(), 2.0 * section->largestRadius());
   DrawingTitle title;
   title.tolerance = workpiece.chord;
-  return linesOf(dimensionSheet(*section, title, place), place.scale);
+  return linesOf(dimensionSheet(*section, title, layout), layout.scale);
 }
 
 }  // namespace

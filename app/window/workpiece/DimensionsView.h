@@ -22,7 +22,7 @@ class DimensionsView : public QObject {
 
   QAction* action() { return &m_toggle; }
   void setDocument(DocumentTab* document);
-  void setVisible(bool isVisible);  // with the document
+  void setVisible(bool isVisible);  // visibility of the document
   bool isSettled() const { return m_measuring.isIdle(); }
 
  private:

@@ -27,8 +27,8 @@ Event eventOf(const LatheCollision& crash, double zero) {
   const auto part = [](LathePart which) { return QCoreApplication::translate("LathePart", titleOf(which)); };
   return {crash.time,
           LatheEvents::tr("%1 s: crash, %2 – %3 at R %4, Z %5. %6")
-              .arg(eventNumber(crash.time, 1), part(crash.moving), part(crash.struck), eventNumber(crash.place.x(), 2),
-                   eventNumber(crash.place.y() - zero, 2),
+              .arg(eventNumber(crash.time, 1), part(crash.moving), part(crash.struck),
+                   eventNumber(crash.position.x(), 2), eventNumber(crash.position.y() - zero, 2),
                    QCoreApplication::translate("LathePart", sentenceOf(crash.cause))),
           true};
 }

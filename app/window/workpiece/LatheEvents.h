@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// A broken rule of cutting as a translated sentence, with the value and the limit.
+// Returns a broken rule of cutting as a translated sentence with value and limit.
 QString textOfRule(const CutWarning& warning);
 
-// The log of a manual lathe's crashes and cut warnings. In the order in which they came. Window thread.
+// The log of a manual lathe's crashes and cut warnings, in chronological order. Window thread.
 class LatheEvents : public QListWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class LatheEvents : public QListWidget {
  private:
   std::vector<LatheCollision> m_crashes;
   std::vector<LatheWarning> m_warnings;
-  double m_zero = 0.0;  // mm, of their Z
+  double m_zero = 0.0;  // mm, zero of their Z
 };
 
 }  // namespace handwheel

@@ -27,16 +27,16 @@ namespace {
 
 using Do = LatheCommand::Kind;
 
-// The ways of the automatic feed, as ids of its buttons.
-struct FeedWay {
+// The directions of the automatic feed, by the ids of its buttons.
+struct FeedDirection {
   LatheAxis axis;
   double sign;
 };
-constexpr std::array<FeedWay, 5> kFeedWays{{{LatheAxis::Carriage, 0.0},
-                                            {LatheAxis::Carriage, -1.0},
-                                            {LatheAxis::Carriage, 1.0},
-                                            {LatheAxis::Cross, -1.0},
-                                            {LatheAxis::Cross, 1.0}}};
+constexpr std::array<FeedDirection, 5> kFeedDirections{{{LatheAxis::Carriage, 0.0},
+                                                        {LatheAxis::Carriage, -1.0},
+                                                        {LatheAxis::Carriage, 1.0},
+                                                        {LatheAxis::Cross, -1.0},
+                                                        {LatheAxis::Cross, 1.0}}};
 
 NumberField* field(const QString& label, const char* name, double value, double least, double largest) {
   auto* made = new NumberField;
@@ -65,8 +65,8 @@ QString number(double value, int digits) {
 
 }  // namespace
 
-// The figures are a line of their own above, so that all of it fits into 1024 pixels: levers, wheels, events. A window
-// that leaves less shows the left part of it: what has happened last is shown there, too.
+// The figures are a line of their own above, so that all of it fits into 1024 pixels: levers, wheels, events. A smaller
+// window shows the left part, which includes the latest event.
 LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("lathePanel"));
   auto* levers = new QVBoxLayout;
@@ -104,7 +104,7 @@ LathePanel::LathePanel(QWidget* parent) : QWidget(parent) {
   all->addLayout(below);
 }
 
-// A heading that folds what is not needed now away; it stays as it was left.
+// A heading that folds its section; it keeps its state.
 QWidget* LathePanel::section(const QString& title, const char* name, QWidget& content, bool isOpenAtFirst) {
   const QString key = QStringLiteral("lathePanel/") + QLatin1String(name);
   auto* const heading = new FoldButton(title, QSettings().value(key, isOpenAtFirst).toBool());
@@ -157,7 +157,7 @@ QWidget* LathePanel::makeTouchingOff() {
 
 QWidget* LathePanel::makeSpindle() {
   m_spindle = new QButtonGroup(this);
-  const auto way = [&](int direction, const QString& text, const char* name) {
+  const auto directionButton = [&](int direction, const QString& text, const char* name) {
     QPushButton* const made = button(text, name, tr("Direction of the spindle"));
     made->setCheckable(true);
     m_spindle->addButton(made, direction + 1);
@@ -168,8 +168,9 @@ QWidget* LathePanel::makeSpindle() {
     emit commanded({Do::Spindle, LatheAxis::Carriage, id - 1.0});
   });
   connect(m_speed, &NumberField::valueEdited, this, &LathePanel::sendSpeed);
-  return rowOf({new QLabel(tr("Spindle")), way(1, tr("&Forward"), "latheForward"), way(0, tr("&Stop"), "latheStop"),
-                way(-1, tr("&Reverse"), "latheReverse"), m_speed, new QLabel(tr("r/min"))});
+  return rowOf({new QLabel(tr("Spindle")), directionButton(1, tr("&Forward"), "latheForward"),
+                directionButton(0, tr("&Stop"), "latheStop"), directionButton(-1, tr("&Reverse"), "latheReverse"),
+                m_speed, new QLabel(tr("r/min"))});
 }
 
 QWidget* LathePanel::makeSurfaceSpeed() {
@@ -184,23 +185,23 @@ QWidget* LathePanel::makeSurfaceSpeed() {
 }
 
 QWidget* LathePanel::makeFeed() {
-  m_feedWays = new QButtonGroup(this);
-  const auto way = [&](int id, const QString& text, const char* name, const QString& tip) {
+  m_feedDirections = new QButtonGroup(this);
+  const auto feedButton = [&](int id, const QString& text, const char* name, const QString& tip) {
     QPushButton* const made = button(text, name, tip);
     made->setAccessibleName(tip);
     made->setCheckable(true);
     made->setMaximumWidth(fontMetrics().horizontalAdvance(text) + 28);
-    m_feedWays->addButton(made, id);
+    m_feedDirections->addButton(made, id);
     return made;
   };
   m_feed = field(tr("Feed, mm in a turn"), "latheFeed", 0.1, 0.0, 10.0);
-  connect(m_feedWays, &QButtonGroup::idClicked, this, &LathePanel::sendFeed);
-  connect(m_feed, &NumberField::valueEdited, this, [this] { sendFeed(m_feedWays->checkedId()); });
-  return rowOf({new QLabel(tr("Feed")), way(0, tr("Off"), "latheFeedOff", tr("No automatic feed")),
-                way(1, tr("To chuck"), "latheFeedLeft", tr("Automatic feed of the carriage to the chuck")),
-                way(2, tr("Away"), "latheFeedRight", tr("Automatic feed of the carriage away from the chuck")),
-                way(3, tr("In"), "latheFeedIn", tr("Automatic feed of the cross slide to the axis")),
-                way(4, tr("Out"), "latheFeedOut", tr("Automatic feed of the cross slide outward")), m_feed,
+  connect(m_feedDirections, &QButtonGroup::idClicked, this, &LathePanel::sendFeed);
+  connect(m_feed, &NumberField::valueEdited, this, [this] { sendFeed(m_feedDirections->checkedId()); });
+  return rowOf({new QLabel(tr("Feed")), feedButton(0, tr("Off"), "latheFeedOff", tr("No automatic feed")),
+                feedButton(1, tr("To chuck"), "latheFeedLeft", tr("Automatic feed of the carriage to the chuck")),
+                feedButton(2, tr("Away"), "latheFeedRight", tr("Automatic feed of the carriage away from the chuck")),
+                feedButton(3, tr("In"), "latheFeedIn", tr("Automatic feed of the cross slide to the axis")),
+                feedButton(4, tr("Out"), "latheFeedOut", tr("Automatic feed of the cross slide outward")), m_feed,
                 new QLabel(tr("mm/rev"))});
 }
 
@@ -218,11 +219,14 @@ QWidget* LathePanel::makeThreadAndRapid() {
     const double lead = m_isLeft->isChecked() ? m_lead->value() : -m_lead->value();
     emit commanded({Do::HalfNut, LatheAxis::Carriage, isClosed ? lead : 0.0});
   });
-  const auto hold = [this](const QString& text, const char* name, const QString& tip, LatheAxis axis, double way) {
+  const auto hold = [this](const QString& text, const char* name, const QString& tip, LatheAxis axis,
+                           double direction) {
     QPushButton* const made = button(text, name, tip);
     made->setAccessibleName(tip);
     made->setMaximumWidth(fontMetrics().horizontalAdvance(text) + 28);
-    connect(made, &QPushButton::pressed, this, [this, axis, way] { emit commanded({Do::Rapid, axis, way}); });
+    connect(made, &QPushButton::pressed, this, [this, axis, direction] {
+      emit commanded({Do::Rapid, axis, direction});
+    });
     connect(made, &QPushButton::released, this, [this, axis] { emit commanded({Do::Rapid, axis, 0.0}); });
     return made;
   };
@@ -254,9 +258,9 @@ void LathePanel::sendSpeed() {
     emit commanded({Do::Speed, LatheAxis::Carriage, m_speed->value()});
 }
 
-void LathePanel::sendFeed(int way) {
-  if (way < 0 || way >= static_cast<int>(kFeedWays.size())) return;
-  const FeedWay& chosen = kFeedWays[static_cast<std::size_t>(way)];
+void LathePanel::sendFeed(int direction) {
+  if (direction < 0 || direction >= static_cast<int>(kFeedDirections.size())) return;
+  const FeedDirection& chosen = kFeedDirections[static_cast<std::size_t>(direction)];
   emit commanded({Do::Feed, chosen.axis, chosen.sign * m_feed->value()});
 }
 
@@ -278,12 +282,12 @@ void LathePanel::show(const ManualLatheTool& tool) {
            tr("Touch the face of the bar with the tool, enter its height below, and press “Touch off Z” before the "
               "carriage moves."));
   if (QAbstractButton* const shown = m_spindle->button(now->machine.direction + 1)) shown->setChecked(true);
-  int way = 0;
-  for (std::size_t i = 1; now->machine.feed != 0.0 && i < kFeedWays.size(); ++i) {
-    if (kFeedWays[i].axis == now->machine.feedAxis && kFeedWays[i].sign * now->machine.feed > 0.0)
-      way = static_cast<int>(i);
+  int direction = 0;
+  for (std::size_t i = 1; now->machine.feed != 0.0 && i < kFeedDirections.size(); ++i) {
+    if (kFeedDirections[i].axis == now->machine.feedAxis && kFeedDirections[i].sign * now->machine.feed > 0.0)
+      direction = static_cast<int>(i);
   }
-  m_feedWays->button(way)->setChecked(true);
+  m_feedDirections->button(direction)->setChecked(true);
   m_nut->setChecked(now->machine.lead != 0.0);
   m_isLeft->setEnabled(now->machine.lead == 0.0);
   m_post->show(tool);

@@ -113,8 +113,8 @@ void LatheReadout::show(const ManualLatheTool& tool, double forceLimit) {
 // The law that gives the force, which may be another one than was chosen; the tool tip says why.
 void LatheReadout::showLaw(const ManualLatheTool& tool, const LatheMoment& now) {
   const LatheMaterial& material = *tool.material();
-  const auto place = std::find(tool.tools().begin(), tool.tools().end(), now.tool) - tool.tools().begin();
-  const CuttingForceModel* const model = material.lawOf(static_cast<std::size_t>(place));
+  const auto index = std::find(tool.tools().begin(), tool.tools().end(), now.tool) - tool.tools().begin();
+  const CuttingForceModel* const model = material.lawOf(static_cast<std::size_t>(index));
   setWarning(*m_law, model && now.load.isOutsideModel);
   if (!model) {
     m_law->setText(QStringLiteral("–"));

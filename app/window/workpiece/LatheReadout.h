@@ -12,7 +12,7 @@ class QLabel;
 namespace handwheel {
 
 // The figures of a cut on a manual lathe in one line. They are force, power and torque with the limits of the machine,
-// speeds, depth, feed, and the law that the force is from. Window thread.
+// speeds, depth, feed, and the law of the force. Window thread.
 class LatheReadout : public QWidget {
   Q_OBJECT
 

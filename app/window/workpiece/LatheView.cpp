@@ -73,8 +73,8 @@ std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double forceL
   return std::make_unique<ManualLatheTool>(document, services, shippedLatheTools(), start);
 }
 
-// As a turner stands before it: the axis from left to right, the chuck on the left, the tool on this side. Who has
-// turned the view so already keeps it.
+// Views the lathe from the operator's side: the axis from left to right, the chuck on the left, the tool on this side.
+// A view that is already so is kept.
 void LatheView::face(const ManualLatheTool& lathe) {
   constexpr double kFromAbove = 25.0 * M_PI / 180.0, kRoom = 1.15;
   Viewport& view = m_window.viewport;
@@ -94,7 +94,7 @@ void LatheView::face(const ManualLatheTool& lathe) {
 }
 
 ManualLatheTool* LatheView::tool() const {
-  // Only this view makes one, and changes it within calls of the runner alone.
+  // Only this view makes such a tool, and changes it only within calls of the runner.
   return const_cast<ManualLatheTool*>(dynamic_cast<const ManualLatheTool*>(m_window.tools.runner().tool()));
 }
 
@@ -105,7 +105,7 @@ void LatheView::makeDock() {
   m_dock->setObjectName(QStringLiteral("latheDock"));
   m_dock->setTitleBarWidget(new DockTitle(m_dock));
   m_panel = new LathePanel(m_dock);
-  m_dock->setWidget(new ScrolledPanel(m_panel, ScrolledPanel::Ways::Both, m_dock));
+  m_dock->setWidget(new ScrolledPanel(m_panel, ScrolledPanel::Directions::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   connect(m_panel, &LathePanel::commanded, this, [this](const LatheCommand& command) {
     if (ManualLatheTool* const lathe = tool()) m_window.tools.runner().deliver([&] { lathe->command(command); });
@@ -120,7 +120,8 @@ void LatheView::makeDock() {
   }
 }
 
-// As much as the sections that are open need, up to half of the window; the view has the rest. Once they are laid out.
+// Gives the dock the height of its open sections, up to half of the window; the view has the rest. Applies after
+// layout.
 void LatheView::giveRoom() {
   QTimer::singleShot(0, m_dock, [this] {
     auto* const window = qobject_cast<QMainWindow*>(m_window.window);
@@ -129,8 +130,8 @@ void LatheView::giveRoom() {
   });
 }
 
-// The view has the keys of the slides: who turns a wheel or chooses a tool with the mouse goes on there. A rapid
-// traverse ends with its key, whichever that is.
+// The view has the keys of the slides, also after a click on a wheel or a tool. A rapid traverse ends with its key,
+// whichever widget has the focus.
 bool LatheView::eventFilter(QObject* watched, QEvent* event) {
   ManualLatheTool* const lathe = tool();
   if (!lathe) return QObject::eventFilter(watched, event);
@@ -147,7 +148,7 @@ bool LatheView::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-// In the air it would set a zero that is none: that is asked first.
+// Away from any surface it would set a wrong zero: the user is asked first.
 void LatheView::touchOff(bool isX, double value, bool isConfirmed) {
   ManualLatheTool* const lathe = tool();
   if (!lathe) return;
@@ -188,7 +189,7 @@ void LatheView::follow() {
   if (m_dock && isOther) showDock(isRunning);
   if (isRunning && isOther) {
     m_refresh.start();
-    // When the dock has taken its place.
+    // Runs after the dock is laid out.
     QTimer::singleShot(0, this, [this] {
       const ManualLatheTool* const lathe = tool();
       if (!lathe) return;
@@ -204,7 +205,8 @@ void LatheView::follow() {
   }
   showZero();
   if (std::exchange(m_isPushed, isRunning) != isRunning)
-    m_window.spaceMouse.setTaker(isRunning ? [this](const Vec3& way) { push(way); } : SpaceMouseNavigation::Taker());
+    m_window.spaceMouse.setTaker(isRunning ? [this](const Vec3& motion) { push(motion); }
+                                           : SpaceMouseNavigation::Taker());
   const bool isTurning = isRunning || dynamic_cast<const TurnTool*>(m_window.tools.runner().tool());
   if (isTurning && !m_sounding.isActive()) m_sounding.start();
   if (!isTurning) m_sounding.stop();
@@ -233,7 +235,7 @@ void LatheView::leave() {
   QTimer::singleShot(0, this, say);
 }
 
-// Only while something moves: the sound fades out by itself.
+// Runs only while something moves: the sound fades out by itself.
 void LatheView::sound() {
   if (const ManualLatheTool* const lathe = tool()) {
     if (lathe->isLive()) m_quiet = 0;
@@ -246,13 +248,13 @@ void LatheView::sound() {
   if (turn->isLive()) m_window.sound.setState(state);
 }
 
-// One slide at a time, as a hand at a wheel: what goes along the other a little is not meant.
-void LatheView::push(const Vec3& way) {
+// Moves one slide at a time, as a hand at a wheel: a small motion along the other is unintended.
+void LatheView::push(const Vec3& motion) {
   ManualLatheTool* const lathe = tool();
   if (!lathe) return;
-  const bool isAlong = std::abs(way.z()) >= std::abs(way.x());
+  const bool isAlong = std::abs(motion.z()) >= std::abs(motion.x());
   const LatheCommand turn{LatheCommand::Kind::Turn, isAlong ? LatheAxis::Carriage : LatheAxis::Cross,
-                          kPushed * (isAlong ? way.z() : way.x())};
+                          kPushed * (isAlong ? motion.z() : motion.x())};
   m_window.tools.runner().deliver([&] { lathe->command(turn); });
 }
 
@@ -263,22 +265,22 @@ void LatheView::showDock(bool isShown) {
   m_dock->setVisible(isShown);
 }
 
-// The end of a pass, and what moves by itself.
+// Ends passes, and updates the moving parts.
 void LatheView::refresh() {
   ManualLatheTool* const lathe = tool();
   if (!lathe || !m_panel) return;
   if (lathe->hasToCommit()) m_window.tools.runner().deliver([&] { lathe->endPass(); });
   if (!tool()) return;                                           // it failed
-  const std::pair now(lathe->isLive(), lathe->moment()->isCut);  // what undo would do depends on both
+  const std::pair now(lathe->isLive(), lathe->moment()->isCut);  // the effect of undo depends on both
   if (std::exchange(m_was, now) != now) m_window.tools.refresh();
   m_panel->show(*lathe);
   showZero();
   sayUndone(*lathe);
 }
 
-// Where the read-out shows 0 for Z, once it was touched off.
+// Shows the zero of Z of the read-out, once it was touched off.
 void LatheView::showZero() {
-  constexpr double kSize = 0.03, kStep = 1e-3;  // of the length of the bar; mm
+  constexpr double kSize = 0.03, kStep = 1e-3;  // share of the length of the bar; mm
   const ManualLatheTool* const lathe = tool();
   std::pair<double, double> zero;
   if (lathe && lathe->isTouchedOff()[1]) {

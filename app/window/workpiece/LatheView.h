@@ -19,9 +19,8 @@ namespace handwheel {
 class LathePanel;
 class PathLayer;
 
-// The manual lathe in the window. It has its tool, its panel in a dock that is there as long as the tool runs, what the
-// device feels of it, and its sound, which is that of the Turn tool, too. A space mouse moves its slides. Window
-// thread.
+// The manual lathe in the window. It has its tool, its panel in a dock that exists while the tool runs, its forces on
+// the device, and its sound and that of the Turn tool. A space mouse moves its slides. Window thread.
 class LatheView : public QObject {
   Q_OBJECT
 
@@ -29,9 +28,9 @@ class LatheView : public QObject {
   LatheView(const WindowContext& window, QObject* parent);
   ~LatheView() override;
 
-  // The tool for a document; called when the user chooses it. forceLimit: N, of its exercise; 0: none.
+  // Makes the tool for a document; called when the user chooses it. forceLimit: N, of its exercise; 0: none.
   std::unique_ptr<Tool> make(WorkpieceDocument& document, double forceLimit);
-  // Whether the tool of the lathe runs.
+  // Returns true if the tool of the lathe runs.
   bool isOn() const { return tool() != nullptr; }
 
  signals:
@@ -50,7 +49,7 @@ class LatheView : public QObject {
   void showDock(bool isShown);
   void face(const ManualLatheTool& lathe);
   void sound();
-  void push(const Vec3& way);
+  void push(const Vec3& motion);
   void mount(const QString& tool);
   void touchOff(bool isX, double value, bool isConfirmed);
   void showZero();
@@ -64,21 +63,21 @@ class LatheView : public QObject {
   QTimer m_sounding;  // while something turns
   TurningSound m_turning;
   std::shared_ptr<PathLayer> m_zeroLayer;
-  std::pair<double, double> m_zero;  // mm: z of the zero that is drawn, and its size; 0: none is
-  // How the lathe of a document was left.
+  std::pair<double, double> m_zero;  // mm: z of the drawn zero, and its size; 0: none is drawn
+  // State of the lathe of a document when its tool ended.
   struct Left {
     std::shared_ptr<std::optional<ManualLatheTool::Left>> machine;
     std::optional<LatheWheels::Rings> rings;
     double touch = 0.0;  // mm, the number for touching off
   };
-  std::map<const QObject*, Left> m_left;          // of each document
-  const WorkpieceDocument* m_document = nullptr;  // of the lathe that was made last
-  const WorkpieceDocument* m_ringsOf = nullptr;   // whose rings the panel has
-  int m_returns = 0;                              // of the tool, as they were reported last
-  std::pair<bool, bool> m_was;                    // live, and with a pass under way
+  std::map<const QObject*, Left> m_left;          // by document
+  const WorkpieceDocument* m_document = nullptr;  // document of the last lathe
+  const WorkpieceDocument* m_ringsOf = nullptr;   // document of the rings in the panel
+  int m_returns = 0;                              // return count of the tool when it was last reported
+  std::pair<bool, bool> m_was;                    // last state: live, and with a pass under motion
   bool m_isPushed = false;                        // a space mouse moves the slides
-  int m_quiet = 0;                                // timeouts of m_sounding since the lathe was live
-  std::shared_ptr<LatheChannel> m_felt;           // null: nothing of a lathe is felt
+  int m_quiet = 0;                                // timeouts of m_sounding since the lathe was last live
+  std::shared_ptr<LatheChannel> m_felt;           // null: the device feels no lathe
   std::shared_ptr<const LatheMaterial> m_feltMaterial;
 };
 

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-// The way of a slide along its axis for a wheel turned clockwise, by LatheAxis. So it is in the manuals of engine
+// The direction of a slide along its axis for a wheel turned clockwise, by LatheAxis. So it is in the manuals of engine
 // lathes: OTMT SC4, page 9 (carriage), Grizzly G4002, page 22 (cross slide).
 constexpr std::array<double, kLatheAxes> kClockwise{1.0, -1.0, -1.0, 1.0};
 constexpr QChar kTravel(u'Δ');
@@ -25,7 +25,7 @@ LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
   struct Wheel {
     const char* id;
     QString name;
-    QString way;
+    QString direction;
   };
   const std::array<Wheel, kLatheAxes> wheels{
       {{"latheCarriage", tr("Carriage"), tr("Clockwise: away from the chuck. In the view: ← and →")},
@@ -42,7 +42,7 @@ LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
     dial->setMouseFirst();
     dial->setPrefix(kTravel);
     dial->setToolTip(tr("Δ: travel since the ring was at zero; it is not a size of the part") + QLatin1Char('\n') +
-                     wheels[i].way + QLatin1Char('\n') + dial->toolTip());
+                     wheels[i].direction + QLatin1Char('\n') + dial->toolTip());
     auto* const caption = m_captions[i] = new QLabel(wheels[i].name);
     caption->setAlignment(Qt::AlignHCenter);
     grid->addWidget(dial, 0, static_cast<int>(i));
@@ -55,7 +55,7 @@ LatheWheels::LatheWheels(QWidget* parent) : QWidget(parent) {
   }
 }
 
-// On the diameter a dial counts twice the way of its slide; its ring stays where it was set.
+// On the diameter a dial counts twice the travel of its slide; its ring stays.
 void LatheWheels::countOnDiameter(bool isDiameter) {
   constexpr auto kCross = static_cast<std::size_t>(LatheAxis::Cross);
   const double before = std::exchange(m_scales[kCross], isDiameter ? 2.0 : 1.0);
@@ -64,7 +64,7 @@ void LatheWheels::countOnDiameter(bool isDiameter) {
   if (before != m_scales[kCross]) dial.setZero(dial.zero() * m_scales[kCross] / before);
 }
 
-// What was turned and not followed yet counts, too.
+// Includes rotation that the slides have not followed yet.
 void LatheWheels::show(const ManualLatheTool& tool) {
   const LatheSetup setup = tool.setup();
   const auto now = tool.moment();

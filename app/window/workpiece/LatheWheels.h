@@ -23,22 +23,22 @@ class LatheWheels : public QWidget {
   explicit LatheWheels(QWidget* parent = nullptr);
 
   void show(const ManualLatheTool& tool);
-  // Where the rings of the dials stand: at which travel of its slide each shows zero, mm.
+  // Positions of the rings of the dials: the travel of each slide at which its dial shows zero, mm.
   using Rings = std::array<double, kLatheAxes>;
   Rings rings() const;
-  // Sets the rings, without a signal; none: to zero where the slides are.
+  // Sets the rings, without a signal; none: to zero at the present travel of the slides.
   void setRings(const ManualLatheTool& tool, const std::optional<Rings>& rings);
 
  signals:
-  void turned(handwheel::LatheAxis axis, double mm);  // on by this way of its slide
+  void turned(handwheel::LatheAxis axis, double mm);  // mm: travel of the slide
 
  private:
   void countOnDiameter(bool isDiameter);
 
   std::array<HandwheelDial*, kLatheAxes> m_dials{};
   std::array<QLabel*, kLatheAxes> m_captions{};
-  std::array<double, kLatheAxes> m_turned{};                    // mm of the slides
-  std::array<double, kLatheAxes> m_scales{1.0, 1.0, 1.0, 1.0};  // of the dials, to that
+  std::array<double, kLatheAxes> m_turned{};                    // mm, travel of the slides
+  std::array<double, kLatheAxes> m_scales{1.0, 1.0, 1.0, 1.0};  // dial values divided by travel
 };
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/lathe/LatheJson.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
@@ -77,7 +77,7 @@ void ReplayDock::makeDock() {
   auto* const column = new QVBoxLayout(page);
   column->addLayout(row);
   column->addWidget(m_line, 1);
-  m_dock->setWidget(new ScrolledPanel(page, ScrolledPanel::Ways::Both, m_dock));
+  m_dock->setWidget(new ScrolledPanel(page, ScrolledPanel::Directions::Both, m_dock));
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
   if (auto* lathe = window->findChild<QDockWidget*>(QStringLiteral("latheDock")))
     window->tabifyDockWidget(lathe, m_dock);
@@ -131,21 +131,21 @@ QString crashText(const LatheCollision& crash) {
   return ReplayDock::tr("Crash: %1, %2").arg(words(titleOf(crash.moving)), words(titleOf(crash.struck)));
 }
 
-// Where the tool was, and how far it had gone by then.
+// Adds the curves of the tool position and the distance travelled.
 void addPath(TimeLineRecording& recording, const PassesReplay& replay) {
   TimeLineCurve across{ReplayDock::tr("Distance from the axis"), ReplayDock::tr("mm"), {}};
   TimeLineCurve along{ReplayDock::tr("Z"), ReplayDock::tr("mm"), {}};
-  double way = 0.0;
+  double distance = 0.0;
   for (std::size_t i = 0; i < replay.passes().size(); ++i) {
     const TurningPass& pass = *replay.passes()[i];
     recording.markers.push_back({replay.begin(i), ReplayDock::tr("Pass %1: %2").arg(i + 1).arg(toolText(pass)),
                                  TimeLineMarker::Severity::Note});
     for (std::size_t k = 0; k < std::min(pass.path.size(), pass.times.size()); ++k) {
       const double seconds = replay.begin(i) + pass.times[k];
-      if (k > 0) way += (pass.path[k] - pass.path[k - 1]).norm();
+      if (k > 0) distance += (pass.path[k] - pass.path[k - 1]).norm();
       across.points.emplace_back(seconds, pass.path[k].x());
       along.points.emplace_back(seconds, pass.path[k].y());
-      recording.distance.emplace_back(seconds, way);
+      recording.distance.emplace_back(seconds, distance);
     }
   }
   recording.curves = {std::move(across), std::move(along)};
@@ -188,7 +188,7 @@ DisplayModel modelAt(const WorkpieceSnapshot& work, const PassesReplay::Moment& 
 
 }  // namespace
 
-// With all that is drawn of it: it has as many points as the hand made.
+// Makes all curves here: there are as many points as the hand made.
 ReplayDock::PlayedPointer ReplayDock::playedOf(const QString& name, const WorkpieceSnapshot& work, Progress progress) {
   auto track = work.part ? replayCurves(work, progress) : std::nullopt;
   if (!track) return nullptr;
@@ -264,7 +264,7 @@ void ReplayDock::compareWith(const QString& path) {
   job.work = [this, path, name, failed, &kinds = m_parts.kinds, first = m_replayed](Progress progress) -> Job::Finish {
     const Result<OpenedFile> opened = kinds.open(QFile::encodeName(path).toStdString(), {}, progress.part(0.0, 0.3));
     if (!opened) return [failed, reason = errorSentence(opened.error())] { failed(reason); };
-    // What was handed in has the work within.
+    // A submission contains the work.
     const auto* const handedIn = dynamic_cast<const ExerciseSnapshot*>(opened->content.get());
     const Snapshot* const content = handedIn ? handedIn->work.get() : opened->content.get();
     const auto* const work = dynamic_cast<const WorkpieceSnapshot*>(content);
@@ -289,7 +289,7 @@ void ReplayDock::dropOther() {
   showRecordings();
 }
 
-// From the end, where the work is done.
+// Shows the view from the end, where the tool works.
 void ReplayDock::showRecordings() {
   std::vector<TimeLineRecording> recordings{m_played->recording};
   if (m_other) recordings.push_back(m_other->recording);
@@ -315,7 +315,7 @@ void ReplayDock::show(double seconds) {
     auto model = std::make_shared<DisplayModel>(modelAt(first->work, moment));
     if (other) {
       const StockCylinder &stock = first->work.stock, &otherStock = other->work.stock;
-      // Below the first, as one stands at the lathe: up is against y.
+      // Below the first, as seen by the operator: up is against y.
       const double beside = 0.75 * (stock.diameter + otherStock.diameter) + latheOf(first->work).chuck.diameter / 2;
       for (DisplayPart& part : modelAt(other->work, other->track->replay->at(ofOther)).parts) {
         part.name = "other." + part.name;
@@ -335,20 +335,20 @@ void ReplayDock::show(double seconds) {
   m_views.start(std::move(job));
 }
 
-// With the tool where it was then.
+// Shows the part with the tool at its position at that time.
 void ReplayDock::shown(const std::shared_ptr<DisplayModel>& model, const PassesReplay::Moment& moment) {
   if (moment.pass) {
     const double zero = shownZero(m_played->work, m_document && workpiece().file().assigned);
     m_text->setText(tr("Pass %1 of %2: %3, at R %4 mm, Z %5 mm")
                         .arg(moment.number + 1)
                         .arg(m_played->track->replay->passes().size())
-                        .arg(toolText(*moment.pass), QLocale().toString(moment.place.x(), 'f', 2),
-                             QLocale().toString(moment.place.y() - zero, 'f', 2)));
+                        .arg(toolText(*moment.pass), QLocale().toString(moment.position.x(), 'f', 2),
+                             QLocale().toString(moment.position.y() - zero, 'f', 2)));
     const LatheTool* const tool = moment.pass->tool.get();
     const bool isDrill = tool && tool->kind == LatheToolKind::Drill;
     const std::vector<DisplayPart> parts =
-        m_lathe->parts(0.0, moment.place, isDrill ? nullptr : tool,
-                       isDrill ? moment.place.y() : latheOf(m_played->work).tailstock.place);
+        m_lathe->parts(0.0, moment.position, isDrill ? nullptr : tool,
+                       isDrill ? moment.position.y() : latheOf(m_played->work).tailstock.position);
     model->parts.insert(model->parts.end(), parts.begin(), parts.end());
   }
   emit partShown(model);

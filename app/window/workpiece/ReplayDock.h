@@ -22,9 +22,9 @@ class TimeLinePanel;
 class WorkpieceDocument;
 struct TurnedPart;
 
-// The dock “Replay”, which plays and scrubs the passes that cut a part. On a time line with forces, deviation and
-// crashes; those of another workpiece, too, which the view shows below the first. As long as it is open the view shows
-// the part as it was; closed, or when a tool begins to work, it shows the present again. Window thread.
+// The dock “Replay”, which plays and scrubs the passes that cut a part. It has a time line with forces, deviation and
+// crashes, and can show those of another workpiece below the first. While it is open the view shows the part at the
+// chosen time; once it is closed or a tool begins to work, the view shows the present part again. Window thread.
 class ReplayDock : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class ReplayDock : public QObject {
 
  signals:
   void message(const handwheel::Message& message);
-  // What the view is to show before all else; null: nothing.
+  // Emits a part that the view shows before all else; null: nothing.
   void partShown(const std::shared_ptr<const handwheel::DisplayModel>& part);
 
  private:
@@ -52,7 +52,7 @@ class ReplayDock : public QObject {
     TimeLineRecording recording;
   };
   using PlayedPointer = std::shared_ptr<const Played>;
-  // Null: nothing was cut, or it was cancelled. Any thread.
+  // Returns null if nothing was cut, or it was cancelled. Any thread.
   static PlayedPointer playedOf(const QString& name, const WorkpieceSnapshot& work, Progress progress);
   void begin(PlayedPointer played);
   void askForOther();
@@ -67,18 +67,18 @@ class ReplayDock : public QObject {
   WindowContext m_parts;
   QAction m_toggle;
   bool m_isOpen = false;
-  bool m_wasLive = false;  // the tool
+  bool m_wasLive = false;  // the tool was live
   QPointer<QDockWidget> m_dock;
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;
   DocumentTab* m_document = nullptr;
   QPointer<QPushButton> m_compare;
   PlayedPointer m_played, m_other;               // null: none is shown
-  std::shared_ptr<const TurnedPart> m_replayed;  // the part that m_played is, or will be, of
+  std::shared_ptr<const TurnedPart> m_replayed;  // the part of m_played, also while that is being made
   std::unique_ptr<LatheDisplay> m_lathe;         // with the tools of m_played
   JobRunner m_views;
-  double m_wanted = 0.0;     // s, that is to be shown
-  bool m_isShowing = false;  // a job makes the part of a time
+  double m_wanted = 0.0;     // s, time to show
+  bool m_isShowing = false;  // a job is making the part of a time
 };
 
 }  // namespace handwheel

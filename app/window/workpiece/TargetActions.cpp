@@ -7,7 +7,7 @@
 #include "document/workpiece/target/DeviationDisplay.h"
 #include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetEdit.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "document/workpiece/target/TargetReport.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
@@ -19,7 +19,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileDialogs.h"
-#include "window/kinds/TargetPlaceView.h"
+#include "window/kinds/TargetPlacementView.h"
 #include "window/tools/ToolHost.h"
 
 #include <QFileDialog>
@@ -33,7 +33,7 @@ namespace handwheel {
 
 namespace {
 
-// What is measured of a workpiece; on a worker.
+// Measures a workpiece; on a worker thread.
 PartMeasurement measure(const WorkpieceSnapshot& workpiece, Progress progress) {
   PartMeasurement found;
   found.zero = programZero(workpiece);
@@ -54,13 +54,13 @@ std::array<float, 3> componentsOf(const QColor& colour) {
 std::array<float, 3> finishColour(std::optional<double> roughness) {
   constexpr std::array<float, 3> kUnknown{0.45f, 0.45f, 0.47f};
   if (!roughness) return kUnknown;
-  constexpr double kSteps = 4.0;  // of a colour, in a doubling
+  constexpr double kSteps = 4.0;  // colour steps per doubling
   const double doublings = std::round(kSteps * std::log2(std::max(*roughness, 1e-3) / kMiddleRoughness)) / kSteps;
   return componentsOf(ColourScale{kFinishSteps}.at(std::clamp(doublings, -kFinishSteps, kFinishSteps)));
 }
 
-// The outline in the plane that faces who stands at the lathe, both sides of the axis, and a ring at each corner, which
-// is seen from anywhere.
+// The outline in the plane that faces the operator, on both sides of the axis, and a ring at each corner, which is
+// visible from anywhere.
 PathLayer::Lines outlineOf(const TargetProfile& target) {
   constexpr int kOfArc = 16, kOfRing = 96;
   constexpr std::size_t kMostRings = 60;
@@ -158,8 +158,8 @@ void TargetActions::showOutline() {
   m_layer->setLines(target ? outlineOf(target->profile) : nullptr);
 }
 
-// As that of a mesh: what the colours mean in the view, where the panel may be out of sight. A tool that cuts shows the
-// part in its own.
+// Shows the legend in the view, as for a mesh, since the panel may be hidden. A tool that cuts shows the part in its
+// own colours.
 void TargetActions::showLegend() {
   const Tool* const tool = m_parts.tools.runner().tool();
   const bool isCutting = tool && (tool->id() == "lathe" || tool->id() == "turn");
@@ -232,7 +232,7 @@ void TargetActions::measured(const PartMeasurement& measurement) {
 std::optional<DisplayModel> TargetActions::display(const WorkpieceSnapshot& workpiece) const {
   if (m_roughness.isChecked()) return finishDisplay(workpiece, finishColour);
   if (!m_colours.isChecked() || !workpiece.target) return std::nullopt;
-  constexpr double kSteps = 16.0;  // of the colours, to either side
+  constexpr double kSteps = 16.0;  // colour steps on either side
   return deviationDisplay(workpiece, [scale = ColourScale{m_range}](double distance) {
     const double step = scale.range / kSteps;
     return componentsOf(scale.at(step * std::round(std::clamp(distance, -scale.range, scale.range) / step)));
@@ -266,17 +266,17 @@ void TargetActions::importFrom(DocumentTab* document, const QString& path) {
   job.work = [this, document, path, failed](Progress progress) -> Job::Finish {
     const Result<ImportedTarget> imported = importTarget(path.toStdString(), UnturnedFaces::Refuse, progress);
     if (!imported) return [failed, error = imported.error()] { failed(error); };
-    return [this, document, path, made = *imported] { askForPlace(document, made, path); };
+    return [this, document, path, made = *imported] { askForPosition(document, made, path); };
   };
   job.failed = failed;
   m_parts.jobs.start(std::move(job));
 }
 
 // Asks where in the bar it lies, and shows it there meanwhile.
-void TargetActions::askForPlace(DocumentTab* document, const ImportedTarget& imported, const QString& path) {
+void TargetActions::askForPosition(DocumentTab* document, const ImportedTarget& imported, const QString& path) {
   if (!m_parts.tabs.contains(document)) return;
   const StockCylinder stock = static_cast<const WorkpieceDocument&>(document->document).workpiece().stock;
-  // Of this dialog: there may be another one behind it.
+  // State of this dialog: there may be another one behind it.
   const auto proposed = std::make_shared<std::shared_ptr<const WorkpieceTarget>>(placedTarget(imported, stock));
   const auto intro = [proposed] {
     return tr("The finished face of the part is zero of the drawing and of programs. The bar goes beyond it by what is "
@@ -284,7 +284,7 @@ void TargetActions::askForPlace(DocumentTab* document, const ImportedTarget& imp
               "for facing. It can be changed later in the panel Stock.") +
            QLatin1Char('\n') + noteText(endsNote((*proposed)->profile));
   };
-  auto* view = new TargetPlaceView;
+  auto* view = new TargetPlacementView;
   const auto show = [this, document, proposed, stock, view] {
     propose(document, *proposed);
     view->setPicture(targetInBar(stock, (*proposed)->profile));
@@ -295,9 +295,9 @@ void TargetActions::askForPlace(DocumentTab* document, const ImportedTarget& imp
   };
   auto* dialog = new PropertyDialog(
       {tr("Where the target lies"), intro(), tr("&Import")},
-      [proposed, stock] { return placeProperties((*proposed)->profile, stock); },
+      [proposed, stock] { return positionProperties((*proposed)->profile, stock); },
       [proposed, stock, change](const std::string&, const PropertyValue& value) -> Status {
-        Result<TargetProfile> placed = withPlace((*proposed)->profile, stock, value);
+        Result<TargetProfile> placed = withPosition((*proposed)->profile, stock, value);
         if (!placed) return placed.error();
         change(std::move(*placed));
         return Done{};
@@ -305,7 +305,7 @@ void TargetActions::askForPlace(DocumentTab* document, const ImportedTarget& imp
       m_parts.window);
   dialog->addView(view);
   show();  // once the view is in the dialog, for by itself it would be a window
-  connect(view, &TargetPlaceView::turned, dialog, [proposed, change, intro, dialog] {
+  connect(view, &TargetPlacementView::turned, dialog, [proposed, change, intro, dialog] {
     change((*proposed)->profile.turnedEndForEnd());
     dialog->setIntro(intro());
     dialog->refresh();

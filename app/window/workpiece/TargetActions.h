@@ -28,14 +28,14 @@ class TargetActions : public QObject {
   ~TargetActions() override;
 
   void setDocument(DocumentTab* document);
-  void setVisible(bool isVisible);  // with the document
+  void setVisible(bool isVisible);  // visibility of the document
   QList<QAction*> actions() { return {&m_import, &m_turn, &m_remove, &m_outline, &m_colours, &m_roughness}; }
   QWidget* panel() { return m_panel; }
-  // The workpiece in the colours of its deviation or its roughness; none where they are not shown.
+  // Returns the workpiece in the colours of its deviation or its roughness; none if colours are off.
   std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
   bool isSettled() const { return m_measuring.isIdle(); }
 
-  // Reads a target as a job, asks where it lies in the bar, and sets it as one undo step.
+  // Reads a target as a job, asks for its position in the bar, and sets it as one undo step.
   void importFrom(DocumentTab* document, const QString& path);
 
  signals:
@@ -45,7 +45,7 @@ class TargetActions : public QObject {
  private:
   const WorkpieceDocument* workpiece() const;
   void askForFile();
-  void askForPlace(DocumentTab* document, const ImportedTarget& imported, const QString& path);
+  void askForPosition(DocumentTab* document, const ImportedTarget& imported, const QString& path);
   void turn();
   void propose(DocumentTab* document, std::shared_ptr<const WorkpieceTarget> target);
   void take(DocumentTab* document, const std::shared_ptr<const WorkpieceTarget>& target, const ImportedTarget& imported,
@@ -63,8 +63,9 @@ class TargetActions : public QObject {
   JobRunner m_measuring;
   std::shared_ptr<PathLayer> m_layer;
   std::shared_ptr<LegendLayer> m_legend;
-  std::shared_ptr<const WorkpieceTarget> m_outlined;  // in the layer
-  std::shared_ptr<const WorkpieceTarget> m_proposed;  // in the outline, while it is asked for its place; null: none is
+  std::shared_ptr<const WorkpieceTarget> m_outlined;  // the target in m_layer
+  // the target in the outline while the user chooses its position; null: none
+  std::shared_ptr<const WorkpieceTarget> m_proposed;
   bool m_isVisible = true;
   double m_range = 0.1;  // mm, of the colours
 };

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kLegendWidth = 220, kLegendHeight = 12;  // pixels
 
-// As a shop reads it: to a micrometre.
+// Returns a length to a micrometre, as a workshop reads it.
 QString lengthText(double mm, LengthUnit unit, const QLocale& locale) {
   return quantityText(std::round(mm * 1e3) / 1e3, Quantity::Length, unit, locale);
 }

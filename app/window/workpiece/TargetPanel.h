@@ -20,12 +20,12 @@ class QListWidget;
 
 namespace handwheel {
 
-// What is measured of a turned part.
+// Measurements of a turned part.
 struct PartMeasurement {
   std::vector<ProfileFeature> features;
-  std::vector<ProfileFeature> wanted = {};   // of the target
+  std::vector<ProfileFeature> wanted = {};   // dimensions of the target
   std::optional<TargetDeviation> deviation;  // none without a target
-  double zero = 0.0;                         // mm, Z that places are shown from: that of drawing, programs and read-out
+  double zero = 0.0;                         // mm, zero of displayed Z: that of drawing, programs and read-out
 };
 
 // The panel with a part's dimensions, its deviation from the target and the colour legend. The dimensions are measured;
@@ -39,7 +39,7 @@ class TargetPanel : public QWidget {
 
   // target: its name; empty for none.
   void show(const PartMeasurement& measurement, const QString& target, LengthUnit unit);
-  // The scale of the colours in the view, and what its ends mean; none while they are not shown.
+  // Sets the scale of the colours in the view, and a text on its ends; none while colours are off.
   void setLegend(const std::optional<ColourScale>& scale, const QString& ends);
   static QString deviationLegend(double range, LengthUnit unit);  // range: mm
 
@@ -53,7 +53,7 @@ class TargetPanel : public QWidget {
   QListWidget* m_dimensions;
 };
 
-// A dimension in a few signs: "⌀ 40 mm · Z 0 mm … 30 mm"; Z from zero, mm.
+// Returns a dimension in short form: "⌀ 40 mm · Z 0 mm … 30 mm"; Z from `zero`, mm.
 QString dimensionText(const ProfileFeature& feature, double zero, LengthUnit unit, const QLocale& locale);
 
 }  // namespace handwheel

@@ -16,7 +16,7 @@ struct TextOutlines {
   double width = 0.0;
 };
 
-// height: of a capital letter, in the unit of the outlines. Any thread.
+// height: height of a capital letter, in the unit of the outlines. Any thread.
 TextOutlines textOutlines(const QString& text, double height);
 
 }  // namespace handwheel

@@ -35,7 +35,7 @@ void ThreadAction::ask() {
   dialog->open();
 }
 
-// What was cut in the meantime stays: then the thread is not cut, and the user asks again.
+// If the part was cut in the meantime, the thread is not cut, and the user asks again.
 void ThreadAction::cut(DocumentTab* document, const TurningPass& pass) {
   const auto& owner = static_cast<const WorkpieceDocument&>(document->document);
   Job job;

@@ -24,7 +24,7 @@ class ThreadAction : public QObject {
 
  private:
   void ask();
-  // As a job, and one undo step.
+  // Cuts as a job, with one undo step.
   void cut(DocumentTab* document, const TurningPass& pass);
 
   WindowContext m_parts;

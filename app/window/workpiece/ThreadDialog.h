@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace handwheel {
 
-// Asks for a thread: its place, pitch and form. It tells at once what is wrong with it.
+// A dialog that asks for a thread: its range, pitch and form. It shows problems at once.
 class ThreadDialog : public QDialog {
   Q_OBJECT
 

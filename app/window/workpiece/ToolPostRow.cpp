@@ -50,16 +50,16 @@ void ToolPostRow::show(const ManualLatheTool& tool) {
   if (ids != m_listed) {
     m_listed = ids;
     m_sides->clear();
-    int place = 1;
+    int number = 1;
     for (const std::string& id : ids) {
       const auto found = toolNamed(m_tools, id);
-      m_sides->addItem(QStringLiteral("%1: %2").arg(place++).arg(found ? nameOf(*found) : tr("none")));
+      m_sides->addItem(QStringLiteral("%1: %2").arg(number++).arg(found ? nameOf(*found) : tr("none")));
     }
   }
   m_sides->setCurrentIndex(static_cast<int>(tool.moment()->machine.tool));
 }
 
-// Those that an exercise does not provide are there, but not to be had.
+// Tools that an exercise does not provide are listed, but disabled.
 void ToolPostRow::fillMenu() {
   m_menu->clear();
   for (const auto& tool : m_tools) {

@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace handwheel {
 
-// The controls of the tool post of a manual lathe. They choose which of its sides is in use, and mount another tool
-// there from a menu. Drills go into the tailstock. Window thread.
+// The controls of the tool post of a manual lathe. They choose the side in use, and mount another tool there from a
+// menu. Drills go into the tailstock. Window thread.
 class ToolPostRow : public QWidget {
   Q_OBJECT
 

@@ -35,10 +35,10 @@ MachineSoundState TurningSound::next(const TurnTool& tool, double seconds) {
   if (!tool.isLive()) return sound;
   sound.spindleSpeed = kSpindle;
   if (before < 0.0 || !(before > volume) || !(seconds > 0.0)) return sound;
-  constexpr double kRadius = 15.0;                            // mm: of parts as they are turned by hand
-  const double way = 2.0 * M_PI * kRadius * kSpindle / 60.0;  // mm/s
-  sound.force = kSpecificEnergy * (before - volume) / seconds / way;
-  sound.cuttingSpeed = way * 60.0 / 1000.0;
+  constexpr double kRadius = 15.0;                              // mm: of parts as they are turned by hand
+  const double speed = 2.0 * M_PI * kRadius * kSpindle / 60.0;  // mm/s
+  sound.force = kSpecificEnergy * (before - volume) / seconds / speed;
+  sound.cuttingSpeed = speed * 60.0 / 1000.0;
   return sound;
 }
 

@@ -11,21 +11,21 @@ namespace handwheel {
 class ManualLatheTool;
 class TurnTool;
 
-// The present sound of a manual lathe.
+// Returns the present sound of a manual lathe.
 MachineSoundState soundOf(const ManualLatheTool& lathe);
 
-// What the Turn tool sounds like. It knows neither spindle nor force: the part turns at kSpindle, and the force is that
-// of mild steel for the material that leaves in a second. Window thread.
+// The sound of the Turn tool. Spindle speed and force are assumed: the part turns at kSpindle, and the force is that of
+// mild steel for the material removed in a second. Window thread.
 class TurningSound {
  public:
   static constexpr double kSpindle = 600.0;          // r/min
-  static constexpr double kSpecificEnergy = 2000.0;  // N/mm²: of the chip, mild steel
+  static constexpr double kSpecificEnergy = 2000.0;  // N/mm², chip of mild steel
 
-  // To be asked some ten times in a second. seconds: since the last time.
+  // To be called some ten times a second. seconds: since the previous call.
   MachineSoundState next(const TurnTool& tool, double seconds);
 
  private:
-  double m_volume = -1.0;  // mm³, of the part the last time; below 0: none
+  double m_volume = -1.0;  // mm³, volume of the part at the previous call; below 0: none
 };
 
 }  // namespace handwheel

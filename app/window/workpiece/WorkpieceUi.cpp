@@ -47,7 +47,7 @@ QString sizeText(const Document& document) {
            quantityText(workpiece.stock.length, Quantity::Length, unit, QLocale()));
 }
 
-// Whether the ends of a bar are within the view, and with them all of it.
+// Returns true if the ends of a bar, and so the whole bar, are within the view.
 bool isInView(const Viewport& view, const StockCylinder& stock) {
   constexpr int kSides = 64;
   const CameraNavigation navigation(view.camera(), {view.width(), view.height()});
@@ -97,7 +97,7 @@ QWidget* WorkpieceUi::makePanel() {
   panel->setObjectName(QStringLiteral("workpiecePanel"));
   panel->setChildrenCollapsible(false);
   panel->addWidget(RigidPartsUi::panel());
-  panel->addWidget(new ScrolledPanel(m_target.panel(), ScrolledPanel::Ways::Vertical));
+  panel->addWidget(new ScrolledPanel(m_target.panel(), ScrolledPanel::Directions::Vertical));
   panel->setStretchFactor(1, 2);
   return panel;
 }
@@ -137,8 +137,7 @@ DisplayModel WorkpieceUi::displayed(const Document& document) const {
   return coloured ? std::move(*coloured) : RigidPartsUi::displayed(document);
 }
 
-// A new bar is shown as finely as this machine shows all. The work of an exercise and what was recovered have their
-// own.
+// A new bar has the chord tolerance of this machine. The work of an exercise and recovered documents have their own.
 std::unique_ptr<DocumentTab> WorkpieceUi::open(std::unique_ptr<Document> document) {
   const WorkpieceSnapshot& blank = static_cast<const WorkpieceDocument&>(*document).workpiece();
   if (document->file().path.empty() && !blank.part && blank.chord == WorkpieceSnapshot().chord) {
@@ -221,14 +220,15 @@ void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
   emit message(fast);
 }
 
-// What new passes ask of the lathe of the exercise, by the law that marks them; on a worker after each.
+// Computes the loads of new passes on the lathe of the exercise, by the law of its marks; on a worker thread after
+// each.
 void WorkpieceUi::watchLoads() {
   if (!document()) return;
   const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(document()->document).workpiece();
   const bool isOther = std::exchange(m_loaded, document()) != document();
   if (isOther) m_loads.cancelAll();
   const auto passesOf = [](const TurnedPart* part) { return part ? part->passes.size() : 0; };
-  // After undo, and of what was there when the document was shown, nothing is new.
+  // After undo, or when another document is shown, no pass is new.
   if (isOther || passesOf(workpiece.part.get()) <= passesOf(m_loadedPart.get())) m_loadedPart = workpiece.part;
   const auto task = m_loadedPart == workpiece.part ? nullptr : assignedTask(document()->document.file().assigned);
   if (!task) return;
@@ -274,7 +274,7 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
   emit message(heavy);
 }
 
-// Once for each piece that has come off: it stays where it was, shown faintly, since nobody has taken it.
+// Tells once for each piece that has come off; the piece is shown faintly where it was.
 void WorkpieceUi::tellParted() {
   if (!document()) return;
   const auto part = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part;
@@ -306,7 +306,7 @@ void WorkpieceUi::tellParted() {
   emit message(off);
 }
 
-// What was seen whole stays so in another size. Else the camera is the user's.
+// A bar that was wholly in view stays so in another size. Otherwise the camera is left alone.
 void WorkpieceUi::followSize() {
   if (!document()) return;
   const StockCylinder& stock = static_cast<const WorkpieceDocument&>(document()->document).workpiece().stock;

@@ -24,7 +24,8 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
  public:
   explicit WorkpieceUi(const WindowContext& window);
 
-  // A new document starts with the chord tolerance that the user chose; later changes are made by its own property.
+  // Opens a document; a new one starts with the chord tolerance that the user chose, and later changes are made by its
+  // own property.
   std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
   void setDocument(DocumentTab* document) override;
   void forget(DocumentTab* document) override;
@@ -52,7 +53,7 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   std::vector<ToolDescriptor> tools() override;
   Suggestion suggestion() override;
   QString statistics() const override;
-  std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // of turning
+  std::optional<Ray> sectionAxis() const override { return Ray{Vec3::Zero(), Vec3::UnitZ()}; }  // the axis of turning
   QString openedText(const DocumentTab& document) const override;
 
  protected:
@@ -77,18 +78,18 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
-  JobRunner m_loads;  // what the passes of an exercise ask of its lathe
+  JobRunner m_loads;  // computes the loads of an exercise's passes on its lathe
   const DocumentTab* m_loaded = nullptr;
-  const DocumentTab* m_parted = nullptr;           // where m_partedPart is from
-  std::shared_ptr<const TurnedPart> m_partedPart;  // as it was when pieces were counted last
-  std::shared_ptr<const TurnedPart> m_loadedPart;  // of m_loaded, as far as its passes have been looked at
-  std::size_t m_passes = 0;                        // of the current document, as the tool was followed last
-  bool m_isLathe = false;                          // its tool runs
-  std::shared_ptr<TurningChannel> m_felt;          // of the tool whose force source is in the haptic scene; null: none
+  const DocumentTab* m_parted = nullptr;           // the document of m_partedPart
+  std::shared_ptr<const TurnedPart> m_partedPart;  // the part when its pieces were last counted
+  std::shared_ptr<const TurnedPart> m_loadedPart;  // part of m_loaded whose passes have been checked
+  std::size_t m_passes = 0;                // number of passes of the current document when followTool() last ran
+  bool m_isLathe = false;                  // the tool of the lathe runs
+  std::shared_ptr<TurningChannel> m_felt;  // channel of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;
   double m_feltBase = 0.0;  // mm, TurnTool::base()
   const DocumentTab* m_sized = nullptr;
-  StockCylinder m_size;  // of m_sized, as it was shown last
+  StockCylinder m_size;  // last shown size of m_sized
 };
 
 }  // namespace handwheel

@@ -11,9 +11,9 @@ namespace handwheel {
 namespace {
 
 constexpr int kOfCircle = 48, kFilling = 5;
-constexpr double kArrow = 3.0, kHead = 0.4, kText = 0.9, kGap = 0.35;  // of the radius
+constexpr double kArrow = 3.0, kHead = 0.4, kText = 0.9, kGap = 0.35;  // share of the radius
 
-// In the plane that faces who stands at the lathe: right is along Z, up is against y.
+// Returns a point of the plane that faces the operator: right is along Z, up is against y.
 Vec3 facing(double right, double up, double zero) {
   return {0.0, -up, zero + right};
 }
@@ -37,8 +37,8 @@ void addCircle(std::vector<PathLine>& lines, double zero, double size) {
 }
 
 // side: towards which the barbs of its head lie.
-void addArrow(std::vector<PathLine>& lines, const Vec3& from, const Vec3& way, const Vec3& side, double size) {
-  const Vec3 tip = from + kArrow * size * way, back = tip - kHead * size * way;
+void addArrow(std::vector<PathLine>& lines, const Vec3& from, const Vec3& direction, const Vec3& side, double size) {
+  const Vec3 tip = from + kArrow * size * direction, back = tip - kHead * size * direction;
   lines.push_back({{from, tip}});
   lines.push_back({{back + 0.5 * kHead * size * side, tip, back - 0.5 * kHead * size * side}});
 }

@@ -8,9 +8,8 @@
 
 namespace handwheel {
 
-// The symbol of a zero on the axis of a lathe, with its name. Arrows along X and Z point where they count up: X
-// outward, on the side of the tool, Z away from the chuck. zero: mm, z in the scene; size: mm, radius of its circle.
-// Any thread.
+// Returns the symbol of a zero on the axis of a lathe, with its name. Arrows show the positive directions: X outward,
+// on the side of the tool, Z away from the chuck. zero: mm, z in the scene; size: mm, radius of its circle. Any thread.
 PathLayer::Lines zeroSymbol(double zero, double size, const QString& name);
 
 }  // namespace handwheel

@@ -9,29 +9,30 @@
 
 namespace handwheel {
 
-// Selection of one of the robots of a cell, and what belongs to it.
+// Selection of one of the robots of a cell, with its tool and joints.
 
-// The number of the robot that a name of CellPlans::arm means; none: the cell has no such robot.
+// Returns the number of the robot with a name as in CellPlans::arm; nothing if the cell has no such robot.
 std::optional<std::size_t> armNumber(const CellRobot& robot, std::string_view name);
-// That of the robot that is planned for. Plans that name a robot that is not there are for the first one.
+// Returns the number of the robot that is planned for. If the plans name a robot that does not exist, the first one.
 std::size_t activeArmNumber(const CellRobot& robot, const CellPlans& plans);
 const RobotArm& activeArm(const CellRobot& robot, const CellPlans& plans);
-// Whether two names of CellPlans::arm mean the same robot.
+// Returns true if two names, as in CellPlans::arm, denote the same robot.
 bool isSameArm(const CellRobot& robot, std::string_view one, std::string_view other);
 
-// The tool's centre point of a robot, in the link that carries its tool; the link itself for a name that means none.
+// Returns the tool centre point of a robot in the frame of the link that carries the tool. For an unknown name, the
+// identity.
 Pose toolOf(const CellRobot& robot, const CellPlans& plans, std::string_view arm);
 
-// The plans with this robot as the one that is planned for. Error: ArmMissing {name}.
+// Returns the plans with this robot as the one that is planned for. Error: ArmMissing {name}.
 Result<CellPlans> withArmChosen(const CellRobot& robot, CellPlans plans, std::string_view name);
 
-// The degrees of freedom of one robot, in order.
+// Returns the degrees of freedom of one robot, in order.
 std::vector<std::uint32_t> dofsOfArm(const CellRobot& robot, std::size_t arm);
-// Joint values with those of one robot from others.
+// Returns the joint values with those of one robot taken from others.
 JointValues withJointsOf(const CellRobot& robot, std::size_t arm, JointValues joints, const JointValues& from);
 
-// The joint values that a configuration or a place of a path of this robot sets: those of other robots stay as they
-// are. A name that means no robot: nothing moves.
+// Returns the joint values after a configuration or a waypoint of this robot has set its own; those of other robots
+// stay as they are. If the name denotes no robot, nothing changes.
 JointValues jointsSetBy(const CellRobot& robot, std::string_view arm, const JointValues& set,
                         const JointValues& present);
 

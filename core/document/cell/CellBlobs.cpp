@@ -42,7 +42,7 @@ class Loading {
   Result<SnapshotPointer> read(Progress progress) {
     const auto description = m_container.blobs.find(kDescription);
     if (description == m_container.blobs.end()) return Error{ArchiveError::EntryMissing, {kDescription}, {}, {}};
-    // What is wrong with the description was reported when it was imported; it is saved as it is.
+    // Faults of the description were reported when it was imported; it is saved unchanged.
     Result<ImportedRobot> read = readUrdf(description->second, progress.part(0.0, 0.1));
     if (!read) return read.error();
     auto robot = std::make_shared<CellRobot>();

@@ -13,10 +13,10 @@ namespace handwheel {
 // shape of a robot that has no visual ones. Parts keep their names and surfaces while the joints move.
 DisplayModel displayOf(const CellRobot& robot, const JointValues& joints);
 
-// Creates the display model of a robot and the bodies beside it and on it.
+// Creates the display model of the robots and all bodies, including those that they carry.
 DisplayModel displayOf(const CellRobot& robot, const JointValues& joints, const BodySet& bodies);
 
-// The link that a part belongs to; kNone for an unknown part.
+// Returns the link that a part belongs to; kNone for an unknown part.
 std::uint32_t linkOfPart(const CellRobot& robot, std::string_view part);
 
 }  // namespace handwheel

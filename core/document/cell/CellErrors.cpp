@@ -4,7 +4,7 @@
 
 namespace handwheel {
 
-const ErrorDescription CellError::PlaceMissing{
+const ErrorDescription CellError::WaypointMissing{
     .id = "PlaceMissing",
     .sentences = {translatable("ErrorText",
                                "'%1' is neither a configuration or target of the cell nor a value for each joint")},
@@ -28,17 +28,17 @@ const ErrorDescription CellError::PathTooShort{
     .sentences = {translatable("ErrorText", "the path '%1' has fewer than two places")},
     .advice = {translatable("ErrorText", "Add the places that the robot is to move to.")}};
 
-const ErrorDescription CellError::PlaceCollides{
+const ErrorDescription CellError::WaypointCollides{
     .id = "PlaceCollides",
     .sentences = {translatable("ErrorText", "at %1 the robot collides: %2 with %3")},
     .advice = {translatable("ErrorText", "Move the robot away there, or let two bodies touch that are meant to.")}};
 
-const ErrorDescription CellError::PlaceTooNear{
+const ErrorDescription CellError::WaypointTooNear{
     .id = "PlaceTooNear",
     .sentences = {translatable("ErrorText", "at %1 the robot is too near: %2 is %4 mm from %3")},
     .advice = {translatable("ErrorText", "Move the robot away there, or require less clearance.")}};
 
-const ErrorDescription CellError::PlaceBeyondLimits{
+const ErrorDescription CellError::WaypointBeyondLimits{
     .id = "PlaceBeyondLimits",
     .sentences = {translatable("ErrorText", "at %1 the joint %2 is beyond its limits")},
     .advice = {translatable("ErrorText", "Give joint values within the limits.")}};
@@ -88,7 +88,7 @@ const ErrorDescription CellError::PathTargetMoved{
     .sentences = {translatable("ErrorText", "the path '%1' leads to where the target '%2' was when it was planned")},
     .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
 
-const ErrorDescription CellError::PathPlaceChanged{
+const ErrorDescription CellError::PathWaypointChanged{
     .id = "PathPlaceChanged",
     .sentences = {translatable("ErrorText", "the path '%1' leads to '%2' as that was stored when it was planned")},
     .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
@@ -140,7 +140,7 @@ const ErrorDescription CellError::TrackBroken{
         "the arm cannot follow the curve to point %1 of %2, X %3 Y %4 Z %5 mm in the cell, without a jump of a joint")},
     .advice = {translatable("ErrorText", "Divide the curve, turn the tool, or let it turn about its own axis.")}};
 
-const ErrorDescription CellError::PlaceNameTaken{
+const ErrorDescription CellError::WaypointNameTaken{
     .id = "PlaceNameTaken",
     .sentences = {translatable("ErrorText", "the cell already has a configuration or a target called '%1'")},
     .advice = {translatable("ErrorText", "Choose another name.")}};

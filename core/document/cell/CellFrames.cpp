@@ -18,7 +18,7 @@ Pose bodyInRoot(const Body& body, const RobotModel& robot, const JointValues& jo
   return carrierPose(body, robot, linkPoses(robot, joints)) * body.pose;
 }
 
-// What carries a frame; none: it is missing.
+// Returns the pose of a frame's carrier; nothing if it is missing.
 std::optional<Pose> frameCarrierPose(const NamedFrame& frame, const CellPlacement& cell) {
   if (frame.body != 0) {
     const BodyPointer body = cell.bodies.withId(frame.body);
@@ -29,7 +29,7 @@ std::optional<Pose> frameCarrierPose(const NamedFrame& frame, const CellPlacemen
   return link == kNone ? std::nullopt : std::optional(linkPoses(cell.robot, cell.joints)[link]);
 }
 
-// What a target is on.
+// Returns the pose of the frame or body that a target belongs to.
 Result<Pose> targetBasePose(const NamedTarget& target, const CellPlacement& cell) {
   if (target.body == 0) return poseOfFrame(target.frame, cell);
   const BodyPointer body = cell.bodies.withId(target.body);
@@ -183,10 +183,10 @@ CellPlans withTargetRenamed(CellPlans plans, const std::string& name, const std:
     if (target.name == name) target.name = wanted;
   }
   for (RobotPath& path : plans.paths) {
-    for (Waypoint& place : path.places) {
-      if (!place.target || place.target->name != name) continue;
-      place.target->name = wanted;
-      if (place.name == name) place.name = wanted;
+    for (Waypoint& waypoint : path.waypoints) {
+      if (!waypoint.target || waypoint.target->name != name) continue;
+      waypoint.target->name = wanted;
+      if (waypoint.name == name) waypoint.name = wanted;
     }
   }
   return plans;
@@ -195,8 +195,8 @@ CellPlans withTargetRenamed(CellPlans plans, const std::string& name, const std:
 CellPlans withoutTarget(CellPlans plans, const std::string& name) {
   std::erase_if(plans.targets, [&](const NamedTarget& each) { return each.name == name; });
   for (RobotPath& path : plans.paths) {
-    for (Waypoint& place : path.places) {
-      if (place.target && place.target->name == name) place.target.reset();
+    for (Waypoint& waypoint : path.waypoints) {
+      if (waypoint.target && waypoint.target->name == name) waypoint.target.reset();
     }
   }
   return plans;

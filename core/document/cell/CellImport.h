@@ -18,24 +18,25 @@ inline constexpr double kLargestCoordinate = 1e9;
 // Result of importing a robot description.
 struct ImportedCell {
   std::shared_ptr<const RobotCellSnapshot> cell;
-  std::vector<Error> damage;  // of the description and the meshes; the robot opens without what is damaged
+  std::vector<Error> damage;  // Damage of the description and the meshes; the robot opens without the damaged parts
   std::size_t unlistedDamage = 0;
 };
 
 // Reads a robot description, as URDF or a table after Denavit and Hartenberg, and every mesh it names, joints at rest.
-// shapeSides: as in surfaceOf(). Errors: those of reading the description.
+// shapeSides: number of sides of round shapes, as in surfaceOf(). Errors: those of reading the description.
 Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides = kShapeSides,
                                 Progress progress = {});
 
-// A cell of a robot that comes with the program.
+// Returns a cell with a built-in robot.
 std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint32_t shapeSides = kShapeSides);
 
-// The surface of a shape that is not a mesh, in mm and single precision. sides: of round shapes.
+// Returns the surface of a shape that is not a mesh, in mm and single precision. sides: number of sides of round
+// shapes.
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides);
 
-// The surface of a shape, placed, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by content, of at
-// most 256 MiB; their paths are those of locateMesh(). damage takes what could not be read of them. Errors: those of
-// the readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with the file as subject.
+// Returns the surface of a shape, placed, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by content,
+// of at most 256 MiB; their paths are those of locateMesh(). damage receives the parts that could not be read. Errors:
+// those of the readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with the file as subject.
 Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path& folder, std::vector<Error>& damage,
                                  Progress progress = {});
 

@@ -86,8 +86,8 @@ Property toRead(const char* id, const char* group, const char* label, PropertyVa
   return property;
 }
 
-// Of which joints the file does not give this limit; none where it gives all. Generators write 0 where they do not
-// know, so this is common.
+// Returns the joints for which the file does not give this limit; nothing if it gives all. Generators write 0 for
+// unknown limits, so this is common.
 std::optional<Property> unknownLimits(const RobotModel& robot, const char* id, const char* label,
                                       std::optional<double> JointLimits::*limit) {
   std::string names;
@@ -105,7 +105,7 @@ std::optional<Property> unknownLimits(const RobotModel& robot, const char* id, c
   return property;
 }
 
-// What only a cell with several robots has.
+// Returns the properties that only a cell with several robots has.
 std::vector<Property> armProperties(const CellRobot& cell, const CellPlans& plans) {
   std::vector<Property> all;
   if (cell.arms.size() > 1) {
@@ -323,7 +323,7 @@ std::optional<NamedField> fieldOfTarget(const std::string& id) {
   return namedField("target.", id);
 }
 
-Result<CellPlans> changedPlaceOf(const std::string& id, const PropertyValue& value, const CellPlacement& cell) {
+Result<CellPlans> changedFrameOrTarget(const std::string& id, const PropertyValue& value, const CellPlacement& cell) {
   CellPlans plans = cell.plans;
   if (id == "frame") {
     auto chosen = frameChosen(value, plans);
@@ -367,9 +367,9 @@ std::optional<Pose> changedPose(const Pose& pose, std::string_view field, const 
   const auto* const number = std::get_if<double>(&value);
   if (found == std::end(kPoseFields) || !number || !std::isfinite(*number)) return std::nullopt;
   const auto index = found - std::begin(kPoseFields);
-  Vec3 place = pose.translation(), angles = rollPitchYaw(pose);
-  (index < 3 ? place : angles)[index % 3] = *number;
-  return poseOf(place, angles);
+  Vec3 position = pose.translation(), angles = rollPitchYaw(pose);
+  (index < 3 ? position : angles)[index % 3] = *number;
+  return poseOf(position, angles);
 }
 
 std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id) {

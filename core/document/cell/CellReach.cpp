@@ -12,18 +12,18 @@ namespace handwheel {
 
 namespace {
 
-std::vector<std::string> placeOf(const Pose& pose) {
+std::vector<std::string> positionTexts(const Pose& pose) {
   std::vector<std::string> texts;
   for (const double number : pose.translation()) texts.push_back(roundedText(number, 6));
   return texts;
 }
 
 Error outOfReach(const Pose& pose) {
-  return {CellError::ToolOutOfReach, placeOf(pose), {}, {}};
+  return {CellError::ToolOutOfReach, positionTexts(pose), {}, {}};
 }
 
 Error beyondLimits(const Pose& pose, const std::string& joint) {
-  std::vector<std::string> arguments = placeOf(pose);
+  std::vector<std::string> arguments = positionTexts(pose);
   arguments.push_back(joint);
   return {CellError::ToolBeyondLimits, std::move(arguments), {}, {}};
 }
@@ -38,27 +38,28 @@ std::vector<CellIkSolution> ikSolutionsTo(const CellScene& scene, const CellPlan
                                           const ArmValues& near) {
   MotionCheckSettings check;
   check.clearance = plans.clearance;
-  std::vector<CellIkSolution> ways;
+  std::vector<CellIkSolution> solutions;
   for (ArmSolution& solution : solutionsFor(scene.arm.withTool(plans.tool), pose, near)) {
-    CellIkSolution way{std::move(solution)};
-    if (way.isWithinLimits()) way.blocked = blockerAt(scene.scene, way.arm.values, check);
-    ways.push_back(std::move(way));
+    CellIkSolution found{std::move(solution)};
+    if (found.isWithinLimits()) found.blocked = blockerAt(scene.scene, found.arm.values, check);
+    solutions.push_back(std::move(found));
   }
-  return ways;
+  return solutions;
 }
 
 Result<ArmValues> nearestFree(const CellScene& scene, const CellPlans& plans, const Pose& pose, const ArmValues& near) {
-  const std::vector<CellIkSolution> ways = ikSolutionsTo(scene, plans, pose, near);
-  if (ways.empty()) return outOfReach(pose);
-  const auto found = std::find_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isFree(); });
-  if (found != ways.end()) return found->arm.values;
-  const CellIkSolution& nearest = ways.front();
+  const std::vector<CellIkSolution> solutions = ikSolutionsTo(scene, plans, pose, near);
+  if (solutions.empty()) return outOfReach(pose);
+  const auto found = std::find_if(solutions.begin(), solutions.end(),
+                                  [](const CellIkSolution& solution) { return solution.isFree(); });
+  if (found != solutions.end()) return found->arm.values;
+  const CellIkSolution& nearest = solutions.front();
   if (nearest.arm.beyond) {
     const auto dof = scene.dofs[static_cast<std::size_t>(*nearest.arm.beyond)];
     return beyondLimits(pose, scene.robot->model.jointOfDof(dof).name);
   }
   const auto [link, other] = scene.namesOf(nearest.blocked);
-  std::vector<std::string> arguments = placeOf(pose);
+  std::vector<std::string> arguments = positionTexts(pose);
   arguments.insert(arguments.end(), {link, other});
   return Error{CellError::ToolBlocked, std::move(arguments), {}, {}};
 }

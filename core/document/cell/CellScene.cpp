@@ -86,7 +86,7 @@ AllowedPairs allowedOf(const RobotCellSnapshot& cell, const RobotModel& robot,
   std::erase_if(pairs.links, [&](const LinkPair& pair) { return owners[pair.first] != owners[pair.second]; });
   for (const auto& [first, second] : cell.plans->allowed) {
     const std::uint32_t a = linkNamed(robot, first), b = linkNamed(robot, second);
-    const auto body = bodyOfPart(a != kNone ? second : first);  // which of them is carried may have changed
+    const auto body = bodyOfPart(a != kNone ? second : first);  // Either of them may be the carried body now
     if (a != kNone && b != kNone)
       pairs.links.insert(std::minmax(a, b));
     else if ((a != kNone || b != kNone) && body)
@@ -188,10 +188,10 @@ std::set<std::string> CellScene::robotsElsewhere(const RobotPath& path) const {
     const auto base = path.bases.find(robot->arms[i].name);
     const bool isMoved =
         base != path.bases.end() && !basePose(robot->model, robot->arms[i]).isApprox(base->second, kRounded);
-    const auto standsElsewhere = [&](const Waypoint& place) {
-      return withJointsOf(*robot, i, others, place.joints) != others;
+    const auto standsElsewhere = [&](const Waypoint& waypoint) {
+      return withJointsOf(*robot, i, others, waypoint.joints) != others;
     };
-    if (isMoved || std::any_of(path.places.begin(), path.places.end(), standsElsewhere))
+    if (isMoved || std::any_of(path.waypoints.begin(), path.waypoints.end(), standsElsewhere))
       names.insert(robot->arms[i].name);
   }
   return names;
@@ -227,8 +227,8 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
   const std::vector<Obstacle> others = takeOthers(shapes, linkPoses(robot, cell.joints), owners, number);
   RobotScene scene(robot, Pose::Identity(), std::move(shapes), arm->dofs, cell.joints, allowed.links);
   if (const Status sound = scene.isSound(); !sound) return sound.error();
-  // What the robot carries is somebody's choice and may be turned into the arm: of it only what always meets the link
-  // next to its own does not count.
+  // Objects that the robot carries are chosen by the user and may be turned into the arm: of these, only pairs that
+  // always meet the link next to their own are ignored.
   const auto isOwn = [&](const LinkPair& pair) { return pair.second < cell.robot->model.links.size(); };
   std::set<LinkPair> alwaysMeeting = scene.alwaysMeeting();
   std::erase_if(alwaysMeeting, [&](const LinkPair& pair) { return !isOwn(pair) && scene.jointsBetween(pair) > 1; });

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// The hierarchies of meshes for collisions, each built once as long as its mesh lives. Any thread.
+// Bounding hierarchies of meshes for collisions, each built once and kept while its mesh exists. Any thread.
 class CollisionMeshes {
  public:
   std::shared_ptr<const CollisionMesh> of(const std::shared_ptr<const TriangleSoup>& soup);
@@ -25,55 +25,57 @@ class CollisionMeshes {
   std::unordered_map<const TriangleSoup*, Entry> m_entries;
 };
 
-// The shape of a body for collisions; empty where it has no triangles.
+// Returns the shape of a body for collisions; empty if it has no triangles.
 CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes);
 
-// A robot cell prepared for planning. The joints between the base of one robot and its tool are planned, the others
-// stand. All bodies are obstacles, those that are not shown, too; those that a link carries are links of their own,
-// fixed to it. Other robots, with what they carry, are obstacles where they stand. Immutable; any thread.
+// A robot cell prepared for planning. The joints between the base of one robot and its tool are planned, the others do
+// not move. All bodies are obstacles, including hidden ones; those that a link carries are links of their own, fixed to
+// it. Other robots, with the bodies that they carry, are obstacles at their present joint values. Immutable; any
+// thread.
 struct CellScene {
   RobotScene scene;
-  SerialArm arm;                    // from the root to the link that carries the tool
-  std::vector<std::uint32_t> dofs;  // of the robot, one for each planned joint
-  JointValues others;               // of all robots: where the joints are that are not planned
-  std::set<LinkPair>
-      alwaysMeeting;  // pairs of links that meet however the joints stand, or close ones at rest: they do not count
-  std::vector<std::uint32_t> shapeless;  // links whose meshes are missing: collisions of these are not seen
+  SerialArm arm;                         // From the root to the link that carries the tool
+  std::vector<std::uint32_t> dofs;       // Degree of freedom of the robot for each planned joint
+  JointValues others;                    // Joint values of all robots, for the joints that are not planned
+  std::set<LinkPair> alwaysMeeting;      // Ignored pairs of links: they meet at all joint values, or at rest
+  std::vector<std::uint32_t> shapeless;  // Links whose meshes are missing: their collisions are not found
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;
-  std::vector<BodyId> carried;  // the bodies that are links after those of the robot, in order
-  std::size_t armNumber = 0;    // of the robot that is planned for, in CellRobot::arms
-  std::shared_ptr<Roadmap> roadmap = std::make_shared<Roadmap>();  // of the planner "prm", from plan to plan
+  std::vector<BodyId> carried;  // Bodies that are links after those of the robot, in order
+  std::size_t armNumber = 0;    // Index of the planned robot in CellRobot::arms
+  std::shared_ptr<Roadmap> roadmap = std::make_shared<Roadmap>();  // Roadmap of the planner "prm", kept between plans
 
   ArmValues planned(const JointValues& joints) const;
   JointValues whole(const ArmValues& values) const;
-  // What is nearest, by its names: a link, and a link or body. Both empty where nothing is.
+  // Returns the names of the nearest pair: a link, and a link or body. Both are empty if there is none.
   std::pair<std::string, std::string> namesOf(const RobotScene::Nearest& nearest) const;
-  // The body that this link of the scene is; none: it is one of the robot.
+  // Returns the body that this link of the scene stands for; nothing if it is a link of the robot.
   std::optional<BodyId> bodyOfLink(std::uint32_t link) const;
-  // The links that a carried body does not collide with while it is moved by hand: what it is itself, which is still
-  // where it was, and what carries it. Empty: it stands.
+  // Returns the links that a carried body is not tested against while it is moved by hand: the link that stands for the
+  // body at its former pose, and its carrier. Empty if it is not carried.
   std::vector<std::uint32_t> ownLinksOf(BodyId body) const;
-  // Obstacles of these owners are links of other robots, by their numbers in the model; all others are bodies.
+  // Obstacles with these owners are links of other robots, by their numbers in the model; all others are bodies.
   static constexpr std::uint32_t kLinkOwners = 0x8000'0000;
   static std::uint32_t linkOfOwner(std::uint32_t owner) {
     return owner == kNone || owner < kLinkOwners ? kNone : owner - kLinkOwners;
   }
-  // Whether all joints that are not planned are where they are at these values.
+  // Returns true if all joints that are not planned have the same values here as in the scene.
   bool areUnplannedJointsAt(const JointValues& joints) const;
-  // The same of those of the robot that is planned for, as of a gripper.
+  // Returns true if those of the planned robot itself, such as a gripper's, have the same values.
   bool areOwnUnplannedJointsAt(const JointValues& joints) const;
-  // Whether the cell is still what this was made of. allowed: the pairs of links that might touch then.
+  // Returns true if the cell is unchanged since this scene was made. allowed: the pairs that were allowed to touch
+  // then.
   bool holdsFor(const RobotCellSnapshot& now, const std::set<std::pair<std::string, std::string>>& allowed) const;
-  // The names of the other robots that stand elsewhere at some place of the path, or whose bases were moved since.
+  // Returns the names of the other robots that have other joint values at some waypoint, or whose bases were moved
+  // since the path was planned.
   std::set<std::string> robotsElsewhere(const RobotPath& path) const;
   const RobotArm& plannedArm() const { return robot->arms[armNumber]; }
-  // The same arm from its own base on, as its controller counts.
+  // Returns the same arm starting at its own base, as its controller counts.
   SerialArm armFromBase() const;
 };
 
-// For the robot that is planned for, or for another one by its number. Errors: those of SerialArm::of() and
-// RobotScene::isSound().
+// Prepares the scene for the robot that is planned for, or for another one by its number. Errors: those of
+// SerialArm::of() and RobotScene::isSound().
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes);
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes, std::size_t arm);
 

@@ -12,10 +12,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostInputs = 64;  // of a primitive or of vertices; numbers to a corner
+constexpr std::size_t kMostInputs = 64;  // Limit for a primitive or vertices; numbers per corner
 constexpr std::size_t kMostNotes = 100;
 constexpr std::size_t kMostRead = std::size_t{256} << 20;  // bytes of sources, counted as often as they are read
-constexpr std::size_t kPointBytes = 12;                    // that a point counts at least
+constexpr std::size_t kPointBytes = 12;                    // Least memory that a point counts
 
 // A whole number that is not negative; the fallback where there is none.
 std::size_t attributeCount(const XmlElement& element, std::string_view attribute, std::size_t fallback) {

@@ -20,7 +20,7 @@ class ColladaIds {
  public:
   explicit ColladaIds(const XmlElement& root) { collect(root); }
 
-  // What an attribute such as url="#id" refers to, if it is such an element; null otherwise.
+  // Returns the element that an attribute such as url="#id" refers to, if it has this name; null otherwise.
   const XmlElement* referred(const XmlElement& from, std::string_view attribute, std::string_view name) const;
 
  private:
@@ -35,16 +35,16 @@ class ColladaGeometry {
  public:
   ColladaGeometry(const ColladaIds& ids, std::vector<Error>& damage, Progress progress);
 
-  // In the geometry's own frame and unit.
+  // Returns the triangles in the geometry's own frame and unit.
   TriangleSoup read(const XmlElement& geometry);
   // Adds damage to the list, up to a hundred entries.
   void note(Error error);
 
  private:
-  // Where a primitive's list of indices has the number of a vertex.
+  // Position of the vertex number in a primitive's list of indices.
   struct Layout {
     std::size_t stride = 0, vertex = 0;
-    const XmlElement* positions = nullptr;  // a "source"
+    const XmlElement* positions = nullptr;  // The "source" element
   };
 
   std::optional<Layout> layoutOf(const XmlElement& primitive) const;
@@ -59,9 +59,9 @@ class ColladaGeometry {
   std::vector<Error>& m_damage;
   Progress m_progress;
   PolygonTriangulation m_triangulation;
-  std::map<const XmlElement*, std::uint32_t> m_basePoints;  // of the sources read into the soup
-  std::size_t m_read = 0;                                   // bytes, for all geometries: they may share a source
-  std::size_t m_dropped = 0;                                // polygons of the primitive that is being read
+  std::map<const XmlElement*, std::uint32_t> m_basePoints;  // First point of each source read into the soup
+  std::size_t m_read = 0;     // Number of bytes read for all geometries, which may share a source
+  std::size_t m_dropped = 0;  // Number of polygons of the current primitive that were left out
 };
 
 }  // namespace handwheel

@@ -20,7 +20,7 @@ constexpr std::size_t kMostTriangles = 20'000'000;
 constexpr std::size_t kMostPoints = 20'000'000;
 constexpr int kMostNodes = 100'000;    // instances counted as often as they are placed
 constexpr int kMostSteps = 2'000'000;  // elements looked at in them
-constexpr int kDeepestInstance = 64;   // of nodes in nodes
+constexpr int kDeepestInstance = 64;   // Depth of nodes in nodes
 
 using Placement = Eigen::Affine3d;
 

@@ -12,8 +12,8 @@ namespace handwheel {
 
 // Mesh read from a COLLADA document.
 struct ColladaMesh {
-  TriangleSoup soup;          // in metres; nothing welded
-  std::vector<Error> damage;  // what could not be understood and was left out
+  TriangleSoup soup;          // In metres; vertices not welded
+  std::vector<Error> damage;  // Parts that could not be understood and were left out
 };
 
 // Reads the triangles and polygons of a COLLADA 1.4 or 1.5 document. Instances are placed as in its scene. The
@@ -21,7 +21,7 @@ struct ColladaMesh {
 // animations are left out. O(bytes + triangles), both bounded. Errors: those of readXml(), NoTriangles.
 Result<ColladaMesh> readCollada(std::string_view bytes, Progress progress = {});
 
-// Whether the first bytes of a file look like COLLADA.
+// Returns true if the first bytes of a file look like COLLADA.
 bool looksLikeCollada(std::string_view head);
 
 }  // namespace handwheel

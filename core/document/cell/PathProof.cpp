@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 const std::string kProofs = "cell/proofs.json";
-constexpr std::uint64_t kMethod = 1;  // of verification and digests; counted on when what is proven changes
+constexpr std::uint64_t kMethod = 1;  // Version of verification and digests; increased whenever the proof changes
 
 constexpr std::array<const char*, 9> kParts = {"robots", "path",      "joints",  "bodies",        "allowed",
                                                "tool",   "clearance", "targets", "configurations"};
@@ -50,7 +50,7 @@ json toJson(const std::string& path, const PathProof& proof) {
   if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
   for (const PathFindings::Meeting& each : found.listed)
     stored["listed"].push_back(
-        {{"place", each.place}, {"link", each.link}, {"other", each.other}, {"distance_mm", each.distance}});
+        {{"place", each.waypoint}, {"link", each.link}, {"other", each.other}, {"distance_mm", each.distance}});
   for (std::size_t i = 0; i < kParts.size(); ++i) stored["basis"][kParts[i]] = proof.basis[i];
   return stored;
 }
@@ -110,7 +110,7 @@ std::optional<PathProof> proofFrom(const json& stored) {
       found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other"),
                               std::max(lengthAt(each, "distance_mm").value_or(0.0), 0.0)});
   }
-  // Who contradicts itself proves nothing.
+  // Contradictory findings prove nothing.
   if (found.isCertified && (found.collisions > 0 || found.stopsAt)) return std::nullopt;
   return proof;
 }

@@ -16,16 +16,16 @@ namespace handwheel {
 
 struct Container;
 
-// The inputs of a path's verification, in the order in which a change is named. Nothing: none of it has changed.
+// The inputs of a path's verification, in the order in which a change is named. Nothing: no input has changed.
 enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets, Configurations };
 
-// Its name in files and reports; null: nothing has changed.
+// Returns the name of the input in files and reports; null for Nothing.
 const char* keyOf(BasisChange change);
 
-// A digest of each of these (SHA-256, hexadecimal digits), in order, without Nothing.
+// A digest of each input (SHA-256, hexadecimal digits), in order, without Nothing.
 using BasisDigests = std::array<std::string, 9>;
 
-// Of a path as a whole, as PathMetrics has it.
+// Measures of a whole path, from PathMetrics.
 struct PathMeasures {
   double length = 0.0;    // rad, slides in metres
   double security = 0.0;  // mm
@@ -33,48 +33,48 @@ struct PathMeasures {
   bool operator==(const PathMeasures&) const = default;
 };
 
-// What the verification of a path found, in brief. Lengths in mm, times in s.
+// Summary of the verification of a path. Lengths in mm, times in s.
 struct PathFindings {
   struct Meeting {
-    std::size_t place = 0;  // that the motion leads to, from 0
+    std::size_t waypoint = 0;  // Index of the waypoint at the end of the motion, from 0
     std::string link, other;
-    double distance = 0.0;  // above 0: they do not meet, but are only this far apart
+    double distance = 0.0;  // Above 0: the distance of two that do not collide, but are too close
     bool operator==(const Meeting&) const = default;
   };
   static constexpr std::size_t kMostListed = 5;
 
   bool isCertified = false;
-  std::optional<std::size_t> stopsAt = {};  // the place that a line cannot be followed to
-  std::size_t collisions = 0;               // stretches of the path; also those
-  std::size_t tooNear = 0;                  // in which nothing meets: it is only nearer than was asked for
-  std::vector<Meeting> listed = {};         // the first of them, at most kMostListed
-  double clearance = 0.0;                   // that was asked for
+  std::optional<std::size_t> stopsAt = {};  // Index of the waypoint that a line cannot be followed to
+  std::size_t collisions = 0;               // Number of stretches that collide or are too close
+  std::size_t tooNear = 0;                  // Number of these that are only too close
+  std::vector<Meeting> listed = {};         // The first stretches, at most kMostListed
+  double clearance = 0.0;                   // Required clearance
   double leastClearance = 0.0;
   double seconds = 0.0;
-  std::optional<PathMeasures> measures = {};  // none: stored by a version of the program that did not keep them
-  bool hasShapeless = false;                  // links without meshes were left out
+  std::optional<PathMeasures> measures = {};  // Nothing if stored by a version of the program that did not keep them
+  bool hasShapeless = false;                  // True if links without meshes were left out
   std::set<std::string> robotsMoved = {};
   OutdatedReasons outdated = {};
-  // Links and bodies, by their names then, that a person lets touch: nothing is said of these.
+  // Links and bodies, by their names at that time, that are allowed to touch and were therefore not checked.
   std::vector<std::pair<std::string, std::string>> notChecked = {};
 
   bool operator==(const PathFindings&) const = default;
 };
 
-// What was found of a path, and of what: stored with the cell. It is no more than a note of an earlier session: what is
-// exported is verified again.
+// The findings of a path's verification and digests of its inputs. They are stored with the cell as a note of an
+// earlier session: exported paths are verified again.
 struct PathProof {
   PathFindings found;
-  std::string at;  // when, UTC after ISO 8601
+  std::string at;  // Time of the verification, UTC after ISO 8601
   BasisDigests basis;
 
   bool operator==(const PathProof&) const = default;
 };
 
-using PathProofs = std::map<std::string, PathProof>;  // by the names of the paths
+using PathProofs = std::map<std::string, PathProof>;  // By the names of the paths
 
-// Writes the proofs of these paths into the container of a cell, and reads them. One that is incomplete, or was found
-// by a version of the program that verifies in another way, is left out: then nothing is known of the path.
+// Write the proofs of these paths into the container of a cell, and read them. A proof that is incomplete, or made by a
+// version of the program that verifies by another method, is left out: the path then counts as not verified.
 void writeProofs(const PathProofs& proofs, const std::set<std::string>& paths, Container& container);
 PathProofs readProofs(const Container& container);
 

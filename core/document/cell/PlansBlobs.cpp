@@ -80,7 +80,7 @@ class PlansReading {
         note(joints.error());
         continue;
       }
-      m_plans.configurations.push_back({m_placeNames.take(name), std::move(joints).value(), stringAt(entry, "arm")});
+      m_plans.configurations.push_back({m_waypointNames.take(name), std::move(joints).value(), stringAt(entry, "arm")});
     }
   }
 
@@ -105,7 +105,7 @@ class PlansReading {
     const auto frame = pose ? knownFrame(entry, "frame") : std::nullopt;
     if (!frame) return;
     const std::uint32_t body = frame->empty() ? bodyIn(entry) : 0;
-    m_plans.targets.push_back({m_placeNames.take(stringAt(entry, "name", "target")), *pose, body, *frame});
+    m_plans.targets.push_back({m_waypointNames.take(stringAt(entry, "name", "target")), *pose, body, *frame});
   }
 
   // The name of a frame of the cell; empty: none is named; none: it has no such frame, which is noted.
@@ -141,7 +141,7 @@ class PlansReading {
   const JointValues& m_others;
   std::vector<Error>& m_damage;
   CellPlans m_plans;
-  FreeNames m_placeNames, m_pathNames, m_frameNames;
+  FreeNames m_waypointNames, m_pathNames, m_frameNames;
 };
 
 }  // namespace

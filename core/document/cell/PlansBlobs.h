@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Writes the plans of a cell into its container, and reads them. None where the container has none. What cannot be read
-// of it is left out and listed as damage.
+// Write the plans of a cell into its container, and read them. Null if the container has none. Parts that cannot be
+// read are left out and listed as damage.
 void writePlans(const CellPlans& plans, const RobotModel& robot, Container& container);
 std::shared_ptr<const CellPlans> readPlans(const Container& container, const RobotModel& robot,
                                            const JointValues& others, std::vector<Error>& damage);

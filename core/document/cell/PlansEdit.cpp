@@ -16,8 +16,8 @@ void PlansEdit::exchange(Document& document) {
 }
 
 Status checkCounts(const CellPlans& plans) {
-  std::size_t places = 0;
-  for (const RobotPath& path : plans.paths) places = std::max(places, path.places.size());
+  std::size_t waypoints = 0;
+  for (const RobotPath& path : plans.paths) waypoints = std::max(waypoints, path.waypoints.size());
   const auto full = [](const char* what, std::size_t count, std::size_t most) {
     return Error{CellError::PlansFull, {what, std::to_string(count), std::to_string(most)}, {}, {}};
   };
@@ -27,7 +27,7 @@ Status checkCounts(const CellPlans& plans) {
   if (plans.paths.size() > kMost) return full("paths", plans.paths.size(), kMost);
   if (plans.frames.size() > CellPlans::kMostFrames) return full("frames", plans.frames.size(), CellPlans::kMostFrames);
   if (plans.allowed.size() > kMost) return full("allowed pairs", plans.allowed.size(), kMost);
-  if (places > RobotPath::kMostPlaces) return full("places of a path", places, RobotPath::kMostPlaces);
+  if (waypoints > RobotPath::kMostWaypoints) return full("places of a path", waypoints, RobotPath::kMostWaypoints);
   return Done{};
 }
 

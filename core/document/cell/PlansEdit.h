@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// Exchanges what is planned in a cell: configurations, paths and what belongs to them.
+// Edit that exchanges the plans of a cell: configurations, paths, frames, targets and tools.
 class PlansEdit : public Edit {
  public:
-  explicit PlansEdit(std::shared_ptr<const CellPlans> plans) : m_plans(std::move(plans)) {}  // not null
+  explicit PlansEdit(std::shared_ptr<const CellPlans> plans) : m_plans(std::move(plans)) {}  // Not null
 
   void exchange(Document& document) override;
   std::size_t bytes() const override { return sizeof *this + m_plans->bytes(); }
@@ -20,7 +20,7 @@ class PlansEdit : public Edit {
   std::shared_ptr<const CellPlans> m_plans;
 };
 
-// Error where that is more than a cell can hold, and so than is read of its file: CellError::PlansFull.
+// Returns the error CellError::PlansFull if the plans have more entries than a cell can hold, and a file be read with.
 Status checkCounts(const CellPlans& plans);
 
 }  // namespace handwheel

@@ -104,8 +104,8 @@ std::vector<Property> RobotCellDocument::propertiesOfBody(const Body& body) cons
 
 std::optional<Property> RobotCellDocument::property(const std::string& id) const {
   if (const RobotPath* const path = pathOfClearance(*m_plans, id)) return clearanceProperty(*path, *m_plans);
-  if (const auto place = waypointOfProperty(*m_plans, id)) {
-    for (const Property& each : waypointProperties(*m_plans->path(place->path), place->place)) {
+  if (const auto waypoint = waypointOfProperty(*m_plans, id)) {
+    for (const Property& each : waypointProperties(*m_plans->path(waypoint->path), waypoint->index)) {
       if (each.id == id) return each;
     }
   }
@@ -148,13 +148,13 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
-  if (const auto place = waypointOfProperty(*m_plans, id)) {
-    Result<CellPlans> changed = changedWaypoint(*m_plans, *place, value);
+  if (const auto waypoint = waypointOfProperty(*m_plans, id)) {
+    Result<CellPlans> changed = changedWaypoint(*m_plans, *waypoint, value);
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }
   if (id == "frame" || id.starts_with("frame.") || id.starts_with("target.")) {
-    Result<CellPlans> changed = changedPlaceOf(id, value, placement());
+    Result<CellPlans> changed = changedFrameOrTarget(id, value, placement());
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }

@@ -18,37 +18,42 @@ class RobotCellDocument : public Document, public BodyOwner {
   Q_OBJECT
 
  public:
-  // opened: the content is a RobotCellSnapshot.
+  // opened: its content must be a RobotCellSnapshot.
   explicit RobotCellDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const CellRobot& robot() const { return *m_robot; }
   const JointValues& joints() const { return m_joints; }
-  const std::shared_ptr<const CellPlans>& plans() const { return m_plans; }  // never null
+  const std::shared_ptr<const CellPlans>& plans() const { return m_plans; }  // Never null
 
-  // What verifications found of the paths, and of what state of the cell: it is stored with it, and no edit.
+  // Returns the findings of path verifications with the state of the cell that they hold for. They are stored with the
+  // cell; changing them is no edit.
   const PathProofs& proofs() const { return *m_proofs; }
-  // isChange: the document is modified then; else the next save takes it along.
+  // Sets these findings. isChange: marks the document as modified; otherwise the proofs are merely saved at the next
+  // occasion.
   void setProofs(PathProofs proofs, bool isChange);
 
   SnapshotPointer snapshot() const override;
-  // Those of cellProperties(), of bodyProperties(), of the frames and targets, then those of every document.
+  // Returns those of cellProperties(), of bodyProperties(), of the frames and targets, then those of every document.
   std::vector<Property> properties() const override;
-  // Of the bodies those of these only: there may be very many.
+  // Returns the same properties, but only those of these bodies: there may be very many.
   std::vector<Property> propertiesWith(std::span<const Body> shown) const;
-  // Those of one body: of propertiesOf(), and what carries it.
+  // Returns the properties of one body: those of propertiesOf(), and its carrier.
   std::vector<Property> propertiesOfBody(const Body& body) const;
-  // Where its frames and targets are.
+  // Returns the data that the poses of frames and targets depend on.
   CellPlacement placement() const { return {*m_plans, bodies(), m_robot->model, m_joints}; }
-  // A body may be named by its name, too: "body.Table.x"; the property then has the id with the number.
+  // Returns a property. A body may be given by its name, too: "body.Table.x"; the property then has the id with the
+  // number.
   std::optional<Property> property(const std::string& id) const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
-  // An edit that moves the joints there, kept within their limits; null when nothing moves. Values must be finite.
+  // Makes an edit that moves the joints to these values, kept within their limits; null if nothing moves. Values must
+  // be finite.
   std::unique_ptr<Edit> jointEdit(const JointValues& joints) const;
-  // An edit that makes these the plans; null when they are the same.
+  // Makes an edit that replaces the plans; null if they are the same.
   std::unique_ptr<Edit> plansEdit(CellPlans plans) const;
-  // An edit that makes these the robots, with their joints, plans and what they carry (RobotChanges.h). The bodies must
-  // be those of the document, at most changed. moved: the number of the robot that is only moved.
+  // Makes an edit that replaces the robots, with their joints, plans and the bodies that they carry (RobotChanges.h).
+  // The bodies must be those of the document, at most changed. moved: the number of the robot, if moving it is the only
+  // change.
   std::unique_ptr<Edit> robotsEdit(RobotCellSnapshot changed, std::optional<std::size_t> moved = {}) const;
 
  private:

@@ -75,7 +75,7 @@ nlohmann::json withPose(nlohmann::json described, const Pose& pose) {
   return described;
 }
 
-// Whose joints something sets, by its name.
+// Returns the name of the robot whose joints something sets.
 std::string describedArm(const RobotCellSnapshot& cell, const std::string& arm) {
   const auto number = armNumber(*cell.robot, arm);
   return number ? cell.robot->arms[*number].name : arm;
@@ -123,7 +123,7 @@ nlohmann::json describeFrames(const RobotCellSnapshot& cell) {
   return list;
 }
 
-// Of the cell as it was then.
+// Describes the findings for the cell at that time.
 nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
   const PathFindings& found = proof.found;
   const std::size_t tooNear = std::min(found.tooNear, found.collisions);
@@ -147,7 +147,7 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
     const OutdatedReasons outdated = outdatedReasonsOf(*cell.robot, placement, path);
     list.push_back({{"name", path.name},
                     {"robot", describedArm(cell, path.arm)},
-                    {"places", path.places.size()},
+                    {"places", path.waypoints.size()},
                     {"outdated", outdated.isAny()}});
     if (!outdated.part.empty()) list.back()["part_moved"] = outdated.part;
     if (outdated.isBaseOther) list.back()["base_moved"] = true;

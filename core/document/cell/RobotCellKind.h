@@ -14,17 +14,17 @@ struct RobotCellSnapshot;
 // Document kind of robot cells. A cell is a URDF description, its meshes and joint values, and bodies beside it.
 class RobotCellKind : public DocumentKind {
  public:
-  // The setting cell.shape_sides for the robots that are opened from now on. Any thread.
+  // Sets cell.shape_sides for the robots that are opened from now on. Any thread.
   void setShapeSides(std::uint32_t sides) { m_shapeSides = sides; }
 
   std::string id() const override { return "cell"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
-  // A robot always opens; its meshes that are missing or damaged are left out.
+  // A robot always opens; its missing or damaged meshes are left out.
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
-  // The surfaces as they are shown, as one mesh.
+  // Exports the displayed surfaces as one mesh.
   Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                Progress progress) const override;
   void save(const Snapshot& content, Container& container) const override;
@@ -42,7 +42,7 @@ class RobotCellKind : public DocumentKind {
   std::atomic<std::uint32_t> m_shapeSides = kShapeSides;
 };
 
-// The key "robots" of what describe() gives: an array with name, title, position and planned of each, among others.
+// Returns the key "robots" of describe(): an array with name, title, position and planned of each robot, among others.
 nlohmann::json describeRobots(const RobotCellSnapshot& cell);
 
 }  // namespace handwheel

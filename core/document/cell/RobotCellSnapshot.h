@@ -15,20 +15,20 @@ namespace handwheel {
 // snapshots and display share them.
 struct CellRobot {
   RobotModel model;
-  std::vector<RobotArm> arms;  // at least one
-  std::string description;     // the URDF file as it was read, or written of all robots
-  // Per shape of the model, in mm, coordinates that single precision can hold; null for a mesh that is missing.
+  std::vector<RobotArm> arms;  // At least one
+  std::string description;     // The URDF file as it was read, or one written for all robots
+  // One per shape of the model, in mm, with coordinates that single precision can hold; null for a missing mesh.
   std::vector<std::shared_ptr<const TriangleSoup>> surfaces;
 };
 
 // The value of a cell document.
 struct RobotCellSnapshot : Snapshot {
-  std::shared_ptr<const CellRobot> robot;  // never null; all robots of the cell
-  JointValues joints;                      // within their limits
-  std::string source;                      // the file that the first robot came from, as text in UTF-8
-  BodySet bodies;                          // what stands beside the robots; in the frame of the root
-  std::shared_ptr<const CellPlans> plans = std::make_shared<const CellPlans>();  // never null
-  // What verifications found, perhaps of a former state of the cell. Never null.
+  std::shared_ptr<const CellRobot> robot;  // All robots of the cell; never null
+  JointValues joints;                      // Within their limits
+  std::string source;                      // The file of the first robot, as text in UTF-8
+  BodySet bodies;                          // Bodies beside and on the robots; in the frame of the root
+  std::shared_ptr<const CellPlans> plans = std::make_shared<const CellPlans>();  // Never null
+  // The findings of verifications, perhaps for a former state of the cell. Never null.
   std::shared_ptr<const PathProofs> proofs = std::make_shared<const PathProofs>();
 };
 

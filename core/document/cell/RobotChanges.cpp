@@ -83,13 +83,13 @@ class JointMapping {
   void apply(CellPlans& plans) const {
     for (NamedConfiguration& each : plans.configurations) each.joints = of(each.joints);
     for (RobotPath& path : plans.paths) {
-      for (Waypoint& place : path.places) place.joints = of(place.joints);
+      for (Waypoint& waypoint : path.waypoints) waypoint.joints = of(waypoint.joints);
     }
   }
 
  private:
   JointValues m_rest;
-  std::vector<Eigen::Index> m_sources;  // of each degree of freedom of the new model; -1: none
+  std::vector<Eigen::Index> m_sources;  // Source of each degree of freedom of the new model; -1: none
 };
 
 std::optional<Error> problemOfBase(const Pose& base) {

@@ -7,27 +7,28 @@
 
 namespace handwheel {
 
-// Changes of the robots of a cell: what it would be afterwards. RobotCellDocument::robotsEdit() makes an edit of it.
+// Functions that return a robot cell with its robots changed. RobotCellDocument::robotsEdit() makes an edit of the
+// result.
 
-// A robot to add: that of a cell with one, as importCell() and cellOf() give it.
+// A robot to add: the only one of a cell made by importCell() or cellOf().
 struct AddedRobot {
   std::shared_ptr<const RobotCellSnapshot> from;
-  std::string name = {};         // empty: that of its description
-  Pose base = Pose::Identity();  // in the frame of the root
+  std::string name = {};         // Empty: the name in its description
+  Pose base = Pose::Identity();  // In the frame of the root
 };
 
-// The cell with one robot more, at rest; pairs that its description allows to touch go with it. A name that is taken
-// gets a number. Costs about as much as reading the description of all robots. Errors: ArmNameUnusable {name};
-// Unsupported where there are several to add; ValueOutOfRange of the base; FileTooLarge {"triangles", …}; PlansFull;
-// those of readUrdf().
+// Returns the cell with one more robot, at rest; pairs that its description allows to touch are added. A name that is
+// taken gets a number. Costs about as much as reading the description of all robots. Errors: ArmNameUnusable {name};
+// Unsupported if there are several to add; ValueOutOfRange of the base; FileTooLarge {"triangles", …}; PlansFull; those
+// of readUrdf().
 Result<RobotCellSnapshot> withRobotAdded(const RobotCellSnapshot& cell, const AddedRobot& added);
 
-// The cell without one of its robots: also without its configurations and paths, and what it carries stands where it
-// is. Errors: OnlyRobot {name}; those of readUrdf().
+// Returns the cell without one of its robots and its configurations and paths. The bodies that it carries keep their
+// poses. Errors: OnlyRobot {name}; those of readUrdf().
 Result<RobotCellSnapshot> withRobotRemoved(const RobotCellSnapshot& cell, std::size_t arm);
 
-// The cell with one of its robots, with what it carries, at another place. Errors: ArmOnRoot {name} for the one whose
-// base is the root, which all is measured from; ValueOutOfRange; those of readUrdf().
+// Returns the cell with the base of one robot, and the bodies that it carries, moved to another pose. Errors: ArmOnRoot
+// {name} for the robot whose base is the root, the origin of the cell; ValueOutOfRange; those of readUrdf().
 Result<RobotCellSnapshot> withRobotMoved(const RobotCellSnapshot& cell, std::size_t arm, const Pose& base);
 
 }  // namespace handwheel

@@ -9,15 +9,15 @@
 
 namespace handwheel {
 
-// An edit that replaces the robots of a cell, and what depends on them. That is joint values, plans, and the bodies
-// that they carry.
+// Edit that replaces the robots of a cell and everything that depends on them. These are joint values, plans, and the
+// bodies that they carry.
 class RobotsEdit : public Edit {
  public:
-  // bodies: that change with it. moved: the robot that is moved, if nothing else is changed.
+  // bodies: the bodies that change, too. moved: the number of the robot, if moving it is the only change.
   RobotsEdit(RobotCellSnapshot other, std::vector<BodyEdit::Change> bodies, std::optional<std::size_t> moved);
 
   void exchange(Document& document) override;
-  bool absorb(const Edit& later) override;  // that only moves the same robot
+  bool absorb(const Edit& later) override;  // Only an edit that moves the same robot
   std::size_t bytes() const override;
 
  private:

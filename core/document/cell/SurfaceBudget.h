@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Limit on the number of triangles and points of a robot. A short description can place a large mesh a thousand times.
+// Limit on the number of triangles and points of a robot. A short description can use a large mesh a thousand times.
 class SurfaceBudget {
  public:
   explicit SurfaceBudget(const RobotModel& robot) : m_placements(robot.shapes.size()) {
@@ -20,7 +20,7 @@ class SurfaceBudget {
     }
   }
 
-  // Reserves the surface of a shape for all of its placements. False, and nothing reserved, when that exceeds the
+  // Reserves the surface of a shape for all of its placements. Returns false, and reserves nothing, if that exceeds the
   // limit.
   bool take(std::size_t shape, const TriangleSoup& surface) {
     const std::size_t wanted = m_placements[shape] * std::max(surface.triangles.size(), surface.points.size());
@@ -33,7 +33,7 @@ class SurfaceBudget {
  private:
   static constexpr std::size_t kMost = 20'000'000;
 
-  std::vector<std::size_t> m_placements;  // per shape
+  std::vector<std::size_t> m_placements;  // Number of placements per shape
   std::size_t m_taken = 0;
 };
 

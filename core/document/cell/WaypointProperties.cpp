@@ -19,16 +19,16 @@ constexpr double kLeastSpeed = 0.01, kLargestSpeed = 1e4;  // mm/s
 constexpr double kLargestBlend = 1e3;                      // mm
 const std::string kPathPrefix = "path.", kClearance = ".clearance";
 
-bool isLine(const Waypoint& place) {
-  return place.motion == ProgramMotion::Kind::Linear;
+bool isLine(const Waypoint& waypoint) {
+  return waypoint.motion == ProgramMotion::Kind::Linear;
 }
 
 }  // namespace
 
-std::vector<Property> waypointProperties(const RobotPath& path, std::size_t place) {
-  if (place == 0 || place >= path.places.size()) return {};
-  const Waypoint& at = path.places[place];
-  const std::string prefix = "path." + path.name + "." + std::to_string(place + 1) + ".";
+std::vector<Property> waypointProperties(const RobotPath& path, std::size_t index) {
+  if (index == 0 || index >= path.waypoints.size()) return {};
+  const Waypoint& at = path.waypoints[index];
+  const std::string prefix = "path." + path.name + "." + std::to_string(index + 1) + ".";
   const char* const kGroup = QT_TRANSLATE_NOOP("Property", "Place of the path");
   Property motion{.id = prefix + "motion",
                   .group = kGroup,
@@ -62,9 +62,9 @@ std::optional<WaypointField> waypointOfProperty(const CellPlans& plans, std::str
   const std::string_view digits = id.substr(before + 1, last - before - 1);
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const RobotPath* const path = plans.path(id.substr(0, before));
-  const bool isPlace = read.ec == std::errc() && read.ptr == digits.data() + digits.size() && path && number > 1 &&
-                       number <= path->places.size();
-  if (!isPlace) return std::nullopt;
+  const bool isWaypoint = read.ec == std::errc() && read.ptr == digits.data() + digits.size() && path && number > 1 &&
+                          number <= path->waypoints.size();
+  if (!isWaypoint) return std::nullopt;
   return WaypointField{path->name, number - 1, std::string(id.substr(last + 1))};
 }
 
@@ -102,29 +102,29 @@ Result<CellPlans> changedClearance(const CellPlans& plans, const RobotPath& path
   return changed;
 }
 
-void setMotion(RobotPath& path, std::size_t place, ProgramMotion::Kind kind) {
-  Waypoint& at = path.places[place];
+void setMotion(RobotPath& path, std::size_t index, ProgramMotion::Kind kind) {
+  Waypoint& at = path.waypoints[index];
   if (at.motion == kind) return;
   at.motion = kind;
   at.speed = kind == ProgramMotion::Kind::Linear ? 250.0 : 0.25;
-  for (std::size_t i = 1; i < path.places.size(); ++i) {
-    if (i != place && path.places[i].motion == kind) at.speed = path.places[i].speed;
-    if (i > place && path.places[i].motion == kind) break;
+  for (std::size_t i = 1; i < path.waypoints.size(); ++i) {
+    if (i != index && path.waypoints[i].motion == kind) at.speed = path.waypoints[i].speed;
+    if (i > index && path.waypoints[i].motion == kind) break;
   }
 }
 
 Result<CellPlans> changedWaypoint(const CellPlans& plans, const WaypointField& field, const PropertyValue& value) {
   CellPlans changed = plans;
   const auto found = std::ranges::find(changed.paths, field.path, &RobotPath::name);
-  const std::string id = field.path + "." + std::to_string(field.place + 1) + "." + field.field;
+  const std::string id = field.path + "." + std::to_string(field.index + 1) + "." + field.field;
   const auto* const number = std::get_if<double>(&value);
-  if (found == changed.paths.end() || field.place >= found->places.size() || !number || !std::isfinite(*number))
+  if (found == changed.paths.end() || field.index >= found->waypoints.size() || !number || !std::isfinite(*number))
     return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
-  Waypoint& place = found->places[field.place];
-  for (const Property& each : waypointProperties(*found, field.place)) {
+  Waypoint& waypoint = found->waypoints[field.index];
+  for (const Property& each : waypointProperties(*found, field.index)) {
     if (!each.id.ends_with("." + field.field)) continue;
     if (!each.choices.empty()) {
-      setMotion(*found, field.place, *number >= 0.5 ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
+      setMotion(*found, field.index, *number >= 0.5 ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
     } else {
       const auto kept = withinShownLimits(*number, each.least, each.largest);
       if (!kept)
@@ -132,11 +132,11 @@ Result<CellPlans> changedWaypoint(const CellPlans& plans, const WaypointField& f
                      {id, shownText(*number), shownText(each.least), shownText(each.largest)},
                      {},
                      {}};
-      if (field.field == "blend") place.blend = *kept;
-      if (field.field == "speed") place.speed = isLine(place) ? *kept : *kept / kPercent;
+      if (field.field == "blend") waypoint.blend = *kept;
+      if (field.field == "speed") waypoint.speed = isLine(waypoint) ? *kept : *kept / kPercent;
     }
     // Planning along the curve again would bring the former values back.
-    if (!(place == plans.path(field.path)->places[field.place])) found->process.reset();
+    if (!(waypoint == plans.path(field.path)->waypoints[field.index])) found->process.reset();
     return changed;
   }
   return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};

@@ -10,31 +10,31 @@
 
 namespace handwheel {
 
-// The properties of a place of a path, by its number from 0. They are how the robot gets there, how fast, and how far
-// it may round the place off. Ids are "path.NAME.NUMBER.motion" and so on, with numbers from 1. None of the first
-// place, where the path begins.
-std::vector<Property> waypointProperties(const RobotPath& path, std::size_t place);
+// Returns the properties of a waypoint, by its index from 0. They are the motion to it, its speed, and the blend radius
+// at the waypoint. Ids are "path.NAME.NUMBER.motion" and so on, with numbers from 1. Empty for the first waypoint, at
+// which the path begins.
+std::vector<Property> waypointProperties(const RobotPath& path, std::size_t index);
 
-// A property of a place, by its id; none: it is no such property, or there is no such place.
+// A property of a waypoint, by its id. Nothing if there is no such property or waypoint.
 struct WaypointField {
   std::string path;
-  std::size_t place;  // from 0
+  std::size_t index;  // From 0
   std::string field;
 };
 std::optional<WaypointField> waypointOfProperty(const CellPlans& plans, std::string_view id);
 
-// Plans with one of these properties changed. Error: ValueOutOfRange, ElementMalformed.
+// Returns the plans with one of these properties changed. Error: ValueOutOfRange, ElementMalformed.
 Result<CellPlans> changedWaypoint(const CellPlans& plans, const WaypointField& field, const PropertyValue& value);
 
-// The clearance that a path keeps, with the id "path.NAME.clearance".
+// Returns the clearance that a path keeps, as a property with the id "path.NAME.clearance".
 Property clearanceProperty(const RobotPath& path, const CellPlans& plans);
-// The path whose clearance this id stands for; null: it stands for none.
+// Returns the path whose clearance has this id; null for other ids.
 const RobotPath* pathOfClearance(const CellPlans& plans, std::string_view id);
-// Plans in which the path keeps this clearance. One along a curve is planned with it, too. Error: ValueOutOfRange,
-// ElementMalformed.
+// Returns the plans with another clearance of the path. A path along a curve is also planned with it. Error:
+// ValueOutOfRange, ElementMalformed.
 Result<CellPlans> changedClearance(const CellPlans& plans, const RobotPath& path, const PropertyValue& value);
 
-// The motion to a place becomes another, with the speed that the path has elsewhere for that kind.
-void setMotion(RobotPath& path, std::size_t place, ProgramMotion::Kind kind);
+// Sets the kind of the motion to a waypoint, with the speed that the path has elsewhere for that kind.
+void setMotion(RobotPath& path, std::size_t index, ProgramMotion::Kind kind);
 
 }  // namespace handwheel

@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-// Elements lost for each that is there, before the array is given up; a chunk that is there, however short, stands for
+// Number of lost elements per existing one at which the array is given up; an existing chunk, however short, counts as
 // a whole one.
 constexpr std::uint64_t kMostLost = 64;
 
@@ -51,7 +51,7 @@ struct Chunk {
   const std::string* bytes = nullptr;
 };
 
-// Those that have the size they must have, in order.
+// Returns the chunks of the right size, in order.
 std::vector<Chunk> soundChunks(const Container& container, const std::string& name, std::uint64_t count,
                                std::size_t elementSize) {
   std::vector<Chunk> chunks;

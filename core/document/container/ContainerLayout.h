@@ -11,10 +11,11 @@
 // Constants and functions for both writing and reading containers; docs/format.md describes the format.
 namespace handwheel::layout {
 
-// First in the archive, so that a file cut short still has it, and once more at the end.
+// Name of the manifest. It is the first entry of the archive, so that a truncated file still has it, and is repeated at
+// the end.
 inline const std::string kManifest = "manifest.json";
 inline const std::string kManifestCopy = "manifest.copy.json";
-// Largest manifest, bytes; a parsed manifest takes up to some thirty times as much memory.
+// Largest manifest, bytes; a parsed manifest takes up to about thirty times as much memory.
 inline constexpr std::size_t kLargestManifest = 16 << 20;
 inline constexpr UnpackLimits kLimits{.largest = kLargestContainer, .allowance = std::uint64_t{1} << 30};
 
@@ -22,11 +23,11 @@ inline bool isManifestName(std::string_view name) {
   return name == kManifest || name == kManifestCopy;
 }
 
-// Whether a name is valid for a blob. Printable ASCII, relative, with slashes, no part empty, "." or "..": so that
+// Returns true if a name is valid for a blob. Printable ASCII, relative, with slashes, no part empty, "." or "..": so
 // unpacking the archive writes only below the target folder, on any system.
 bool isBlobName(std::string_view name);
 
-// The CRC-32 (as in ZIP) of bytes, as eight hexadecimal digits.
+// Returns the CRC-32 (as in ZIP) of bytes, as eight hexadecimal digits.
 std::string checksumText(std::string_view bytes);
 
 // Creates the error FileTooLarge.

@@ -54,7 +54,7 @@ bool matches(const json& entry, std::string_view bytes) {
          (checksum == entry.end() || *checksum == checksumText(bytes));
 }
 
-// Puts the blobs of an archive into a container: those that the manifest lists, and those that somebody added.
+// Puts the blobs of an archive into a container: those that the manifest lists, and those that were added.
 class BlobReading {
  public:
   BlobReading(ZipReader& zip, std::string_view manifestText, ReadContainer& read, Progress progress)
@@ -74,10 +74,10 @@ class BlobReading {
     for (const auto& [name, entry] : m_table.items()) {
       if (Status done = readOne(name, &entry); !done) return done;
     }
-    // In a damaged archive a strange name is rather a damaged one.
+    // In a damaged archive an unknown name is probably a damaged one.
     if (m_zip.hasSalvaged() || !m_zip.directoryProblem().empty()) return Done{};
     for (const std::string& name : m_zip.names()) {
-      const bool isFolder = name.ends_with('/');  // as some archivers write them
+      const bool isFolder = name.ends_with('/');  // some archivers write folders
       if (isManifestName(name) || isFolder || m_table.contains(name)) continue;
       if (Status done = readOne(name, nullptr); !done) return done;
     }

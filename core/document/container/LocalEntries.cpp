@@ -46,13 +46,13 @@ Header parseHeader(std::string_view archive, std::size_t at) {
   entry.data = at + kHeaderSize + nameLength + extraLength;
   if (entry.data > archive.size() || nameLength == 0 || nameLength > kLongestEntryName) return header;
   entry.name = archive.substr(at + kHeaderSize, nameLength);
-  // Stored data of unknown length has no end that one could find.
+  // Stored data of unknown length has no recognisable end.
   const bool hasEnd = entry.isDeflated || !entry.isStreamed;
   header.isUsable = (flags & kEncryptedFlag) == 0 && (method == kStored || method == kDeflated) && hasEnd;
   return header;
 }
 
-// Where to look for the next header.
+// Returns the text in which the next header is sought.
 std::size_t behind(std::string_view archive, const LocalEntry& entry) {
   if (!entry.isStreamed && entry.compressed <= archive.size() - entry.data) {
     const std::string_view rest = archive.substr(entry.data + entry.compressed);
@@ -61,7 +61,7 @@ std::size_t behind(std::string_view archive, const LocalEntry& entry) {
   return entry.data;
 }
 
-// Raw deflate data, block by block.
+// Inflates raw deflate data, block by block.
 class Inflation {
  public:
   explicit Inflation(std::string_view input) : m_input(input) {
@@ -77,7 +77,7 @@ class Inflation {
   bool atEnd() const { return m_atEnd; }
   std::size_t consumed() const { return m_consumed; }
 
-  // Appends at most one block; false when nothing more can be had.
+  // Appends at most one block. Returns false at the end.
   bool next(std::string& to, std::uint64_t most) {
     const std::size_t before = to.size();
     const auto room = static_cast<std::size_t>(std::min<std::uint64_t>(kSearchBlock, most));
@@ -107,7 +107,7 @@ std::uint32_t checksumOf(std::string_view bytes) {
   return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-// What follows the data of a streamed entry: the signature, which may be left out, checksum, both sizes.
+// Checks the descriptor after the data of a streamed entry: the signature, which is optional, checksum, both sizes.
 bool matchesDescriptor(std::string_view behind, std::string_view bytes) {
   if (behind.starts_with(kDescriptor)) behind.remove_prefix(kDescriptor.size());
   constexpr std::size_t kFields = 12;
@@ -145,7 +145,7 @@ UnpackedEntry unpackLocalEntry(std::string_view archive, const LocalEntry& entry
   bool goesOn = inflation.isReady();
   while (goesOn && work > 0 && !progress.cancelled()) {
     const std::size_t before = inflation.consumed() + unpacked.bytes.size();
-    // One more than allowed: the end of the stream may stand behind the last byte.
+    // One more than allowed: the end of the stream may be after the last byte.
     goesOn = unpacked.bytes.size() <= most && inflation.next(unpacked.bytes, most + 1 - unpacked.bytes.size());
     spend(inflation.consumed() + unpacked.bytes.size() - before + 1);
   }

@@ -14,8 +14,8 @@ namespace handwheel {
 // An entry of a ZIP archive as described by its local header (APPNOTE.TXT 4.3.7). The archive's directory is not used.
 struct LocalEntry {
   std::string name;
-  std::size_t data = 0;          // where its bytes begin
-  std::uint32_t compressed = 0;  // bytes; 0 where they are announced only behind the data
+  std::size_t data = 0;          // offset of its first byte
+  std::uint32_t compressed = 0;  // bytes; 0 if they are given only after the data
   std::uint32_t size = 0;
   std::uint32_t checksum = 0;
   bool isDeflated = false;
@@ -28,7 +28,7 @@ std::vector<LocalEntry> findLocalEntries(std::string_view archive, std::size_t m
 
 // Result of unpacking an entry.
 struct UnpackedEntry {
-  std::string bytes;     // as far as they can be unpacked
+  std::string bytes;     // the bytes that can be unpacked
   bool isWhole = false;  // size and checksum are right
 };
 

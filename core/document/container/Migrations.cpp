@@ -13,15 +13,15 @@ namespace handwheel {
 
 namespace {
 
-// The points of all passes of a workpiece become one array, for an archive has fewer entries than there can be passes.
-// A pass of which something is lost is left without points.
+// Joins the points of all passes of a workpiece in one array, as an archive may have fewer entries than there are
+// passes. A pass with lost parts is left without points.
 Status joinPasses(Container& container) {
   constexpr std::size_t kNumbers = 3;
-  constexpr std::uint64_t kMostPoints = 10'000'000;  // of a pass, in version 3
+  constexpr std::uint64_t kMostPoints = 10'000'000;  // limit for a pass, in version 3
   nlohmann::json& manifest = *container.manifest;
-  const nlohmann::json::json_pointer place("/document/turned/passes");
-  if (manifest.value("kind", nlohmann::json()) != "workpiece" || !manifest.contains(place)) return Done{};
-  nlohmann::json& passes = manifest[place];
+  const nlohmann::json::json_pointer pointer("/document/turned/passes");
+  if (manifest.value("kind", nlohmann::json()) != "workpiece" || !manifest.contains(pointer)) return Done{};
+  nlohmann::json& passes = manifest[pointer];
   if (!passes.is_array()) return Done{};
   std::vector<double> points;
   for (std::size_t i = 0; i < passes.size(); ++i) {

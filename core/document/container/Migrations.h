@@ -14,7 +14,8 @@ struct Container;
 // Converts a container from one version of the format to the next. Errors: ElementMalformed.
 using Migration = std::function<Status(Container&)>;
 
-// The migrations of this program. Number i converts version i + 1 to i + 2; there are kContainerVersion - 1 of them.
+// Returns the migrations of this program. Number i converts version i + 1 to i + 2; there are kContainerVersion - 1 of
+// them.
 std::span<const Migration> migrations();
 
 // Converts a container from `version` to the last version of the chain. That is one more than the chain's length.

@@ -36,7 +36,7 @@ double forceAt(const json& object, const char* key) {
   return force > 0.0 && std::isfinite(force) ? force : 0.0;
 }
 
-// All parts that are there and can be read.
+// Reads all parts that exist and are readable.
 Recording readTicks(const std::string& key, const Container& container) {
   Recording ticks;
   const std::string folder = kRecordingFolder + key + "/";

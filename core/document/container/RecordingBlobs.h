@@ -11,7 +11,7 @@ namespace handwheel {
 
 // Storage of recordings in a container. Their metadata is in the manifest's object "recordings", by key, and their
 // ticks are in the blobs "recordings/KEY/0000", …, each a recording of its own (haptics/RecordingBytes.h): a damaged
-// byte costs one.
+// byte loses at most one blob.
 inline constexpr const char* kRecordingFolder = "recordings/";
 
 // Writes the metadata of recordings to the manifest.
@@ -19,8 +19,8 @@ void listRecordings(const std::vector<StoredRecording>& recordings, nlohmann::js
 // Writes the ticks of recordings to blobs.
 void writeRecordings(const std::vector<StoredRecording>& recordings, Container& container);
 
-// Reads the recordings of a container. Accepts any input, and returns what can be recovered. For each with missing
-// ticks, damage has their number: DataTruncated.
+// Reads the recordings of a container. Accepts any input, and returns everything that can be recovered. For each with
+// missing ticks, damage gets their number: DataTruncated.
 std::vector<StoredRecording> readRecordings(const Container& container, std::vector<Error>& damage);
 
 }  // namespace handwheel

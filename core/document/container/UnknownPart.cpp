@@ -13,7 +13,7 @@ using nlohmann::json;
 
 // All of these recurse no deeper than what parseJson() lets in.
 
-// Without what stood in objects that were known and are gone.
+// Removes the parts of objects that were known and have been deleted.
 json withoutDeleted(const json& unknown, const json& known, const json& ours) {
   json left = json::object();
   for (const auto& [key, value] : unknown.items()) {

@@ -10,9 +10,9 @@ namespace handwheel {
 
 // Limits on the unpacked size of an archive. A ZIP of a few kilobytes can announce, and deliver, gigabytes.
 struct UnpackLimits {
-  std::uint64_t largest = 0;    // bytes of all entries together, whatever the archive's size
-  std::uint64_t allowance = 0;  // bytes that any archive may unpack to, however small it is,
-  std::uint64_t ratio = 100;    // plus this many for each of its own
+  std::uint64_t largest = 0;    // bytes of all entries together, for any archive
+  std::uint64_t allowance = 0;  // bytes that even the smallest archive may unpack to,
+  std::uint64_t ratio = 100;    // plus this many per byte of the archive
   std::size_t entries = 100'000;
 
   std::uint64_t budget(std::uint64_t archiveBytes) const {

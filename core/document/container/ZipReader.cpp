@@ -31,7 +31,8 @@ Error damagedError(const std::string& name) {
   return {ArchiveError::EntryDamaged, {name}, {}, {}};
 }
 
-// Neither encrypted nor packed by other means, and of a size that the packed bytes may have.
+// Returns true if an entry is neither encrypted nor compressed by other methods, and its size is possible for the
+// packed bytes.
 bool isPossible(const zip_stat_t& entry) {
   if (entry.encryption_method != ZIP_EM_NONE) return false;
   if (entry.comp_method == ZIP_CM_STORE) return entry.size == entry.comp_size;
@@ -138,7 +139,7 @@ class ZipReader::Archive {
     zip_stat_t status;
     if (zip_stat_index(m_zip.get(), index, 0, &status) != 0) return damagedError(name);
     if (!isPossible(status)) return damagedError(name);
-    // One wrong bit makes any size huge; a bomb is one by its own header, too.
+    // One wrong bit makes any size huge; a decompression bomb is one by its own header, too.
     if (status.size > m_budget) return isAnnouncedLocally(name, status.size) ? tooLarge() : damagedError(name);
     const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(m_zip.get(), index, 0));
     if (!entry) return damagedError(name);
@@ -151,7 +152,7 @@ class ZipReader::Archive {
     for (;;) {
       if (m_progress.cancelled()) return cancelledError();
       const std::size_t before = bytes.size();
-      // At the announced end, one byte more: reading to the very end is what has the checksum compared.
+      // One byte more than announced: only reading to the very end compares the checksum.
       const std::size_t room =
           before < announced.size ? std::min<std::size_t>(kUnpackBlock, announced.size - before) : 1;
       bytes.resize(before + room);
@@ -191,7 +192,7 @@ class ZipReader::Archive {
   UnpackLimits m_limits;
   Progress m_progress;
   std::uint64_t m_budget;  // bytes that may still be unpacked
-  std::uint64_t m_work;    // bytes that may still be unpacked in vain, see unpackLocalEntry()
+  std::uint64_t m_work;    // bytes that may still be unpacked without a result, see unpackLocalEntry()
   std::unique_ptr<zip_t, DropArchive> m_zip;
   std::string m_problem;
   std::vector<std::string> m_names;

@@ -21,24 +21,24 @@ class ZipReader {
   ZipReader(std::string_view archive, const UnpackLimits& limits, Progress progress = {});
   ~ZipReader();
 
-  // The names of the entries, from the directory or else from the headers; each once, in their order. They are not
-  // validated.
+  // Returns the names of the entries, from the directory or else from the headers; each once, in their order. They are
+  // not validated.
   const std::vector<std::string>& names() const;
 
-  // Bytes of the entry as declared in the directory or its header, true or not; 0 when it does not exist.
+  // Returns the size of the entry as declared in the directory or its header, correct or not; 0 if it does not exist.
   std::uint64_t announcedSize(const std::string& name) const;
 
-  // The entry, whole and with the right checksum. Errors: EntryMissing {name}, EntryDamaged {name}, FileTooLarge
-  // {"bytes", "", limit}, Cancelled.
+  // Returns the entry, whole and with the right checksum. Errors: EntryMissing {name}, EntryDamaged {name},
+  // FileTooLarge {"bytes", "", limit}, Cancelled.
   Result<std::string> read(const std::string& name);
-  // What can be unpacked of a damaged entry, from its beginning; possibly nothing.
+  // Returns the part of a damaged entry that can be unpacked, from its beginning; possibly empty.
   std::string readDamaged(const std::string& name);
 
-  // Why the directory cannot be used; empty when it can.
+  // Returns the reason why the directory cannot be used; empty if it can.
   const std::string& directoryProblem() const;
-  // Names that the directory lists more than once; the first is read.
+  // Returns names that the directory lists more than once; the first is read.
   const std::vector<std::string>& duplicates() const;
-  // Whether an entry was read that the directory does not lead to.
+  // Returns true if an entry was read that the directory does not lead to.
   bool hasSalvaged() const;
 
  private:

@@ -21,7 +21,7 @@ std::string shownName(const Property& property) {
   return words(property.group, property.groupTranslated) + ", " + words(property.label, property.translated);
 }
 
-// An error about a property, without ids that nobody sees in the window.
+// Returns an error about a property, without ids that the window never shows.
 Error inWords(Error error, const Property& property) {
   if (error.arguments.empty()) return error;
   if (error.code == ErrorCode::ElementMalformed) error.code = ExerciseError::FieldRefused;
@@ -75,7 +75,7 @@ bool ExerciseEdit::absorb(const Edit& later) {
   return edit && !m_property.empty() && edit->m_property == m_property;
 }
 
-// Of the texts, which versions do not share.
+// Counts the texts, which versions do not share.
 std::size_t ExerciseEdit::bytes() const {
   const Exercise& exercise = m_exercise->exercise;
   std::size_t sum = sizeof *this + sizeof *m_exercise + exercise.text.size();

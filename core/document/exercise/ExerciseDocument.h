@@ -12,20 +12,20 @@ class ExerciseDocument : public Document {
   Q_OBJECT
 
  public:
-  // opened: the content is an ExerciseSnapshot with a subject.
+  // The content of `opened` must be an ExerciseSnapshot with a subject.
   explicit ExerciseDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const ExerciseSnapshot& exercise() const { return *m_exercise; }
 
   SnapshotPointer snapshot() const override { return m_exercise; }
-  // Those of exerciseProperties(), then those of every document.
+  // Returns the properties of exerciseProperties(), then those of every document.
   std::vector<Property> properties() const override;
-  // Error for a student's copy: Fixed.
+  // Errors: Fixed for a student's copy.
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
-  // Makes another value the present one, as one undo step.
+  // Replaces the value of the document, as one undo step.
   void change(const QString& text, ExerciseSnapshot exercise);
-  // The same, as the beginning or end of a gesture: with the next change of this part it is one undo step.
+  // Does the same as the begin or end of a gesture: the next change of the same `part` is merged into this undo step.
   void change(const QString& text, ExerciseSnapshot exercise, std::string part, DragPhase gesture);
 
  private:
@@ -37,7 +37,8 @@ class ExerciseDocument : public Document {
 // An edit that replaces the value of an exercise. Versions share task, solution and work.
 class ExerciseEdit : public Edit {
  public:
-  // property: that the edit changes; edits of one that are part of a gesture become one step. Empty: of none.
+  // property: the property that the edit changes. Edits of one property within a gesture are merged. Empty: never
+  // merged.
   explicit ExerciseEdit(ExerciseSnapshot exercise, std::string property = {});
 
   void exchange(Document& document) override;

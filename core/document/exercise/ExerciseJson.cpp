@@ -21,7 +21,7 @@ const Json& arrayAt(const Json& object, const char* key) {
   return found.is_array() ? found : kNone;
 }
 
-// Both ways with what exercises have besides plain values; of lists, at most so many are taken.
+// Readers and writers of the lists and nested values of exercises; lists are limited in length.
 struct ExerciseFieldWriter : JsonFieldWriter {
   using JsonFieldWriter::JsonFieldWriter;
   using JsonFieldWriter::operator();
@@ -75,7 +75,7 @@ void visitStep(Step& step, const auto& visit) {
   visit("criteria", step.criteria, Exercise::kMostCriteria);
 }
 
-// Without its rows.
+// Handles the fields except for the rows.
 template <class Head>
 void visitHead(Head& exercise, const auto& visit) {
   visit("title", exercise.title);
@@ -91,10 +91,10 @@ void visitAttemptTexts(Texts& attempt, const auto& visit) {
   visit("handed_in", attempt.handedIn);
 }
 
-constexpr const char *kSteps = "steps", *kCriteria = "criteria";                          // of an exercise
-constexpr const char *kSeconds = "seconds", *kHintsSeen = "hints", *kStepsDone = "done";  // of an attempt
+constexpr const char *kSteps = "steps", *kCriteria = "criteria";                          // keys of an exercise
+constexpr const char *kSeconds = "seconds", *kHintsSeen = "hints", *kStepsDone = "done";  // keys of an attempt
 
-// A row with what this program does not know of it.
+// Returns a row with its unknown keys.
 Json withOthers(Json row, const std::string& others) {
   if (others.empty()) return row;
   return withUnknown(Json::parse(others, nullptr, false), std::move(row));

@@ -68,19 +68,18 @@ Json withOthers(const ExerciseSnapshot& exercise, Json ours) {
   return exercise.others ? withUnknown(*exercise.others, std::move(ours)) : ours;
 }
 
-// Keeps what this program does not know of the JSON that an exercise was read from. known: keys that are read besides
-// those of descriptions.
+// Keeps the unknown keys of the JSON that an exercise was read from. known: known keys besides those of descriptions.
 void keepOthers(ExerciseSnapshot& exercise, const Json& read, std::initializer_list<const char*> known) {
   Json others = keysBeyond(read, ExerciseKind::description(exercise));
   for (const char* const key : known) others.erase(key);
-  others.erase(kTask);  // the subject knows what else it reads
+  others.erase(kTask);  // the subject keeps its own unknown keys
   if (const auto task = read.find(kTask); task != read.end())
     if (Json ofTask = exercise.subject->unknownKeys(*task, *exercise.task); !ofTask.empty())
       others[kTask] = std::move(ofTask);
   if (!others.empty()) exercise.others = std::make_shared<const Json>(std::move(others));
 }
 
-// Of a description without one: the same for each reading of it, of the teacher and the students.
+// Returns the key of a description without one: the same each time it is read, for the teacher and the students.
 std::string keyOf(const ExerciseSnapshot& exercise) {
   static const QUuid kNames(QStringLiteral("8f0e3f7a-7f0b-4f0f-9c55-6f2a0c6d1b9e"));
   const Json named = {exercise.exercise.title, exercise.subject->id(), exercise.subject->toJson(*exercise.task)};
@@ -181,7 +180,7 @@ Result<SnapshotPointer> ExerciseKind::load(const Container& container, std::vect
       isForStudents != document->end() && isForStudents->is_boolean() && isForStudents->get<bool>();
   const auto attempt = document->find("attempt");
   if (attempt != document->end() && attempt->is_object()) exercise.attempt = attemptFrom(*attempt, damage);
-  // A copy for students has none, whoever wrote it.
+  // A copy for students never has any, whatever program wrote it.
   const auto marked = document->find(kClass);
   if (marked != document->end() && !exercise.isForStudents) {
     MarkedSubmissions works = markedSubmissionsFrom(*marked, damage);

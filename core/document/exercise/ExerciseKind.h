@@ -7,17 +7,17 @@
 
 namespace handwheel {
 
-// Document kind of exercises, students' copies of them and what was handed in.
+// Document kind of exercises, students' copies of them and submissions.
 class ExerciseKind : public DocumentKind {
  public:
-  // subjects: what exercises can be about, at least one; the first is that of new exercises.
+  // subjects: the subjects that exercises can have, at least one; the first is that of new exercises.
   explicit ExerciseKind(std::vector<std::unique_ptr<ExerciseSubject>> subjects);
 
   std::span<const std::unique_ptr<ExerciseSubject>> subjects() const { return m_subjects; }
 
   std::string id() const override { return "exercise"; }
   std::string title() const override;
-  // Descriptions in JSON.
+  // Returns the format of descriptions in JSON.
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
@@ -25,22 +25,23 @@ class ExerciseKind : public DocumentKind {
   Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                Progress progress) const override;
   void save(const Snapshot& content, Container& container) const override;
-  // Error besides those of damage: SubjectUnknown {subject}.
+  // Errors besides those of damage: SubjectUnknown {subject}.
   Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                Progress progress) const override;
   SnapshotPointer blank() const override { return blankOf(*m_subjects.front()); }
-  // A new exercise about one of the subjects.
+  // Returns a new exercise about one of the subjects.
   SnapshotPointer blankOf(const ExerciseSubject& subject) const;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
-  // The work, where there is some, or the target.
+  // Returns the display of the work or, if there is none, of the target.
   DisplayModel display(const Snapshot& content) const override;
 
-  // An exercise from a description: the JSON of the document, with the model solution as the subject describes work. A
-  // description that is "for_students" gives a copy for them.
-  // Errors: SubjectUnknown, those of damage, of which a description must have none; ElementMalformed, Cancelled.
+  // Makes an exercise from a description: the JSON of the document, with the model solution in the subject's own
+  // description. A description that is "for_students" gives a copy for them. Errors: SubjectUnknown, ElementMalformed,
+  // Cancelled, and any damage.
   Result<SnapshotPointer> fromDescription(const nlohmann::json& description, Progress progress) const;
-  // Such a description, without solution, attempt and work. One without a key gets the same at each reading.
+  // Returns such a description, without solution, attempt and work. A description without a key gets the same key each
+  // time it is read.
   static nlohmann::json description(const ExerciseSnapshot& exercise);
 
  private:
@@ -49,7 +50,7 @@ class ExerciseKind : public DocumentKind {
   std::vector<std::unique_ptr<ExerciseSubject>> m_subjects;
 };
 
-// A new key for an exercise: a UUID.
+// Returns a new key for an exercise: a UUID.
 std::string newExerciseKey();
 
 }  // namespace handwheel

@@ -68,8 +68,8 @@ std::optional<std::vector<double>> numbersIn(const std::string& text) {
   return numbers;
 }
 
-// What one of the unit in which a figure is shown is in that of files: the time of the work is in minutes, as the one
-// that the task allows.
+// Returns the displayed unit of a figure in units of the file: the working time is displayed in minutes, as the allowed
+// time is.
 double shownUnit(const MeasurementType* type) {
   return type && type->id == "time" ? kSecondsOfMinute : 1.0;
 }
@@ -92,7 +92,7 @@ std::vector<std::string> shownNames(const Exercise& exercise, std::vector<std::s
   return ids;
 }
 
-// Their ids, of criteria that are given by id or by name.
+// Returns the ids of criteria that are given by id or by name.
 std::vector<std::string> idsOf(const Exercise& exercise, std::vector<std::string> names) {
   for (std::string& name : names) {
     const auto isMeant = [&](const MarkingCriterion& c) { return c.name == name; };
@@ -109,35 +109,36 @@ std::string labelWithUnit(const char* label, const std::string& unit) {
   return QStringLiteral("%1 (%2)").arg(words, QString::fromStdString(unit)).toStdString();
 }
 
-std::string placeId(std::size_t argument) {
+std::string argumentId(std::size_t argument) {
   return "at" + std::to_string(argument + 1);
 }
 
 // The argument that a property is; none for other properties.
 std::optional<std::size_t> argumentOf(const std::string& field) {
   for (std::size_t i = 0; i < Exercise::kMostArguments; ++i) {
-    if (field == placeId(i)) return i;
+    if (field == argumentId(i)) return i;
   }
   return std::nullopt;
 }
 
 // "From Z (on the drawing −20)": so a height counts on the drawing, in programs and on the read-out.
-std::string labelOnDrawing(const std::string& label, double place) {
-  constexpr double kShown = 1e6;  // parts of a mm: what is below is rounding
+std::string labelOnDrawing(const std::string& label, double position) {
+  constexpr double kShown = 1e6;  // steps per mm; smaller differences are rounding
   return QCoreApplication::translate("Property", QT_TRANSLATE_NOOP("Property", "%1 (on the drawing %2)"))
       .arg(QCoreApplication::translate("Property", label.c_str()),
-           QString::fromStdString(shortestText(std::round(place * kShown) / kShown + 0.0)))
+           QString::fromStdString(shortestText(std::round(position * kShown) / kShown + 0.0)))
       .toStdString();
 }
 
-// Where a criterion is measured: a length for each argument of its figure; what is wrong with them stands at the last.
-std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
-                                      const MeasurementType& type) {
+// Returns the positions at which a criterion is measured: a length for each argument of its figure. A problem is shown
+// at the last one.
+std::vector<Property> argumentProperties(const ExerciseSnapshot& exercise, const MarkingCriterion& c,
+                                         const MeasurementType& type) {
   const std::optional<double> zero = exercise.subject->drawingZero(*exercise.task);
   std::vector<Property> all;
   for (std::size_t i = 0; i < type.arguments.size(); ++i) {
     const double at = i < c.arguments.size() ? c.arguments[i] : 0.0;
-    all.push_back(property(placeId(i), {}, type.arguments[i].c_str(), at));
+    all.push_back(property(argumentId(i), {}, type.arguments[i].c_str(), at));
     all.back().quantity = Quantity::Length;
     all.back().least = -Exercise::kLargestFigure;
     all.back().largest = Exercise::kLargestFigure;
@@ -145,7 +146,7 @@ std::vector<Property> placeProperties(const ExerciseSnapshot& exercise, const Ma
     all.back().label = labelOnDrawing(type.arguments[i], at - *zero);
     all.back().translated = false;
   }
-  if (!all.empty()) all.back().problem = exercise.subject->placeProblem(c, *exercise.task);
+  if (!all.empty()) all.back().problem = exercise.subject->positionProblem(c, *exercise.task);
   return all;
 }
 
@@ -168,13 +169,13 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
   } else {
     figure.problem = QT_TRANSLATE_NOOP("Property", "this figure is not known");
   }
-  for (Property& place : type ? placeProperties(exercise, c, *type) : std::vector<Property>()) {
-    Property& shown = add(place.id.c_str(), "", place.value);
-    place.id = shown.id;
-    place.group = shown.group;
-    place.groupTranslated = shown.groupTranslated;
-    place.editable = shown.editable;
-    shown = std::move(place);
+  for (Property& argument : type ? argumentProperties(exercise, c, *type) : std::vector<Property>()) {
+    Property& shown = add(argument.id.c_str(), "", argument.value);
+    argument.id = shown.id;
+    argument.group = shown.group;
+    argument.groupTranslated = shown.groupTranslated;
+    argument.editable = shown.editable;
+    shown = std::move(argument);
   }
   if (!type) add("arguments", QT_TRANSLATE_NOOP("Property", "Measured at"), numbersText(c.arguments)).isNumbers = true;
   const double unit = shownUnit(type);
@@ -184,7 +185,7 @@ std::vector<Property> criterionProperties(const ExerciseSnapshot& exercise, cons
     made.translated = false;
     return made;
   };
-  // What is measured nowhere on a drawing, as time and collisions, has no size there.
+  // A figure without a position on the drawing, such as time and collisions, has no size there.
   if (!type || !type->arguments.empty() || c.nominal || !c.tolerance.empty()) {
     addNumber("nominal", QT_TRANSLATE_NOOP("Property", "Nominal size"), limitText(c.nominal, unit)).isNumbers = true;
     add("tolerance", QT_TRANSLATE_NOOP("Property", "Tolerance on the drawing"), c.tolerance).isNumbers = true;
@@ -269,7 +270,7 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
   return Done{};
 }
 
-// The limits follow what the tolerance on the drawing depends on.
+// The limits follow the values that define the tolerance on the drawing.
 Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, const std::string& field,
                      const std::string& id, const PropertyValue& value) {
   const Status set = setField(c, field, id, value, measurementTypes(*exercise.subject));
@@ -277,13 +278,13 @@ Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, cons
   if (!set || !isOfTolerance || c.tolerance.empty()) return set;
   const Status applied = exercise.subject->applyTolerance(c);
   if (applied || field != "figure") return applied;
-  c.tolerance.clear();  // which another figure does not have; the limits stay
+  c.tolerance.clear();  // another figure does not have this tolerance; the limits stay
   return Done{};
 }
 
 // The heights at which the criteria are measured, where these are on a target that has moved.
-void movePlaces(ExerciseSnapshot& exercise, double move) {
-  constexpr double kShares = 1e9;  // of a mm: what is below is rounding
+void moveArguments(ExerciseSnapshot& exercise, double move) {
+  constexpr double kShares = 1e9;  // steps per mm; smaller differences are rounding
   if (move == 0.0) return;
   const std::vector<MeasurementType> types = measurementTypes(*exercise.subject);
   for (MarkingCriterion& c : exercise.exercise.criteria) {
@@ -340,7 +341,7 @@ bool isText(const std::string& id) {
   return id == "title" || id == "author" || id == "text" || id == "allowed_minutes";
 }
 
-// Sets what the id names; none: it is of the subject.
+// Sets a property of the exercise itself; none: the property is one of the subject.
 std::optional<Status> setOwn(ExerciseSnapshot& exercise, const std::string& id, const PropertyValue& value) {
   if (isText(id)) return setText(exercise.exercise, id, value);
   for (MarkingCriterion& c : exercise.exercise.criteria) {
@@ -403,7 +404,7 @@ Result<ExerciseSnapshot> withExerciseProperty(ExerciseSnapshot exercise, const s
   if (!set) {
     Result<TaskPointer> task = exercise.subject->withProperty(*exercise.task, id, value);
     if (!task) return task.error();
-    movePlaces(exercise, exercise.subject->targetMove(*exercise.task, **task));
+    moveArguments(exercise, exercise.subject->targetMove(*exercise.task, **task));
     exercise.task = std::move(task.value());
     return exercise;
   }

@@ -7,15 +7,14 @@
 
 namespace handwheel {
 
-// The groups of properties of a criterion and of a step begin with these.
-std::string criterionPrefix(const MarkingCriterion& criterion);  // of their ids: "criterion.d1."
+// Prefixes of the property ids of a criterion and of a step.
+std::string criterionPrefix(const MarkingCriterion& criterion);  // "criterion.d1."
 std::string stepPrefix(std::size_t step);                        // "step.1."
 
-// All that can be read and set of an exercise by name: texts and time, what the subject prepares, then each criterion
-// and each step.
+// Returns all properties of an exercise: texts and time, what the subject prepares, then each criterion and each step.
 std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise);
 
-// The exercise with another value of a property. Errors: ReferenceMissing {property}, ElementMalformed,
+// Returns the exercise with another value of a property. Errors: ReferenceMissing {property}, ElementMalformed,
 // ValueOutOfRange.
 Result<ExerciseSnapshot> withExerciseProperty(ExerciseSnapshot exercise, const std::string& id,
                                               const PropertyValue& value);

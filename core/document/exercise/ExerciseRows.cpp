@@ -11,11 +11,11 @@ namespace {
 
 template <class Row>
 void moveRow(std::vector<Row>& rows, std::size_t row, bool isUp) {
-  const std::size_t other = isUp ? row - 1 : row + 1;  // of the first one up: beyond the end
+  const std::size_t other = isUp ? row - 1 : row + 1;  // for row 0 moved up it is out of range
   if (row < rows.size() && other < rows.size()) std::swap(rows[row], rows[other]);
 }
 
-// Of the nominal value, or within the limits: a target may lie in the middle of a tolerance zone.
+// Compares the nominal value, or else the limits: a target may lie in the middle of a tolerance zone.
 bool isMarkedBy(const MarkingCriterion& size, const MarkingCriterion& c) {
   constexpr double kSame = 1e-3;
   if (!size.nominal || c.figure != size.figure || c.arguments.size() != size.arguments.size()) return false;
@@ -23,14 +23,14 @@ bool isMarkedBy(const MarkingCriterion& size, const MarkingCriterion& c) {
   return isNominal || (c.lower && c.upper && *c.lower <= *size.nominal && *size.nominal <= *c.upper);
 }
 
-// What has no nominal value is a deviation along a range: it is marked where most of that is.
+// A size without a nominal value is a deviation along a range: it is marked if a criterion covers most of the range.
 bool isRangeMarkedBy(const MarkingCriterion& size, const MarkingCriterion& c) {
   if (size.nominal || c.figure != size.figure || size.arguments.size() != 2 || c.arguments.size() != 2) return false;
   const double from = std::max(size.arguments[0], c.arguments[0]), to = std::min(size.arguments[1], c.arguments[1]);
   return to - from > 0.5 * (size.arguments[1] - size.arguments[0]);
 }
 
-// Of the places of two criteria of one figure.
+// Returns the distance between the positions of two criteria of one figure.
 double distance(const MarkingCriterion& a, const MarkingCriterion& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.arguments.size(); ++i) sum += std::abs(a.arguments[i] - b.arguments[i]);

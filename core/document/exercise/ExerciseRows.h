@@ -6,19 +6,19 @@
 
 namespace handwheel {
 
-// The exercise with one more criterion or step at the end. The new one has an id that is free. A new criterion has the
-// usual limit of its figure, if there is one.
+// Returns the exercise with one more criterion or step at the end. It has a free id, and a new criterion has the usual
+// limit of its figure, if there is one.
 ExerciseSnapshot withNewCriterion(ExerciseSnapshot exercise, const MeasurementType& figure);
-// The same of criteria whose ids are empty; as many as there may be.
+// Adds criteria whose ids are empty; those beyond Exercise::kMostCriteria are left out.
 ExerciseSnapshot withCriteria(ExerciseSnapshot exercise, std::vector<MarkingCriterion> criteria);
-// The sizes of the target less one for each criterion that it is the nominal value of, or within the limits of:
-// that which is measured nearest to it.
+// Returns the sizes of the target that no criterion of the scheme covers. Each criterion covers the nearest size that
+// has its nominal value or lies within its limits.
 std::vector<MarkingCriterion> unmarkedSizes(const ExerciseSnapshot& exercise);
 ExerciseSnapshot withNewStep(ExerciseSnapshot exercise);
-// Without one; steps do not name the criterion any more.
+// Remove a criterion or a step. Steps no longer name the removed criterion.
 ExerciseSnapshot withoutCriterion(ExerciseSnapshot exercise, const std::string& id);
 ExerciseSnapshot withoutStep(ExerciseSnapshot exercise, std::size_t step);
-// With a row before its neighbour, or behind it; the first and the last stay where they are.
+// Exchange a row with its upper or lower neighbour; the first row cannot move up, nor the last one down.
 ExerciseSnapshot withMovedCriterion(ExerciseSnapshot exercise, std::size_t row, bool isUp);
 ExerciseSnapshot withMovedStep(ExerciseSnapshot exercise, std::size_t row, bool isUp);
 

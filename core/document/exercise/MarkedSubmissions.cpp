@@ -22,8 +22,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostClassTexts = 1000;        // of a kind in a row
-constexpr std::size_t kMostClassPieces = 1'000'000;  // of a recording
+constexpr std::size_t kMostClassTexts = 1000;        // limit of each kind in a row
+constexpr std::size_t kMostClassPieces = 1'000'000;  // limit of a recording
 
 constexpr std::array<const char*, 4> kVerdictWords = {"met", "too_small", "too_large", "not_measured"};
 constexpr std::array<const char*, 4> kOriginWords = {"", "hand", "program", "both"};
@@ -58,11 +58,11 @@ std::optional<double> classSecondsIn(const Json& object) {
   return classNumberIn(object, kClassSeconds);
 }
 
-// At most so many elements of an array under a key.
+// Returns the elements of an array under a key, up to a limit.
 std::vector<Json> classElementsOf(const Json& object, const char* key, std::size_t most) {
   const Json& found = JsonFieldReader(object).member(key);
   if (!found.is_array()) return {};
-  // In parentheses: in braces the two ends could be taken for elements.
+  // With braces, the two iterators could be taken for elements.
   return std::vector<Json>(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), most)));
 }
 

@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// The operation that rounds the sizes of the target of an exercise. Its parameters are "round-target", the step, and
-// "sharp-corners", the largest fillet that becomes a sharp corner; both mm.
+// Returns the operation that rounds the sizes of an exercise's target. Its parameters, both in mm, are "round-target",
+// the step, and "sharp-corners", the largest fillet that becomes a sharp corner.
 const Operation& roundTargetOperation();
 
-// ExerciseSubject::withRoundedTarget() with these values.
+// Calls ExerciseSubject::withRoundedTarget() with these values.
 Result<ExerciseSubject::RoundedTask> withRoundedTarget(const ExerciseSubject& subject, const ExerciseTask& task,
                                                        const OperationValues& values);
 

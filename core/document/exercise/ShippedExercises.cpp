@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kShippedKey = "handwheel-";
 
-// The texts of resources/samples/exercises, which is what tools/exercises wrote; a test compares them.
+// The texts of resources/samples/exercises, which tools/exercises wrote; a test compares them.
 // NOLINTBEGIN(bugprone-suspicious-missing-comma): long texts among short ones
 constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Exercise", "turning tool"),

@@ -8,12 +8,12 @@
 
 namespace handwheel {
 
-// All translatable texts of the built-in exercises, in English. They are titles, tasks, steps, hints and names of
-// criteria.
+// Returns all translatable texts of the built-in exercises, in English. They are titles, tasks, steps, hints and names
+// of criteria.
 std::span<const char* const> shippedExerciseTexts();
 
-// The exercise as it is shown: what ships is in the language of the window, where it was not changed. What people have
-// written themselves stays as they wrote it.
+// Returns the exercise for display: texts of a built-in exercise that nobody changed are translated, all others are
+// left as they are.
 Exercise inLanguage(const ExerciseSnapshot& exercise);
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-// Whether what the student could read is what is marked; texts and points may be others.
+// Returns true if the criteria that the student could read are the marked ones; texts and points may differ.
 bool isSameScheme(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission) {
   const std::vector<MarkingCriterion> mine = withoutAnswers(scheme.exercise).criteria;
   const std::vector<MarkingCriterion>& theirs = submission.exercise.criteria;

@@ -7,16 +7,16 @@
 
 namespace handwheel {
 
-// A student's exercise with the work, to be handed in as a file. It has no answers, whatever it was made from. Errors:
-// OtherWork {reason}.
+// Returns a student's exercise with the work, to be handed in as a file. It has no answers, whatever it was made from.
+// Errors: OtherWork {reason}.
 Result<ExerciseSnapshot> handedIn(ExerciseSnapshot exercise, SnapshotPointer work, Attempt attempt);
 
-// Marks what was handed in by the teacher's exercise. file: its name, for the row. Errors: WithoutScheme, NotHandedIn,
+// Marks a submission by the teacher's exercise. file: its name, for the row. Errors: WithoutScheme, NotHandedIn,
 // OtherExercise {title}, OtherWork, Cancelled.
 Result<SubmissionRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission,
                                      std::string file, Progress progress = {});
 
-// The present time as attempts have it: UTC, ISO 8601.
+// Returns the present time in the format of attempts: UTC, ISO 8601.
 std::string presentTime();
 
 }  // namespace handwheel

@@ -52,8 +52,8 @@ void MeshAssembly::mend(Error error) {
   list(std::move(error));
 }
 
-void MeshAssembly::noteExcess(std::uint64_t end, InputPosition place) {
-  mend({ErrorCode::CountMismatch, {"bytes", std::to_string(end), std::to_string(m_bytes)}, place, {}});
+void MeshAssembly::noteExcess(std::uint64_t end, InputPosition position) {
+  mend({ErrorCode::CountMismatch, {"bytes", std::to_string(end), std::to_string(m_bytes)}, position, {}});
 }
 
 bool MeshAssembly::fail(Error error) {
@@ -82,34 +82,34 @@ bool MeshAssembly::addUnreadablePoint(Error why) {
   return addPoint(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
-bool MeshAssembly::addPolygon(std::span<const std::int64_t> corners, InputPosition place) {
+bool MeshAssembly::addPolygon(std::span<const std::int64_t> corners, InputPosition position) {
   if (corners.size() < 3)
-    return tolerate({MeshFileError::PolygonTooSmall, {std::to_string(corners.size())}, place, {}});
+    return tolerate({MeshFileError::PolygonTooSmall, {std::to_string(corners.size())}, position, {}});
   const auto known = static_cast<std::int64_t>(pointCount());
   bool forward = false;
   for (std::int64_t c : corners) forward |= c >= known;
-  if (!forward || m_allPointsAdded) return judgeCorners(corners, place);
-  m_deferred.push_back({m_deferredCorners.size(), corners.size(), place});
+  if (!forward || m_allPointsAdded) return judgeCorners(corners, position);
+  m_deferred.push_back({m_deferredCorners.size(), corners.size(), position});
   m_deferredCorners.insert(m_deferredCorners.end(), corners.begin(), corners.end());
   return true;
 }
 
-bool MeshAssembly::judgeCorners(std::span<const std::int64_t> corners, InputPosition place) {
+bool MeshAssembly::judgeCorners(std::span<const std::int64_t> corners, InputPosition position) {
   const auto& points = m_file.soup.points;
   for (std::int64_t c : corners) {
     const bool inRange = c >= 0 && c < static_cast<std::int64_t>(points.size());
     if (inRange && (m_unreadablePoints == 0 || isReadable(points[static_cast<std::size_t>(c)]))) continue;
     const std::string written = std::to_string(c + m_firstIndex);
-    if (inRange) return tolerate({MeshFileError::VertexUnreadable, {written}, place, {}});
-    return tolerate({MeshFileError::IndexOutOfRange, {written, std::to_string(points.size())}, place, {}});
+    if (inRange) return tolerate({MeshFileError::VertexUnreadable, {written}, position, {}});
+    return tolerate({MeshFileError::IndexOutOfRange, {written, std::to_string(points.size())}, position, {}});
   }
-  return cutPolygon(corners, place);
+  return cutPolygon(corners, position);
 }
 
-bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, InputPosition place) {
+bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, InputPosition position) {
   auto& triangles = m_file.soup.triangles;
   if (corners.size() > kMostElements - triangles.size())
-    return fail({ErrorCode::FileTooLarge, {"triangles", "", std::to_string(kMostElements)}, place, {}});
+    return fail({ErrorCode::FileTooLarge, {"triangles", "", std::to_string(kMostElements)}, position, {}});
   m_ring.clear();
   for (std::int64_t c : corners) m_ring.push_back(static_cast<std::uint32_t>(c));
   if (m_ring.size() == 3) {
@@ -120,7 +120,7 @@ bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, InputPositi
     case PolygonTriangulation::Outcome::Done:
       return true;
     case PolygonTriangulation::Outcome::TooComplex:
-      mend({MeshFileError::PolygonTooComplex, {std::to_string(corners.size())}, place, {}});
+      mend({MeshFileError::PolygonTooComplex, {std::to_string(corners.size())}, position, {}});
       return true;
     case PolygonTriangulation::Outcome::Stopped:
       break;
@@ -131,7 +131,7 @@ bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, InputPositi
 bool MeshAssembly::resolveDeferred() {
   for (const Deferred& polygon : m_deferred) {
     const auto corners = std::span(m_deferredCorners).subspan(polygon.first, polygon.count);
-    if (!step() || !judgeCorners(corners, polygon.place)) return false;
+    if (!step() || !judgeCorners(corners, polygon.position)) return false;
   }
   return true;
 }
@@ -170,7 +170,7 @@ void MeshAssembly::lose(LostAttribute attribute, std::string_view name) {
 Result<MeshFile> MeshAssembly::finish(NumberType numbers, bool hasUnit) {
   const bool whole = !m_failure && resolveDeferred() && (m_unreadablePoints == 0 || dropUnreadablePoints());
   if (!whole) return *m_failure;
-  // Faces that wait for their vertices are judged late.
+  // Faces that wait for their vertices are checked late.
   auto& damage = m_file.damage;
   std::stable_sort(damage.begin(), damage.end(),
                    [](const Error& a, const Error& b) { return a.position.value < b.position.value; });

@@ -21,7 +21,7 @@ Error cancelledExport() {
   return {ErrorCode::Cancelled, {}, {}, {}};
 }
 
-// True also when cancelled.
+// Compares the corners. Also true if cancelled.
 bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSoup& found, Progress progress) {
   if (meant.triangles.size() != found.triangles.size()) return false;
   for (std::size_t i = 0; i < meant.triangles.size(); ++i) {
@@ -40,7 +40,7 @@ std::size_t countDegenerate(const TriangleSoup& soup) {
   }));
 }
 
-// What another program will find in the file.
+// Describes the mesh as another program will find it in the file.
 std::vector<Note> stateOf(const MeshReport& report) {
   std::vector<Note> notes{{QT_TRANSLATE_NOOP("Note", "The file: %1."), {}, false, report}};
   if (report.boundaryEdges + report.nonManifoldEdges + report.inconsistentEdges + report.nonManifoldVertices == 0)
@@ -134,7 +134,7 @@ Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumb
   }
   encoded.report.inFile = reportOn(forFile, SelfIntersections::Count, progress.part(0.8, 0.95));
   const std::size_t pairs = encoded.report.inFile.selfIntersectingPairs.value_or(0);
-  if (pairs > 0 && encoded.report.roundingMove > 0.0) {  // thin places may lose their thickness
+  if (pairs > 0 && encoded.report.roundingMove > 0.0) {  // thin parts may lose their thickness
     const auto before = selfIntersections(compact.soup.points, compact.soup.triangles, progress.part(0.95, 1.0));
     if (before && before->size() < pairs) encoded.report.roundingPairs = pairs - before->size();
   }

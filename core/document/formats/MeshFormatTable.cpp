@@ -25,7 +25,8 @@ std::string writeAnyStl(const TriangleSoup& soup, NumberType, Progress progress)
   return writeStl(soup, progress);
 }
 
-// Empty when the text is in single bytes. Without a mark: ASCII characters with a NUL before or behind each.
+// Returns the encoding of a text in wide characters; empty for single bytes. Without a mark: ASCII characters with a
+// NUL before or after each.
 std::string_view wideEncoding(std::string_view bytes) {
   using namespace std::string_view_literals;
   if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
@@ -40,7 +41,7 @@ std::string_view wideEncoding(std::string_view bytes) {
   return {};
 }
 
-// By its beginning: no control characters but those of lines.
+// Returns true if the beginning has no control characters other than line ends.
 bool isPlainText(std::string_view bytes) {
   constexpr std::size_t kProbe = 1024;
   return std::all_of(
@@ -50,7 +51,7 @@ bool isPlainText(std::string_view bytes) {
 
 }  // namespace
 
-// The first rows in the order of MeshFormat.
+// The first rows are in the order of MeshFormat.
 const MeshFormatTable& meshFormatTable() {
   static const MeshFormatTable table({
       {.name = "STL",
@@ -97,7 +98,7 @@ Result<MeshFormat> MeshFormatTable::detect(std::string_view bytes, std::string_v
   if (const auto wide = wideEncoding(bytes); !wide.empty() && !(named && row(*named).hasAnyBytes))
     return Error{MeshFileError::TextEncoding, {std::string(wide)}, {}, {}};
   if (const auto format = find(&MeshFormatRow::isText, bytes)) return *format;
-  // Bytes that may mean anything are no text: a note that was named so is of no format.
+  // Plain text with the extension of a format of arbitrary bytes, such as a note, is of no format.
   if (named && !(row(*named).hasAnyBytes && isPlainText(bytes))) return *named;
   std::vector<std::string> known;
   for (const FileFormat& format : fileFormats())

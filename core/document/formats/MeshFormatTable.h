@@ -7,22 +7,22 @@
 
 namespace handwheel {
 
-// A mesh file format with all that the program has for it. To add one, write its reader and add its row to the table in
-// MeshFormatTable.cpp: dialogs, help pages, errors and the command line follow.
+// A mesh file format with everything that the program has for it. To add one, write its reader and add its row to the
+// table in MeshFormatTable.cpp: dialogs, help pages, errors and the command line follow.
 struct MeshFormatRow {
   std::string_view name;                  // "STL"
   std::vector<std::string_view> endings;  // lower case with the dot: ".stl"; the first is that of new files
-  bool (*isBinary)(std::string_view bytes) =
-      nullptr;  // whether bytes are surely of this format, whatever they mean as text
-  bool (*isText)(std::string_view bytes) = nullptr;  // asked after all of those, of text in single bytes
-  bool hasAnyBytes = false;  // a file with the ending may be binary without a mark of its format
+  // True if bytes are surely of this format, independently of their meaning as text.
+  bool (*isBinary)(std::string_view bytes) = nullptr;
+  bool (*isText)(std::string_view bytes) = nullptr;  // called after all isBinary, for text in single bytes
+  bool hasAnyBytes = false;  // a file with this extension may be binary without a mark of its format
   Result<MeshFile> (*read)(std::string_view bytes, const ReadOptions& options, Progress progress);
-  // Null: it is only read.
+  // Null: the format is only read.
   std::string (*write)(const TriangleSoup& soup, NumberType numbers, Progress progress) = nullptr;
-  std::optional<NumberType> numbers = {};  // in which it holds coordinates; none: in either
+  std::optional<NumberType> numbers = {};  // type of its coordinates; none: either
 };
 
-// The table of formats. A MeshFormat is the place of a row in it.
+// The table of formats. A MeshFormat is the index of a row in it.
 class MeshFormatTable {
  public:
   explicit MeshFormatTable(std::vector<MeshFormatRow> rows) : m_rows(std::move(rows)) {}
@@ -30,14 +30,14 @@ class MeshFormatTable {
   std::span<const MeshFormatRow> rows() const { return m_rows; }
   const MeshFormatRow& row(MeshFormat format) const { return m_rows.at(static_cast<std::size_t>(format)); }
 
-  // As the functions in MeshFormat.h and meshFileFormats().
+  // See the functions in MeshFormat.h and meshFileFormats().
   std::optional<MeshFormat> forName(std::string_view name) const;
   Result<MeshFile> read(std::string_view bytes, std::string_view nameHint, const ReadOptions& options,
                         Progress progress = {}) const;
   std::string write(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress = {}) const;
   std::vector<FileFormat> fileFormats() const;
 
-  // The format of a file by its content, and by its name where that is ambiguous. Errors: FileEmpty, TextEncoding,
+  // Returns the format of a file by its content, and by its name if that is ambiguous. Errors: FileEmpty, TextEncoding,
   // FormatUnknown.
   Result<MeshFormat> detect(std::string_view bytes, std::string_view name) const;
 
@@ -47,7 +47,7 @@ class MeshFormatTable {
   std::vector<MeshFormatRow> m_rows;
 };
 
-// The table of all mesh formats that the program knows.
+// Returns the table of all mesh formats that the program knows.
 const MeshFormatTable& meshFormatTable();
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-// "1.#INF", "-1.#IND", "1.#QNAN": what Microsoft's C library used to print.
+// Recognises "1.#INF", "-1.#IND", "1.#QNAN", which Microsoft's C library used to print.
 bool isMicrosoftNotFinite(std::string_view word) {
   if (!word.empty() && word[0] == '-') word.remove_prefix(1);
   return word.starts_with("1.#");
@@ -52,19 +52,20 @@ bool readPoint(TextScanner& scanner, NumberType type, Vec3& point, Error& error,
     const bool good = !word.empty() && parseNumber(word, value, why);
     point[axis] = rounded(value, type);
     if (good && std::isfinite(point[axis])) continue;
-    error = word.empty() ? unexpectedWord("a number", word, scanner.place()) : wordError(why, word, scanner.place());
+    error = word.empty() ? unexpectedWord("a number", word, scanner.inputPosition())
+                         : wordError(why, word, scanner.inputPosition());
     return false;
   }
   return true;
 }
 
-Error wordError(ErrorCode code, std::string_view word, InputPosition place) {
+Error wordError(ErrorCode code, std::string_view word, InputPosition position) {
   constexpr std::size_t kShown = 40;
-  return {code, {std::string(word.substr(0, kShown))}, place, {}};
+  return {code, {std::string(word.substr(0, kShown))}, position, {}};
 }
 
-Error unexpectedWord(std::string_view expected, std::string_view found, InputPosition place) {
-  Error error = wordError(MeshFileError::TokenUnexpected, found, place);
+Error unexpectedWord(std::string_view expected, std::string_view found, InputPosition position) {
+  Error error = wordError(MeshFileError::TokenUnexpected, found, position);
   error.arguments.insert(error.arguments.begin(), std::string(expected));
   return error;
 }

@@ -49,7 +49,7 @@ void appendTriangleText(std::string& to, const Triangle& t, std::uint64_t firstI
   to += '\n';
 }
 
-// Calls write(point) and then write(triangle) for each of the soup. False when cancelled.
+// Calls write(point) and then write(triangle) for each of the soup. Returns false if cancelled.
 template <class WritePoint, class WriteTriangle>
 bool writeEach(const TriangleSoup& soup, Progress progress, WritePoint writePoint, WriteTriangle writeTriangle) {
   const std::size_t points = soup.points.size(), count = points + soup.triangles.size();
@@ -86,7 +86,7 @@ std::string writeStl(const TriangleSoup& soup, Progress progress) {
 
 std::string writePly(const TriangleSoup& soup, NumberType numbers, Progress progress) {
   const std::string type = numbers == NumberType::Float32 ? "float" : "double";
-  // Some programs know signed indices only; they do as long as they suffice.
+  // Some programs support signed indices only, which are used if they suffice.
   const bool manyPoints = soup.points.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment written by Handwheel\n";
   bytes += "element vertex " + std::to_string(soup.points.size()) + "\n";

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// These functions encode triangles as the bytes of a file. Coordinates are rounded to the number type first; they must
-// be finite and within its range. Empty if cancelled. O(points + triangles).
+// Encoders of triangles as the bytes of a file. Coordinates are rounded to the number type first; they must be finite
+// and within its range. Empty if cancelled. O(points + triangles).
 
 // Encodes binary STL; normals are computed in double precision, zero for a triangle without area.
 std::string writeStl(const TriangleSoup& soup, Progress progress = {});

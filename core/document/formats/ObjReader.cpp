@@ -54,7 +54,7 @@ bool isFace(std::string_view keyword) {
   return keyword == "f" || keyword == "fo";
 }  // fo: as written before 1990
 
-// Behind "s": what follows belongs to no smoothing group.
+// Returns true for an argument of "s" that means no smoothing group.
 bool isNoGroup(std::string_view word) {
   return word == "off" || word == "0";
 }
@@ -74,14 +74,14 @@ class ObjParser {
 
  private:
   bool readStatement() {
-    const InputPosition place = m_scanner.place();
+    const InputPosition position = m_scanner.inputPosition();
     const std::string_view keyword = m_scanner.word();
     if (keyword == "v") return readVertex();
-    if (isFace(keyword)) return readFace(place);
+    if (isFace(keyword)) return readFace(position);
     if (const Statement* statement = findLostStatement(keyword)) {
       if (!(keyword == "s" && isNoGroup(m_scanner.word()))) m_assembly.lose(statement->lost, keyword);
     } else {
-      m_assembly.mend(unexpectedWord("a statement of the format", keyword, place));
+      m_assembly.mend(unexpectedWord("a statement of the format", keyword, position));
     }
     return true;
   }
@@ -91,7 +91,7 @@ class ObjParser {
     Error error;
     if (!readPoint(m_scanner, NumberType::Float64, point, error))
       return m_assembly.addUnreadablePoint(std::move(error));
-    // Behind the position: a weight, or a colour of three or four components.
+    // After the position: a weight, or a colour of three or four components.
     const std::string_view fourth = m_scanner.word();
     if (!fourth.empty()) {
       double weight = 1.0;
@@ -104,20 +104,22 @@ class ObjParser {
     return m_assembly.addPoint(point);
   }
 
-  bool readFace(InputPosition place) {
+  bool readFace(InputPosition position) {
     m_corners.clear();
     for (std::string_view word = m_scanner.word(); !word.empty(); word = m_scanner.word()) {
       if (!m_assembly.step()) return false;
       const auto index = parseInteger(word.substr(0, word.find('/')));
       const bool good = index && word.find_first_not_of("0123456789+-/") == std::string_view::npos;
-      if (!good) return m_assembly.tolerate(unexpectedWord("a vertex number", word, m_scanner.place()));
+      if (!good) return m_assembly.tolerate(unexpectedWord("a vertex number", word, m_scanner.inputPosition()));
       const auto known = static_cast<std::int64_t>(m_assembly.pointCount());
       if (*index == 0 || *index < -known)
-        return m_assembly.tolerate(
-            {MeshFileError::IndexOutOfRange, {std::to_string(*index), std::to_string(known)}, m_scanner.place(), {}});
+        return m_assembly.tolerate({MeshFileError::IndexOutOfRange,
+                                    {std::to_string(*index), std::to_string(known)},
+                                    m_scanner.inputPosition(),
+                                    {}});
       m_corners.push_back(*index > 0 ? *index - 1 : known + *index);
     }
-    return m_assembly.addPolygon(m_corners, place);
+    return m_assembly.addPolygon(m_corners, position);
   }
 
   MeshAssembly m_assembly;

@@ -17,7 +17,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Twice the area vector of a closed polygon (Newell).
+// Returns twice the area vector of a closed polygon (Newell).
 Vec3 areaVector(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners) {
   const Vec3& origin = points[corners[0]];
   Vec3 sum = Vec3::Zero();
@@ -40,8 +40,8 @@ PolygonTriangulation::Outcome PolygonTriangulation::cut(const std::vector<Vec3>&
   return Outcome::Done;
 }
 
-// Drops the coordinate along which the polygon extends least: the others stay exactly as they are, so corners in line
-// stay in line. False when the polygon is not planar or has no area.
+// Drops the coordinate along which the polygon extends least: the others stay exactly as they are, so collinear corners
+// stay collinear. Returns false if the polygon is not planar or has no area.
 bool PolygonTriangulation::flatten(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners) {
   const Vec3 area = areaVector(points, corners);
   const double length = area.stableNorm();
@@ -85,7 +85,7 @@ PolygonTriangulation::Outcome PolygonTriangulation::clipEars(std::span<const std
       if (!m_keepGoing()) return Outcome::Stopped;
       m_nextLook = m_tests + kTestsPerLook;
     }
-    // Going once round without an ear: the outline crosses itself. Any corner then has to do.
+    // A full round without an ear: the outline crosses itself. Any corner is then cut.
     const bool stuck = sinceLastEar > left;
     if (m_tests < m_allowedTests && !stuck && !isEar(at)) {
       ++sinceLastEar;
@@ -118,7 +118,7 @@ void PolygonTriangulation::linkRing() {
 void PolygonTriangulation::unlink(std::uint32_t corner) {
   m_next[m_previous[corner]] = m_next[corner];
   m_previous[m_next[corner]] = m_previous[corner];
-  m_previous[corner] = kNone;  // no longer of the ring; m_next stays for the way on
+  m_previous[corner] = kNone;  // removed from the ring; m_next stays for continuing from it
 }
 
 bool PolygonTriangulation::isReflex(std::uint32_t corner) const {

@@ -27,12 +27,13 @@ struct Positions {
   std::uint32_t seenOf(std::uint32_t meantClass) const { return seen.classOf[meant.representative[meantClass]]; }
 };
 
-// Both ends of an edge in the mesh, as meant classes.
+// Returns both ends of an edge in the mesh, as meant classes.
 std::pair<std::uint32_t, std::uint32_t> meantEdge(const Positions& positions, const Triangle& t, std::uint32_t corner) {
   return std::minmax(positions.meant.classOf[t[corner]], positions.meant.classOf[t[(corner + 1) % 3]]);
 }
 
-// Per seen class: it holds several meant ones, and welding them spoils it or an edge that was sound before.
+// Returns the seen classes that have several meant ones, such that welding them spoils the class or an edge that was
+// sound before.
 std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<Triangle>& triangles,
                                   Progress progress) {
   const std::size_t count = positions.seen.representative.size();
@@ -66,7 +67,8 @@ std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<
   return spoiling;
 }
 
-// The meant classes to move: of each spoiling class all but the one that rounding did not move, or else the first.
+// Returns the meant classes to move: for each spoiling class all but the one that rounding did not move, or else the
+// first.
 std::vector<bool> classesToMove(const Positions& positions, const std::vector<bool>& spoiling,
                                 const TriangleSoup& exact, const TriangleSoup& inFile) {
   const std::size_t count = positions.meant.representative.size();
@@ -86,30 +88,31 @@ std::vector<bool> classesToMove(const Positions& positions, const std::vector<bo
   return moves;
 }
 
-// One step at the precision of p's largest coordinate: smaller ones would be lost in other programs' arithmetic.
+// Returns one step at the precision of p's largest coordinate: smaller ones would be lost in the arithmetic of other
+// programs.
 double visibleStep(const Vec3& p) {
   const auto largest = static_cast<float>(p.cwiseAbs().maxCoeff());
   return std::max(std::nextafter(largest, FLT_MAX) - largest, FLT_MIN);
 }
 
-// The free place next to p that lies furthest towards "inwards"; p itself when all 26 are taken.
+// Returns the free position next to p that lies furthest towards "inwards"; p itself if all 26 are taken.
 Vec3 freeNeighbour(const Vec3& p, const Vec3& inwards, const std::set<Key>& taken) {
   const double step = visibleStep(p);
   Vec3 best = p;
   double bestScore = -HUGE_VAL;
   for (int code = 0; code < 27; ++code) {
     const Vec3 direction(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
-    const Vec3 place = rounded(Vec3(p + step * direction), NumberType::Float32);
+    const Vec3 position = rounded(Vec3(p + step * direction), NumberType::Float32);
     const double score = direction.isZero() ? -HUGE_VAL : direction.normalized().dot(inwards);
-    if (score > bestScore && !taken.contains(keyOf(place))) {
-      best = place;
+    if (score > bestScore && !taken.contains(keyOf(position))) {
+      best = position;
       bestScore = score;
     }
   }
   return best;
 }
 
-// Towards the middle of the faces around each class that moves.
+// Returns directions towards the middle of the faces around each class that moves.
 std::vector<Vec3> inwardDirections(const Positions& positions, const std::vector<bool>& moves,
                                    const TriangleSoup& inFile) {
   std::vector<Vec3> directions(moves.size(), Vec3::Zero());
@@ -142,16 +145,16 @@ std::vector<std::uint32_t> separateRoundedVertices(const TriangleSoup& exact, Tr
     const std::vector<Vec3> inwards = inwardDirections(positions, moves, inFile);
     std::set<Key> taken;
     for (const Vec3& p : inFile.points) taken.insert(keyOf(p));
-    std::vector<Vec3> place(moves.size());
+    std::vector<Vec3> moved(moves.size());
     for (std::uint32_t m = 0; m < moves.size(); ++m) {
       if (!moves[m]) continue;
-      place[m] = freeNeighbour(inFile.points[positions.meant.representative[m]], inwards[m], taken);
-      taken.insert(keyOf(place[m]));
+      moved[m] = freeNeighbour(inFile.points[positions.meant.representative[m]], inwards[m], taken);
+      taken.insert(keyOf(moved[m]));
     }
     for (std::size_t v = 0; v < exact.points.size(); ++v) {
       const std::uint32_t m = positions.meant.classOf[v];
-      if (!moves[m] || place[m] == inFile.points[v]) continue;
-      inFile.points[v] = place[m];
+      if (!moves[m] || moved[m] == inFile.points[v]) continue;
+      inFile.points[v] = moved[m];
       isParted[v] = true;
     }
   }

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Splits a text in memory into words and lines. Lines end with LF, CR LF or CR and are counted from 1. A byte order
-// mark of UTF-8 is skipped.
+// Splits a text in memory into words and lines. Lines end with LF, CR LF or CR and are counted from 1. A UTF-8 byte
+// order mark is skipped.
 class TextScanner {
  public:
   struct Syntax {
@@ -20,24 +20,24 @@ class TextScanner {
 
   explicit TextScanner(std::string_view text) : TextScanner(text, Syntax()) {}
   TextScanner(std::string_view text, Syntax syntax);
-  // Begins at a place within the text.
+  // Begins at a position within the text.
   TextScanner(std::string_view text, std::size_t position, std::uint64_t line);
 
-  // The next word of this line; empty at the end of the line.
+  // Returns the next word of this line; empty at the end of the line.
   std::string_view word();
-  // The next word of this or a later line; empty at the end of the text.
+  // Returns the next word of this or a later line; empty at the end of the text.
   std::string_view wordOnAnyLine();
-  // Goes to the start of the next line. False at the end of the text.
+  // Moves to the start of the next line. Returns false at the end of the text.
   bool nextLine();
-  // Stays, or moves to the first line that has a word. False at the end of the text.
+  // Stays, or moves to the first line that has a word. Returns false at the end of the text.
   bool findWord();
 
-  // The word that word() would give.
+  // Returns the word that word() would return.
   std::string_view peek();
-  // Takes back the last characters of the word just read.
+  // Steps back by the last characters of the word just read.
   void stepBack(std::size_t characters) { m_at -= characters; }
 
-  InputPosition place() const { return InputPosition::line(m_line); }
+  InputPosition inputPosition() const { return InputPosition::line(m_line); }
   std::size_t position() const { return static_cast<std::size_t>(m_at - m_begin); }
 
  private:

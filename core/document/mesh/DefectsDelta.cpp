@@ -13,7 +13,7 @@ bool sameBox(const Box& a, const Box& b) {
   return a.min() == b.min() && a.max() == b.max();
 }
 
-// But for the number, which follows from its place in the list.
+// Compares all but the number, which follows from the position in the list.
 bool sameLoop(const BoundaryLoop& a, const BoundaryLoop& b) {
   return a.halfEdges == b.halfEdges && a.borderEdges == b.borderEdges && a.length == b.length &&
          a.planarity == b.planarity && a.area == b.area && a.islands == b.islands &&

@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// Difference between the defect lists of two versions of a mesh. So the undo history does not hold a copy for each
-// step. A local edit changes one contiguous range of each list.
+// Difference between the defect lists of two versions of a mesh. With it the undo history need not hold a copy of the
+// lists for each step. A local edit changes one contiguous range of each list.
 class DefectsDelta {
  public:
-  // O(defects), in time.
+  // Returns the difference. O(defects).
   static DefectsDelta between(const Defects& before, const Defects& after);
 
   // Turns "before" into "after" and this delta into its own inverse. O(defects).
@@ -19,11 +19,11 @@ class DefectsDelta {
   std::size_t bytes() const;
 
  private:
-  // Of a list: the elements of the other version between the common beginning and end.
+  // The elements of the other version between the common beginning and the common end of a list.
   template <class T>
   struct Stretch {
     std::size_t begin = 0;
-    std::size_t behind = 0;  // elements
+    std::size_t behind = 0;  // number of elements in the common end
     std::vector<T> other;
   };
   template <class T, class Same>

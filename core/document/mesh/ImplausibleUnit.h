@@ -7,14 +7,15 @@
 
 namespace handwheel {
 
-// Largest dimensions (mm) of a part beyond which its numbers are rather of another unit. The smallest of a scan or a
-// print is larger, also in the finest processes, and what is larger fits no machine.
+// Limits of the largest dimension (mm) of a part with a plausible unit. Beyond them, its numbers are probably in
+// another unit. Scans and prints are larger than the smallest, also in the finest processes; a part above the largest
+// fits no machine.
 inline constexpr double kSmallestLikelySize = 1.0;
 inline constexpr double kLargestLikelySize = 10'000.0;
 
-// Whether the unit of a part is implausible: its file says none, and its size in millimetres is unlikely.
+// Returns true if the file of a part names no unit and its size in millimetres is unlikely.
 bool isUnitImplausible(const DocumentFile& file, const Box& box);
-// A note that the unit is implausible, with the size. box: not empty.
+// Returns a note that the unit is implausible, with the size. box: not empty.
 Note implausibleUnit(const Box& box);
 
 }  // namespace handwheel

@@ -24,7 +24,7 @@ std::string levelName(std::size_t level) {
   return kFolder + number;
 }
 
-// Of these faces, by rising number.
+// Returns the vertices of these faces in ascending order.
 std::vector<Vertex> verticesOf(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
   std::vector<Vertex> vertices;
   vertices.reserve(3 * faces.size());

@@ -67,7 +67,7 @@ bool assemble(const std::vector<double>& positions, const std::vector<std::uint3
   return validate(mesh, progress.part(0.5, 1.0)).empty();
 }
 
-// Of no use once cancelled.
+// The result is invalid if cancelled.
 TriangleSoup readableTriangles(const std::vector<double>& positions, const std::vector<std::uint32_t>& faces,
                                std::size_t& lost, Progress progress) {
   TriangleSoup soup;
@@ -93,13 +93,13 @@ TriangleSoup readableTriangles(const std::vector<double>& positions, const std::
   return soup;
 }
 
-// What is to be said of a mesh that was built anew.
+// Returns the error that reports a rebuilt mesh.
 Error rebuilt(std::size_t read, std::size_t lost) {
   if (lost == 0) return {ErrorCode::ElementMalformed, {"mesh", "its triangles are inconsistent"}, {}, {}};
   return {ErrorCode::DataTruncated, {"triangles", std::to_string(read + lost), std::to_string(read)}, {}, {}};
 }
 
-// Why no triangle is left: damage of the blobs that hold them, or of the archive as a whole.
+// Returns the reason why no triangle is left: damage of the blobs that hold them, or of the archive as a whole.
 Error causeOf(std::size_t lost, const std::vector<Error>& damage) {
   const auto found = std::find_if(damage.begin(), damage.end(), [](const Error& each) {
     const bool isOfEntry = each.code == ArchiveError::EntryDamaged || each.code == ArchiveError::EntryMissing;

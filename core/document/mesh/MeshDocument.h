@@ -19,18 +19,20 @@ class MeshDocument : public Document {
   explicit MeshDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
-  const Defects& defects() const { return *m_defects; }  // of the present mesh
-  // Faces turned over on opening that are still there. None once that is undone.
+  const Defects& defects() const { return *m_defects; }  // defects of the present mesh
+  // Faces that were reversed on opening and still exist. Empty once the reversal is undone.
   const std::vector<Face>& reversedFaces() const { return m_reversedFaces; }
-  // How many steps at the beginning of the present history belong to opening: one where faces were turned over.
+  // Number of steps at the beginning of the present history that belong to opening: 1 if faces were reversed, otherwise
+  // 0.
   int openingSteps() const { return m_wasOpenedReversed && !m_hasFileDirections ? 1 : 0; }
-  // The faces that opening turns over and that the present state has, as the file, the other way: their turn is undone.
+  // Faces that opening reverses but that now have the directions of the file, because the reversal is undone.
   std::vector<Face> facesAsInFile() const;
-  // The number type of the coordinates in its present file, or in the container.
+  // Returns the number type of the coordinates in the present file, or in the container.
   NumberType fileNumbers() const;
 
-  // The levels of the patch that was sculpted last, among those that have all these faces; null for none. Other edits
-  // of the patch end them. Saved with the document; not part of the history, which finds them again by the mesh.
+  // The levels of the most recently sculpted patch that contains all these faces; null for none. Other edits of the
+  // patch end them. They are saved with the document, but are not part of the history, which finds them again by the
+  // mesh.
   const PatchLevels* levels(const FaceSelection& faces = {}) const { return m_levels.of(m_mesh, faces); }
   void keepLevels(const PatchLevels& levels) { m_levels.keep(levels); }
 
@@ -42,16 +44,17 @@ class MeshDocument : public Document {
   void setFidelity(FidelityValues values) { m_fidelity = std::move(values); }
 
   using Document::commit;
-  // Sets the mesh to `after` as one undo step. False, and no step, when nothing differs. Takes time proportional to the
-  // change. The step is stored according to the setting document.undo_granularity. step: as UndoCommand::step().
+  // Sets the mesh to `after` as one undo step. Returns false, and adds no step, if nothing differs. Takes time
+  // proportional to the change. The step is stored according to the setting document.undo_granularity. step: as
+  // UndoCommand::step().
   bool commit(const QString& text, const InspectedMesh& after, std::string step = {});
 
-  // Whether the user wants the loop to stay open. Setting it is undoable.
+  // Returns true if the user wants the loop to stay open. Setting it is undoable.
   bool isKeptOpen(const BoundaryLoop& loop) const;
   void setKeptOpen(const BoundaryLoop& loop, bool keep);
 
  signals:
-  // touched: the faces whose triangle changed, came or went.
+  // touched: the faces whose triangle was changed, added or removed.
   void meshChanged(const std::vector<handwheel::Face>& touched);
   void keptOpenChanged();
 
@@ -66,7 +69,7 @@ class MeshDocument : public Document {
   NumberType m_numbers;
   std::vector<Face> m_reversedFaces;
   bool m_wasOpenedReversed = false;  // the history began with a ReversalEdit
-  bool m_hasFileDirections = false;  // which is undone
+  bool m_hasFileDirections = false;  // the ReversalEdit is undone
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;

@@ -23,7 +23,7 @@ class MeshKind : public DocumentKind {
   std::string id() const override { return std::string(kMeshKind); }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // True for whatever no other kind claims: its readers give the best error messages.
+  // Returns true for all that no other kind claims: the readers of this kind give the best error messages.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;

@@ -14,12 +14,12 @@ namespace handwheel {
 // The value of a mesh document.
 struct MeshSnapshot : Snapshot {
   InspectedMesh mesh;
-  std::shared_ptr<const BuildReport> build;  // what building the mesh from its file reported; never null
-  std::set<Vertex> keptOpen;                 // keyOf() the loops that the user wants open
-  NumberType numbers = NumberType::Float64;  // of the coordinates in the file that it came from
-  // The same with the directions of the file, where opening has reversed faces; null elsewhere, and once opened.
+  std::shared_ptr<const BuildReport> build;  // report of building the mesh from its file; never null
+  std::set<Vertex> keptOpen;                 // keys (keyOf()) of the loops that the user wants open
+  NumberType numbers = NumberType::Float64;  // number type of the coordinates in the original file
+  // The mesh with the directions of the file, if opening has reversed faces; otherwise, and once opened, null.
   std::shared_ptr<const InspectedMesh> asInFile;
-  std::shared_ptr<const PatchLevels> levels;  // whose finest mesh this is; null for none
+  std::shared_ptr<const PatchLevels> levels;  // levels whose finest mesh is this one; null for none
 };
 
 }  // namespace handwheel

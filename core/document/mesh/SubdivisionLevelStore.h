@@ -8,22 +8,23 @@
 
 namespace handwheel {
 
-// Whether two versions of a mesh are the same, slot for slot. O(pages + what differs).
+// Returns true if two versions of a mesh are the same, slot for slot. O(pages + differences).
 bool isSameVersion(const HalfEdgeMesh& a, const HalfEdgeMesh& b);
 
-// Stores the subdivision levels of patches for states of a document. Undo and redo find theirs again. There is one
-// entry for each state of a patch, whose mesh goes along with the document's as long as that is edited elsewhere.
+// Stores the subdivision levels of patches for states of a document. Undo and redo find the levels of their states
+// again. There is one entry for each state of a patch. Its mesh follows the document's while the document is edited
+// outside the patch.
 class SubdivisionLevelStore {
  public:
-  // Adds levels, in place of those that the same patch of the same mesh had. Patches with a single level are not
-  // stored.
+  // Adds levels, replacing those of the same patch of the same mesh. Patches with a single level are not stored.
   void keep(const PatchLevels& levels);
-  // Those whose finest level is this mesh and whose patch has all these faces, the newest; null when there are none.
+  // Returns the newest levels whose finest mesh is this one and whose patch has all these faces, or null.
   const PatchLevels* of(const HalfEdgeMesh& mesh, const FaceSelection& faces = {}) const;
 
-  // The numbers of the entries whose finest level is this mesh; valid until levels are kept.
+  // Returns the indices of the entries whose finest mesh is this one; valid until the next keep().
   std::vector<std::size_t> entriesOf(const HalfEdgeMesh& mesh) const;
-  // To be called when an edit has made `after` of their mesh. Those whose patch it touches stay where they are.
+  // Updates the entries after an edit has turned their mesh into `after`. Entries whose patch the edit touches are
+  // unchanged.
   void follow(const std::vector<std::size_t>& entries, const HalfEdgeMesh& after);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-// In the manifest of changes: the file that they are of, and its blobs that stay.
+// Keys in the manifest of changes: the file that they belong to, and its blobs that stay.
 constexpr const char *kBase = "autosave", *kBytes = "bytes", *kChecksum = "crc32", *kBlobs = "blobs";
 
 ByteSum sumOf(std::string_view bytes) {
@@ -33,7 +33,7 @@ bool isThis(const json& text, std::string_view bytes) {
   return countAt(text, kBytes) == bytes.size() && stringAt(text, kChecksum) == layout::checksumText(bytes);
 }
 
-// Whether changes say that they are of another autosave than this, where both are sound. Errors: OutOfMemory.
+// Returns true if the changes belong to another autosave than this, and both are undamaged. Errors: OutOfMemory.
 Result<bool> areOfAnother(std::string_view autosave, std::string_view changes) {
   const auto isLacking = [](const Result<ReadContainer>& read) {
     return !read && read.error().code == ErrorCode::OutOfMemory;
@@ -122,7 +122,7 @@ Result<JoinedChanges> joinChanges(const std::filesystem::path& autosave, Progres
   if (!bytes) return bytes.error();
   if (const Status written = writeFileAtomically(autosave, *bytes, progress.part(0.6, 1.0)); !written)
     return written.error();
-  std::filesystem::remove(beside, ignored);  // where that fails, they are no longer of this file
+  std::filesystem::remove(beside, ignored);  // if that fails, they no longer belong to this file
   return JoinedChanges::All;
 }
 

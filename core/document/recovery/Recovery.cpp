@@ -26,7 +26,7 @@ RecoverySession::~RecoverySession() {
   if (m_lock) removeIfEmpty(m_folder);
 }
 
-// The lock is held before others can see the folder, so that nobody takes it for a dead one's.
+// The lock is held before others can see the folder, so that it does not look like that of a dead session.
 Status RecoverySession::openFolder() {
   std::error_code failed;
   if (m_lock && std::filesystem::exists(m_folder, failed)) return Done{};
@@ -56,7 +56,7 @@ Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, const
     Slot& slot = m_slots[key];
     if (slot.isClosed) return Done{};
     if (const Status open = openFolder(); !open) return open.error();
-    // Changes beside an autosave that somebody has removed are of nothing.
+    // Changes beside an autosave that was removed belong to nothing.
     std::error_code ignored;
     if (std::filesystem::exists(autosaveFile(m_folder, key), ignored)) stored = slot.stored;
   }
@@ -86,7 +86,7 @@ Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, std::
     autosave = autosaveFile(m_folder, key);
     removals = slot.removals;
     infoIsThere = slot.info == info;
-    // Removed since the changes were found: they are of nothing. What is stored next is whole.
+    // The autosave was removed since the changes were computed. The next store() writes a whole one.
     if (part == Part::Changes && slot.stored != stored) return Done{};
     slot.info.reset();
     if (part == Part::Whole) slot.stored.reset();
@@ -104,8 +104,8 @@ Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, std::
   return written;
 }
 
-// The info first: an info without an autosave says nothing, and the autosave keeps its worth without the info. Changes
-// of the autosave that is replaced fit the new one no longer, so it does not matter when they go.
+// The info is written first: an info without an autosave means nothing, and the autosave is useful without the info.
+// Changes of the replaced autosave do not fit the new one, so the time of their removal does not matter.
 Status RecoverySession::write(const std::filesystem::path& autosave, const AutosaveInfo& info, bool infoIsThere,
                               std::string_view bytes, Part part, Progress progress) const {
   if (!infoIsThere) {

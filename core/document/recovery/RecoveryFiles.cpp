@@ -48,7 +48,7 @@ std::filesystem::path damagedFile(std::filesystem::path autosave) {
   return autosave.replace_extension(kDamagedEnding);
 }
 
-// The autosave first: changes alone say nothing.
+// The autosave is removed first: changes alone mean nothing.
 void removeAutosave(const std::filesystem::path& autosave) {
   std::error_code ignored;
   std::filesystem::remove(autosave, ignored);

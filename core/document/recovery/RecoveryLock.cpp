@@ -12,12 +12,12 @@ namespace handwheel {
 
 std::optional<RecoveryLock> RecoveryLock::tryLock(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFileName;
-  // Closed in children, so that none of them keeps the lock of a dead parent.
+  // The descriptor is closed in children, so that none of them keeps the lock of a dead parent.
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (descriptor < 0) return {};
   RecoveryLock lock(descriptor);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return {};
-  // Whoever held it before may have removed the folder.
+  // The previous owner of the lock may have removed the folder.
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || status.st_nlink == 0) return {};
   return lock;

@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// Lock file that marks a folder as used by a running process. The owner holds a lock on a file in the folder, and the
-// system releases it when the process ends, however it ends. Two locks in one process exclude each other as well.
+// A lock file that marks a folder as used by a running process. The owner holds a lock on a file in the folder, and the
+// system releases it when the process ends, for any reason. Two locks in one process exclude each other as well.
 class RecoveryLock {
  public:
-  // None if the lock is held already, or the file system does not support locks, or the folder does not exist.
+  // Returns none if the lock is held already, or the file system does not support locks, or the folder does not exist.
   static std::optional<RecoveryLock> tryLock(const std::filesystem::path& folder);
 
   RecoveryLock(RecoveryLock&& other) noexcept;

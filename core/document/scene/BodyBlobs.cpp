@@ -92,7 +92,7 @@ class BodyReading {
       : m_container(container), m_folder(folder), m_damage(damage), m_own(own) {}
 
   Result<BodySet> read(const json& list, std::uint64_t next, Progress progress) {
-    std::vector<std::pair<std::string, const json*>> others;  // whose numbers cannot be used
+    std::vector<std::pair<std::string, const json*>> others;  // Bodies whose numbers cannot be used
     std::size_t done = 0;
     for (const auto& [key, entry] : list.items()) {
       if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -40,7 +40,7 @@ Status checkBody(const BodySet& bodies, const Body& body) {
   return named ? checkPose(body.pose) : named;
 }
 
-// Whether there is room for this shape in place of that one, which may be null.
+// Checks if there is room for this shape when it replaces that one, which may be null.
 Status checkRoom(const BodySet& bodies, const BodyGeometry& shape, const BodyGeometry* replaced) {
   const std::size_t less = replaced ? replaced->surface()->triangles.size() : 0;
   const std::size_t count = bodies.triangleCount() - less + shape.surface()->triangles.size();

@@ -8,13 +8,13 @@
 
 namespace handwheel {
 
-// What a link state is called in reports and properties: "present", "missing", "changed", "unchecked".
+// Returns the name of a link state in reports and properties: "present", "missing", "changed", "unchecked".
 const char* nameOf(LinkState state);
-// What a shape is called there: "box", "mesh", …
+// Returns the name of a shape there: "box", "mesh", …
 std::string shapeNameOf(const BodyGeometry& geometry);
 
-// The bodies for a report: an array of objects with "id", "name", "shape", "position" (mm), "quaternion" (w first),
-// "visible", "triangles" and "link" (null, or "path" and "state").
+// Returns the bodies for a report: an array of objects with "id", "name", "shape", "position" (mm), "quaternion" (w
+// first), "visible", "triangles" and "link" (null, or "path" and "state").
 nlohmann::json describeBodies(const BodySet& bodies);
 
 }  // namespace handwheel

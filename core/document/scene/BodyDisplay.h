@@ -10,16 +10,17 @@
 
 namespace handwheel {
 
-// The visible bodies as displayed parts, "body.NUMBER". A body that was only moved keeps its soup.
+// Returns the visible bodies as displayed parts, "body.NUMBER". A body that was only moved keeps its soup.
 std::vector<DisplayPart> displayPartsOf(const BodySet& bodies);
 
-// The name of the displayed part of a body.
+// Returns the name of the displayed part of a body.
 std::string partOfBody(BodyId body);
 
-// The number of the body that a displayed part belongs to; none for other parts.
+// Returns the number of the body that a displayed part belongs to; nothing for other parts.
 std::optional<BodyId> bodyOfPart(std::string_view part);
 
-// What people call a displayed part: a body by its name, one that was removed by its number, others as they are.
+// Returns the name of a displayed part for the user: a body by its name, a removed one by its number, other parts
+// unchanged.
 std::string shownPart(const std::string& part, const BodySet& bodies);
 
 }  // namespace handwheel

@@ -10,26 +10,26 @@
 
 namespace handwheel {
 
-// Adds, removes or replaces some bodies of a document. Holds the other version of these and of the free number, and
-// nothing else; versions of a body share its shape.
+// Edit that adds, removes or replaces some bodies of a document. Holds the other version of these and of the free
+// number, and nothing else; versions of a body share its shape.
 class BodyEdit : public Edit {
  public:
   struct Change {
     BodyId id;
-    BodyPointer body;  // null: there is none
+    BodyPointer body;  // Null: the body is removed
   };
 
-  // At least one change, no number twice. Names must be unique afterwards (BodyChanges.h checks that).
+  // changes: at least one, no number twice. Names must be unique afterwards (BodyChanges.h checks that).
   explicit BodyEdit(std::vector<Change> changes) : m_changes(std::move(changes)) {}
 
   // The document must be a BodyOwner.
   void exchange(Document& document) override;
-  bool absorb(const Edit& later) override;  // of the same bodies
+  bool absorb(const Edit& later) override;  // Only an edit of the same bodies
   std::size_t bytes() const override;
 
  private:
   std::vector<Change> m_changes;
-  std::optional<BodyId> m_freeId;  // of the other version; none before the first exchange
+  std::optional<BodyId> m_freeId;  // Free number of the other version; none before the first exchange
 };
 
 }  // namespace handwheel

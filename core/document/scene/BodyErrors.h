@@ -7,13 +7,13 @@
 // The error codes of edits of bodies.
 namespace handwheel::BodyError {
 
-extern const ErrorDescription BodyMissing;       // {name or number} the document has no such body
-extern const ErrorDescription Ambiguous;         // {text, number} the name of that body, and the number of another
-extern const ErrorDescription NotLinked;         // {name} the body has no file to be read again
+extern const ErrorDescription BodyMissing;       // {name or number}: the document has no such body
+extern const ErrorDescription Ambiguous;         // {text, number}: the name of that body, and the number of another
+extern const ErrorDescription NotLinked;         // {name}: the body has no file to be read again
 extern const ErrorDescription LinkedFileGone;    // {path}
 extern const ErrorDescription TooManyBodies;     // {most}
-extern const ErrorDescription TooManyTriangles;  // {count, most} of all bodies together
-extern const ErrorDescription NameTaken;         // {name} another body of the document has it
-extern const ErrorDescription NameUnusable;      // {name, most bytes} empty, too long, or of more than one line
+extern const ErrorDescription TooManyTriangles;  // {count, most}: of all bodies together
+extern const ErrorDescription NameTaken;         // {name}: another body of the document has it
+extern const ErrorDescription NameUnusable;      // {name, most bytes}: empty, too long, or of more than one line
 
 }  // namespace handwheel::BodyError

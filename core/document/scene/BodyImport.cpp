@@ -37,7 +37,8 @@ Result<ImportedBody> readBody(const DocumentKinds& kinds, const std::filesystem:
   if (!read.body.geometry) return Error{MeshError::NoTriangles, {}, {}, path.string()};
   read.file.notes.push_back(sizeNote(*read.body.geometry));
   std::error_code ignored;
-  const bool isFolder = std::filesystem::is_directory(path, ignored);  // of images, called as the patient perhaps
+  const bool isFolder =
+      std::filesystem::is_directory(path, ignored);  // A folder of images, possibly named after the patient
   const std::string name = path.stem().string();
   read.body.name = isBodyName(name) && !isFolder ? name : "body";
   return read;

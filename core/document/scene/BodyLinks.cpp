@@ -41,7 +41,7 @@ Result<std::string> sha256Of(const std::filesystem::path& path, Progress progres
   return hash.result().toHex().toStdString();
 }
 
-// What there is to say of the shape and the link of a body.
+// Adds the notes on the shape and the link of a body.
 void note(const Body& body, std::vector<Note>& notes) {
   if (const auto* shape = dynamic_cast<const UnknownGeometry*>(body.geometry.get()); shape && !shape->isDamaged()) {
     notes.push_back({QT_TRANSLATE_NOOP("Note",
@@ -102,13 +102,13 @@ std::string relativePathOf(const BodyLink& link, const std::filesystem::path& fo
 
 std::filesystem::path locateLink(const BodyLink& link, const std::filesystem::path& folder) {
   const std::filesystem::path path(link.path);
-  std::vector<std::filesystem::path> places;
-  if (!folder.empty() && !link.relative.empty()) places.push_back(folder / link.relative);
-  if (path.is_absolute()) places.push_back(path);
-  if (!folder.empty()) places.push_back(folder / path.filename());
-  for (const std::filesystem::path& place : places) {
+  std::vector<std::filesystem::path> candidates;
+  if (!folder.empty() && !link.relative.empty()) candidates.push_back(folder / link.relative);
+  if (path.is_absolute()) candidates.push_back(path);
+  if (!folder.empty()) candidates.push_back(folder / path.filename());
+  for (const std::filesystem::path& candidate : candidates) {
     std::error_code failed;
-    if (std::filesystem::is_regular_file(place, failed)) return place.lexically_normal();
+    if (std::filesystem::is_regular_file(candidate, failed)) return candidate.lexically_normal();
   }
   return {};
 }

@@ -17,7 +17,7 @@ class BodyOwner {
 
  private:
   friend class BodyEdit;
-  virtual void bodiesChanged() = 0;  // to call Document::wasChanged()
+  virtual void bodiesChanged() = 0;  // Must call Document::wasChanged()
 
   BodySet m_bodies;
 };

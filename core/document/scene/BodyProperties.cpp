@@ -110,7 +110,7 @@ void addShape(const BodyGeometry& geometry, PropertiesOfBody& all) {
   }
 }
 
-bool setPlace(Body& body, std::string_view field, double value) {
+bool setPoseField(Body& body, std::string_view field, double value) {
   constexpr std::string_view kAxes = "xyz";
   const std::size_t axis = kAxes.find(field.back());
   if (axis == kAxes.npos || (field.size() == 2 && field[0] != 'r') || field.size() > 2) return false;
@@ -140,7 +140,7 @@ Status setDimension(Body& body, std::string_view field, double value) {
 // value: of the type of the property, and within its range.
 Status setField(Body& body, const std::string& id, std::string_view field, const PropertyValue& value) {
   if (const auto* number = std::get_if<double>(&value)) {
-    if (setPlace(body, field, *number)) return Done{};
+    if (setPoseField(body, field, *number)) return Done{};
     return setDimension(body, field, *number);
   }
   if (field == "visible") body.visible = std::get<bool>(value);

@@ -12,7 +12,7 @@ namespace handwheel {
 template <class Number>
 nlohmann::json writeSoupBlobs(const TriangleSoup& soup, const std::string& name, Container& container);
 
-// Reads triangles from blobs; accepts any input. Those are left out whose corners are missing, not finite or beyond
+// Reads triangles from blobs; accepts any input. Triangles are left out if a corner is missing, not finite or beyond
 // largestCoordinate (mm); lost counts them.
 template <class Number>
 TriangleSoup readSoupBlobs(const nlohmann::json& counts, const std::string& name, const Container& container,

@@ -16,8 +16,8 @@
 namespace handwheel {
 namespace {
 
-// Of a picture that is read here; empty: it is none. Formats with scripts, and those whose readers are not proof
-// against any input, are left out.
+// Returns the format of a picture that can be read here; empty: none. Formats with scripts, and those whose readers are
+// not safe for untrusted input, are excluded.
 QByteArray pictureFormat(std::string_view head) {
   static const std::array<QByteArray, 8> kFormats = {"png", "jpeg", "jpg", "bmp", "gif", "pgm", "ppm", "pbm"};
   QByteArray bytes = QByteArray::fromRawData(head.data(), static_cast<qsizetype>(head.size()));

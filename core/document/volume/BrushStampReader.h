@@ -10,14 +10,14 @@
 
 namespace handwheel {
 
-// Reads a stamp from a picture, or from a document with a surface. Of a picture (PNG, JPEG, BMP, GIF, PNM)
-// heights are the brightness, and what is transparent is black; of others they are those over the xy plane. Both are
-// reduced to ClayStamp::kMostSide. Errors: FileMissing, FileUnreadable; FileTooLarge beyond kMostStampBytes or
-// kMostStampPixels; PictureUnreadable, NothingStandsOut of VolumeErrors; those of DocumentKinds::open(); Cancelled.
+// Reads a stamp from a picture, or from a document with a surface. The heights are the brightness of a picture (PNG,
+// JPEG, BMP, GIF, PNM), with transparent pixels black, or those of a surface over the xy plane. Both are reduced to
+// ClayStamp::kMostSide. Errors: FileMissing, FileUnreadable; FileTooLarge beyond kMostStampBytes or kMostStampPixels;
+// PictureUnreadable, NothingStandsOut of VolumeErrors; those of DocumentKinds::open(); Cancelled.
 Result<std::shared_ptr<const ClayStamp>> readBrushStamp(const std::filesystem::path& path, const DocumentKinds& kinds,
                                                         Progress progress = {});
 
-inline constexpr std::size_t kMostStampBytes = std::size_t{64} << 20;   // of the file of a picture
-inline constexpr std::size_t kMostStampPixels = std::size_t{32} << 20;  // four bytes each once it is unpacked
+inline constexpr std::size_t kMostStampBytes = std::size_t{64} << 20;   // size of a picture's file
+inline constexpr std::size_t kMostStampPixels = std::size_t{32} << 20;  // four bytes each when unpacked
 
 }  // namespace handwheel

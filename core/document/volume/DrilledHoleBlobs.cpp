@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char *kHoles = "holes", *kShape = "drill", *kPoses = "poses", *kErosion = "erosion", *kTried = "tried";
-constexpr const char *kTimes = "volume/holes/times", *kPlaces = "volume/holes/places", *kAxes = "volume/holes/axes";
+constexpr const char *kTimes = "volume/holes/times", *kPositions = "volume/holes/places", *kAxes = "volume/holes/axes";
 constexpr const char* kShapes[] = {"ball", "burr", "twist", "saw"};  // in the order of DrillShape
 constexpr std::size_t kMostHoles = 100'000;
 
@@ -30,8 +30,7 @@ void visitSetup(Setup& setup, const auto& visit) {
   visit("spindle", setup.spindle);
 }
 
-// All that can be drilled with can be read again. Length and width are bounded by the diameter, and with them the work
-// to drill.
+// All valid drills can be read again. Length and width are bounded by the diameter, which limits the cost of drilling.
 bool isSound(const DrillSetup& setup) {
   const auto isWithin = [](double x, double least, double most) { return x >= least && x <= most; };
   return setup.tool.diameter > 0.0 && setup.tool.diameter <= 1e6 && isWithin(setup.tool.pointAngle, 0.1, M_PI) &&
@@ -57,18 +56,18 @@ std::optional<DrillSetup> setupIn(const Json& entry) {
 // The poses of all holes as they are stored.
 struct StoredPoses {
   ReadArray<std::uint64_t> times;
-  ReadArray<std::int64_t> places;
+  ReadArray<std::int64_t> positions;
   ReadArray<float> axes;
 
   bool isWhole(std::uint64_t count) const {
-    return times.lost.empty() && places.lost.empty() && axes.lost.empty() && times.values.size() == count &&
-           places.values.size() == 3 * count && axes.values.size() == 3 * count;
+    return times.lost.empty() && positions.lost.empty() && axes.lost.empty() && times.values.size() == count &&
+           positions.values.size() == 3 * count && axes.values.size() == 3 * count;
   }
   DrillPose at(std::size_t i) const {
     DrillPose pose;
     pose.micros = times.values[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      pose.at[k] = places.values[3 * i + k];
+      pose.at[k] = positions.values[3 * i + k];
       pose.axis[k] = axes.values[3 * i + k];
     }
     return pose;
@@ -80,7 +79,7 @@ struct StoredPoses {
 void writeHoles(const DrilledHoles& holes, Container& container) {
   Json list = Json::array();
   std::vector<std::uint64_t> times;
-  std::vector<std::int64_t> places;
+  std::vector<std::int64_t> positions;
   std::vector<float> axes;
   for (const auto& hole : holes) {
     Json entry = {{kShape, kShapes[static_cast<std::size_t>(hole->setup.tool.shape)]}, {kPoses, hole->poses.size()}};
@@ -90,14 +89,14 @@ void writeHoles(const DrilledHoles& holes, Container& container) {
     for (std::size_t i = 0; i < hole->poses.size(); ++i) {
       const DrillPose& pose = hole->poses[i];
       times.push_back(pose.micros);
-      places.insert(places.end(), pose.at.begin(), pose.at.end());
+      positions.insert(positions.end(), pose.at.begin(), pose.at.end());
       axes.insert(axes.end(), pose.axis.begin(), pose.axis.end());
     }
   }
   (*container.manifest)["document"][kHoles] = std::move(list);
   if (times.empty()) return;
   writeArray<std::uint64_t>(container, kTimes, times);
-  writeArray<std::int64_t>(container, kPlaces, places, 3);
+  writeArray<std::int64_t>(container, kPositions, positions, 3);
   writeArray<float>(container, kAxes, axes, 3);
 }
 
@@ -116,7 +115,7 @@ DrilledHoles readHoles(const Container& container, std::vector<Error>& damage) {
     count += poses;
   }
   const StoredPoses stored{readArray<std::uint64_t>(container, kTimes, count),
-                           readArray<std::int64_t>(container, kPlaces, count, 3),
+                           readArray<std::int64_t>(container, kPositions, count, 3),
                            readArray<float>(container, kAxes, count, 3)};
   if (!stored.isWhole(count)) return fail("poses of the drill are lost");
   DrilledHoles holes;

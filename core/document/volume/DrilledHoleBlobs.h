@@ -7,18 +7,19 @@
 
 namespace handwheel {
 
-// Writes into a container how the holes of a volume were drilled. A list is in the object manifest["document"], and the
-// poses of all are in arrays ("volume/holes/…").
+// Writes the records of the holes of a volume into a container. A list is in the object manifest["document"], and all
+// poses are in arrays ("volume/holes/…").
 void writeHoles(const DrilledHoles& holes, Container& container);
 
-// Reads it from any input. Where one is lost or makes no sense there is none, and the damage has it: a hole alone would
-// not be drilled again as it was.
+// Reads the records; the input is not trusted. If one is lost or malformed, there are none, and the damage is reported:
+// single holes could not be reproduced.
 DrilledHoles readHoles(const Container& container, std::vector<Error>& damage);
 
-// Writes the holes that were tried into the list manifest["document"]["tried"], each as [mark, depth in the forbidden
-// region, number of its try].
+// Writes the tried holes into the list manifest["document"]["tried"], each as [mark, depth in the forbidden region,
+// number of its try].
 void writeTried(const TriedHoles& tried, Container& container);
-// Reads it from any input. Null: there are none. What makes no sense is left out, and the damage has it.
+// Reads the tried holes; the input is not trusted. Null: there are none. Malformed entries are left out and reported as
+// damage.
 std::shared_ptr<const TriedHoles> readTried(const Container& container, std::vector<Error>& damage);
 
 }  // namespace handwheel

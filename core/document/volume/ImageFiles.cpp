@@ -29,7 +29,7 @@ bool isDicomFile(const fs::path& path) {
   return head && looksLikeDicom(*head);
 }
 
-// The files of a folder that begin as DICOM, by their names, this one first; at most so many bytes.
+// Returns the files of a folder that begin as DICOM, sorted by name, this one first, with a limit of their total size.
 Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Progress progress) {
   constexpr std::size_t kMostFiles = 20'000, kMostBytes = std::size_t{4} << 30;
   const std::size_t most = std::min(kMostBytes, systemMemory() / 4);
@@ -46,7 +46,7 @@ Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Pr
   if (!first.empty()) paths.insert(paths.begin(), first);
   const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   std::vector<fs::path> dicoms;
-  std::size_t size = 0;  // of all in the input of the reader
+  std::size_t size = 0;  // total size in the input of the reader
   std::size_t seen = 0;
   for (const fs::path& path : paths) {
     if (progress.cancelled()) return cancelled;
@@ -126,7 +126,7 @@ Note noteOn(const ImageRemark& remark) {
     case ImageRemark::Kind::OtherSeries:
       note.text = QT_TRANSLATE_NOOP("Note", "Slices of other series were ignored (%1).");
       break;
-    case ImageRemark::Kind::SamePlace:
+    case ImageRemark::Kind::SamePosition:
       note.text = QT_TRANSLATE_NOOP("Note", "Slices at the position of another slice were ignored (%1).");
       break;
     case ImageRemark::Kind::NotReadable:

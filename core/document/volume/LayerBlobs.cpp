@@ -32,7 +32,7 @@ std::vector<VoxelIndex> blocksOfAll(const std::vector<ClayLayer>& layers) {
   return blocks;
 }
 
-// A number that says whether the blocks are those that the layers were saved with (FNV-1a).
+// Returns a hash of the blocks (FNV-1a), to detect that they were changed after the layers were saved.
 std::string fingerprintOf(const SparseVolume& volume, const std::vector<VoxelIndex>& blocks) {
   std::uint64_t hash = 14695981039346656037u;
   const auto take = [&](std::uint64_t number) { hash = (hash ^ number) * 1099511628211u; };
@@ -45,7 +45,7 @@ std::string fingerprintOf(const SparseVolume& volume, const std::vector<VoxelInd
   return std::to_string(hash);
 }
 
-// Blocks that are the same as those of another volume become the other's, and take no memory.
+// Shares blocks that equal those of another volume with it, to save memory.
 void shareBlocks(SparseVolume& volume, const std::vector<VoxelIndex>& blocks, const SparseVolume& other) {
   for (const VoxelIndex& block : blocks)
     if (isSameContent(volume.view(block), other.view(block))) volume.setContent(block, other.content(block));
@@ -61,7 +61,7 @@ bool readBlocks(const Container& container, const Json& object, const char* coun
   return read.lost == 0;
 }
 
-// The layer that an object of the manifest describes; none where that makes no sense.
+// Returns the layer that an object of the manifest describes; none if it is malformed.
 std::optional<ClayLayer> readLayer(const Container& container, const Json& object, std::size_t number,
                                    const SparseVolume& visible) {
   if (!object.is_object()) return std::nullopt;
@@ -76,15 +76,15 @@ std::optional<ClayLayer> readLayer(const Container& container, const Json& objec
   if (!readBlocks(container, object, "base_chunks", layerFolder(number, "base"), base, bytes)) return std::nullopt;
   if (!readBlocks(container, object, "top_chunks", layerFolder(number, "top"), top, bytes)) return std::nullopt;
   const std::vector<VoxelIndex> blocks = differingBlocks(base, top);
-  // As other arrays of a container: at most 64 times its bytes. Distances, where they are asked for, take four times
-  // that.
+  // The limit is that of other arrays of a container: at most 64 times its bytes. Distances take four times that when
+  // they are computed.
   if (blocks.size() > 64 * bytes / sizeof(VolumeBlock)) return std::nullopt;
   shareBlocks(top, blocks, visible);
   layer.change = std::make_shared<const ClayLayerChange>(base, top);
   return layer;
 }
 
-// Null where they make no sense; the problem says why then.
+// Returns null and sets the problem if they are malformed.
 std::shared_ptr<const ClayLayers> layersIn(const Container& container, const Json& found, const SparseVolume& visible,
                                            std::string& problem) {
   const Json layers = found.is_object() ? found.value("stack", Json()) : Json();

@@ -5,7 +5,7 @@
 namespace handwheel {
 namespace {
 
-// The volume with other layers, after which these blocks of what is visible may be others.
+// Returns the volume with other layers, which may change these visible blocks.
 LayerStep stepTo(const VolumeSnapshot& before, ClayLayers layers, const std::vector<VoxelIndex>& blocks) {
   auto after = std::make_shared<VolumeSnapshot>(before);
   const std::vector<VoxelIndex> changed = layers.show(blocks, after->volume);

@@ -22,10 +22,10 @@ constexpr const char *kScan = "scan", *kSize = "size", *kOrigin = "origin", *kSt
 constexpr const char *kWhole = "int16", *kReal = "float32";
 const std::string kSamples = "scan/samples", kSegment = "scan/segment/";
 
-// Places of bricks to a blob. A stroke changes few blobs, so an autosave after it has little to write.
+// Number of bricks per blob. A stroke changes few blobs, so an autosave after it has little to write.
 constexpr std::size_t kGroup = 1024;
 constexpr std::size_t kBrickNumbers = 1 + SegmentBrick::kSide * SegmentBrick::kSide;
-// Samples of the image for each that is there, as in other arrays.
+// Largest ratio of the image's samples to the stored ones, as in other arrays.
 constexpr std::size_t kMostLost = 64;
 
 std::string groupName(std::size_t group) {
@@ -58,14 +58,14 @@ std::size_t writeBricks(const Segment& segment, Container& container) {
   return painted;
 }
 
-// Without what it would have outside of the image. place: of the brick.
-void cutOff(SegmentBrick& brick, std::size_t place, const std::array<int, 3>& size) {
+// Clears the samples of a brick outside the image.
+void cutOff(SegmentBrick& brick, std::size_t index, const std::array<int, 3>& size) {
   const std::array<int, 3> count = Segment::bricksOf(size);
   const auto along = [&](std::size_t axis, std::size_t number) {
     return std::min(SegmentBrick::kSide, size[axis] - SegmentBrick::kSide * static_cast<int>(number));
   };
   const auto nx = static_cast<std::size_t>(count[0]), ny = static_cast<std::size_t>(count[1]);
-  const int x = along(0, place % nx), y = along(1, place / nx % ny), z = along(2, place / nx / ny);
+  const int x = along(0, index % nx), y = along(1, index / nx % ny), z = along(2, index / nx / ny);
   const auto mask = static_cast<std::uint16_t>((1u << x) - 1u);
   for (int k = 0; k < SegmentBrick::kSide; ++k)
     for (int j = 0; j < SegmentBrick::kSide; ++j) {
@@ -78,21 +78,21 @@ std::vector<Segment::Brick> readBricks(const Container& container, const std::ar
                                        std::uint64_t painted, std::vector<Error>& damage) {
   std::vector<Segment::Brick> bricks;
   if (painted == 0) return bricks;
-  std::size_t places = 1;
-  for (const int n : Segment::bricksOf(size)) places *= static_cast<std::size_t>(n);
-  bricks.resize(places);
+  std::size_t count = 1;
+  for (const int n : Segment::bricksOf(size)) count *= static_cast<std::size_t>(n);
+  bricks.resize(count);
   std::uint64_t found = 0;
-  for (std::size_t group = 0; group * kGroup < places; ++group) {
+  for (std::size_t group = 0; group * kGroup < count; ++group) {
     const auto blob = container.blobs.find(groupName(group));
     if (blob == container.blobs.end()) continue;
     const auto numbers = fromBlob<std::uint16_t>(blob->second);
     for (std::size_t at = 0; at + kBrickNumbers <= numbers.size(); at += kBrickNumbers) {
-      const std::size_t place = group * kGroup + numbers[at];
-      if (numbers[at] >= kGroup || place >= places || bricks[place]) continue;
+      const std::size_t index = group * kGroup + numbers[at];
+      if (numbers[at] >= kGroup || index >= count || bricks[index]) continue;
       auto brick = std::make_shared<SegmentBrick>();
       std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(at) + 1, brick->rows.size(), brick->rows.begin());
-      cutOff(*brick, place, size);
-      bricks[place] = std::move(brick);
+      cutOff(*brick, index, size);
+      bricks[index] = std::move(brick);
       ++found;
     }
   }
@@ -101,11 +101,11 @@ std::vector<Segment::Brick> readBricks(const Container& container, const std::ar
   return bricks;
 }
 
-bool readPlace(const Json& from, Vec3& place) {
+bool readPosition(const Json& from, Vec3& position) {
   if (!from.is_array() || from.size() != 3) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!from[k].is_number()) return false;
-    place[static_cast<Eigen::Index>(k)] = from[k].get<double>();
+    position[static_cast<Eigen::Index>(k)] = from[k].get<double>();
   }
   return true;
 }
@@ -115,11 +115,11 @@ std::optional<ImageGrid> gridIn(const Json& scan, std::vector<Error>& damage) {
   const JsonFieldReader read(scan);
   const Json &size = read.member(kSize), &steps = read.member(kSteps);
   bool isSound = size.is_array() && size.size() == 3 && steps.is_array() && steps.size() == 3 &&
-                 readPlace(read.member(kOrigin), grid.origin);
+                 readPosition(read.member(kOrigin), grid.origin);
   for (std::size_t k = 0; k < 3 && isSound; ++k) {
     Vec3 step;
     const double along = size[k].is_number_integer() ? size[k].get<double>() : -1.0;
-    isSound = along >= 0.0 && along <= ImageGrid::kMostAlong && readPlace(steps[k], step);
+    isSound = along >= 0.0 && along <= ImageGrid::kMostAlong && readPosition(steps[k], step);
     if (!isSound) break;
     grid.size[k] = size[k].get<int>();
     grid.steps.col(static_cast<Eigen::Index>(k)) = step;
@@ -130,7 +130,7 @@ std::optional<ImageGrid> gridIn(const Json& scan, std::vector<Error>& damage) {
   return {};
 }
 
-// Whether a sample can be used, where its type allows others.
+// Returns true if a sample is valid; types of integers have only valid ones.
 bool isSound(float sample) {
   return std::isfinite(sample);
 }
@@ -155,7 +155,7 @@ std::optional<ImageVolume> samplesIn(const Container& container, const ImageGrid
   std::vector<Sample>& samples = read.values;
   if (read.lost.empty() && std::all_of(samples.begin(), samples.end(), [](Sample s) { return isSound(s); }))
     return ImageVolume(grid, std::move(samples));
-  // The zeros of what is lost are no values of the image.
+  // The zeros of lost samples are not values of the image.
   std::size_t lost = 0, next = 0;
   Sample least = std::numeric_limits<Sample>::max();
   read.lost.push_back({samples.size(), samples.size()});

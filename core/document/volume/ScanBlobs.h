@@ -12,17 +12,18 @@
 namespace handwheel {
 
 // Writes the CT or MR image of a volume, and its segment, into a container. Grid and range go into the object
-// manifest["document"]["scan"], samples and bricks into blobs of their own ("scan/samples/0000", "scan/segment/0000").
-// They are not in the folder of the kind, so that a program that knows neither keeps both.
+// manifest["document"]["scan"], samples and bricks into separate blobs ("scan/samples/0000", "scan/segment/0000").
+// These are outside the folder of the kind, so that a program that does not know them keeps them.
 void writeScan(const ImageVolume& image, const Segment& segment, Container& container);
 
 struct StoredScan {
   ImageVolume image;
-  std::optional<Segment> segment;  // none where its range is lost
+  std::optional<Segment> segment;  // none if its range is lost
 };
 
-// Reads them from any input; none: there is no image, or none that can be used, which is added to the damage. Samples
-// that are lost have the least value of the others, bricks that are lost are by the range; both are damage, too.
+// Reads the image and the segment; the input is not trusted. None: there is no image, or it is unusable, which is added
+// to the damage. Lost samples get the least value of the others, lost bricks are defined by the range; both are added
+// to the damage, too.
 std::optional<StoredScan> readScan(const Container& container, std::vector<Error>& damage, Progress progress);
 
 }  // namespace handwheel

@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// An edit that replaces the segment of a scan. Versions share bricks, so it holds what changed.
+// An edit that replaces the segment of a scan. Versions share bricks, so it holds only the changed ones.
 class SegmentEdit : public Edit {
  public:
-  // before: the document's segment, for the size of the edit.
+  // before: the document's segment, from which the size of the edit is computed.
   SegmentEdit(Segment segment, const Segment& before)
       : m_segment(std::move(segment)),
         m_bytes(sizeof *this + m_segment.bytesBeside(before) + before.bytesBeside(m_segment)) {}

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char *kChunks = "volume/chunks/", *kMaskChunks = "mask/";
 
-// The number of chunks that an object says; none where that makes no sense, which is damage.
+// Returns the number of chunks in an object; none if it is malformed, which is added to the damage.
 std::optional<std::size_t> countOf(const nlohmann::json& object, const char* name, std::vector<Error>& damage) {
   const std::optional<std::size_t> count = chunkCountOf(object.value("chunks", nlohmann::json()));
   if (!count) damage.push_back({ErrorCode::ElementMalformed, {name, "it is not a number of chunks"}, {}, {}});
@@ -45,19 +45,19 @@ Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& 
   if (!voxel.is_number() || !(voxel.get<double>() > 1e-9) || !(voxel.get<double>() < 1e9))
     return Error{ErrorCode::ElementMalformed, {"document.voxel", "it is not the size of a voxel"}, {}, {}};
   Vec3 corner = Vec3::Zero();
-  bool isPlace = origin.is_array() && origin.size() == 3;
-  for (std::size_t k = 0; k < 3 && isPlace; ++k) {
-    isPlace = origin[k].is_number() && std::abs(origin[k].get<double>()) < 1e12;
-    if (isPlace) corner[static_cast<Eigen::Index>(k)] = origin[k].get<double>();
+  bool isPosition = origin.is_array() && origin.size() == 3;
+  for (std::size_t k = 0; k < 3 && isPosition; ++k) {
+    isPosition = origin[k].is_number() && std::abs(origin[k].get<double>()) < 1e12;
+    if (isPosition) corner[static_cast<Eigen::Index>(k)] = origin[k].get<double>();
   }
-  if (!isPlace) return Error{ErrorCode::ElementMalformed, {"document.origin", "it is no place"}, {}, {}};
+  if (!isPosition) return Error{ErrorCode::ElementMalformed, {"document.origin", "it is no place"}, {}, {}};
 
   SparseVolume volume(corner, voxel.get<double>());
   const std::optional<std::size_t> chunks = countOf(*found, "document.chunks", damage);
   const ChunksRead read = readChunks(container, kChunks, chunks, volume, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   reportLost("volume", read.lost, damage);
-  // As other arrays of a container: at most 64 times its bytes.
+  // The limit is that of other arrays of a container: at most 64 times its bytes.
   if (!closeOff(volume, 64 * read.bytes / sizeof(VolumeBlock)))
     return Error{ErrorCode::ElementMalformed, {"volume", "full and empty blocks have no surface between them"}, {}, {}};
   return volume;

@@ -12,13 +12,13 @@ namespace handwheel {
 // voxels into chunks of about a megabyte ("volume/chunks/0000").
 void writeVolume(const SparseVolume& volume, Container& container);
 
-// Reads it from any input. What is missing or makes no sense is empty, and is added to the damage; where
-// material would then end between samples it is closed off. Errors: ElementMalformed, Cancelled.
+// Reads a volume; the input is not trusted. Missing and malformed regions are empty, and are added to the damage;
+// material that would then end between samples is closed off. Errors: ElementMalformed, Cancelled.
 Result<SparseVolume> readVolume(const Container& container, std::vector<Error>& damage, Progress progress);
 
-// The same of what is protected from dabs: manifest["document"]["mask"], and chunks "mask/0000". Null where it
-// protects nothing, or is of another grid than the volume, which a program changed that knows no masks. What is missing
-// or makes no sense was not painted, and is added to the damage.
+// Writes and reads the mask: manifest["document"]["mask"], and chunks "mask/0000". Null if it protects nothing, or if
+// its grid differs from that of the volume, as after a change by a program without masks. Missing and malformed regions
+// count as not painted, and are added to the damage.
 void writeMask(const ClayMask& mask, Container& container);
 std::shared_ptr<const ClayMask> readMask(const Container& container, const SparseVolume& volume,
                                          std::vector<Error>& damage);

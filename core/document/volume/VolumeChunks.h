@@ -11,22 +11,22 @@
 // The blocks of a volume in a container. They are in chunks of about a megabyte, named by a folder and four digits.
 namespace handwheel {
 
-// The grid of a volume as an object of the manifest: "voxel" and "origin".
+// Returns the grid of a volume as an object of the manifest: "voxel" and "origin".
 nlohmann::json gridOf(const SparseVolume& volume);
 
-// Returns how many there are.
+// Writes the chunks of a volume, and returns their number.
 std::size_t writeChunks(const SparseVolume& volume, const std::string& folder, Container& container);
 
-// What was read of chunks: their bytes, and how many are lost or end early.
+// The result of reading chunks: their bytes, and the number of lost and truncated ones.
 struct ChunksRead {
   std::size_t bytes = 0, lost = 0;
 };
 
-// Adds chunks to a volume, as many as there should be; none: those that are there. Fewer once cancelled.
+// Adds chunks to a volume. count: the expected number; none: all that exist. Reads fewer if cancelled.
 ChunksRead readChunks(const Container& container, const std::string& folder, std::optional<std::size_t> count,
                       SparseVolume& volume, const Progress& progress);
 
-// The number of chunks in a value of the manifest; none where that makes no sense.
+// Returns the number of chunks in a value of the manifest; none if it is malformed.
 std::optional<std::size_t> chunkCountOf(const nlohmann::json& value);
 
 }  // namespace handwheel

@@ -36,7 +36,7 @@ void addLayerProperties(const ClayLayers& layers, std::vector<Property>& all) {
   }
 }
 
-// "layer.2.name": the second layer, and what follows; none where it is not one of these properties.
+// Parses "layer.2.name" to the second layer and the rest; none for other properties.
 struct LayerPropertyName {
   std::size_t layer = 0;
   std::string what;

@@ -43,7 +43,7 @@ Result<std::string> nrrdBytes(const SparseVolume& volume) {
   return distances ? Result<std::string>(nrrdOf(*distances, kSignedDistance)) : distances.error();
 }
 
-// Where the range is lost it is the one that would be taken of the image alone.
+// A lost range is replaced by the one for the image alone.
 void takeScan(std::optional<StoredScan> stored, VolumeSnapshot& snapshot) {
   if (!stored) return;
   ImageHistogram histogram = histogramOf(stored->image);
@@ -111,7 +111,7 @@ void VolumeKind::save(const Snapshot& content, Container& container) const {
   writeVolume(volumeOf(content).volume, container);
   (*container.manifest)["document"]["source"] = volumeOf(content).source;
   if (const auto& mask = volumeOf(content).mask) writeMask(*mask, container);
-  // Null where there are none, so that layers that could not be read are not kept as what a newer program wrote.
+  // Null if there are none, so that unreadable layers are not kept as data of a newer program.
   (*container.manifest)["document"]["layers"] = nullptr;
   if (const auto& layers = volumeOf(content).layers) writeLayers(*layers, volumeOf(content).volume, container);
   writeHoles(volumeOf(content).holes, container);

@@ -12,7 +12,7 @@ namespace handwheel {
 // The document kind of voxel volumes. They are exported as their surface, in the formats of meshes.
 class VolumeKind : public DocumentKind {
  public:
-  // How the surface of what is opened and made from now on is divided, as that of VolumeSurface. Any thread.
+  // Sets the number of cells per piece (see VolumeSurface) for volumes that are opened or made later. Any thread.
   void setPieceCells(int cells) { m_pieceCells = cells; }
   int pieceCells() const { return m_pieceCells; }
 
@@ -31,7 +31,7 @@ class VolumeKind : public DocumentKind {
   bool isMadeOfSurfaces() const override { return true; }
   Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
                                     Progress progress) const override;
-  // A ball of clay.
+  // Returns a ball of clay.
   SnapshotPointer blank() const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;

@@ -21,7 +21,7 @@ namespace handwheel {
 
 namespace {
 
-// The values of an image that are taken as material where nobody chooses.
+// Default range of an image's values for material.
 ValueRange usualRange(const ImageHistogram& histogram, std::vector<Note>& notes) {
   const double threshold = otsuThreshold(histogram);
   notes.push_back({QT_TRANSLATE_NOOP("Note",
@@ -45,7 +45,7 @@ Result<SparseVolume> volumeOfVdb(const std::filesystem::path& path, std::vector<
   return std::move(read->volume);
 }
 
-// What an image takes in a document once all of it is painted.
+// Returns the memory of an image in a document when all of it is painted.
 double mostBytes(const ImageVolume& image) {
   double bricks = 1.0;
   for (const int n : Segment::bricksOf(image.grid().size)) bricks *= n;

@@ -15,7 +15,7 @@
 
 namespace handwheel {
 
-// The content of a document made of a volume. scan: the image that is saved with it. pieceCells: as that of
+// The content of a document made of a volume. scan: the image that is saved with it. pieceCells: see
 // VolumeSurface, here and below. Errors: VolumeErrors::TooLargeToSave, ImageTooLarge, Cancelled.
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
                                                          Progress progress, std::shared_ptr<const Scan> scan = {},
@@ -24,29 +24,29 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
 
 struct MadeVolume {
   std::shared_ptr<const VolumeSnapshot> volume;
-  SurfaceVolume surface;  // what became of the surface; its volume shares the blocks
+  SurfaceVolume surface;  // result of the conversion; its volume shares the blocks
 };
 
-// The content of a document of what a surface encloses. voxel: mm; none: the usual one. Errors: those of
+// Makes the content of a document from the inside of a surface. voxel: mm; none: usualVoxel(). Errors: those of
 // volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress, VoxelMethod method = VoxelMethod::Sign,
                               int pieceCells = VolumeSurface::kPieceCells);
 
-// What there is to say of a volume that was made of a surface: walls that were lost.
+// Returns notes on a volume that was made from a surface: lost walls.
 std::vector<Note> notesOn(const SurfaceVolume& made);
 
-// The content of a document of the skull that ships. It is made when nobody holds it, which takes a second; its pieces
-// are, when somebody holds it with others.
+// Returns the content of a document with the built-in skull. It is shared while it is in use, and else made, which
+// takes a second; with another pieceCells, only its pieces are made.
 std::shared_ptr<const VolumeSnapshot> skullContent(int pieceCells = VolumeSurface::kPieceCells);
 
-// The content of a document of a file or folder of images (ImageFiles.h), or of VDB. An image becomes what is above the
-// threshold that parts it best (otsuThreshold()), which is a note, as is what there is to say of the file. Errors:
-// those of the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
+// Makes the content of a document from a file or folder of images (ImageFiles.h), or from a VDB file. The volume of an
+// image is the region above otsuThreshold(); notes state the threshold and the remarks on the file. Errors: those of
+// the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress,
                                                            int pieceCells = VolumeSurface::kPieceCells);
-// Whether the first bytes are those of such a file.
+// Returns true if the first bytes are those of such a file.
 bool isVolumeFile(std::string_view head);
 
 }  // namespace handwheel

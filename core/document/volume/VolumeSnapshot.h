@@ -16,22 +16,23 @@
 
 namespace handwheel {
 
-// The records of the holes drilled into a volume, the first one first.
+// The records of the holes drilled into a volume, in order of time.
 using DrilledHoles = std::vector<std::shared_ptr<const DrillRecord>>;
 
 // The value of a volume document.
 struct VolumeSnapshot : Snapshot {
-  SparseVolume volume;    // with its layers, as it is visible
-  VolumeSurface surface;  // of the volume
-  // What is protected from dabs, in the grid of the volume; null: nothing.
+  SparseVolume volume;    // visible volume, with its layers
+  VolumeSurface surface;  // surface of the volume
+  // Protection from dabs, in the grid of the volume; null: none.
   std::shared_ptr<const ClayMask> mask;
-  // Null: there are none. A change of the volume that is not recorded in them applies them all: it leaves none.
+  // Layers of the volume; null: none. A change of the volume that is not recorded in them merges and removes all of
+  // them.
   std::shared_ptr<const ClayLayers> layers;
-  std::string source;                // the file that it was made from, UTF-8; empty where there is none
-  std::shared_ptr<const Scan> scan;  // that it was made from; null: there is none
-  Segment segment;                   // what is chosen of the scan
+  std::string source;                // file that the volume was made from, UTF-8; empty: none
+  std::shared_ptr<const Scan> scan;  // image that it was made from; null: none
+  Segment segment;                   // segment of the scan
   DrilledHoles holes;
-  // The holes that were drilled in work on an exercise: no undo takes one back. Null: none.
+  // Holes that were drilled in an exercise; undo does not remove them. Null: none.
   std::shared_ptr<const TriedHoles> tried;
 };
 

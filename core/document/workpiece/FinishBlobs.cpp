@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kFinishBlob = "workpiece/finish";
 constexpr std::size_t kMarkNumbers = 3;  // roughness, feed, pass
-constexpr float kNoPass = -1.0f;         // in the place of a pass
+constexpr float kNoPass = -1.0f;         // replaces the index of a pass
 // Beyond it a float does not have all whole numbers.
 constexpr std::uint32_t kExactPasses = 1u << 24;
 
@@ -25,7 +25,7 @@ bool isRoughness(float value) {
   return value >= 0.0f || value == FinishMark::kUnknown;  // not so for NaN
 }
 
-// Of numbers that cannot be, a mark that is not known.
+// Returns an unknown mark for impossible numbers.
 FinishMark markFrom(const float* numbers, std::size_t passes) {
   const float roughness = numbers[0], feed = numbers[1], pass = numbers[2];
   const FinishMark unknown{FinishMark::kUnknown, 0.0f, FinishMark::kNoPass};

@@ -11,8 +11,8 @@ namespace handwheel {
 // pass of each sample of the outside, then of those of a bore.
 void writeFinish(const SurfaceFinish& finish, const TurnedProfile& profile, Container& container);
 
-// Reads it; accepts any input. It is no part of the shape: what is lost or impossible of it is not known, and no
-// damage. passes: of the part.
+// Reads the surface finish; accepts any input. Lost or invalid values become unknown and are no damage, since the
+// finish is not part of the shape. passes: number of passes of the part.
 SurfaceFinish readFinish(const Container& container, const TurnedProfile& profile, std::size_t passes);
 
 }  // namespace handwheel

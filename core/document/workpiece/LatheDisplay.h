@@ -9,18 +9,17 @@
 
 namespace handwheel {
 
-// The parts of a lathe as displayed parts. Their triangles are made once; from then on only poses change. The tool
-// comes from the side of +x, in the plane y = 0. Window thread.
+// The parts of a lathe as displayed parts. Their triangles are made once; afterwards only poses change. The tool comes
+// from the side of +x, in the plane y = 0. Window thread.
 class LatheDisplay {
  public:
   // gripped: mm, radius that the jaws are closed on. base: mm, z of the part's lower end in the scene.
   LatheDisplay(const LatheSetup& setup, const LatheTools& tools, double gripped, double base);
 
-  // turns: of the spindle; tip: (r, z) of the tool, null: none is shown.
+  // turns: spindle angle in revolutions; tip: (r, z) of the tool. If `tool` is null, none is shown.
   std::vector<DisplayPart> parts(double turns, const ProfilePoint& tip, const LatheTool* tool, double quillTip) const;
 
-  // The nose and the outline of a tool's sections in the plane y = 0, for the view.
-  // A cross at the tip, which the read-out is of.
+  // Return a cross at the tip, to which the read-out refers, and the outline of the tool's sections in the plane y = 0.
   std::vector<std::vector<Vec3>> tipMark(const ProfilePoint& tip) const;
   std::vector<std::vector<Vec3>> outline(const LatheTool& tool, const ProfilePoint& tip) const;
 
@@ -31,7 +30,7 @@ class LatheDisplay {
   double m_base;
   std::vector<DisplayPart> m_chuck;
   std::vector<DisplayPart> m_quill;                         // at a tip of z = 0
-  std::vector<DisplayPart> m_tailstock;                     // which stands
+  std::vector<DisplayPart> m_tailstock;                     // the part of the tailstock that does not move
   std::map<std::string, std::vector<DisplayPart>> m_tools;  // by id, with the tip at the origin
 };
 

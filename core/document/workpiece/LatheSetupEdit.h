@@ -19,7 +19,7 @@ class LatheSetupEdit : public Edit {
   std::shared_ptr<const LatheSetup> m_setup;
 };
 
-// The setup of a workpiece; where none was made, the usual one for its bar.
+// Returns the setup of a workpiece, or the usual one for its bar if there is none.
 LatheSetup latheOf(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

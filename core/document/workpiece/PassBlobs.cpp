@@ -17,9 +17,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kPath = "workpiece/path";           // of all passes
-constexpr const char* kSpeeds = "workpiece/speeds";       // of the passes with "speeds"
-constexpr const char* kAsked = "workpiece/asked";         // of the passes with "asked_speeds"
+constexpr const char* kPath = "workpiece/path";           // all passes
+constexpr const char* kSpeeds = "workpiece/speeds";       // passes with "speeds"
+constexpr const char* kAsked = "workpiece/asked";         // passes with "asked_speeds"
 constexpr const char* kBore = "bore";                     // value of "side"
 constexpr const char* kOfProgram = "program";             // key of passes
 constexpr const char* kPoles = "poles";                   // value of "method"
@@ -42,13 +42,13 @@ bool isTrueIn(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
-// Of a pass as it is listed; 0 where that is malformed.
+// Returns the number of points of a listed pass; 0 if the entry is malformed.
 std::uint64_t pointsIn(const nlohmann::json& entry) {
   const std::uint64_t count = countAt(entry, kPoints);
   return count <= TurningPass::kMostPoints ? count : 0;
 }
 
-// Whether a range of points is there whole.
+// Returns true if no point of a range is lost.
 bool isWhole(const ReadArray<double>& path, std::uint64_t begin, std::uint64_t end) {
   if (path.values.size() < kPointNumbers * end) return false;
   return std::none_of(path.lost.begin(), path.lost.end(),
@@ -59,7 +59,7 @@ bool isSpeed(double speed) {
   return speed >= 0.0 && speed <= kFastestSpindle;  // false for NaN
 }
 
-// Whether a speed for each point of a listed pass stands in the array that this key is of.
+// Returns true if the array of this key has a speed for each point of a listed pass.
 bool hasSpeeds(const nlohmann::json& entry, const char* key) {
   return entry.is_object() && isTrueIn(entry, key);
 }

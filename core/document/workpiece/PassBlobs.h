@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// The passes of a turned part in a container: their points and speeds are blobs. Returns the list of what else they
-// have, for the manifest.
+// Writes the passes of a turned part into a container. Their points and speeds are blobs. Returns the remaining data as
+// a list for the manifest.
 nlohmann::json writePasses(const TurningPasses& passes, Container& container);
 
-// The passes of such a list; those that are lost or malformed are left out. Error: Cancelled.
+// Reads the passes of such a list; lost or malformed ones are left out. Error: Cancelled.
 Result<TurningPasses> readPasses(const nlohmann::json& listed, const Container& container, Progress progress);
 
 }  // namespace handwheel

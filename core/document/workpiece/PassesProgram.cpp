@@ -3,7 +3,7 @@
 #include "document/workpiece/PassesProgram.h"
 
 #include "document/workpiece/WorkpieceErrors.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 
 namespace handwheel {
 

@@ -7,13 +7,13 @@
 
 namespace handwheel {
 
-// The passes of a workpiece as a program, with its tools. Run with them it makes the same part again.
+// The passes of a workpiece as a program with its tools. The program makes the same part again.
 struct PassesProgram {
   std::string text;
   ProgramTools tools;  // T1 is that of the first pass
 };
 
-// The speed of the spindle that their program has where no other is chosen, r/min.
+// Returns the default spindle speed of such a program, r/min.
 double recordedSpindle(const WorkpieceSnapshot& workpiece);
 
 // Writes the passes of a workpiece as a program. Errors: NoPasses, OtherTools.

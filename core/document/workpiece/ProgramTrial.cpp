@@ -4,7 +4,7 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "document/workpiece/TurnedPartEdit.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/finish/FinishMeter.h"
 #include "machining/program/ProgramInterpreter.h"
 
@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t kVersions = 100;  // kept of a path
 constexpr std::size_t kLook = 16;       // moves between two looks at the cancel flag
 
-// As the manual lathe records it.
+// Returns the collision in the form that the manual lathe records.
 LatheCollision crashOf(const ProgramCollision& collision) {
   LatheCollision crash;
-  crash.place = collision.place;
+  crash.position = collision.position;
   crash.time = collision.time;
   switch (collision.kind) {
     case ProgramCollision::Kind::Chuck:

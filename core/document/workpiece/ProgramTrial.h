@@ -10,19 +10,19 @@
 
 namespace handwheel {
 
-// The machine on which programs of a workpiece run. It is the lathe of the workpiece as it was set up, with the tools
-// of its table and the standard one (usualSetup()). Program zero is as programZero() has it. tools: those of the lathe.
+// Returns the machine that programs of a workpiece run on. It is the lathe of the workpiece with the tools of its table
+// and the standard one (usualSetup()). Program zero is that of programZero(). tools: the tools of the lathe.
 ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
                              double nose);
 
-// The simulated run of a program on a workpiece. It has the tool path, what it makes of the part, and the part after
-// any of its moves. Nothing of the document changes by it. Immutable; any thread.
+// The simulated run of a program on a workpiece. It has the tool path, the resulting part, and the part after any of
+// its moves. The document is not changed. Immutable; any thread.
 class ProgramTrial {
  public:
   using Pointer = std::shared_ptr<const ProgramTrial>;
 
-  // spacing: mm, of the samples of a bar that was not cut yet. model: of the forces; may be null. Errors: those of
-  // runProgram(), Cancelled.
+  // spacing: mm, distance between the samples of an uncut bar. model: model of the cutting forces; may be null. Errors:
+  // those of runProgram(), Cancelled.
   static Result<Pointer> run(const WorkpieceSnapshot& workpiece, std::string_view text, ProgramSetup setup,
                              double spacing, const CuttingForceModel* model, Progress progress = {});
   ProgramTrial(const ProgramTrial&) = delete;
@@ -31,18 +31,19 @@ class ProgramTrial {
   const ToolPath& path() const { return m_path; }
   const ProgramTimeline& steps() const { return m_steps; }
   const ProgramSetup& setup() const { return m_setup; }
-  // The part with the passes of the program behind its own; null where the program touches nothing.
+  // The part with the passes of the program after its own; null if the program touches nothing.
   const std::shared_ptr<const TurnedPart>& part() const { return m_part; }
-  const std::vector<ToolPath::Note>& notes() const { return m_notes; }  // of the simulation
+  const std::vector<ToolPath::Note>& notes() const { return m_notes; }  // notes of the simulation
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
-  // The same as the manual lathe records them. Who cuts the part for good adds them to the workpiece.
+  // Returns the collisions in the form that the manual lathe records. A caller that cuts the part adds them to the
+  // workpiece.
   std::vector<LatheCollision> crashes() const;
   std::size_t collisionCount() const { return m_collisionCount; }
   const ForcePeaks& peaks() const { return m_peaks; }
   double removed() const { return m_removed; }  // mm³
 
-  // The part as it is at a place of the path: simulated from the nearest version that was kept, so that it costs a
-  // hundredth of the whole. None: cancelled.
+  // Returns the part at a position on the path, simulated from the nearest kept version, which costs a hundredth of the
+  // whole. None: cancelled.
   std::optional<TurnedProfile> profileAt(const ProgramPosition& position, Progress progress = {}) const;
 
  private:
@@ -52,7 +53,7 @@ class ProgramTrial {
                 Progress progress);
 
   struct Version {
-    std::size_t done = 0;  // moves
+    std::size_t done = 0;  // number of moves
     TurnedProfile profile;
     ProgramState state;
   };
@@ -61,7 +62,7 @@ class ProgramTrial {
   ProgramTimeline m_steps;
   std::vector<Version> m_versions;  // ascending; they share their pages
   std::shared_ptr<const TurnedPart> m_part;
-  std::size_t m_before = 0;  // passes
+  std::size_t m_before = 0;  // number of passes before the program
   std::vector<ToolPath::Note> m_notes;
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;

@@ -11,13 +11,13 @@
 namespace handwheel {
 
 // The triangles of a cylindrical bar, computed on first use. The bar begins at z = 0. Versions of a document that
-// differ in other properties share them. Any thread.
+// differ only in other properties share them. Any thread.
 class StockMesh {
  public:
   // The stock must be valid, and the chord tolerance (mm) within the limits of WorkpieceSnapshot.
   StockMesh(const StockCylinder& stock, double chord);
 
-  bool isOf(const StockCylinder& stock, double chord) const;  // at any position along the axis
+  bool isOf(const StockCylinder& stock, double chord) const;  // the position along the axis does not matter
   std::shared_ptr<const TriangleSoup> soup() const;
 
  private:

@@ -9,11 +9,12 @@
 
 namespace handwheel {
 
-// The threads of a part as text, by pitch and place. Such as "pitch 2.5 mm, Z 10 to 40; …".
+// Returns the threads of a part as text, by pitch and Z range. Example: "pitch 2.5 mm, Z 10 to 40; …".
 std::string threadsText(const PartThreads& threads);
 
-// An array of objects with "from", "to" (mm above the lower end), "pitch", "starts", "hand", "inner", and what gauges
-// find: "measured_pitch", "major_diameter", "pitch_diameter", "minor_diameter" (null where they find none).
+// Returns the threads as an array of objects with "from", "to" (mm above the lower end), "pitch", "starts", "hand",
+// "inner", and measurements of gauges: "measured_pitch", "major_diameter", "pitch_diameter", "minor_diameter" (null if
+// not found).
 nlohmann::json threadsJson(const TurnedPart& part);
 
 }  // namespace handwheel

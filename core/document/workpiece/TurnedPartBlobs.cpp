@@ -24,7 +24,8 @@ Error lost(const char* what, std::uint64_t expected, std::uint64_t found) {
   return {ErrorCode::DataTruncated, {what, std::to_string(expected), std::to_string(found)}, {}, {}};
 }
 
-// How many of the samples are there, and can be of a part from this bar. inner: empty where it is not bored.
+// Returns the number of leading samples that were read and are possible for a part from this bar. inner: empty if it is
+// not bored.
 std::uint64_t soundSamples(const ReadArray<double>& radii, const ReadArray<double>& inner, bool isBored,
                            std::uint64_t samples, const StockCylinder& stock) {
   const auto isLost = [](const ReadArray<double>& array, std::size_t i) {
@@ -111,7 +112,7 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     }
   }
   auto part = TurnedPart::of(std::move(*profile), std::move(passes), workpiece.chord);
-  // Where passes are lost the others have other numbers.
+  // If passes are lost, the others have other numbers.
   if (turned->value(kFinish, nlohmann::json()) == true && hasAllPasses)
     part.finish = readFinish(container, part.profile, part.passes.size());
   return std::make_shared<const TurnedPart>(std::move(part));

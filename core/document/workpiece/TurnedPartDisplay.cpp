@@ -39,18 +39,18 @@ std::optional<float> meanGloss(const TurnedProfile& profile, const SurfaceFinish
 std::shared_ptr<const TriangleSoup> sideOf(const TriangleSoup& soup, double height, bool isAbove) {
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   auto side = std::make_shared<TriangleSoup>();
-  std::vector<std::uint32_t> places(soup.points.size(), kUnused);
+  std::vector<std::uint32_t> indices(soup.points.size(), kUnused);
   for (Triangle triangle : soup.triangles) {
     const bool isBeyond = std::any_of(triangle.begin(), triangle.end(),
                                       [&](std::uint32_t corner) { return soup.points[corner].z() > height; });
     if (isBeyond != isAbove) continue;
     for (std::uint32_t& corner : triangle) {
-      std::uint32_t& place = places[corner];
-      if (place == kUnused) {
-        place = static_cast<std::uint32_t>(side->points.size());
+      std::uint32_t& index = indices[corner];
+      if (index == kUnused) {
+        index = static_cast<std::uint32_t>(side->points.size());
         side->points.push_back(soup.points[corner]);
       }
-      corner = place;
+      corner = index;
     }
     side->triangles.push_back(triangle);
   }

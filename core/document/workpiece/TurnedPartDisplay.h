@@ -10,29 +10,29 @@
 
 namespace handwheel {
 
-// The group of the parts that show a stock, cut or not. A change of the whole is never shown half done.
+// The group of the parts that show a stock, cut or not. The view updates a group as a whole.
 inline constexpr const char* kStockGroup = "stock";
 
-// The group of those that show what was parted off: it stays where it was, and is drawn faintly.
+// The group of the parts that show a piece that was parted off. It stays where it was, drawn faintly.
 inline constexpr const char* kPartedGroup = "parted off";
 
-// A turned part as displayed parts, one for each block of triangles: what did not change is not built anew. base: mm, z
+// Returns a turned part as displayed parts, one for each block of triangles; unchanged blocks are reused. base: mm, z
 // of the lower end.
 DisplayModel displayOf(const TurnedSurface& surface, double base);
 
-// Shows the finish of the outside in such a model: of the blocks what is polished is light and gleams, what is rough is
-// dull, by the mean of the logarithms of Ra. Blocks of which nothing is known look as they did. It takes every eighth
-// sample: some tenths of a millisecond.
+// Shows the finish of the outside in such a model: blocks are brighter and glossier the smoother they are, by the mean
+// of the logarithms of Ra. Blocks of unknown finish are unchanged. Every eighth sample is used: some tenths of a
+// millisecond.
 void showFinish(DisplayModel& model, const TurnedProfile& profile, const SurfaceFinish& finish);
 
-// The block of such a model in which a part is parted, in two.
+// The block of such a model in which a part is parted, split in two.
 struct PartedBlock {
   std::shared_ptr<const TriangleSoup> whole, held, parted;
-  double z = 0.0;  // mm, of the end of what is held
+  double z = 0.0;  // mm, end of the held piece
 };
 
-// Moves what is not held by the chuck any more to its own group. Returns the block that was cut for it: given to the
-// next call for a part that goes on, it is only cut anew where it has changed. O(samples).
+// Moves the pieces that the chuck no longer holds to their own group. Returns the block that was split; passed to the
+// next call for the same part, it is split again only if it has changed. O(samples).
 PartedBlock showPartedOff(DisplayModel& model, const TurnedProfile& profile, PartedBlock before = {});
 
 }  // namespace handwheel

@@ -17,7 +17,7 @@ void TurnedPartEdit::exchange(Document& document) {
   owner.set(std::move(workpiece));
 }
 
-// Of what it may hold alone: the last pass, and the pages of samples that it changed.
+// Counts the data that only this edit may hold: the last pass, and the pages of samples that it changed.
 std::size_t TurnedPartEdit::bytes() const {
   if (!m_part || m_part->passes.empty()) return sizeof *this;
   const std::size_t points = m_part->passes.back()->path.size();

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// An edit that replaces the part cut from a bar, as by one pass. Versions share what did not change.
+// An edit that replaces the part cut from a bar, for example after a pass. Versions share unchanged data.
 class TurnedPartEdit : public Edit {
  public:
   explicit TurnedPartEdit(std::shared_ptr<const TurnedPart> part) : m_part(std::move(part)) {}
@@ -19,28 +19,28 @@ class TurnedPartEdit : public Edit {
   std::shared_ptr<const TurnedPart> m_part;
 };
 
-// The part of a workpiece after one more pass; the same passes where it touches nothing. Cancelled: null.
+// Returns the part of a workpiece after one more pass; the same passes if it touches nothing. Cancelled: null.
 std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
                                            Progress progress = {});
 
-// The same after several, whose triangles are made once; null where there are none, too.
+// Does the same for several passes, and makes the triangles once. Also null if there are no passes.
 std::shared_ptr<const TurnedPart> withPasses(const WorkpieceSnapshot& workpiece, std::vector<TurningPass> passes,
                                              double spacing, Progress progress = {});
 
-// The present part; of an uncut bar a part without passes, with samples at this distance (mm).
+// Returns the present part; for an uncut bar a part without passes, with samples at this distance (mm).
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing);
 
-// The present part of one document from version to version. An uncut bar keeps its triangles, as by undo of the only
-// pass, so that a view has none of them to build again.
+// The present part of one document, from version to version. An uncut bar keeps its triangles, for example after undo
+// of the only pass, so that a view need not build them again.
 class PresentPart {
  public:
   explicit PresentPart(double spacing) : m_spacing(spacing) {}
   TurnedPart of(const WorkpieceSnapshot& workpiece) const;
 
  private:
-  double m_spacing;                                  // mm, between the samples of a bar
-  mutable std::shared_ptr<const StockMesh> m_stock;  // of m_bar
-  mutable std::shared_ptr<const TurnedPart> m_bar;   // null: none was asked for yet
+  double m_spacing;                                  // mm, distance between the samples of a bar
+  mutable std::shared_ptr<const StockMesh> m_stock;  // the bar that m_bar was made from
+  mutable std::shared_ptr<const TurnedPart> m_bar;   // null: not made yet
 };
 
 }  // namespace handwheel

@@ -5,7 +5,7 @@
 #include "document/workpiece/WorkpieceEdit.h"
 #include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/target/TargetEdit.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 
 namespace handwheel {
 
@@ -42,7 +42,7 @@ Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string&
 Result<std::unique_ptr<Edit>> WorkpieceDocument::allowanceEdit(const PropertyValue& value) const {
   if (file().assigned) return Error{WorkpieceError::BarOfExercise, {}, {}, {}};
   const WorkpieceTarget& target = *m_workpiece->target;
-  Result<TargetProfile> placed = withPlace(target.profile, m_workpiece->stock, value);
+  Result<TargetProfile> placed = withPosition(target.profile, m_workpiece->stock, value);
   if (!placed) return placed.error();
   if (*placed == target.profile) return std::unique_ptr<Edit>();
   return std::unique_ptr<Edit>(std::make_unique<TargetEdit>(

@@ -14,16 +14,16 @@ class WorkpieceDocument : public Document {
   Q_OBJECT
 
  public:
-  // opened: the content is a WorkpieceSnapshot.
+  // The content of `opened` must be a WorkpieceSnapshot.
   explicit WorkpieceDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const WorkpieceSnapshot& workpiece() const { return *m_workpiece; }
 
-  // Adds crashes of the manual lathe or of a program. No undo step: what was struck stays struck.
+  // Adds crashes of the manual lathe or of a program. No undo step: crashes cannot be undone.
   void addCrashes(std::span<const LatheCollision> crashes);
 
   SnapshotPointer snapshot() const override { return m_workpiece; }
-  // Those of workpieceProperties(), then those of every document.
+  // Returns the properties of workpieceProperties(), then those of every document.
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 

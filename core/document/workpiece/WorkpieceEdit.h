@@ -7,14 +7,14 @@
 
 namespace handwheel {
 
-// Changes the value of one field of a workpiece.
+// An edit that changes one field of a workpiece.
 class WorkpieceEdit : public Edit {
  public:
-  // The value must have been checked.
+  // The value must have passed checkValue().
   WorkpieceEdit(WorkpieceField field, PropertyValue value) : m_field(field), m_value(std::move(value)) {}
 
   void exchange(Document& document) override;
-  bool absorb(const Edit& later) override;  // of the same field
+  bool absorb(const Edit& later) override;  // absorbs edits of the same field
   std::size_t bytes() const override;
 
  private:

@@ -4,14 +4,14 @@
 
 #include "base/Error.h"
 
-// The codes of errors of workpieces.
+// Error codes of workpieces.
 namespace handwheel::WorkpieceError {
 
-extern const ErrorDescription SizeFixed;      // the bar was cut, so that its size cannot change
-extern const ErrorDescription BarOfExercise;  // the bar is work on an exercise, and that of its file
-extern const ErrorDescription ClosedHollow;   // {hollows} a solid of this format has none
+extern const ErrorDescription SizeFixed;      // the bar was cut, so its size cannot change
+extern const ErrorDescription BarOfExercise;  // the bar is work on an exercise, whose file defines it
+extern const ErrorDescription ClosedHollow;   // {hollows}: the format cannot store a solid with closed hollows
 
-extern const ErrorDescription NoPasses;    // nothing was cut yet that could be written as a program
-extern const ErrorDescription OtherTools;  // {pass} it was made with a tool that no program moves
+extern const ErrorDescription NoPasses;    // there are no passes that could be written as a program
+extern const ErrorDescription OtherTools;  // {pass}: it was made with a tool that no program moves
 
 }  // namespace handwheel::WorkpieceError

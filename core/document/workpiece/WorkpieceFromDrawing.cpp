@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/target/TargetImport.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/target/files/DxfReader.h"
 #include "machining/target/files/SvgReader.h"
 

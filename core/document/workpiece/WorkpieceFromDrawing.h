@@ -6,12 +6,12 @@
 
 namespace handwheel {
 
-// Whether a file is a drawing, by its first bytes. It opens as a bar with a target.
+// Returns true if a file is a drawing, by its first bytes. It opens as a bar with a target.
 bool looksLikeDrawing(std::string_view head);
 
-// Reads a drawing as a new bar with what is drawn as its target. The bar is 2 mm or a little more thicker than the
-// part, and longer by 1 mm to be faced and 30 mm for chuck and parting. The drawing itself counts as not kept: no
-// saving of the bar may replace it. Blocks. Errors: those of importTarget(), of checkValue().
+// Reads a drawing as a new bar with the drawn shape as its target. The bar is 2 mm or a little more thicker than the
+// part, and longer by 1 mm to be faced and 30 mm for chuck and parting. The document does not count as saved, so saving
+// the bar never replaces the drawing. Blocks. Errors: those of importTarget() and checkValue().
 Result<OpenedFile> openDrawing(const DocumentKind& kind, const std::filesystem::path& path, Progress progress);
 
 }  // namespace handwheel

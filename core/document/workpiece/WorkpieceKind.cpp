@@ -153,7 +153,7 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
   for (WorkpieceField field : kWorkpieceFields) {
     const std::string id = propertyOf(workpiece, field).id;
     const nlohmann::json entry = found->value(id, nlohmann::json());
-    PropertyValue value = false;  // of no field
+    PropertyValue value = false;  // fits no field
     if (entry.is_number()) value = entry.get<double>();
     if (entry.is_string()) value = entry.get<std::string>();
     const Status checked = checkValue(field, value);
@@ -176,7 +176,7 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
   workpiece.part = std::move(part.value());
   workpiece.target = readTarget(*found, container, damage);
   addCrashes(workpiece, crashesFrom(found->value("crashes", nlohmann::json())));
-  // Where an older program kept those of programs.
+  // An older program kept the crashes of programs there.
   if (const auto turned = found->find("turned"); turned != found->end() && turned->is_object())
     addCrashes(workpiece, crashesFrom(turned->value("crashes", nlohmann::json())));
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(workpiece)));

@@ -12,7 +12,7 @@ class WorkpieceKind : public DocumentKind {
   std::string id() const override { return "workpiece"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // No foreign file: the surfaces of STEP files are read as a mesh.
+  // Recognises no foreign file: the surfaces of STEP files are read as a mesh.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
@@ -27,7 +27,8 @@ class WorkpieceKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
-  // Its profile, where the bar stands; triangles of a part in several pieces, with hollows inside or threads.
+  // Returns the profile at the position of the bar; triangles for a part in several pieces, with closed hollows or
+  // threads.
   GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const override;
 };
 

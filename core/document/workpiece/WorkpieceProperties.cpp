@@ -3,7 +3,7 @@
 #include "document/workpiece/WorkpieceProperties.h"
 
 #include "document/Utf8.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/EndPiece.h"
 #include "machining/force/WorkMaterials.h"
 
@@ -158,7 +158,8 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
     all.back().editable = !workpiece.part || !isOfTheBar(field);
   }
   if (workpiece.target)
-    for (Property& each : placeProperties(workpiece.target->profile, workpiece.stock)) all.push_back(std::move(each));
+    for (Property& each : positionProperties(workpiece.target->profile, workpiece.stock))
+      all.push_back(std::move(each));
   const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
   const auto pieces = workpiece.part ? piecesOf(workpiece.part->profile) : std::vector<TurnedProfile::Range>();

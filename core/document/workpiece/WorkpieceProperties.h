@@ -16,28 +16,29 @@ inline constexpr WorkpieceField kWorkpieceFields[] = {WorkpieceField::Diameter, 
                                                       WorkpieceField::Position, WorkpieceField::Chord,
                                                       WorkpieceField::Material};
 
-// The property that shows a field, with its present value.
+// Returns the property that shows a field, with its present value.
 Property propertyOf(const WorkpieceSnapshot& workpiece, WorkpieceField field);
-// The field with a property id; none for unknown ids.
+// Returns the field with a property id; none for unknown ids.
 std::optional<WorkpieceField> fieldNamed(std::string_view id);
 
-// Checks whether a value is valid for a field. Errors: ElementMalformed {id, what was expected}, ValueOutOfRange.
+// Checks a value for a field. Errors: ElementMalformed {id, what was expected}, ValueOutOfRange.
 Status checkValue(WorkpieceField field, const PropertyValue& value);
 
-// Whether a field is a size of the bar, which cannot change any more once something was cut from it.
+// Returns true if a field is a size of the bar, which is fixed once the bar is cut.
 bool isOfTheBar(WorkpieceField field);
-// Whether a field belongs to an exercise while the workpiece is work on one: the bar, where it is, and its material.
+// Returns true if a field is fixed by the exercise that the workpiece is work on: the size of the bar, its position and
+// its material.
 bool isOfAnExercise(WorkpieceField field);
 
-// Returns the workpiece with another value of a field, which must have been checked.
+// Returns the workpiece with another value of a field, which must have passed checkValue().
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value);
 
-// A material that the program knows, as the language of the window calls it, and back; other texts as they are. Files
-// have the English name.
+// Translate the English name of a known material, as in files, to the language of the window, and back. Other texts are
+// returned unchanged.
 std::string materialInWords(const std::string& name);
 std::string materialOfWords(const std::string& words);
 
-// The properties of all fields, and those derived from them.
+// Returns the properties of all fields, and the derived ones.
 std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

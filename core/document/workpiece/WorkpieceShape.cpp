@@ -55,8 +55,8 @@ Result<std::vector<TurnedCurves>> curvesWithin(const WorkpieceSnapshot& workpiec
   return all;
 }
 
-// Of the piece at the free end. The nearest where none will do: walls between two samples are not at either, and a
-// solid of many faces takes the library long.
+// Returns the curve of the piece at the free end. If none is good enough, the best one is returned: walls between two
+// samples are at neither, and the library is slow on solids with many faces.
 Result<ProfileCurve> solidCurve(const WorkpieceSnapshot& workpiece) {
   constexpr double kVolume = 5e-5;
   constexpr std::size_t kManyArcs = 5'000;

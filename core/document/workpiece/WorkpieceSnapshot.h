@@ -23,17 +23,17 @@ struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
   TurningPasses passes;
-  SurfaceFinish finish = SurfaceFinish();  // of the profile; of no samples where nothing is known
+  SurfaceFinish finish = SurfaceFinish();  // finish of the profile; without samples if unknown
 
-  // With its triangles and threads. chord: mm.
+  // Makes the part with its triangles and threads. chord: mm.
   static TurnedPart of(TurnedProfile profile, TurningPasses passes, double chord);
 
   const std::shared_ptr<const PartThreads>& threads() const { return surface.threads(); }  // null: none
-  double volume() const;                         // mm³, without what the threads take; O(samples)
-  double volumeOf(const EndPiece& piece) const;  // of one of its pieces; likewise
+  double volume() const;                         // mm³, ignoring the grooves of threads; O(samples)
+  double volumeOf(const EndPiece& piece) const;  // volume of one of its pieces; likewise
 };
 
-// What a part is to become: a profile in the coordinates of the document, and the name of what it was read from.
+// The target shape of a part: its profile in the coordinates of the document, and the name of its source.
 struct WorkpieceTarget {
   TargetProfile profile;
   std::string source;  // UTF-8
@@ -49,18 +49,18 @@ struct WorkpieceSnapshot : Snapshot {
   StockCylinder stock;
   double chord = 0.01;                            // mm, tolerance of its triangles
   std::string material;                           // name in the user's words, UTF-8
-  std::shared_ptr<const StockMesh> mesh;          // of stock and chord; never null
+  std::shared_ptr<const StockMesh> mesh;          // triangles of stock and chord; never null
   std::shared_ptr<const TurnedPart> part;         // null: nothing was cut yet
   std::shared_ptr<const LatheSetup> lathe;        // null: the usual one
   std::shared_ptr<const WorkpieceTarget> target;  // null: none is given
-  // What the tool numbers of programs are, in the numbers of LinuxCNC. Null: all have the nose that is given.
+  // The tool table of programs, with the tool numbers of LinuxCNC. Null: all tools have the given nose radius.
   std::shared_ptr<const ProgramTools> programTools;
-  // Of the manual lathe and of programs that cut the part, in order, at most LatheRun::kMostCollisions. What was struck
-  // stays struck: undo takes back what was cut, and no crash. Null: none.
+  // Crashes of the manual lathe and of programs that cut the part, in order, at most LatheRun::kMostCollisions. Undo of
+  // a cut does not remove its crash. Null: none.
   std::shared_ptr<const std::vector<LatheCollision>> crashes;
 };
 
-// Adds crashes, as many as there is room for. Returns whether there were any.
+// Adds crashes up to the limit. Returns true if any was added.
 bool addCrashes(WorkpieceSnapshot& workpiece, std::span<const LatheCollision> crashes);
 
 }  // namespace handwheel

@@ -13,7 +13,7 @@ namespace {
 
 using tolerance::kOnePlane, tolerance::kSpannedVolume;
 
-// Where the goal is pushed by the planes with these multipliers; none when a plane would have to pull.
+// Returns the point to which planes with these multipliers push the goal; none when a plane would have to pull.
 std::optional<Vec3> onPlane(const Vec3& goal, const HalfSpace& a) {
   const double push = a.least - a.normal.dot(goal);
   if (push < 0.0) return std::nullopt;
@@ -22,7 +22,7 @@ std::optional<Vec3> onPlane(const Vec3& goal, const HalfSpace& a) {
 
 std::optional<Vec3> onLine(const Vec3& goal, const HalfSpace& a, const HalfSpace& b) {
   const double cosine = a.normal.dot(b.normal);
-  // From the cross product: 1 - cosine² would lose the small angles.
+  // The cross product is used because 1 - cosine² would lose the small angles.
   const double determinant = a.normal.cross(b.normal).squaredNorm();
   if (determinant < kOnePlane) return std::nullopt;
   const double pushA = a.least - a.normal.dot(goal);
@@ -48,7 +48,7 @@ class Search {
  public:
   Search(std::span<const HalfSpace> planes, double slack) : m_planes(planes), m_slack(slack) {}
 
-  // True once a point fits.
+  // Returns true once a point fits.
   bool offer(const std::optional<Vec3>& y) {
     if (!y) return false;
     double missed = 0.0;

@@ -15,10 +15,10 @@ namespace handwheel {
 namespace {
 
 struct Edge {
-  std::uint32_t from, to;  // as its triangle runs along it
+  std::uint32_t from, to;  // in the direction of its triangle
 };
 
-// Those that only one triangle has. of(corner) is the number of a corner.
+// Returns the edges that only one triangle has. of(corner) is the number of a corner.
 template <class Numbers>
 std::vector<Edge> openEdges(const std::vector<Edge>& edges, const Numbers& of) {
   using Keyed = std::pair<std::pair<std::uint32_t, std::uint32_t>, Edge>;
@@ -44,7 +44,7 @@ std::vector<Edge> edgesOf(const std::vector<Triangle>& triangles) {
   return edges;
 }
 
-// Which of the corners of open edges are one: a map from those that go to those that stay.
+// Merges corners of open edges: a map from those that are removed to those that stay.
 class CornerMerging {
  public:
   CornerMerging(const std::vector<Vec3>& points, const std::vector<Edge>& open, double tolerance)
@@ -68,7 +68,7 @@ class CornerMerging {
     const auto found = m_stands.find(v);
     return found == m_stands.end() ? v : found->second;
   }
-  // All to the middle of those that have become one.
+  // Moves all merged corners to their middle.
   void move(std::vector<Vec3>& points) const {
     std::unordered_map<std::uint32_t, std::pair<Vec3, int>> shifts;
     for (const auto& [goes, stays] : m_stands) {
@@ -117,14 +117,14 @@ class CornerMerging {
   std::unordered_map<std::uint32_t, std::uint32_t> m_stands;
 };
 
-// Where another open edge comes within a gap of a corner.
+// The point at which another open edge comes within a gap of a corner.
 struct Across {
   std::uint32_t edge = kNone;   // none comes so near
   std::uint32_t point = kNone;  // its nearest point
 };
 
-// Strips of triangles across the gaps. Each hangs on an open edge and on the border opposite, along all of its
-// corners, so that together they leave no slit: what only comes near the border opposite would dive below it.
+// Strips of triangles across the gaps. Each is attached to an open edge and to the border opposite, along all of its
+// corners, so that together they leave no slit: a strip that only comes near the border opposite would dive below it.
 class Strips {
  public:
   Strips(std::vector<Vec3>& points, const std::vector<Edge>& open, double gap)
@@ -144,7 +144,7 @@ class Strips {
       const Edge& e = m_open[i];
       const Across from = across(e.from), to = across(e.to);
       if (from.edge == kNone || to.edge == kNone) continue;
-      // Between two sheets the tip would be caught: only one of the borders gets a strip, the one that comes first.
+      // Between two sheets the tip would be caught: only the first of the borders gets a strip.
       if (m_order[i] > std::min(m_order[from.edge], m_order[to.edge])) continue;
       std::vector<std::uint32_t> border{from.point};
       for (const std::uint32_t corner : between(from.edge, to.edge)) border.push_back(corner);
@@ -155,7 +155,7 @@ class Strips {
   }
 
  private:
-  // A corner where borders touch leads on to none.
+  // Adds an edge at a corner; a corner where borders touch leads to no edge.
   static void only(std::unordered_map<std::uint32_t, std::uint32_t>& edges, std::uint32_t corner, std::uint32_t edge) {
     const auto [entry, fresh] = edges.try_emplace(corner, edge);
     if (!fresh) entry->second = kNone;
@@ -196,8 +196,8 @@ class Strips {
     return known;
   }
 
-  // The corners that the border passes from one open edge to another, the shorter way around; none where they do not
-  // hang together nearby.
+  // Returns the corners that the border passes from one open edge to another, in the shorter direction; none if they
+  // are not connected nearby.
   std::vector<std::uint32_t> between(std::uint32_t from, std::uint32_t to) const {
     std::vector<std::uint32_t> ahead, back;
     std::uint32_t forward = from, backward = from;
@@ -217,8 +217,8 @@ class Strips {
     passed.push_back(corner);
   }
 
-  // No setting, but a bound: so the time stays in proportion to the open edges, where a border does not lead from one
-  // place to the other, too. A gap stays open along an edge that has more corners than these on its other side.
+  // Not a fidelity setting, but a bound: so the time stays in proportion to the open edges, even if a border does not
+  // connect two edges. A gap stays open along an edge that has more corners than these on its other side.
   static constexpr int kMostCorners = 64;
 
   std::vector<Vec3>& m_points;
@@ -227,7 +227,7 @@ class Strips {
   TriangleHierarchy m_hierarchy;
   std::unordered_map<std::uint32_t, std::uint32_t> m_next, m_previous;  // the open edge that leaves, ends at a corner
   std::unordered_map<std::uint32_t, Across> m_across;
-  std::vector<std::uint32_t> m_order;  // of each open edge along the borders
+  std::vector<std::uint32_t> m_order;  // index of each open edge along the borders
 };
 
 }  // namespace
@@ -243,7 +243,7 @@ void closeContactGaps(std::vector<Vec3>& points, std::vector<Triangle>& triangle
   std::erase_if(open, [&](const Edge& e) { return !points[e.from].allFinite() || !points[e.to].allFinite(); });
   if (open.empty() || progress.cancelled()) return;
 
-  // From the middle of the model, so that far from the origin the cells can be distinguished.
+  // Relative to the middle of the model, so that far from the origin the cells can be distinguished.
   std::vector<Vec3> local(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) local[i] = points[i] - bounds.center();
   const CornerMerging merged(local, open, tolerance::kContactGap * diagonal);

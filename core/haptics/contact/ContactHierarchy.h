@@ -52,7 +52,7 @@ class ContactHierarchy {
     return true;
   }
 
-  // Whether the bounding box of a triangle meets a box. With one branch: six would often be mispredicted.
+  // Returns true if the bounding box of a triangle meets a box. With one branch: six would often be mispredicted.
   static bool meets(const TrianglePoints& t, const Box& box) {
     const Eigen::Array3d low = t[0].array().min(t[1].array()).min(t[2].array());
     const Eigen::Array3d high = t[0].array().max(t[1].array()).max(t[2].array());

@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-void ContactPlanes::beginAt(const Vec3& place) {
+void ContactPlanes::beginAt(const Vec3& position) {
   m_count = 0;
-  m_place = m_met = place;
+  m_position = m_met = position;
 }
 
 void ContactPlanes::add(const HalfSpace& plane, const TouchedFace& face) {
@@ -30,9 +30,9 @@ void ContactPlanes::letFirstGo() {
   --m_count;
 }
 
-void ContactPlanes::moveTo(const Vec3& place, double skin) {
-  const Vec3 step = place - std::exchange(m_place, place);
-  if ((place - m_met).norm() <= skin) {
+void ContactPlanes::moveTo(const Vec3& position, double skin) {
+  const Vec3 step = position - std::exchange(m_position, position);
+  if ((position - m_met).norm() <= skin) {
     for (std::size_t i = 0; i < m_count; ++i) m_planes[i].least -= m_planes[i].normal.dot(step);
     return;
   }
@@ -40,12 +40,12 @@ void ContactPlanes::moveTo(const Vec3& place, double skin) {
 }
 
 void ContactPlanes::keepBelow(double skin) {
-  m_met = m_place;
+  m_met = m_position;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < m_count; ++i) {
     const Vec3 normal = m_planes[i].normal;
-    const double height = normal.dot(m_place - m_faces[i].corners[0]);
-    if (!(height > 0.0 && height < 2.0 * skin) || !passesThrough(m_place, normal, m_faces[i].corners)) continue;
+    const double height = normal.dot(m_position - m_faces[i].corners[0]);
+    if (!(height > 0.0 && height < 2.0 * skin) || !passesThrough(m_position, normal, m_faces[i].corners)) continue;
     m_planes[kept] = {normal, skin - height};
     if (kept != i) m_faces[kept] = m_faces[i];
     ++kept;

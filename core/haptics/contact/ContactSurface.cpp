@@ -36,13 +36,13 @@ ContactSurface::ContactSurface(std::span<const Placed> bodies, const ContactSurf
     : m_version(nextVersion()), m_origin(before ? before->m_origin : m_version) {
   for (const auto& [surface, pose] : bodies) {
     for (Layer layer : surface.m_layers) {
-      assert(!layer.place);
+      assert(!layer.placement);
       const Box own = layer.part->bounds();
       const double far = std::max(own.min().norm(), own.max().norm()) + pose.translation().norm();
       const double rounding = 0x1p-46 * far;
       const Box there = own.transformed(pose);
       const Box bounds(there.min() - Vec3::Constant(rounding), there.max() + Vec3::Constant(rounding));
-      layer.place = std::make_shared<const Placement>(Placement{pose, pose.inverse(), bounds, rounding});
+      layer.placement = std::make_shared<const Placement>(Placement{pose, pose.inverse(), bounds, rounding});
       m_layers.push_back(std::move(layer));
       m_bounds.extend(bounds);
     }
@@ -56,14 +56,14 @@ double ContactSurface::skin() const {
 }
 
 void ContactSurface::update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added) {
-  assert(m_layers.empty() || !m_layers.front().place);
+  assert(m_layers.empty() || !m_layers.front().placement);
   m_version = nextVersion();
   for (const std::uint32_t id : removed) remove(id);
   for (const ContactTriangle& t : added) remove(t.id);
   if (added.empty()) return;
   std::vector<ContactTriangle> batch(added.begin(), added.end());
-  // What is no larger than the batch joins it, so that each layer holds more than all that come after it. The first
-  // is never rebuilt: that would take as long as opening the file.
+  // A layer no larger than the batch joins it, so that each layer holds more than all that come after it. The first is
+  // never rebuilt: that would take as long as opening the file.
   while (m_layers.size() > 1 && m_layers.back().part->size() <= batch.size()) {
     const Layer& last = m_layers.back();
     for (std::size_t slot = 0; slot < last.part->size(); ++slot)
@@ -81,18 +81,18 @@ void ContactSurface::add(std::vector<ContactTriangle> triangles, Progress progre
   const std::uint32_t serial = m_nextSerial++;
   for (std::uint32_t slot = 0; slot < part->size(); ++slot) {
     const ContactTriangle& t = part->triangle(slot);
-    while (m_places.size() <= t.id) m_places.push_back({});
-    m_places.set(t.id, {serial, slot});
+    while (m_locations.size() <= t.id) m_locations.push_back({});
+    m_locations.set(t.id, {serial, slot});
     for (const Vec3& corner : t.corners) m_bounds.extend(corner);
   }
   m_layers.push_back({part, PagedIndexSet(part->size()), serial});
 }
 
 void ContactSurface::remove(std::uint32_t id) {
-  if (id >= m_places.size() || m_places[id].serial == kNone) return;
-  const Place place = m_places[id];
-  layerOf(place.serial)->dead.insert(place.slot);
-  m_places.set(id, {});
+  if (id >= m_locations.size() || m_locations[id].serial == kNone) return;
+  const Location location = m_locations[id];
+  layerOf(location.serial)->dead.insert(location.slot);
+  m_locations.set(id, {});
 }
 
 ContactSurface::Layer* ContactSurface::layerOf(std::uint32_t serial) {

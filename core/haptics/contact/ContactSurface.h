@@ -27,9 +27,9 @@ class ContactSurface {
   // largest.
   explicit ContactSurface(std::vector<ContactTriangle> triangles, Progress progress = {});
 
-  // The surfaces of rigid bodies at their places, as one: the proxy slides from body to body. They share the
+  // Combines the surfaces of rigid bodies at their poses: the proxy slides from body to body. They share the
   // hierarchies, which stay in their own frames, so a body is moved in O(number of bodies). Ids are those in the
-  // surfaces. before: the bodies as they were, when this is to count as a version of them. Not to be updated.
+  // surfaces. before: the previous surface of these bodies, if this is to count as a version of it. Not to be updated.
   struct Placed;
   explicit ContactSurface(std::span<const Placed> bodies, const ContactSurface* before = nullptr);
 
@@ -37,28 +37,30 @@ class ContactSurface {
   // amortised over many edits.
   void update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added);
 
-  // The diagonal (mm) of the bounding box of all triangles ever added: the scale of its tolerances.
+  // Returns the diagonal (mm) of the bounding box of all triangles ever added. Tolerances are relative to it.
   double diagonal() const { return m_bounds.isEmpty() ? 0.0 : m_bounds.diagonal().norm(); }
-  const Box& bounds() const { return m_bounds; }  // of all triangles ever added
-  // The distance that a proxy keeps from the surface, mm. It is larger far from the origin, where coordinates are
-  // coarser.
+  const Box& bounds() const { return m_bounds; }  // box of all triangles ever added
+  // Returns the distance that a proxy keeps from the surface, mm. It is larger far from the origin, where coordinates
+  // are coarser.
   double skin() const;
   bool empty() const { return m_layers.empty(); }
-  // A version number that changes with each edit; only copies have the same. (A moved-from surface must not be used.)
+  // Returns a version number that changes with each edit; only copies have the same. (A moved-from surface must not be
+  // used.)
   std::uint64_t version() const { return m_version; }
-  // Whether both were derived from the same surface by edits, and not from different models.
+  // Returns true if both were derived from the same surface by edits, and not from different models.
   bool isVersionOf(const ContactSurface& other) const { return m_origin == other.m_origin; }
 
-  // Calls visit(const ContactTriangle&) for each triangle whose box meets the box (of placed bodies: at least for each
-  // that meets it itself), until it returns false. Returns
-  // false when a visit did. Neither allocates nor locks.
+  // Calls visit(const ContactTriangle&) for each triangle whose box meets the box (for placed bodies: at least for each
+  // triangle that meets it itself), until it returns false. Returns false when a visit did. Neither allocates nor
+  // locks.
   template <class Visit>
   bool forEachInBox(const Box& box, Visit visit) const {
     for (const Layer& layer : m_layers) {
       const ContactHierarchy& part = *layer.part;
-      const bool all = layer.place ? forEachPlaced(layer, box, visit) : part.forEachInBox(box, [&](std::size_t slot) {
-        return layer.dead.contains(slot) || visit(part.triangle(slot));
-      });
+      const bool all =
+          layer.placement ? forEachPlaced(layer, box, visit) : part.forEachInBox(box, [&](std::size_t slot) {
+            return layer.dead.contains(slot) || visit(part.triangle(slot));
+          });
       if (!all) return false;
     }
     return true;
@@ -67,34 +69,34 @@ class ContactSurface {
  private:
   struct Placement {
     Pose pose, inverse;
-    Box bounds;       // of the layer, placed; may be larger
-    double rounding;  // mm: of a corner that is placed, or placed back
+    Box bounds;       // bounds of the placed layer; may be larger
+    double rounding;  // mm: rounding error of a corner that is transformed to the pose or back
   };
-  // Removed triangles are marked, so that the part can be shared.
+  // A hierarchy, with marks for removed triangles, so that it can be shared.
   struct Layer {
     std::shared_ptr<const ContactHierarchy> part;
     PagedIndexSet dead;
     std::uint32_t serial = 0;
-    std::shared_ptr<const Placement> place = {};  // null: where the triangles are
+    std::shared_ptr<const Placement> placement = {};  // null: the identity
   };
-  // Where a triangle is stored. Layers are identified by serial number because they move when others are merged.
-  struct Place {
+  // Location of a stored triangle. Layers are identified by serial number because they move when others are merged.
+  struct Location {
     std::uint32_t serial = kNone;
     std::uint32_t slot = 0;
   };
 
-  // The triangles of a layer elsewhere: all that meet the box, and some more whose own boxes do. Corners that are the
-  // same in the part are so where it stands.
+  // Visits the triangles of a placed layer: all that meet the box, and some more whose own boxes do. Corners that are
+  // equal in the part stay equal.
   template <class Visit>
   static bool forEachPlaced(const Layer& layer, const Box& box, Visit& visit) {
-    const Placement& place = *layer.place;
-    if (!place.bounds.intersects(box)) return true;
-    const Vec3 rounding = Vec3::Constant(place.rounding);
-    const Box own = box.transformed(place.inverse);
+    const Placement& placement = *layer.placement;
+    if (!placement.bounds.intersects(box)) return true;
+    const Vec3 rounding = Vec3::Constant(placement.rounding);
+    const Box own = box.transformed(placement.inverse);
     return layer.part->forEachInBox(Box(own.min() - rounding, own.max() + rounding), [&](std::size_t slot) {
       if (layer.dead.contains(slot)) return true;
       ContactTriangle t = layer.part->triangle(slot);
-      for (Vec3& corner : t.corners) corner = place.pose * corner;
+      for (Vec3& corner : t.corners) corner = placement.pose * corner;
       return !ContactHierarchy::meets(t.corners, box) || visit(t);
     });
   }
@@ -103,15 +105,15 @@ class ContactSurface {
   void remove(std::uint32_t id);
   Layer* layerOf(std::uint32_t serial);
 
-  std::vector<Layer> m_layers;  // the first is the largest
-  PagedArray<Place> m_places;   // by triangle id
+  std::vector<Layer> m_layers;       // the first is the largest
+  PagedArray<Location> m_locations;  // by triangle id
   Box m_bounds;
   std::uint32_t m_nextSerial = 0;
   std::uint64_t m_version = 0;
-  std::uint64_t m_origin = 0;  // its first version that had triangles
+  std::uint64_t m_origin = 0;  // number of its first version that had triangles
 };
 
-// A surface in the frame of a body, and the place of the body.
+// A surface in the frame of a body, and the pose of the body.
 struct ContactSurface::Placed {
   ContactSurface surface;
   Pose pose = Pose::Identity();

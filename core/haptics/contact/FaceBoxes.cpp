@@ -7,7 +7,7 @@
 namespace handwheel {
 namespace {
 
-// More than rounds off a coordinate of at most a side.
+// Larger than the rounding of a coordinate of at most a side.
 constexpr float kFloatRounding = 0x1p-20f;
 
 }  // namespace

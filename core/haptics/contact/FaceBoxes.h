@@ -14,7 +14,8 @@ namespace handwheel {
 // sweep to sweep, and a misprediction costs more than the arithmetic. Servo thread; fixed memory.
 class FaceBoxes {
  public:
-  static constexpr std::size_t kCapacity = 64;  // as bits in meeting(); of more, each is tested: the same result
+  // bits of meeting(); if there are more triangles, each is tested, with the same result
+  static constexpr std::size_t kCapacity = 64;
 
   FaceBoxes();
 
@@ -30,7 +31,7 @@ class FaceBoxes {
  private:
   using Four = Eigen::Array4f;
   struct FourBoxes {
-    std::array<Four, 3> low, high;  // along each axis, from the region's centre in units of its side
+    std::array<Four, 3> low, high;  // along each axis, relative to the region's centre, in units of its side
   };
 
   Vec3 inRegion(const Vec3& p) const { return m_scale * (p - m_middle); }

@@ -11,15 +11,16 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kCornerPlanes = 3;  // that hold a point in space
+constexpr std::size_t kCornerPlanes = 3;  // planes that hold a point in space
 constexpr double kLift = 16.0;            // skins, out of the hollows that they make at a corner
-// No trades, but bounds of a tick: which corners are got out of, GodObjectCornerTest says against an exact walk.
-constexpr std::size_t kMaxWays = 8;     // out of a corner that are tried,
-constexpr std::size_t kMaxAround = 64;  // and triangles there that are looked at
-constexpr int kMaxParts = 32;           // of the way up after an edit; mostly one
+// Bounds of a tick, not fidelity settings. GodObjectCornerTest compares the corners that the proxy leaves with an exact
+// walk.
+constexpr std::size_t kMaxExits = 8;    // exits from a corner that are tried
+constexpr std::size_t kMaxAround = 64;  // triangles around it that are looked at
+constexpr int kMaxParts = 32;           // parts of the displacement after an edit; mostly one
 
-// Coulomb: what holds the proxy back is at most µ times what presses it on, so it stays within µ times the depth of
-// where it would rest without friction.
+// Shortens a step by friction (Coulomb): the force that holds the proxy back is at most µ times the one that presses it
+// on, so it stays within µ times the depth of its rest position without friction.
 Vec3 heldBack(const Vec3& step, const Vec3& goal, double friction) {
   const double hold = friction * (goal - step).norm();
   const double length = step.norm();
@@ -37,10 +38,10 @@ void GodObject::place(const Vec3& tip) {
 const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip, const ContactOptions& options) {
   if (!tip.allFinite() || !((tip - m_proxy).squaredNorm() < 1e300)) return m_contact;
   const double skin = surface.skin();
-  // Where a sweep is cut into parts depends on what is cached, and rounds the last digit: from a free tip on, a contact
-  // is felt again to that digit whatever was before.
+  // The cuts of a sweep depend on the cache, and round the last digit. After a free tip, a contact is the same to that
+  // digit whatever came before.
   if (!m_contact.touching) m_faces.forget();
-  // The proxy mostly goes as the tip does.
+  // The proxy mostly moves like the tip.
   if (m_faces.begin(surface, tip - m_tip)) {
     m_planes.keepBelow(skin);
   } else {
@@ -82,14 +83,14 @@ void GodObject::slide(const ContactSurface& surface, const Vec3& tip, const Cont
 }
 
 // Around a corner, triangles that rise and fall leave more room than their planes together, and their skins make
-// hollows of their own. So where one of the triangles that it stands on has a place nearer to the tip, it is lifted out
-// and goes there straight, as far as nothing is in the way.
+// hollows of their own. So if one of the triangles that it touches has a point nearer to the tip, it is lifted off and
+// goes there straight, as far as nothing blocks it.
 bool GodObject::stepOut(const ContactSurface& surface, const Vec3& tip, double friction) {
   if (m_planes.size() < kCornerPlanes) return false;
   const Vec3 goal = tip - m_proxy;
   const double depth = goal.norm();
   const double skin = surface.skin(), height = kLift * skin;
-  std::array<Vec3, kMaxWays> steps;
+  std::array<Vec3, kMaxExits> steps;
   std::size_t count = 0, looked = 0;
   const Box around(m_proxy - Vec3::Constant(height), m_proxy + Vec3::Constant(height));
   surface.forEachInBox(around, [&](const ContactTriangle& t) {
@@ -98,7 +99,7 @@ bool GodObject::stepOut(const ContactSurface& surface, const Vec3& tip, double f
     if ((closestOnTriangle(m_proxy, a, b, c) - m_proxy).norm() > height) return true;
     const Vec3 step = closestOnTriangle(tip, a, b, c) - m_proxy;
     if ((goal - step).norm() < depth - height) steps[count++] = heldBack(step, goal, friction);
-    return count < kMaxWays;
+    return count < kMaxExits;
   });
   if (count == 0) return false;
   const Vec3 lift = -height / depth * goal;
@@ -116,17 +117,18 @@ bool GodObject::stepOut(const ContactSurface& surface, const Vec3& tip, double f
 void GodObject::surfaceChanged(const ContactSurface& surface) {
   if (!m_contact.touching) return;
   const double far = tolerance::kContactBuried * surface.diagonal();
-  const Vec3 way = far * m_contact.normal;
-  m_faces.begin(surface, way);
-  // Upwards, it must not meet a surface from behind. In parts, where more triangles are than can be looked up at once.
+  const Vec3 rise = far * m_contact.normal;
+  m_faces.begin(surface, rise);
+  // Upwards, it must not meet a surface from behind. The move is made in parts, if there are more triangles than can be
+  // looked up at once.
   double gone = 0.0;
   for (int i = 0; i < kMaxParts && gone < 1.0; ++i) {
     m_faces.setReach(far);
-    const NearbyTriangles::Sweep sweep = m_faces.sweep(m_proxy + gone * way, (1.0 - gone) * way);
+    const NearbyTriangles::Sweep sweep = m_faces.sweep(m_proxy + gone * rise, (1.0 - gone) * rise);
     gone += sweep.fraction * (1.0 - gone);
     if (!sweep.hit) continue;
     const double steepness = std::max(-sweep.hit->normal.dot(m_contact.normal), 0.1);
-    if (sweep.face.wound != m_wound) m_proxy += gone * way + 2.0 * surface.skin() / steepness * m_contact.normal;
+    if (sweep.face.wound != m_wound) m_proxy += gone * rise + 2.0 * surface.skin() / steepness * m_contact.normal;
     break;
   }
   m_planes.beginAt(m_proxy);

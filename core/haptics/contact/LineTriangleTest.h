@@ -12,7 +12,7 @@ namespace handwheel {
 // if the three triple products have the same sign (Segura and Feito 2001). Swapping two corners changes the sign
 // exactly, so that neighbours agree on their common edge.
 inline bool passesThrough(const Vec3& p, const Vec3& direction, const TrianglePoints& t) {
-  // What rounding can add to a triple product, as a share of the product of the lengths: a line that passes an edge or
+  // Largest rounding error of a triple product, as a share of the product of the lengths: a line that passes an edge or
   // a corner that triangles share must hit one of them.
   constexpr double kEdgeRounding = 1e-15;
   const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;

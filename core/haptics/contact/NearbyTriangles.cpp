@@ -12,17 +12,17 @@
 namespace handwheel {
 namespace {
 
-// The box that is looked up stands out around the way by this share of the reach,
+// The cached box extends beyond the displacement by this share of the reach,
 constexpr double kMargin = 0.2;
-// and a step is taken in it as long as so much of the reach is left.
+// and a step stays in it as long as this share of the reach is left.
 constexpr double kWanted = 0.05;
 constexpr double kLeastReach = 16.0;  // skins
-// The reach is such that a look-up finds about so many triangles: fewer, and there is one in each tick; more, and each
-// sweep passes over all of them.
+// A reach is chosen for which a look-up finds about so many triangles: with fewer, there is a look-up in each tick;
+// with more, each sweep passes over all of them.
 constexpr double kUsualFaces = 8.0;
 
-// Whether all of a triangle, and of the space right above and below it, is farther than a skin from the box. The boxes
-// of slivers that lie aslant, as in a round end of a turned part, meet where they themselves do not.
+// Returns true if all of a triangle, and of the space right above and below it, is farther than a skin from the box.
+// The boxes of oblique slivers, as in a round end of a turned part, may meet although the slivers do not.
 bool isApart(const TrianglePoints& t, const Vec3& normal, const Box& box, double skin) {
   const Vec3 middle = box.center(), half = 0.5 * box.sizes();
   if (std::abs(normal.dot(middle - t[0])) > normal.cwiseAbs().dot(half) + skin) return true;
@@ -61,20 +61,20 @@ NearbyTriangles::Sweep NearbyTriangles::sweep(const Vec3& p, const Vec3& step) {
     lookUpAround(p, m_hasLooked ? step : m_expected);
     share = inside(p, step);
   }
-  const Vec3 way = share * step;
+  const Vec3 displacement = share * step;
   double crossing = std::numeric_limits<double>::infinity();
   if (m_count <= kCapacity) {
     std::array<std::uint8_t, kCapacity> ahead;
-    const std::size_t count = facesAhead(p, way, ahead);
-    for (std::size_t i = 0; i < count; ++i) test(m_faces[ahead[i]], p, way, best, crossing);
+    const std::size_t count = facesAhead(p, displacement, ahead);
+    for (std::size_t i = 0; i < count; ++i) test(m_faces[ahead[i]], p, displacement, best, crossing);
   } else {
-    // The tip of a fan of many: each is looked at where it stands.
+    // The tip of a fan with many triangles: each is tested directly.
     Box box(p);
-    box.extend(p + way);
+    box.extend(p + displacement);
     const Vec3 margin = Vec3::Constant(2.0 * m_skin);
     m_surface->forEachInBox(Box(box.min() - margin, box.max() + margin), [&](const ContactTriangle& t) {
       const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]).normalized();
-      test({t.corners, normal}, p, way, best, crossing);
+      test({t.corners, normal}, p, displacement, best, crossing);
       return true;
     });
   }
@@ -82,7 +82,7 @@ NearbyTriangles::Sweep NearbyTriangles::sweep(const Vec3& p, const Vec3& step) {
   return best;
 }
 
-// Those whose planes the step reaches. Without a branch, as in FaceBoxes.
+// Finds the faces whose planes the step reaches. Without a branch, like FaceBoxes.
 std::size_t NearbyTriangles::facesAhead(const Vec3& p, const Vec3& step,
                                         std::array<std::uint8_t, kCapacity>& ahead) const {
   std::size_t count = 0;
@@ -107,7 +107,7 @@ void NearbyTriangles::test(const Face& face, const Vec3& p, const Vec3& step, Sw
   }
   const double to = from + change;
   if (!(change < 0.0) || to >= 0.5 * m_skin) return;
-  // Where it goes through, or ends so near that the next step might begin on the other side.
+  // It goes through, or ends so near that the next step might begin on the other side.
   const double at = to < 0.0 ? from / -change : 1.0;
   if (at >= crossing) return;
   const Vec3 along = to < 0.0 ? step : Vec3(face.normal);
@@ -130,13 +130,13 @@ double NearbyTriangles::inside(const Vec3& p, const Vec3& step) const {
   return share;
 }
 
-void NearbyTriangles::lookUpAround(const Vec3& p, const Vec3& way) {
+void NearbyTriangles::lookUpAround(const Vec3& p, const Vec3& displacement) {
   m_hasLooked = true;
-  const double length = way.norm();
+  const double length = displacement.norm();
   const double least = kLeastReach * m_skin;
   for (;;) {
     m_box = Box(p);
-    if (length > 0.0) m_box.extend(p + way * (m_reach / length));
+    if (length > 0.0) m_box.extend(p + displacement * (m_reach / length));
     const Vec3 margin = Vec3::Constant(kMargin * m_reach);
     m_box = Box(m_box.min() - margin, m_box.max() + margin);
     if (gather(Test::Boxes) || gather(Test::Triangles)) break;
@@ -146,7 +146,7 @@ void NearbyTriangles::lookUpAround(const Vec3& p, const Vec3& way) {
     }
     m_reach = std::max(0.5 * m_reach, least);
   }
-  // Where there is nothing, no further than the tip goes in a tick: what comes may be small.
+  // Without triangles, no further than the tip goes in a tick: later ones may be small.
   m_usualReach = m_count == 0 ? std::min(2.0 * m_reach, m_expected.norm())
                               : m_reach * std::clamp(std::sqrt(kUsualFaces / static_cast<double>(m_count)), 0.5, 2.0);
 }

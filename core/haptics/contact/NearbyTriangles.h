@@ -16,20 +16,20 @@ namespace handwheel {
 class NearbyTriangles {
  public:
   // Begins a tick. expected: the predicted path of the proxy from its first position; the next look-up covers it, so
-  // that one look-up is usually enough. Returns false if the surface is not that of the previous tick: then what was
-  // cached is discarded. The surface must outlive the tick.
+  // that one look-up is usually enough. Returns false if the surface is not that of the previous tick: then the cached
+  // triangles are discarded. The surface must outlive the tick.
   bool begin(const ContactSurface& surface, const Vec3& expected);
 
-  // Discards what was cached, so that the next sweeps do not depend on the ticks before.
+  // Discards the cached triangles, so that the next sweeps do not depend on the ticks before.
   void forget();
 
   // Result of a sweep.
   struct Sweep {
-    double fraction = 1.0;  // of the step moved: up to the skin above the hit, or to the end of the cached region
+    double fraction = 1.0;  // share of the step moved: up to the skin above the hit, or to the end of the cached region
     std::optional<HalfSpace> hit;  // the plane hit, as the constraint on a further step y from the new position
     TouchedFace face;              // its triangle
   };
-  // Moves from p along the step until a triangle is in the way.
+  // Moves from p along the step until a triangle blocks it.
   Sweep sweep(const Vec3& p, const Vec3& step);
 
   // Sets the look-ahead distance for the rest of the tick, mm.
@@ -43,26 +43,26 @@ class NearbyTriangles {
   };
   static constexpr std::size_t kCapacity = FaceBoxes::kCapacity;
 
-  void lookUpAround(const Vec3& p, const Vec3& way);
+  void lookUpAround(const Vec3& p, const Vec3& displacement);
   enum class Test { Boxes, Triangles };  // boxes are tested faster, but those of slivers are large
-  // False where more triangles meet than there is room for.
+  // Returns false if more triangles meet than there is room for.
   bool gather(Test test);
-  // The share of the step that stays in the box looked up; 0 when it does not begin there.
+  // Returns the share of the step that stays in the cached box; 0 if it does not begin there.
   double inside(const Vec3& p, const Vec3& step) const;
   std::size_t facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const;
   void test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const;
 
   const ContactSurface* m_surface = nullptr;
-  std::uint64_t m_version = 0;  // of the surface that was looked up
+  std::uint64_t m_version = 0;  // version of the surface that was looked up
   double m_skin = 0.0;
   Vec3 m_expected = Vec3::Zero();
-  bool m_hasLooked = false;  // in this tick
+  bool m_hasLooked = false;  // a look-up was made in this tick
   double m_reach = 0.0;
-  double m_usualReach = 0.0;  // with which some few triangles are found; 0: not known
-  Box m_box;                  // that was looked up, and holds these
+  double m_usualReach = 0.0;  // reach that finds a few triangles; 0: not known
+  Box m_box;                  // the box that was looked up; it holds these faces
   std::array<Face, kCapacity> m_faces;
   FaceBoxes m_boxes;
-  std::size_t m_count = 0;  // one more than there is room for: each sweep finds its triangles itself
+  std::size_t m_count = 0;  // kCapacity + 1: too many, so each sweep finds its triangles itself
 };
 
 }  // namespace handwheel

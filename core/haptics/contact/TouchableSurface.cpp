@@ -18,9 +18,9 @@ ContactSurface touchableSurface(std::vector<Vec3> points, std::vector<Triangle> 
   all.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];
-    const auto place = static_cast<std::uint32_t>(i);
+    const auto index = static_cast<std::uint32_t>(i);
     const std::uint32_t number =
-        i >= count ? 2 * static_cast<std::uint32_t>(i - count) + 1 : touchableNumber(faces.empty() ? place : faces[i]);
+        i >= count ? 2 * static_cast<std::uint32_t>(i - count) + 1 : touchableNumber(faces.empty() ? index : faces[i]);
     all.push_back({{points[a], points[b], points[c]}, number});
   }
   return ContactSurface(std::move(all), progress.part(0.3, 1.0));

@@ -12,7 +12,7 @@ namespace handwheel {
 ContactSurface touchableSurface(std::vector<Vec3> points, std::vector<Triangle> triangles,
                                 std::span<const std::uint32_t> faces, Progress progress = {});
 
-// The id of a face in such a surface, for ContactSurface::update(). A gap stays as it was first closed: what an edit
+// Returns the id of a face in such a surface, for ContactSurface::update(). A gap keeps its first closing: what an edit
 // leaves of it is no wider than a gap.
 constexpr std::uint32_t touchableNumber(std::uint32_t face) {
   return 2 * face;  // odd ids are those of the strips in gaps

@@ -15,8 +15,8 @@ namespace handwheel {
 
 // Specifications of a haptic device. Lengths in mm, forces in N, torques in N·mm, times in s.
 struct DeviceCapabilities {
-  int inputs = 3;   // degrees of freedom measured: 3 position, 6 and orientation, 7 and a gripper
-  int outputs = 3;  // driven: 0 none, 3 force, 6 and torque, 7 and a gripper
+  int inputs = 3;   // degrees of freedom measured: 3 position, 6 with orientation, 7 with a gripper
+  int outputs = 3;  // degrees of freedom driven: 0 none, 3 force, 6 with torque, 7 with a gripper
   int buttons = 0;
   double maxForce = 0.0;             // N, in any direction
   double maxTorque = 0.0;            // N·mm
@@ -29,7 +29,7 @@ struct DeviceCapabilities {
   double inherentDamping = 0.0;      // N·s/mm: the b of eq. 2-1, friction of the mechanism
   // It measures a displacement from rest and springs back (a SpaceMouse): to be interpreted as a velocity.
   bool isRateControl = false;
-  // s, delay between a motion and the force response in driver, cable and motors. That of the loop is measured.
+  // Delay between a motion and the force response in driver, cable and motors, s. The delay of the loop is measured.
   double latency = 0.0;
 };
 
@@ -37,7 +37,7 @@ struct DeviceCapabilities {
 enum class DeviceStatus : std::uint8_t {
   Absent,       // not plugged in, or unplugged
   Starting,     // loading firmware, connecting
-  NeedsHoming,  // answers, but does not know where it is: no force may be sent
+  NeedsHoming,  // answers, but does not know its position: no force may be sent
   Ready,
   Failed,  // answers wrongly, or not in time
 };
@@ -51,7 +51,7 @@ struct DeviceState {
   double gripper = 0.0;          // mm or rad, as the device has it
   std::uint32_t buttons = 0;     // bit n: button n is held
   DeviceStatus status = DeviceStatus::Absent;
-  bool hasVelocity = false;  // else the servo loop estimates it from the positions
+  bool hasVelocity = false;  // false: the servo loop estimates it from the positions
   // Sequence number. The same as in the previous reading: the device has sent nothing new, and its force may soon be
   // stale. 0: not counted, because each reading is measured on request, or because there are no motors and only changes
   // are sent.
@@ -74,14 +74,14 @@ class Device {
  public:
   virtual ~Device() = default;
 
-  // Those of its type; exact once open, for devices that can be queried.
+  // Returns the specifications of its type; exact once open, for devices that can be queried.
   virtual DeviceCapabilities capabilities() const = 0;
   // Connects; loads firmware if necessary, with retries. Error: the reason, to be read by a person.
   virtual Status open(Progress progress) = 0;
   // Sends zero force first. May be called at any time after open(), twice, and after the device is gone.
   virtual void close() noexcept = 0;
 
-  // The latest reading. Never waits longer than a tick; the status shows whether the device is gone.
+  // Returns the latest reading. Never waits longer than a tick; the status shows whether the device is gone.
   virtual DeviceState read() noexcept = 0;
   // Sends the force unchanged: it has passed the safety chain.
   virtual void write(const DeviceForce& force) noexcept = 0;
@@ -100,7 +100,7 @@ class DeviceDriver {
   virtual ~DeviceDriver() = default;
 
   virtual std::string id() const = 0;
-  // The devices connected now. Polled for hot-plugging: cheap, and without effect on the devices.
+  // Returns the devices connected now. Polled for hot-plugging: cheap, and without effect on the devices.
   virtual std::vector<DeviceInfo> find() = 0;
   // Creates the device at an address; null if the address is unknown.
   virtual std::unique_ptr<Device> make(const std::string& address) = 0;

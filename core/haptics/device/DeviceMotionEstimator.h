@@ -14,7 +14,7 @@ class DeviceMotionEstimator {
   struct Periods {  // s
     double loop = 0.001;
     double device = 0.001;  // from one of its readings to the next
-    double stale = 0.005;   // how long the last one is valid
+    double stale = 0.005;   // validity of the last reading
   };
   DeviceMotionEstimator(double velocityWindow, const Periods& periods)
       : m_estimator(velocityWindow), m_periods(periods) {}
@@ -37,10 +37,10 @@ class DeviceMotionEstimator {
 
   VelocityEstimator m_estimator;
   Periods m_periods;
-  Vec3 m_position = Vec3::Zero();  // of the last new one,
+  Vec3 m_position = Vec3::Zero();  // position and velocity of the last new reading
   Vec3 m_velocity = Vec3::Zero();
   std::uint32_t m_number = 0;
-  double m_time = 0.0;  // s since then
+  double m_time = 0.0;  // s since that reading
   bool m_hasReading = false;
 };
 

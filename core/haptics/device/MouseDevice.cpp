@@ -39,7 +39,7 @@ DeviceState MouseDevice::read() noexcept {
   return m_isOpen.load(std::memory_order_relaxed) ? m_state.read() : DeviceState{};
 }
 
-Vec3 PointerDepth::place(const Vec3& origin, const Vec3& direction) const {
+Vec3 PointerDepth::positionOn(const Vec3& origin, const Vec3& direction) const {
   return origin + std::max(0.0, m_surface + m_offset) * direction;
 }
 

@@ -18,8 +18,8 @@ class MouseDevice : public Device {
 
   // Sets the pointer's position in the scene, mm, and the buttons that count as the device's. Window thread.
   void point(const Vec3& position, std::uint32_t buttons) noexcept;
-  void leave() noexcept;  // the pointer is outside the view: no device
-  // The force of the last tick, N.
+  void leave() noexcept;  // sets that the pointer is outside the view: no device
+  // Returns the force of the last tick, N.
   Vec3 force() noexcept { return m_force.read(); }
 
   DeviceCapabilities capabilities() const override;
@@ -45,8 +45,8 @@ class PointerDepth {
   void turnWheel(double steps, double stepLength) { m_offset += steps * stepLength; }
   void resetWheel() { m_offset = 0.0; }
 
-  // The pointer's position on a ray with unit direction; never behind the eye.
-  Vec3 place(const Vec3& origin, const Vec3& direction) const;
+  // Returns the pointer's position on a ray with unit direction; never behind the eye.
+  Vec3 positionOn(const Vec3& origin, const Vec3& direction) const;
 
  private:
   double m_surface = 0.0;

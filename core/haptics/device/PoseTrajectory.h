@@ -18,7 +18,7 @@ struct HandPose {
 };
 
 // Trajectory that interpolates linearly between timed poses. The speed between two poses is constant, and rotations
-// take the short way; buttons change at the pose that has them. At rest before the first pose and after the last.
+// take the shorter arc; buttons change at the pose that has them. At rest before the first pose and after the last.
 class PoseTrajectory {
  public:
   PoseTrajectory() = default;
@@ -27,7 +27,7 @@ class PoseTrajectory {
 
   bool isEmpty() const { return m_poses.empty(); }
   double duration() const { return m_poses.empty() ? 0.0 : m_poses.back().time; }
-  // The pose at a time, s. The path must not be empty. O(log n), without allocation.
+  // Returns the pose at a time, s. The path must not be empty. O(log n), without allocation.
   HandPose at(double time) const noexcept;
 
  private:

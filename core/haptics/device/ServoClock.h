@@ -10,9 +10,9 @@ namespace handwheel {
 class ServoClock {
  public:
   virtual ~ServoClock() = default;
-  // The time in ns since an arbitrary origin.
+  // Returns the time in ns since an arbitrary origin.
   virtual std::int64_t now() noexcept = 0;
-  // Returns at or after that time; at once when it has passed.
+  // Waits until that time or later; returns at once when it has passed.
   virtual void waitUntil(std::int64_t time) noexcept = 0;
 };
 
@@ -36,6 +36,6 @@ class VirtualClock : public ServoClock {
   std::int64_t m_now = 0;
 };
 
-inline constexpr double kNanoseconds = 1e9;  // in a second
+inline constexpr double kNanoseconds = 1e9;  // ns per second
 
 }  // namespace handwheel

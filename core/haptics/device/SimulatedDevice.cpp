@@ -110,7 +110,7 @@ void SimulatedDevice::moveUnder(const Vec3& force, double until) noexcept {
   m_time = until;
 }
 
-// m·dv/dt = f - c·v under constant f: with z = c·t/m, the velocity changes by (f - c·v)·t/m·p(z) and the place by
+// m·dv/dt = f - c·v under constant f: with z = c·t/m, the velocity changes by (f - c·v)·t/m·p(z) and the position by
 // v·t·p(z) + f·t²/m·q(z), where p = (1 - exp(-z))/z and q = (1 - p)/z. Near z = 0, where the quotients lose digits, by
 // their series.
 void SimulatedDevice::step(const Vec3& force, double seconds) noexcept {
@@ -125,7 +125,7 @@ void SimulatedDevice::step(const Vec3& force, double seconds) noexcept {
   m_velocity += (seconds / mass * p) * (constant - damping * m_velocity);
 }
 
-// What the hand does besides its damping, which the step has in its exact part; taken at the middle of the step.
+// The force of the hand without its damping, which the step has in its exact part; taken at the middle of the step.
 Vec3 SimulatedDevice::pull(double seconds) noexcept {
   const HandGrip& grip = m_settings.grip;
   if (grip.stiffness == 0.0 && grip.integral == 0.0 && grip.damping == 0.0) return Vec3::Zero();

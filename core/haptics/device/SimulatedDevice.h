@@ -15,22 +15,22 @@ namespace handwheel {
 // PID parameters of the simulated hand that pulls the tip to its target.
 struct HandGrip {
   double stiffness = 0.3;  // N/mm
-  double damping = 0.003;  // N·s/mm, of the velocity relative to where it wants to be
+  double damping = 0.003;  // N·s/mm, for the velocity relative to the target's
   double integral = 0.0;   // N/(mm·s)
   double maxForce = 20.0;  // N
 };
 
 // Parameters of a simulated device.
 struct SimulatedDeviceSettings {
-  DeviceCapabilities capabilities;  // of the device that it simulates; friction and latency are simulated
+  DeviceCapabilities capabilities;  // capabilities of the simulated device; friction and latency are simulated
   double mass = 0.1;                // kg, of the tip and all that moves with it, the hand's share included
   HandGrip grip;
   bool isCommanded = false;  // the tip follows the path exactly; forces move nothing
 };
 
-// Settings of a Novint Falcon, with a friction that allows 1 N/mm at 1 kHz.
+// Returns the settings of a Novint Falcon, with a friction that allows 1 N/mm at 1 kHz.
 SimulatedDeviceSettings simulatedDevice();
-// The same with motors for torque, about as strong as those of devices that have them.
+// Returns the same settings with motors for torque, about as strong as those of devices that have them.
 SimulatedDeviceSettings simulatedTorqueDevice();
 
 // Simulated haptic device: a mass with friction, moved by a simulated hand. The mass with friction b is between the
@@ -48,16 +48,17 @@ class SimulatedDevice : public Device {
   DeviceState read() noexcept override;
   void write(const DeviceForce& force) noexcept override;
 
-  // Sets the target of the hand when there is no path; any one thread, and the only one that may ask for it.
+  // Sets the target of the hand for an empty path. To be called by one thread, the only one that may query it.
   void setTarget(const HandPose& target) noexcept {
     m_lastTarget = target;
     m_target.write(target);
   }
   const HandPose& target() const { return m_lastTarget; }
-  // The torque that acts on the hand, N·mm, `latency` seconds after it was sent; as the last reading has it. It turns
+  // Returns the torque on the hand at the last reading, N·mm. It acts `latency` seconds after it was sent, and turns
   // nothing: the hand holds the orientation. For tests; on the thread that reads.
   const Vec3& torque() const { return m_acting.torque; }
-  // Sets the tip's initial position (mm) and velocity (mm/s), instead of at rest at the hand. Before the first reading.
+  // Sets the tip's initial position (mm) and velocity (mm/s), instead of at rest at the hand. To be called before the
+  // first reading.
   void setStart(const Vec3& position, const Vec3& velocity);
 
  private:
@@ -76,7 +77,7 @@ class SimulatedDevice : public Device {
   PoseTrajectory m_path;
   ServoClock& m_clock;
   TripleBuffer<HandPose> m_target;
-  HandPose m_lastTarget;  // that was written to m_target; of the thread that writes
+  HandPose m_lastTarget;  // last target written to m_target; for the thread that writes
   bool m_isOpen = false;
   bool m_hasBegun = false;
   bool m_hasStart = false;
@@ -85,7 +86,8 @@ class SimulatedDevice : public Device {
   Vec3 m_position = Vec3::Zero();
   Vec3 m_velocity = Vec3::Zero();
   Vec3 m_error = Vec3::Zero();  // mm·s, integral of the position error
-  // Forces on their way, oldest first. More than fit, half a second at 8 kHz, push the oldest out.
+  // Forces that do not act yet, oldest first. If there are more than fit, half a second at 8 kHz, the oldest are
+  // dropped.
   std::array<SentForce, 4096> m_sent;
   std::size_t m_first = 0;
   std::size_t m_count = 0;

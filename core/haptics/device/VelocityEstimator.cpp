@@ -13,11 +13,12 @@ Vec3 VelocityEstimator::add(const Vec3& position, double period) {
   m_count = std::min(m_count + 1, kCapacity);
   std::size_t used = std::min<std::size_t>(m_count, 2);  // a window shorter than a period takes the last two
   while (used < m_count && time - back(used).time <= m_window) ++used;
-  m_count = used;  // time only goes on: what is out of the window stays out
+  m_count = used;  // time only increases: readings that left the window stay out
   return used < 2 ? Vec3::Zero().eval() : slope(used);
 }
 
-// Times and places from the newest reading on, so that neither a long run nor a far place costs digits.
+// Times and positions are relative to the newest reading, so that neither a long run nor a distant position costs
+// digits.
 Vec3 VelocityEstimator::slope(std::size_t count) const {
   const Reading& origin = back(0);
   double meanTime = 0.0;

@@ -23,7 +23,7 @@ class VelocityEstimator {
   void reset() { m_count = 0; }
 
   static constexpr double kStandardWindow = 0.01;
-  // More than the largest of servo.velocity_window needs at the largest rate: 400 readings.
+  // More readings than the largest servo.velocity_window needs at the highest rate: 400.
   static constexpr std::size_t kCapacity = 512;
 
  private:

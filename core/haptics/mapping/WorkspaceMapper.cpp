@@ -7,7 +7,7 @@ namespace handwheel {
 namespace {
 
 Vec3 rotationVector(const Eigen::Quaterniond& q) {
-  const Eigen::AngleAxisd turn(q);  // the short way, and of any length of q
+  const Eigen::AngleAxisd turn(q);  // the shorter rotation, for any length of q
   return turn.angle() * turn.axis();
 }
 

@@ -17,12 +17,13 @@ class WorkspaceMapper {
     Vec3 position = Vec3::Zero();  // mm
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
     Vec3 velocity = Vec3::Zero();   // mm/s
-    bool isHeld = false;            // by the clutch
+    bool isHeld = false;            // the clutch holds it
     bool hasDiscontinuity = false;  // first reading, or another mapping that does not keep the tip
   };
 
-  // proxy: mm, where the tip is displayed. A mapping that keeps the tip keeps this position, and the tip's distance
-  // from it as measured at the device: at another scale the same depth at the device is a different one in the scene.
+  // proxy: the displayed position of the tip, mm. A mapping that keeps the tip keeps this position, and the tip's
+  // distance from it as measured at the device: at another scale the same depth at the device is a different one in the
+  // scene.
   void setMapping(const WorkspaceMapping& mapping, const std::optional<Vec3>& proxy = {});
   const WorkspaceMapping& mapping() const { return m_mapping; }
 

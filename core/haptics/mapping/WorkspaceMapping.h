@@ -18,7 +18,8 @@ struct DeviceAxis {
 // Transformation from the device workspace to the scene. Device motion is relative to the camera: mTh = mTc · cTh (He
 // 2008, eq. 6-12), with mTc the view in the scene and cTh the tip in the view, scaled and with its axes exchanged.
 struct WorkspaceMapping {
-  // From the view (x right, y up, z towards the eye; origin where the centre of the workspace is to be) to the scene.
+  // Transformation to the scene from the view (x right, y up, z towards the eye; the origin is to be the centre of the
+  // workspace).
   Pose sceneFromView = Pose::Identity();
   double scale = 1.0;  // mm in the scene for one of the device, > 0
   std::array<DeviceAxis, 3> axes{DeviceAxis{0, false}, DeviceAxis{1, false}, DeviceAxis{2, false}};  // each axis once
@@ -38,9 +39,9 @@ struct WorkspaceMapping {
   // Otherwise it jumps to the position of the device in the new mapping.
   bool keepsTip = true;
 
-  // The matrix from device vectors to view vectors: a signed permutation, so it may be a reflection.
+  // Returns the matrix from device vectors to view vectors: a signed permutation, so it may be a reflection.
   Eigen::Matrix3d viewFromDevice() const;
-  // The stiffness in the scene, N/mm, that is felt as `deviceStiffness` at the device.
+  // Returns the stiffness in the scene, N/mm, that is felt as `deviceStiffness` at the device.
   double sceneStiffness(double deviceStiffness) const { return deviceStiffness / (scale * forceGain); }
 
   // Convert force and torque in the scene to those of the motors. Torque is an axial vector: a reflection reverses its

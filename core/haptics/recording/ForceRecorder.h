@@ -20,7 +20,7 @@ class ForceRecorder {
   // kHz.
   static constexpr std::size_t kMostTicks = 4'800'000;
 
-  // The loop outlives it.
+  // The loop must outlive the recorder.
   explicit ForceRecorder(ServoLoop& loop, std::size_t mostTicks = kMostTicks) : m_loop(loop), m_mostTicks(mostTicks) {}
   ~ForceRecorder() { stop(); }
   ForceRecorder(const ForceRecorder&) = delete;
@@ -28,7 +28,7 @@ class ForceRecorder {
 
   // Discards what was recorded and starts recording the ticks from now on.
   void start();
-  void stop();  // after fetching the last tick
+  void stop();  // fetches the last tick first
   bool isRecording() const { return m_thread.joinable(); }
   // For use without a thread, when the caller runs the loop and calls fetch(): discards everything, including pending
   // samples.
@@ -37,15 +37,15 @@ class ForceRecorder {
 
   // Adds an event at the last recorded tick.
   void mark(std::string text);
-  // Notes what the scene is made of that the loop is given next. To be called before ServoLoop::setScene(), on the same
+  // Notes the contents of the scene that the loop is given next. To be called before ServoLoop::setScene(), on the same
   // thread: later, ticks in the scene may have been fetched already. Becomes an event, kSceneEvent and the text, at the
   // first tick in that scene or in one after it.
   void noteNextScene(std::string text);
 
-  // What has been recorded so far; recording continues.
+  // Returns the recording up to now; recording continues.
   Recording recording() const;
   bool isFull() const;
-  // Its length, without access to the ticks.
+  // Returns the length of the recording, without access to the ticks.
   std::size_t ticks() const;
   double duration() const;  // s
 
@@ -54,14 +54,14 @@ class ForceRecorder {
 
   ServoLoop& m_loop;
   const std::size_t m_mostTicks;
-  mutable std::mutex m_mutex;  // never the servo thread's
+  mutable std::mutex m_mutex;  // never locked by the servo thread
   std::condition_variable m_wake;
   Recording m_recording;
   struct SceneNote {
     std::uint64_t number;
     std::string text;
   };
-  std::deque<SceneNote> m_scenes;  // that no tick was in yet
+  std::deque<SceneNote> m_scenes;  // scenes that no tick was in yet
   bool m_isStopping = false;
   std::thread m_thread;
 };

@@ -36,7 +36,7 @@ struct RecordedEvent {
   std::string text;
 };
 
-// Marks an event that says what a scene was made of, in words of those who made it.
+// Prefix of an event that describes the contents of a scene, in words of its creator.
 inline constexpr std::string_view kSceneEvent = "scene ";
 
 // A sequence of recorded ticks with events. 368 bytes per tick. A copy shares them and is cheap.
@@ -49,9 +49,9 @@ class Recording {
   std::size_t size() const { return m_ticks.size(); }
   const RecordedTick& operator[](std::size_t i) const { return m_ticks[i]; }
   const std::vector<RecordedEvent>& events() const { return m_events; }
-  // The number of ticks missing between the first and the last.
+  // Returns the number of ticks missing between the first and the last.
   std::uint64_t missing() const { return m_missing; }
-  // s, from the first tick to the last; never negative.
+  // Returns the time from the first tick to the last, s; never negative.
   double duration() const;
 
   // Replays the recorded tips on the scenes that they were in, in order, and calls visit(const RecordedTick&, const

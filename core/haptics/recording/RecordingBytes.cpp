@@ -18,11 +18,11 @@ constexpr std::string_view kMagic = "HWFR";
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kTickBytes = 37 * sizeof(double) + sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
 
-// Flags of a tick; the bits of SafetyAction above them.
+// Flags of a tick; the bits of SafetyAction are above them.
 constexpr std::uint32_t kRestart = 1, kContact = 2, kFresh = 4, kSoftened = 8, kSource = 16;
 constexpr int kStatusShift = 5, kActionsShift = 8;  // three bits for the status
 
-// Every double of a tick, in the order of the format, for writing and reading alike.
+// Visits every double of a tick, in the order of the format, for writing and reading alike.
 template <class Tick, class Visit>
 void forEachDouble(Tick& t, Visit visit) {
   const auto each = [&](auto&& vector) {
@@ -65,7 +65,7 @@ void putTick(std::string& bytes, const RecordedTick& tick) {
   put(bytes, flags);
 }
 
-// Takes numbers off the front; who asks has seen that they are there.
+// Reads numbers from the front; the caller has checked that they exist.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : m_rest(bytes) {}
@@ -137,7 +137,7 @@ std::string recordingBytes(const Recording& recording, std::size_t first, std::s
   assert(first <= last && last <= recording.size());
   const std::vector<RecordedEvent>& all = recording.events();
   const auto isBefore = [](const RecordedEvent& event, std::uint64_t tick) { return event.tick <= tick; };
-  const auto endAt = [&](std::size_t tick) {  // of the events up to before this tick
+  const auto endAt = [&](std::size_t tick) {  // end of the events up to before this tick
     if (tick == recording.size()) return all.end();
     return tick == 0 ? all.begin() : std::lower_bound(all.begin(), all.end(), recording[tick - 1].tick, isBefore);
   };
@@ -175,8 +175,8 @@ Result<Recording> recordingFromBytes(std::string_view bytes) {
   for (std::uint64_t i = 0; i < ticks; ++i) {
     const RecordedTick tick = takeTick(reader);
     if (!isSomewhere(tick.tip)) {
-      const auto place = static_cast<std::uint64_t>(bytes.size() - reader.left() - kTickBytes);
-      return Error{ErrorCode::NumberNotFinite, {"nan"}, InputPosition::byte(place), {}};
+      const auto offset = static_cast<std::uint64_t>(bytes.size() - reader.left() - kTickBytes);
+      return Error{ErrorCode::NumberNotFinite, {"nan"}, InputPosition::byte(offset), {}};
     }
     recording.add(tick);
   }

@@ -17,7 +17,7 @@ void addNumbers(std::string& line, const Vec3& v) {
   for (const double x : v) line += ',' + shortestText(x);
 }
 
-// In quotes, and quotes doubled (RFC 4180): any text is one field.
+// Appends a text in quotes, and with quotes doubled (RFC 4180): any text is one field.
 void addText(std::string& line, const std::string& text) {
   line += '"';
   for (const char c : text) line += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -45,7 +45,7 @@ void addTick(std::string& line, const RecordedTick& tick) {
   line += tick.hasSource ? ",1," : ",0,";
 }
 
-// The events of a tick: those that say what a scene is made of in a column of their own.
+// Appends the events of a tick, with those that describe a scene in a column of their own.
 void addEvents(std::string& line, std::span<const RecordedEvent> events) {
   std::string happened, scenes;
   for (const RecordedEvent& event : events) {

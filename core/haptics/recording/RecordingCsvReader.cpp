@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-// What a force is computed from, then the force itself, then words.
+// The inputs of a force, then the force itself, then words.
 // clang-format off
 enum Column {
   Time, X, Y, Z, Qw, Qx, Qy, Qz, Vx, Vy, Vz, Period, Stiffness, Damping, Restart, HasSource, Buttons, Tick,
@@ -82,7 +82,7 @@ class Fields {
   std::uint64_t m_line = 0, m_nextLine = 1;
 };
 
-// Which of the columns each field of a line is.
+// Returns the column of each field of a line.
 std::vector<std::size_t> columnsOf(Fields& fields) {
   std::vector<std::size_t> columns;
   if (!fields.nextLine()) return columns;
@@ -159,7 +159,7 @@ class TableReader {
     return error == std::errc() && end == word.data() + word.size();
   }
 
-  // Of a column of whole numbers; 0 for what is none.
+  // Converts a number of a column of whole numbers; 0 for anything else.
   template <class Number>
   static Number whole(double value) {
     return value >= 0.0 && value <= 9e15 ? static_cast<Number>(value) : Number{0};

@@ -36,7 +36,7 @@ double RecordingPlayer::position() const {
   return std::clamp(m_position + since, 0.0, m_duration);
 }
 
-// A recording that somebody wrote by hand may have times that go back: then it is some tick, always the same.
+// A recording that was written by hand may have decreasing times: then some tick is returned, always the same.
 const RecordedTick* RecordingPlayer::tick() const {
   if (m_recording.size() == 0) return nullptr;
   const double at = position();

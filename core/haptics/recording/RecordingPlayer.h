@@ -11,26 +11,26 @@ namespace handwheel {
 // ticks. One thread.
 class RecordingPlayer {
  public:
-  // The clock outlives it. Paused at the beginning.
+  // Starts paused at the beginning. The clock must outlive the player.
   RecordingPlayer(Recording recording, ServoClock& clock);
 
-  void play();  // from the beginning if it was at the end
+  void play();  // starts from the beginning if it was at the end
   void pause();
   bool isPlaying() const;     // false once the end is reached
-  void seek(double seconds);  // kept within the recording; goes on playing if it was
+  void seek(double seconds);  // limited to the recording; goes on playing if it was
   double position() const;    // s from the beginning
   double duration() const { return m_duration; }
 
-  // The current tick: the last whose time has been reached. Null if the recording is empty.
+  // Returns the current tick: the last whose time has been reached. Null if the recording is empty.
   const RecordedTick* tick() const;
 
  private:
   Recording m_recording;
   ServoClock& m_clock;
   double m_duration;        // s
-  double m_position = 0.0;  // s, when it was set last
+  double m_position = 0.0;  // s, position when it was set last
   bool m_isPlaying = false;
-  std::int64_t m_setAt = 0;  // ns
+  std::int64_t m_setAt = 0;  // ns, time when it was set last
 };
 
 }  // namespace handwheel

@@ -15,9 +15,9 @@ Vec3 shortened(const Vec3& v, double longest) {
 }
 
 Vec3 stepped(const Vec3& from, const Vec3& to, double step) {
-  const Vec3 way = to - from;
-  const double length = way.stableNorm();
-  return length > step ? Vec3(from + way * (step / length)) : to;
+  const Vec3 change = to - from;
+  const double length = change.stableNorm();
+  return length > step ? Vec3(from + change * (step / length)) : to;
 }
 
 }  // namespace

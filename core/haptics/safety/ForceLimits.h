@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Whether all components are finite.
+// Returns true if all components are finite.
 bool isFinite(const DeviceForce& force);
 
 // Limits the slew rate of the force. Moves from the force sent last towards the one asked for, by no more than the

@@ -13,7 +13,7 @@ void ForceRamp::restart() {
 
 double ForceRamp::gain(double asked, double period) {
   if (m_phase == Phase::Done) return 1.0;
-  // A tick that came late makes no step of the ramp larger than two that come in time.
+  // A late tick makes no step of the ramp larger than two that come in time.
   m_time += std::min(period, 2.0 * m_settings.nominalPeriod);
   if (m_phase == Phase::Waiting) {
     if (asked >= m_settings.rampThreshold && m_time < m_settings.rampWait) return 0.0;

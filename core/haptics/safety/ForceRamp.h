@@ -14,7 +14,7 @@ class ForceRamp {
   explicit ForceRamp(const SafetySettings& settings) : m_settings(settings) {}
 
   void restart();
-  // The gain of the force, 0 to 1. asked: N, the force from the scene; period: s since the previous tick.
+  // Returns the gain of the force, 0 to 1. asked: N, the force from the scene; period: s since the previous tick.
   double gain(double asked, double period);
 
  private:

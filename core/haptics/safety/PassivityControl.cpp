@@ -8,7 +8,7 @@
 namespace handwheel {
 
 PassivityControl::PassivityControl(const SafetySettings& settings) : m_settings(settings) {
-  // One tick and the share of another are kept beyond the whole ones.
+  // One tick and the fraction of another are kept beyond the whole ones.
   const double ticks = std::clamp(settings.latency / settings.nominalPeriod, 0.0, static_cast<double>(kLongest - 2));
   m_latency = static_cast<std::size_t>(ticks);
   m_latencyShare = ticks - std::floor(ticks);
@@ -29,8 +29,8 @@ void PassivityControl::observe(const Vec3& position, double period) {
     m_friction[m_newest] = friction;
     const Vec3 force = acting();
     m_energy += -force.dot(step) + friction;
-    // In free space there is no credit to gather but what pays for entering a wall, which a force that is so late
-    // answers so late: the friction since. In contact a cap, so that long sliding does not hide what comes later.
+    // In free space the only credit is the friction since then: it pays for entering a wall, which a force of this
+    // latency answers that late. In contact there is a cap, so that long sliding does not hide later energy.
     m_energy = std::min(m_energy, force.isZero(0.0) ? recentFriction() : m_settings.energyLimit);
     m_velocity = step / period;
   }
@@ -38,7 +38,7 @@ void PassivityControl::observe(const Vec3& position, double period) {
   m_hasPosition = true;
 }
 
-// The mean over the last period: the older force until the newer one arrived.
+// Returns the mean force over the last period: the older force until the newer one arrived.
 Vec3 PassivityControl::acting() const {
   if (m_latencyShare == 0.0) return sentBefore(m_latency);
   return m_latencyShare * sentBefore(m_latency + 1) + (1.0 - m_latencyShare) * sentBefore(m_latency);
@@ -52,7 +52,8 @@ double PassivityControl::recentFriction() const {
 }
 
 Vec3 PassivityControl::correction() const {
-  const double power = m_velocity.squaredNorm() * m_settings.nominalPeriod;  // mm²/s: of a damping of 1 in one period
+  // mm²/s: that of a damping of 1 in one period
+  const double power = m_velocity.squaredNorm() * m_settings.nominalPeriod;
   if (m_energy >= 0.0 || power == 0.0) return Vec3::Zero();
   const double damping = std::min(-m_energy / power, m_settings.controlDamping);
   return -damping * m_velocity;

@@ -23,30 +23,31 @@ class PassivityControl {
   void reset() { *this = PassivityControl(m_settings); }
   // Adds a reading, mm, `period` seconds (> 0) after the previous one.
   void observe(const Vec3& position, double period);
-  // The damping force, N, that dissipates the energy deficit within the next period; zero without a deficit.
+  // Returns the damping force, N, that dissipates the energy deficit within the next period; zero without a deficit.
   Vec3 correction() const;
   // Records the force sent after the last reading.
   void sent(const Vec3& force);
 
-  // The observed energy, N·mm, that the hand has given and not got back. Negative: the scene has generated energy.
+  // Returns the observed energy, N·mm, that the hand has given and not got back. Negative: the scene has generated
+  // energy.
   double energy() const { return m_energy; }
 
  private:
   static constexpr std::size_t kLongest = 512;  // ticks of delay: 64 ms at 8 kHz, more than any device states
-  // What was sent so many ticks ago.
+  // Returns the force sent that many ticks ago.
   const Vec3& sentBefore(std::size_t ticks) const { return m_sent[(m_newest + kLongest - ticks) % kLongest]; }
   Vec3 acting() const;
   double recentFriction() const;
 
   SafetySettings m_settings;
-  std::size_t m_latency = 0;    // whole ticks,
-  double m_latencyShare = 0.0;  // and the share of another
+  std::size_t m_latency = 0;    // whole ticks of the latency,
+  double m_latencyShare = 0.0;  // and the fraction of another
   double m_energy = 0.0;
-  std::array<Vec3, kLongest> m_sent;        // round, up to m_newest
-  std::array<double, kLongest> m_friction;  // N·mm, taken by the device; in the same places
+  std::array<Vec3, kLongest> m_sent;        // ring buffer, up to m_newest
+  std::array<double, kLongest> m_friction;  // N·mm, taken by the device; at the same indices
   std::size_t m_newest = 0;
   Vec3 m_position = Vec3::Zero();
-  Vec3 m_velocity = Vec3::Zero();  // mm/s, mean since the reading before
+  Vec3 m_velocity = Vec3::Zero();  // mm/s, mean since the previous reading
   bool m_hasPosition = false;
 };
 

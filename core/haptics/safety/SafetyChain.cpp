@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-// mm: a thousand kilometres, where neither devices reach nor scenes lie; below, squares and their sums stay finite.
+// mm: a thousand kilometres, beyond the reach of devices and scenes; below, squares and their sums stay finite.
 constexpr double kFarthest = 1e9;
 
 bool isReading(const SafetyInput& input) {
@@ -19,7 +19,7 @@ bool isReading(const SafetyInput& input) {
          input.velocity.allFinite() && std::isfinite(input.stepSpeed) && input.period > 0.0;
 }
 
-// Without what the device has no motors for.
+// Removes components for which the device has no motors.
 DeviceForce given(DeviceForce asked, const SafetySettings& settings) {
   if (settings.maxTorque == 0.0) asked.torque.setZero();
   if (settings.maxGripperForce == 0.0) asked.gripper = 0.0;
@@ -37,7 +37,7 @@ SafetyChain::SafetyChain(const SafetySettings& settings)
 
 SafetyOutput SafetyChain::process(const SafetyInput& input) noexcept {
   if (!isReading(input)) {
-    // Where the device is not to be trusted, its positions tell nothing of energy either.
+    // The positions of a device that is not to be trusted tell nothing of energy either.
     m_passivity.reset();
     return fault(SafetyAction::DeviceFault);
   }
@@ -51,7 +51,7 @@ SafetyOutput SafetyChain::process(const SafetyInput& input) noexcept {
   DeviceForce force = given(input.asked, m_settings);
   damp(input, force, output.actions);
   scale(input, force, output.actions);
-  if (!isFinite(force)) return fault(SafetyAction::NotFinite);  // sums of what is huge
+  if (!isFinite(force)) return fault(SafetyAction::NotFinite);  // sums of huge values
   const double seconds = std::min(input.period, 2.0 * m_settings.nominalPeriod);
   const DeviceForce slow = slewed(m_last, force, seconds, m_settings);
   if (differ(slow, force)) output.actions.add(SafetyAction::Slew);
@@ -75,7 +75,7 @@ SafetyOutput SafetyChain::fault(SafetyAction why) {
 }
 
 void SafetyChain::damp(const SafetyInput& input, DeviceForce& force, SafetyActions& actions) {
-  // Free space stays free: what the last contact has made there, the friction of the device takes back.
+  // Free space stays free: the friction of the device dissipates the rest of the last contact.
   const Vec3 correction = force.force.isZero(0.0) ? Vec3::Zero().eval() : m_passivity.correction();
   if (!correction.isZero(0.0)) actions.add(SafetyAction::Passivity);
   const Vec3 damping = m_speed.damping(input.velocity);

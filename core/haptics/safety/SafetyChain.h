@@ -17,7 +17,7 @@ struct SafetyInput {
   Vec3 velocity = Vec3::Zero();  // mm/s
   double stepSpeed = 0.0;        // mm/s, of the last step alone, without smoothing
   double period = 0.001;         // s since the tick before, > 0, as it was measured
-  bool isDeviceReady = true;     // and its readings are finite
+  bool isDeviceReady = true;     // the device is ready and its readings are finite
   bool isFresh = true;           // the scene has computed this force in this tick
   bool isDiscontinuous = false;  // the scene, the tool, or the mapping has changed
 };
@@ -26,7 +26,7 @@ struct SafetyInput {
 struct SafetyOutput {
   DeviceForce sent;
   SafetyActions actions;
-  double energy = 0.0;  // N·mm, of the passivity observer
+  double energy = 0.0;  // N·mm, observed by the passivity observer
 };
 
 // Limits every force before it is sent to the device. Stages in this order: non-finite forces to zero; passivity
@@ -36,7 +36,7 @@ class SafetyChain {
  public:
   explicit SafetyChain(const SafetySettings& settings);
 
-  // Computes the force to send. Finite and within the limits whatever the input is.
+  // Computes the force to send. Finite and within the limits for any input.
   SafetyOutput process(const SafetyInput& input) noexcept;
 
   const SafetySettings& settings() const { return m_settings; }

@@ -12,10 +12,10 @@ namespace handwheel {
 SafetySettings safetySettingsFor(const DeviceCapabilities& device, double rate) {
   SafetySettings s;
   s.nominalPeriod = 1.0 / rate;
-  // Where a driver states none, that which the stiffness its maker promises needs at its nominal rate (eq. 2-1).
+  // If a driver states none, the damping that its stated stiffness needs at its nominal rate is taken (eq. 2-1).
   s.inherentDamping =
       device.inherentDamping > 0.0 ? device.inherentDamping : 0.5 * device.maxStiffness / device.nominalRate;
-  // Damping that comes late may push: below b it never makes more than the friction takes (Cauchy and Schwarz, again).
+  // Late damping may push: below b it never makes more than the friction takes (Cauchy and Schwarz, again).
   s.latency = device.latency;
   s.controlDamping =
       device.latency < s.nominalPeriod ? device.maxDamping : std::min(device.maxDamping, s.inherentDamping);
@@ -23,10 +23,11 @@ SafetySettings safetySettingsFor(const DeviceCapabilities& device, double rate) 
   s.energyLimit = 2.0 * device.maxForce * device.workspaceRadius;
   // A velocity is always estimated late, by half the filter's window.
   s.speedDamping = std::min(device.maxDamping, s.inherentDamping);
-  // What only points may be thrown across the scene: nothing can get loose.
+  // A device that only points may be thrown across the scene: nothing can get loose.
   if (device.outputs == 0) s.dampingSpeed = s.cutSpeed = std::numeric_limits<double>::infinity();
-  // Full force in 4 ms at least. And what a hand meets at the stiffest wall that the loop allows, as fast as it may be
-  // before damping sets in: a limit that acted there would lag behind the wall and give back more than it took.
+  // The slew rate reaches full force in 4 ms at least, and is never below that at the stiffest wall that the loop
+  // allows, met as fast as possible before damping sets in. A lower limit would lag behind the wall and give back more
+  // than it took.
   const double full = 0.004;
   const double allowed = stiffnessLimit({s.nominalPeriod, device.latency, s.inherentDamping}, 0.0);
   const double stiffest = device.maxStiffness > 0.0 ? std::min(device.maxStiffness, allowed) : allowed;

@@ -6,16 +6,16 @@
 
 namespace handwheel {
 
-// Damps fast motion of the tip, and cuts the force at excessive speed. That is, faster than normal hand motion, or as
-// fast as a handle that was let go. There is no damping below.
+// Damps fast motion of the tip, and cuts the force at excessive speed. The damping is for motion faster than that of a
+// hand, the cut for the speed of a handle that was let go.
 class SpeedLimit {
  public:
   explicit SpeedLimit(const SafetySettings& settings) : m_settings(settings) {}
 
-  // The damping force, N, for a velocity in mm/s: nothing up to dampingSpeed, then a coefficient that grows in
-  // proportion to the excess up to speedDamping at cutSpeed.
+  // Returns the damping force, N, for a velocity in mm/s. It is zero up to dampingSpeed; then the coefficient grows in
+  // proportion to the excess, up to speedDamping at cutSpeed.
   Vec3 damping(const Vec3& velocity) const;
-  // Whether no force may be sent: from cutSpeed (mm/s) on until the tip is slower than dampingSpeed again.
+  // Returns true if no force may be sent: from cutSpeed (mm/s) on until the tip is slower than dampingSpeed again.
   bool cuts(double speed);
 
  private:

@@ -11,9 +11,9 @@ struct ServoTiming {
   double inherentDamping = 0.0;  // b of the device
 };
 
-// The largest virtual stiffness, N/mm, for which a sampled wall is passive. It is for whatever acts together with the
-// virtual damping B (N·s/mm): K <= (b - |B|) / (T/2 + t_d) (Colgate and Schenkel 1994, eq. 2-1; with a delay Gil et
-// al., JCISE 9(1), 2009). 0 when the damping is not below the device's own.
+// Returns the largest virtual stiffness, N/mm, for which a sampled wall is passive. It applies to everything that acts
+// together with the virtual damping B (N·s/mm): K <= (b - |B|) / (T/2 + t_d) (Colgate and Schenkel 1994, eq. 2-1; with
+// a delay Gil et al., JCISE 9(1), 2009). 0 when the damping is not below the device's own.
 double stiffnessLimit(const ServoTiming& timing, double virtualDamping);
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@ namespace handwheel {
 
 Watchdog::Gains Watchdog::tick(double period, bool isFresh) {
   const double onTime = std::min(period, 2.0 * m_settings.nominalPeriod);
-  // With news only the lateness of this tick counts.
+  // With a new force only the lateness of this tick counts.
   m_stale = isFresh ? period - onTime : m_stale + period;
   const double over = m_stale - m_settings.staleTime;
   const double allowed = over <= 0.0 ? 1.0 : std::max(0.0, 1.0 - over / m_settings.fadeTime);

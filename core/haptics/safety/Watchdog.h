@@ -6,17 +6,16 @@
 
 namespace handwheel {
 
-// Fades the force out when the scene or the loop does not respond. That is, if the scene has computed no new force for
-// a while, or a tick came far too late: the last force is held, then fades to damping alone, then to zero. It recovers
-// slowly.
+// Fades the force out when the scene or the loop does not respond. If the scene has computed no new force for a while,
+// or a tick came far too late, the last force is held, then fades to damping alone, then to zero. It recovers slowly.
 class Watchdog {
  public:
   explicit Watchdog(const SafetySettings& settings) : m_settings(settings) {}
 
   // Factors for one tick.
   struct Gains {
-    double force = 1.0;    // of the scene's force
-    double damping = 0.0;  // of speedDamping, in place of the force that was removed
+    double force = 1.0;    // factor of the scene's force
+    double damping = 0.0;  // factor of speedDamping, which replaces the force that was removed
   };
   // Computes the gains of a tick, `period` seconds after the previous one, with or without a new force from the scene.
   Gains tick(double period, bool isFresh);

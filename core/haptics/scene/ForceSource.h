@@ -17,15 +17,15 @@ struct ForceBounds {
   double damping = 0.0;    // N·s/mm
 };
 
-// Base class of objects that exert a force on the tip. Such as a surface, snap features, a spring, a cutting tool. A
-// scene is a list of them (SceneForces). Created on the window thread; then it belongs to the servo thread, where
+// Base class of objects that exert a force on the tip. Examples are a surface, snap features, a spring, a cutting tool.
+// A scene is a list of them (SceneForces). Created on the window thread; then it belongs to the servo thread, where
 // nothing may lock, allocate, free or call the system.
 //
 // A tick has two phases, because only the sum of all sources tells whether the scene is too stiff for the loop: first
 // all advance() in the order of the list, then all force() with common shares.
 class ForceSource {
  public:
-  // id: unique in its scene; a source continues from the one of the same id in the scene before.
+  // id: unique in its scene; a source continues from the source of the same id in the previous scene.
   explicit ForceSource(std::string id) : m_id(std::move(id)) {}
   virtual ~ForceSource() = default;
   ForceSource(const ForceSource&) = delete;
@@ -36,23 +36,23 @@ class ForceSource {
   // Continues from its predecessor. Called at most once, before the first tick.
   virtual void follow(const ForceSource& previous) noexcept { (void)previous; }
 
-  // Moves its state to the tip and returns the bounds of what force() will give. out: what the sources before it in the
-  // list have set, such as contact; it may set contact, proxy and held place itself.
+  // Moves its state to the tip and returns the bounds of the force that force() will return. out: the values that the
+  // sources before it in the list have set, such as contact; it may set contact, proxy and held position itself.
   virtual ForceBounds advance(const TipState& tip, ForceOut& out) noexcept = 0;
 
-  // The force of this tick, N, with its stiffness and its damping reduced to these shares (0 to 1).
+  // Returns the force of this tick, N, with its stiffness and its damping reduced to these shares (0 to 1).
   virtual Vec3 force(const TipState& tip, double stiffness, double damping) noexcept = 0;
 
-  // The torque of this tick about the tip, N·mm; called after force(). Devices without motors for it get none. What
-  // turns a device more stiffly than its maker allows is the affair of who makes the source: the loop limits its size
-  // and rate alone.
+  // Returns the torque of this tick about the tip, N·mm; called after force(). Devices without motors for it get none.
+  // The loop limits only its size and rate: the creator of the source is responsible for an angular stiffness that the
+  // manufacturer allows.
   virtual Vec3 torque(const TipState& tip) noexcept {
     (void)tip;
     return Vec3::Zero();
   }
 
-  // Whether it pulls the tip somewhere. Such a force may change abruptly when the scene does, and is then blended;
-  // that of a surface must not be, as the tip would sink in.
+  // Returns true if it pulls the tip somewhere. Such a force may change abruptly when the scene does, and is then
+  // blended; that of a surface must not be, as the tip would sink in.
   virtual bool isAttraction() const { return false; }
 
  private:

@@ -15,7 +15,7 @@ struct MeshHaptics {
   std::optional<TouchedSurface> surface;
   std::optional<SnapAttraction> snap;
   std::vector<Spring> springs;
-  Vec3 comesFrom = Vec3::Zero();  // as for SurfaceForce
+  Vec3 comesFrom = Vec3::Zero();  // direction of approach, see SurfaceForce
 };
 
 // The ids of these sources.
@@ -23,7 +23,7 @@ inline constexpr const char* kSurfaceSource = "surface";
 inline constexpr const char* kSnapSource = "snap";
 inline constexpr const char* kSpringSource = "springs";
 
-// The force sources of a mesh. What is absent costs nothing.
+// Returns the force sources of a mesh. Absent ones cost nothing.
 ForceSources forceSources(MeshHaptics mesh);
 
 }  // namespace handwheel

@@ -33,7 +33,7 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
     if (source->isAttraction()) attractionStiffness += bounds.stiffness;
   }
 
-  // Half of what the device can carry leaves as much for the springs.
+  // Damping of at most half of its limit leaves half of the stiffness limit for the springs.
   const double damping = std::min(all.damping, 0.5 * tip.dampingLimit);
   const double room = damping > 0.0 ? 1.0 - damping / tip.dampingLimit : 1.0;
   const double most = tip.stiffnessLimit * room;
@@ -50,9 +50,9 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   }
   const bool isFirst = std::exchange(m_hasFollowed, false);
   if (isFirst) m_gapTime = kChangeOver;
-  // What the hand itself has done to the force since the previous tick is no gap: it is no more than the stiffness
-  // times its way, taken twice for a velocity that comes late. Else scenes that are exchanged often would let the force
-  // lag.
+  // The change of the force by the hand since the previous tick is no gap. It is at most the stiffness times the
+  // distance moved, taken twice for a velocity that comes late. Else scenes that are exchanged often would let the
+  // force lag.
   const double byHand = 2.0 * share * attractionStiffness * tip.velocity.norm() * tip.period;
   out.force = blended(m_force, attraction, isFirst, byHand) + resistance;
   out.torque += blended(m_torque, turning, isFirst, 0.0);

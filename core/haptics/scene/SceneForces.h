@@ -20,14 +20,14 @@ class SceneForces : public ForceRenderer {
   void tick(const TipState& tip, ForceOut& out) noexcept override;
   void follow(const ForceRenderer& previous) noexcept override;
 
-  // The source of this id and type; null: none. For tests and displays.
+  // Returns the source of this id and type; null: none. For tests and displays.
   template <class Source>
   const Source* source(std::string_view id) const {
     return dynamic_cast<const Source*>(find(id));
   }
 
  private:
-  // Of the attractions: in the previous tick, and the excess when this scene followed another.
+  // The sum of the attractions in the previous tick, and its excess when this scene followed another.
   struct Blend {
     Vec3 last = Vec3::Zero();
     Vec3 gap = Vec3::Zero();
@@ -39,7 +39,7 @@ class SceneForces : public ForceRenderer {
   bool m_hasTicked = false;
   Blend m_force;           // N
   Blend m_torque;          // N·mm
-  double m_gapTime = 0.0;  // s until their gaps are none
+  double m_gapTime = 0.0;  // s until the gaps are zero
   bool m_hasFollowed = false;
 };
 

@@ -17,8 +17,8 @@ ForceBounds SnapForce::advance(const TipState& tip, ForceOut& out) noexcept {
   m_pull = by.method == SnapMethod::Proxy ? m_proxy.step(by.field, by.profile, tip.position)
                                           : m_sum.step(by.field, by.profile, tip.position);
   if (by.method == SnapMethod::Proxy) {
-    // On the surface that is felt by itself; this would make it harder than it is meant to be. The force stays
-    // continuous: where the tip meets the surface, the snap force is zero.
+    // On a surface that is touched, the snap force is left out: it would make the surface harder than intended. The
+    // force stays continuous: where the tip meets the surface, the snap force is zero.
     if (isHeldBy(SnapKind::Facet) && out.isContact) {
       m_pull.force.setZero();
       m_pull.slope = 0.0;

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// How snap forces are computed: by SnapProxy or by SnapSum.
+// The methods to compute snap forces: SnapProxy and SnapSum.
 enum class SnapMethod { Proxy, Sum };
 
 // Snap features that attract the tip, with force profile and method.
@@ -16,7 +16,7 @@ struct SnapAttraction {
   SnapField field;
   SnapProfile profile;
   SnapMethod method = SnapMethod::Proxy;
-  std::size_t most = SnapSum::kMost;  // features that act at once by the sum method
+  std::size_t most = SnapSum::kMost;  // largest number of features that act at once by the sum method
 };
 
 // The force of snap features. By the proxy method facets attract only as long as no surface is touched. It continues

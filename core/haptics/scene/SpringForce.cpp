@@ -8,15 +8,15 @@ namespace handwheel {
 
 namespace {
 
-// N·mm, of a spring (N·mm/rad) that turns one orientation to another by the shortest way.
+// Returns the torque, N·mm, of a spring (N·mm/rad) that turns one orientation to another by the shortest rotation.
 Vec3 turningTorque(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double turning) {
   if (turning == 0.0) return Vec3::Zero();
-  const Eigen::Quaterniond way = to * from.conjugate();
-  const double sine = way.vec().norm();
+  const Eigen::Quaterniond rotation = to * from.conjugate();
+  const double sine = rotation.vec().norm();
   if (sine == 0.0) return Vec3::Zero();
-  // A quaternion and its opposite are the same orientation; of the two, the shorter way.
-  const double angle = 2.0 * std::atan2(sine, std::abs(way.w()));
-  return (turning * std::copysign(angle, way.w()) / sine) * way.vec();
+  // A quaternion and its opposite are the same orientation; the smaller angle of the two is taken.
+  const double angle = 2.0 * std::atan2(sine, std::abs(rotation.w()));
+  return (turning * std::copysign(angle, rotation.w()) / sine) * rotation.vec();
 }
 
 }  // namespace

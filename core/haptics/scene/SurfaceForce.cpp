@@ -7,7 +7,7 @@ namespace handwheel {
 SurfaceForce::SurfaceForce(std::string id, TouchedSurface touched, const Vec3& comesFrom)
     : ForceSource(std::move(id)), m_touched(std::move(touched)), m_comesFrom(comesFrom) {}
 
-// In front of another surface the proxy begins at the tip.
+// The proxy begins at the tip in front of another surface.
 void SurfaceForce::follow(const ForceSource& previous) noexcept {
   const auto* other = dynamic_cast<const SurfaceForce*>(&previous);
   if (!other || !other->m_isPlaced || !m_touched.surface.isVersionOf(other->m_touched.surface)) return;
@@ -18,7 +18,7 @@ void SurfaceForce::follow(const ForceSource& previous) noexcept {
 
 ForceBounds SurfaceForce::advance(const TipState& tip, ForceOut& out) noexcept {
   if (tip.isRestart || !m_isPlaced) m_god.place(entryOf(tip.position));
-  m_isPlaced = m_god.contact().proxy.allFinite();  // else at the next tip that is a place
+  m_isPlaced = m_god.contact().proxy.allFinite();  // else at the next tip that is finite
   const Contact& contact = m_god.follow(m_touched.surface, tip.position, m_touched.contact);
   if (!contact.touching) return {};
   out.isContact = true;
@@ -31,7 +31,7 @@ Vec3 SurfaceForce::force(const TipState& tip, double stiffness, double damping) 
                       damping * m_touched.damping);
 }
 
-// Outside of the sphere around the surface.
+// Returns a point outside of the sphere around the surface.
 Vec3 SurfaceForce::entryOf(const Vec3& tip) const {
   const ContactSurface& surface = m_touched.surface;
   if (m_comesFrom.isZero(0.0) || surface.empty()) return tip;

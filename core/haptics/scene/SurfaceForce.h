@@ -21,7 +21,7 @@ class SurfaceForce : public ForceSource {
  public:
   // comesFrom: the direction (unit length, towards the viewer) from which the tip is assumed to approach when it
   // appears, or when the surface appears. So it rests on the surface that is visible there, not inside the solid. Zero:
-  // it appears where it is.
+  // no such assumption.
   SurfaceForce(std::string id, TouchedSurface touched, const Vec3& comesFrom = Vec3::Zero());
 
   void follow(const ForceSource& previous) noexcept override;

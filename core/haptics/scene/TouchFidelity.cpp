@@ -12,8 +12,8 @@ FidelitySetting proxyToleranceSetting() {
   s.label = translatable("Fidelity", "Tolerance of the contact point");
   s.unit = translatable("Fidelity", "diagonals of the model");
   s.scale = FidelityScale::Logarithmic;
-  s.least = 1e-12;   // below what rounding moves it
-  s.largest = 1e-4;  // a hundredth of a millimetre of what fills a hand; beyond, it feels steps
+  s.least = 1e-12;   // below the effect of rounding
+  s.largest = 1e-4;  // a hundredth of a millimetre of an object that fills a hand; beyond, it feels steps
   s.standard = ContactOptions().tolerance;
   s.presets = {s.standard, s.standard, s.standard};
   s.error = {translatable("Fidelity", "RMS distance from its final position"), "mm"};

@@ -8,19 +8,19 @@
 
 namespace handwheel {
 
-// The setting proxy.tolerance: rest tolerance of a proxy (ContactOptions::tolerance). It is a share of the surface's
-// diagonal.
+// Returns the setting proxy.tolerance: rest tolerance of a proxy (ContactOptions::tolerance). It is a share of the
+// surface's diagonal.
 FidelitySetting proxyToleranceSetting();
 
-// The setting servo.rate: ticks per second (ServoSettings::rate). It limits the stiffness of walls (eq. 2-1).
+// Returns the setting servo.rate: ticks per second (ServoSettings::rate). It limits the stiffness of walls (eq. 2-1).
 FidelitySetting servoRateSetting();
 
-// The setting contact.stiffness: stiffness of a touched surface, N/mm. It is reduced to the stiffness limit of the
-// loop.
+// Returns the setting contact.stiffness: stiffness of a touched surface, N/mm. It is reduced to the stiffness limit of
+// the loop.
 FidelitySetting contactStiffnessSetting();
 
-// The setting servo.velocity_window: window of the velocity estimate, s (VelocityEstimator). A short one is noisy, a
-// long one lags.
+// Returns the setting servo.velocity_window: window of the velocity estimate, s (VelocityEstimator). A short one is
+// noisy, a long one lags.
 FidelitySetting velocityWindowSetting();
 
 // Convert the chosen values to settings of loop and scene. Both keep them from their creation on. If no rate was

@@ -18,8 +18,8 @@ struct TipState {
   double gripper = 0.0;          // mm or rad, as the device has it
   double time = 0.0;             // s since the loop started
   double period = 0.001;         // s since the tick before; never more than a few nominal periods
-  // N/mm and N·s/mm, as they are in the scene: what acts with a damping B must not be stiffer than
-  // stiffnessLimit·(1 - B/dampingLimit), and B must stay below (eq. 2-1 with the period and delay that were measured).
+  // Limits in the scene, N/mm and N·s/mm: a force with damping B must not be stiffer than stiffnessLimit·(1 -
+  // B/dampingLimit), and B must stay below dampingLimit (eq. 2-1 with the period and delay that were measured).
   double stiffnessLimit = std::numeric_limits<double>::infinity();
   double dampingLimit = std::numeric_limits<double>::infinity();
   std::uint32_t buttons = 0;  // bit n: button n is held
@@ -32,14 +32,14 @@ struct ForceOut {
   Vec3 force = Vec3::Zero();   // N
   Vec3 torque = Vec3::Zero();  // N·mm
   double gripper = 0.0;        // N
-  Vec3 proxy = Vec3::Zero();   // mm: where the tip is shown
+  Vec3 proxy = Vec3::Zero();   // mm: displayed position of the tip
   bool isContact = false;
   bool isFresh = true;       // false: nothing new since the last tick; the watchdog counts
-  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all that acted, after the limit,
-  double asked = 0.0;        // and before it; not recorded
+  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all that acted, after the limit
+  double asked = 0.0;        // stiffness before the limit; not recorded
   bool isSoftened = false;   // stiffness or damping was more before the limit
-  bool isHeld = false;       // a point or an edge attracts the tip,
-  Vec3 held = Vec3::Zero();  // to here; mm
+  bool isHeld = false;       // a point or an edge attracts the tip
+  Vec3 held = Vec3::Zero();  // position of that attraction, mm
 };
 
 // Computes the force of a scene: contact, snapping, a tool. Created on the window thread with everything it needs; from

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// What deviceForce() undoes: rotations and reflections, whose inverse is their transpose, and the gain.
+// The inverse of deviceForce(): rotations and reflections, whose inverse is their transpose, and the gain.
 ForceTest::ForceTest(double force, const WorkspaceMapping& mapping)
     : m_sceneFromDevice(mapping.sceneFromView.linear() * mapping.viewFromDevice() / mapping.forceGain),
       m_force(force) {}
@@ -17,8 +17,8 @@ void ForceTest::tick(const TipState& tip, ForceOut& out) noexcept {
   const double pulls = (tip.time - m_begin) / kPullTime;
   if (!(pulls >= 0.0 && pulls < 6.0)) return;
   const int pull = static_cast<int>(pulls);
-  const double way = pull % 2 == 0 ? 1.0 : -1.0;
-  out.force = m_sceneFromDevice.col(pull / 2) * (way * m_force * std::sin(M_PI * (pulls - pull)));
+  const double sign = pull % 2 == 0 ? 1.0 : -1.0;
+  out.force = m_sceneFromDevice.col(pull / 2) * (sign * m_force * std::sin(M_PI * (pulls - pull)));
 }
 
 }  // namespace handwheel

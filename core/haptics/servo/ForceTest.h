@@ -20,9 +20,9 @@ class ForceTest : public ForceRenderer {
   void tick(const TipState& tip, ForceOut& out) noexcept override;
 
  private:
-  Eigen::Matrix3d m_sceneFromDevice;  // forces: that in the scene which becomes one at the device
+  Eigen::Matrix3d m_sceneFromDevice;  // for a force at the device, the one in the scene that it results from
   double m_force;
-  double m_begin = 0.0;  // s, of the first tick
+  double m_begin = 0.0;  // s, time of the first tick
   bool m_hasBegun = false;
 };
 

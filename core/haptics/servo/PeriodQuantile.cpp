@@ -8,8 +8,8 @@ namespace handwheel {
 
 void PeriodQuantile::add(double seconds) {
   const double last = static_cast<double>(m_bins.size() - 1);
-  const double place = std::clamp(seconds / m_resolution, 0.0, last);
-  Bin& bin = m_bins[static_cast<std::size_t>(place)];
+  const double position = std::clamp(seconds / m_resolution, 0.0, last);
+  Bin& bin = m_bins[static_cast<std::size_t>(position)];
   ++bin.count;
   bin.longest = std::max(bin.longest, seconds);
   if (++m_count == kWindow) closeWindow();

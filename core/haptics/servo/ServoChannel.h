@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// Lock-free data exchange between the servo thread and other threads. Nobody waits.
+// Lock-free data exchange between the servo thread and other threads. No thread waits.
 struct ServoChannel {
   explicit ServoChannel(std::size_t capacity) : samples(capacity) {}
 

@@ -27,7 +27,7 @@ class ServoLoop {
   ServoLoop& operator=(const ServoLoop&) = delete;
 
   void start();
-  void stop();  // the last thing sent is zero force
+  void stop();  // sends zero force last
   bool isRunning() const { return m_thread.joinable(); }
   // Sets rate and velocity window while it is stopped: the tick count continues, scene and mapping stay, and the force
   // returns by the ramp. References returned by measure() become invalid. The sample capacity does not change.
@@ -43,7 +43,7 @@ class ServoLoop {
     scene->number = ++m_sceneNumber;
     m_channel->scenes.publish(std::move(scene));
   }
-  // The number of the scene that was set last.
+  // Returns the number of the scene that was set last.
   std::uint64_t sceneNumber() const { return m_sceneNumber; }
   // Sets the mapping from the next tick on, and a scene that was made for it: a tick uses both or neither. A mapping
   // that does not keep the tip starts the ramp; before a change of axes, which turns the force, announceDiscontinuity()
@@ -60,13 +60,13 @@ class ServoLoop {
   void announceDiscontinuity() { m_channel->isDiscontinuous.store(true, std::memory_order_release); }
   void setForceOn(bool isOn) { m_channel->isForceOn.store(isOn, std::memory_order_relaxed); }
 
-  // Fetches the next sample; by one thread, the recorder's. False: none.
+  // Fetches the next sample; by one thread, the recorder's. Returns false if there is none.
   bool nextSample(ServoSample& sample) { return m_channel->samples.pop(sample); }
   std::uint64_t droppedSamples() const { return m_channel->samples.dropped(); }
-  // The last tick; by one thread, the window's.
+  // Returns the last tick; by one thread, the window's.
   const ServoSample& latest() { return m_channel->latest.read(); }
 
-  // Any thread.
+  // These may be called on any thread.
   RealTimeState realTime() const { return m_realTime.load(std::memory_order_relaxed); }
   std::uint64_t missedTicks() const { return m_missed.load(std::memory_order_relaxed); }
   const ServoStatistics& measure() const { return m_tick->measure(); }
@@ -85,9 +85,9 @@ class ServoLoop {
   std::unique_ptr<ServoTick> m_tick;
   int m_priority;
   std::int64_t m_period;      // ns
-  NumberedMapping m_mapping;  // as it was set last
+  NumberedMapping m_mapping;  // the mapping that was set last
   std::uint64_t m_sceneNumber = 0;
-  std::int64_t m_due = 0;  // ns: when the next tick is to come
+  std::int64_t m_due = 0;  // ns: due time of the next tick
   std::thread m_thread;
   std::atomic<bool> m_isStopping{false};
   std::atomic<RealTimeState> m_realTime{RealTimeState::NotRunning};

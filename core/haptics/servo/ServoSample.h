@@ -14,7 +14,7 @@ namespace handwheel {
 struct ServoSample {
   std::uint64_t tick = 0;
   TipState tip;   // in the scene
-  ForceOut felt;  // what the scene asked for
+  ForceOut felt;  // the force that the scene asked for
   DeviceState device;
   DeviceForce sent;  // to the motors, in the frame of the device
   SafetyActions actions;

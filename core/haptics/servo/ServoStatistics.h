@@ -15,12 +15,12 @@ class ServoStatistics {
  public:
   ServoStatistics(const DeviceCapabilities& device, double inherentDamping, double nominalPeriod);
 
-  void addPeriod(double seconds);    // from tick to tick
-  void addDelay(double seconds);     // from reading the device to writing it
-  void addLateness(double seconds);  // from when a tick was due to when it came
+  void addPeriod(double seconds);    // time from tick to tick
+  void addDelay(double seconds);     // time from reading the device to writing it
+  void addLateness(double seconds);  // time from the due time of a tick to its start
 
-  // The stiffness limit at the device, N/mm, without virtual damping. It follows the measurements within half a second,
-  // so that no step is felt. Never more than the manufacturer states; unlimited for a device without motors.
+  // Returns the stiffness limit at the device, N/mm, without virtual damping. It follows the measurements within half a
+  // second, so that no step is felt. Never more than the manufacturer states; unlimited for a device without motors.
   double stiffnessLimit() const { return m_limit; }
 
   double nominalPeriod() const { return m_nominalPeriod; }  // s

@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kLongestGap = 1.0;      // s: a longer one is the clock that jumped, or a machine that slept
-constexpr double kLongestPeriods = 4.0;  // nominal ones, that a scene hears of
+constexpr double kLongestPeriods = 4.0;  // nominal periods, the most that a scene is told
 
 double rateOf(const ServoSettings& settings, const DeviceCapabilities& device) {
   const double rate = settings.rate == 0.0 ? device.nominalRate : settings.rate;
@@ -88,7 +88,8 @@ void ServoTick::resumeFrom(const ServoTick& before) {
   m_time = before.m_time;
 }
 
-// The seconds since the last tick by the clock. A clock that stands or goes back counts as a tick in time.
+// Returns the seconds since the last tick by the clock. A clock that stands still or goes back counts as a tick in
+// time.
 double ServoTick::advance(std::int64_t now) {
   const double nominal = nominalPeriod();
   const double gap = m_hasLast ? static_cast<double>(now - m_last) / kNanoseconds : nominal;
@@ -100,9 +101,9 @@ double ServoTick::advance(std::int64_t now) {
   return period;
 }
 
-// Returns whether the force may leap with what has come in. The owner announces a leap first, and hands over a scene
-// before the mapping that it was made for; looked for the other way round, a tick that finds the later finds the
-// earlier, too.
+// Returns true if the force may leap with the new data. The owner announces a leap first, and hands over a scene before
+// the mapping that it was made for; they are read in reverse order, so a tick that finds the later finds the earlier,
+// too.
 bool ServoTick::takeNews() {
   const NumberedMapping& requested = m_channel.mapping.read();
   const auto taken = m_channel.scenes.take();
@@ -140,16 +141,16 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   m_proxy = sample.felt.proxy.allFinite() ? sample.felt.proxy : placed.position;
   input.isDiscontinuous = input.isDiscontinuous || isMoveFelt(input.asked);
   const bool isForceOn = m_channel.isForceOn.load(std::memory_order_relaxed);
-  // While the clutch holds the tip, the force of its place would push the hand about.
+  // While the clutch holds the tip, the force at its position would push the hand about.
   if (!isForceOn || placed.isHeld) input.asked = {};
   if (isForceOn && !m_wasForceOn) input.isDiscontinuous = true;
   m_wasForceOn = isForceOn;
 }
 
-// Whether another view has changed force or torque by more than may be felt at once. The hand has no part in it: in the
-// tick that takes up a mapping the tip does not follow it, or has leapt.
+// Returns true if another view has changed force or torque by more than may be felt at once. The hand has no part in
+// it: in the tick that takes up a mapping the tip does not follow it, or has leapt.
 bool ServoTick::isMoveFelt(const DeviceForce& asked) {
-  constexpr double kFeltTurn = 0.025;  // of the largest torque, as the threshold of force is of usual devices
+  constexpr double kFeltTurn = 0.025;  // share of the largest torque, like the threshold of force for usual devices
   const SafetySettings& safety = m_chain.settings();
   const double change = (asked.force - m_asked.force).norm(), turn = (asked.torque - m_asked.torque).norm();
   const bool isTurnFelt = safety.maxTorque > 0.0 && !(turn <= kFeltTurn * safety.maxTorque);

@@ -15,8 +15,8 @@ namespace handwheel {
 struct ServoSettings {
   double rate = 0.0;  // ticks a second, kept within kLeastServoRate and kLargestServoRate; 0: the device's nominal rate
   double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity
-  int priority = 80;                                           // of SCHED_FIFO
-  std::size_t samples = 16384;                                 // that may wait to be fetched: 16 s at 1 kHz
+  int priority = 80;                                           // SCHED_FIFO priority
+  std::size_t samples = 16384;                                 // samples that may wait to be fetched: 16 s at 1 kHz
 
   bool operator==(const ServoSettings&) const = default;
 };
@@ -62,19 +62,19 @@ class ServoTick {
   ServoStatistics m_measure;
   DeviceMotionEstimator m_motion;
   WorkspaceMapper m_mapper;
-  ForceRenderer* m_renderer = nullptr;  // of the scene that the channel has handed over,
+  ForceRenderer* m_renderer = nullptr;  // renderer of the scene that the channel has handed over,
   std::uint64_t m_sceneNumber = 0;      // and its number
   std::uint64_t m_mappingNumber = 0;
   std::uint64_t m_tick = 0;
-  std::int64_t m_last = 0;  // ns: when the tick before was woken
+  std::int64_t m_last = 0;  // ns: time when the previous tick was woken
   double m_time = 0.0;      // s
   bool m_hasLast = false;
   bool m_wasReady = false;
   bool m_wasHeld = false;
   bool m_wasForceOn = true;
-  bool m_isRestart = true;      // the tip does not come from where it was
-  bool m_isMoved = false;       // the mapping is another than in the tick before, of which:
-  Vec3 m_proxy = Vec3::Zero();  // mm, in the scene
+  bool m_isRestart = true;      // the tip does not continue from its last position
+  bool m_isMoved = false;       // the mapping differs from that of the previous tick
+  Vec3 m_proxy = Vec3::Zero();  // proxy of the previous tick, mm, in the scene
   DeviceForce m_asked;
 };
 

@@ -15,7 +15,7 @@ template <class T>
 class SnapshotSlot {
  public:
   SnapshotSlot() = default;
-  ~SnapshotSlot() {  // when neither thread uses it any more
+  ~SnapshotSlot() {  // to be called when neither thread uses it any more
     delete m_incoming.load(std::memory_order_relaxed);
     delete m_retired.load(std::memory_order_relaxed);
     delete m_leaving;
@@ -30,7 +30,7 @@ class SnapshotSlot {
     collect();
   }
 
-  // Producer thread, now and then: frees the snapshot that the real-time thread no longer uses. Returns whether there
+  // Frees the snapshot that the real-time thread no longer uses. Returns true if there
   // was one.
   bool collect() {
     const std::unique_ptr<T> retired(m_retired.exchange(nullptr, std::memory_order_acq_rel));
@@ -40,7 +40,7 @@ class SnapshotSlot {
   // Result of take(), which the real-time thread calls.
   struct Taken {
     T* current = nullptr;         // in use until the next take(); null before the first
-    const T* previous = nullptr;  // the one before, when current is new now; readable until the next take()
+    const T* previous = nullptr;  // the one before, if current is new; readable until the next take()
     bool isNew = false;
   };
   Taken take() noexcept {
@@ -60,7 +60,7 @@ class SnapshotSlot {
  private:
   std::atomic<T*> m_incoming{nullptr};
   std::atomic<T*> m_retired{nullptr};
-  T* m_current = nullptr;  // the real-time thread's
+  T* m_current = nullptr;  // owned by the real-time thread
   T* m_leaving = nullptr;
 };
 

@@ -7,12 +7,12 @@
 namespace handwheel {
 
 void TimingHistogram::add(double seconds) noexcept {
-  const double place = seconds / m_binSeconds;
+  const double position = seconds / m_binSeconds;
   std::size_t bin = 0;
-  if (place >= static_cast<double>(kBins - 1))
+  if (position >= static_cast<double>(kBins - 1))
     bin = kBins - 1;
-  else if (place > 0.0)  // not so for NaN
-    bin = static_cast<std::size_t>(place);
+  else if (position > 0.0)  // not so for NaN
+    bin = static_cast<std::size_t>(position);
   m_counts[bin].fetch_add(1, std::memory_order_relaxed);
 }
 

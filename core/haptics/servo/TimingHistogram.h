@@ -21,7 +21,7 @@ class TimingHistogram {
   void add(double seconds) noexcept;
   Counts counts() const;
   double binSeconds() const { return m_binSeconds; }
-  // The quantile for a share (0 to 1), as the upper end, s, of its bin; 0 without values.
+  // Returns the quantile for a share (0 to 1), as the upper end, s, of its bin; 0 without values.
   double quantile(double share) const;
 
  private:

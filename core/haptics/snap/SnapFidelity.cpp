@@ -13,7 +13,7 @@ FidelitySetting snapRadiusSetting() {
   s.label = translatable("Fidelity", "Snap distance");
   s.unit = translatable("Fidelity", "distances between features");
   s.scale = FidelityScale::Logarithmic;
-  s.least = 0.3;  // what is smaller is hardly ever hit
+  s.least = 0.3;  // smaller features are hardly ever hit
   s.largest = 3.0;
   s.standard = 0.4;
   s.presets = {0.4, 0.4, 0.4};

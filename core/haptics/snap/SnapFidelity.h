@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// The setting snap.radius: snap distance, in mean distances between neighbouring features. If small, features are hard
-// to hit; if large, the one held last is hard to leave.
+// Returns the setting snap.radius: snap distance, in mean distances between neighbouring features. If small, features
+// are hard to hit; if large, the one held last is hard to leave.
 FidelitySetting snapRadiusSetting();
 
-// The setting snap.features: how many features act at once in SnapSum.
+// Returns the setting snap.features: number of features that act at once in SnapSum.
 FidelitySetting snapFeaturesSetting();
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@ bool isLess(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-// Of a curve its pieces belong together, and none of them may go.
+// The pieces of a curve belong together, and none of them may be removed.
 bool isAlone(const SnapItem& item) {
   return item.feature.kind != SnapKind::Curve;
 }
@@ -25,10 +25,10 @@ bool isLess(const SnapItem& a, const SnapItem& b) {
   return a.feature.id < b.feature.id;
 }
 
-// Equal features become one that counts as often, with the lowest number: thousands at one place cost what one costs.
+// Equal features become one that counts as often, with the lowest number: thousands at one point cost as much as one.
 void mergeEqual(std::vector<SnapItem>& items) {
   for (SnapItem& item : items) {
-    // In one order of the ends; those of a segment are the first and the repeated last.
+    // The points are in one order of the ends; those of a segment are the first and the repeated last.
     auto& p = item.points;
     const auto less = [](const Vec3& a, const Vec3& b) { return isLess(a, b); };
     if (item.shape == SnapItem::Shape::Facet) std::sort(p.begin(), p.end(), less);
@@ -62,7 +62,7 @@ SnapField::SnapField(const SnapFeatures& features, Progress progress) {
       p -= m_origin;
       largest = std::max(largest, p.cwiseAbs().maxCoeff());
     }
-    // A nearest point on it is computed, that of a point is the point.
+    // The nearest point on it is computed; that of a point is exact.
     if (item.shape != SnapItem::Shape::Point)
       item.rounding = static_cast<float>(std::min(kQueryRounding * largest, 1e30));
     points.insert(points.end(), item.points.begin(), item.points.end());

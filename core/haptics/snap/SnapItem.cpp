@@ -7,8 +7,8 @@
 namespace handwheel {
 namespace {
 
-// Whether the end is what a segment from it to `other` has nearest to p. Segments and joints must answer alike to the
-// last bit: hence one function, called and not inlined.
+// Returns true if the end is the point nearest to p on a segment from it to `other`. Segments and joints must agree to
+// the last bit: hence one function, called and not inlined.
 [[gnu::noinline]] bool isBeyond(const Vec3& p, const Vec3& end, const Vec3& other) {
   return (p - end).dot(other - end) <= 0.0;
 }

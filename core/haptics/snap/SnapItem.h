@@ -27,18 +27,17 @@ struct SnapFeature {
 struct SnapItem {
   enum class Shape : std::uint8_t { Point, Segment, Facet, Joint };
 
-  std::array<Vec3, 3>
-      points;  // those that the shape needs; of a joint its place and its two neighbours. The rest repeat
+  std::array<Vec3, 3> points;  // points of the shape; for a joint, itself and its two neighbours. Unused ones repeat
   SnapFeature feature;
   Shape shape = Shape::Point;
-  std::array<bool, 2> yields = {};  // a segment to a joint at its first, second end
+  std::array<bool, 2> yields = {};  // a segment yields to the joint at its first, second end
   float weight = 1.0f;              // number of equal features that it represents
-  float rounding = 0.0f;            // mm: rounding tolerance, a place within it of one of its points may be that point
+  float rounding = 0.0f;            // mm: rounding tolerance; a point within it of one of its points may be that point
 
-  // 0 of points, 1 of segments, curves and their joints, 2 of triangles.
+  // Returns 0 for points, 1 for segments, curves and their joints, 2 for triangles.
   std::size_t dimension() const;
   Vec3 closestTo(const Vec3& p) const;
-  // The factor of its force in a sum at p: the weight; 0 of a segment that yields, -1 to 1 of a joint.
+  // Returns the factor of its force in a sum at p: the weight; 0 for a segment that yields, -1 to 1 for a joint.
   double countAt(const Vec3& p) const;
 };
 

@@ -26,7 +26,8 @@ SnapLayer::Hold SnapLayer::nearest(const Reach& reach) const {
   const double scale2 = m_frame.scale() * m_frame.scale();
   const double handLimit = reach.distance * reach.distance * scale2;
   Hold best;
-  double limit = isFree ? std::min(reach.fromProxy, reach.distance) : reach.fromProxy;  // that of the best, and a tie
+  // distance of the best, and a tie
+  double limit = isFree ? std::min(reach.fromProxy, reach.distance) : reach.fromProxy;
   std::uint32_t seen = 0;
   const auto look = [&](std::uint32_t i) {
     const SnapItem& item = m_items[i];

@@ -11,12 +11,12 @@
 
 namespace handwheel {
 
-// Lower bound of the squared distance from a point to a box. As PointToBox, but in single precision and on all axes at
-// once, for the servo thread: never more than the squared distance of what is in the box.
+// Lower bound of the squared distance from a point to a box. Like PointToBox, but in single precision and on all axes
+// at once, for the servo thread: never more than the squared distance of what is in the box.
 class SnapBound {
  public:
   explicit SnapBound(const Vec3& p) {
-    // As BoxFrame::around() has it: what rounding to float leaves of it covers the rest.
+    // The same margin as in BoxFrame::around(): it covers the rounding to float.
     const double margin = std::ldexp(p.cwiseAbs().maxCoeff(), -22) + 1e-37;
     m_low.head<3>() = (p.array() - margin).cast<float>();
     m_high.head<3>() = (p.array() + margin).cast<float>();
@@ -24,7 +24,7 @@ class SnapBound {
 
   double squaredDistance(const FloatBox& box) const {
     const Eigen::Array4f d = (box.low - m_high).max(m_low - box.high).max(0.0f);
-    // In double, where they neither overflow nor vanish. The fourth of a row is no coordinate.
+    // In double precision they neither overflow nor vanish. The fourth element of a row is no coordinate.
     const double x = d[0], y = d[1], z = d[2];
     return (x * x + y * y + z * z) * (1.0 - 1e-6);
   }
@@ -38,8 +38,9 @@ class SnapBound {
 // end after kMostItems items, having begun with the nearest boxes.
 class SnapLayer {
  public:
-  // Most items visited by a query, which takes a fraction of a millisecond. No setting, but the guard of a tick: what
-  // it cuts short says so. How many features count is the fidelity setting snap.features.
+  // Largest number of items visited by a query, which takes a fraction of a millisecond. Not a fidelity setting, but
+  // the guard of a tick: results that it cuts short say so. The number of features that count is the fidelity setting
+  // snap.features.
   static constexpr std::uint32_t kMostItems = 4096;
 
   // Result of a nearest-item query.
@@ -54,11 +55,11 @@ class SnapLayer {
   struct Reach {
     Vec3 hand = Vec3::Zero();
     Vec3 proxy = Vec3::Zero();
-    double distance = 0.0;   // mm: items are considered that are not further from the tip,
-    double fromProxy = 0.0;  // nor further than this from the proxy.
+    double distance = 0.0;   // mm: items further from the tip are ignored,
+    double fromProxy = 0.0;  // and items further than this from the proxy
     double tie = 0.0;        // mm: distances that differ by less are equal
     SnapFeature held = {};   // preferred when all else is equal
-    bool onlyHeld = false;   // nothing else is looked at
+    bool onlyHeld = false;   // only the held feature is considered
   };
 
   SnapLayer() = default;
@@ -68,12 +69,12 @@ class SnapLayer {
   bool empty() const { return m_items.empty(); }
   const SnapItem& item(std::uint32_t i) const { return m_items[i]; }
 
-  // The item nearest to the proxy; of those equally near the one nearest to the tip, then the one that is held, then
-  // the one with the lowest number. An item of kNone when nothing is in reach.
+  // Returns the item nearest to the proxy; of those equally near the one nearest to the tip, then the one that is held,
+  // then the one with the lowest number. The item is kNone if nothing is in reach.
   Hold nearest(const Reach& reach) const;
 
   // Calls visit(item, its nearest point, squared distance) for the items nearer to p than the square root of limit(),
-  // which may fall on the way. False when kMostItems was reached.
+  // which may decrease in the course of this. Returns false if kMostItems was reached.
   template <class Limit, class Visit>
   bool forEachNear(const Vec3& p, Limit limit, Visit visit) const {
     const SnapBound point(m_frame.toFrame(p));

@@ -33,7 +33,7 @@ double SnapProfile::force(double x) const {
     case SnapShape::Quadratic:
       return 2.0 * m_stiffness * x * (left / m_distance);
     case SnapShape::Gaussian:
-      // g(x) / g(0) = exp(4 kBorder u (1 - u)) with u = x/ls. So nothing cancels at either border.
+      // With g(x) / g(0) = exp(4 kBorder u (1 - u)) and u = x/ls nothing cancels at either border.
       return 0.5 * m_stiffness * m_distance *
              (std::expm1(4.0 * kBorder * (x / m_distance) * (left / m_distance)) / std::expm1(kBorder));
   }

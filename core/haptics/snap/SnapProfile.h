@@ -26,12 +26,13 @@ class SnapProfile {
   SnapShape shape() const { return m_shape; }
   double stiffness() const { return m_stiffness; }
   double distance() const { return m_distance; }
-  // The same with another snap distance.
+  // Returns the same profile with another snap distance.
   SnapProfile within(double distance) const { return {m_shape, m_stiffness, distance}; }
 
-  // N, towards the constraint. 0 outside 0 < x < ls and for NaN.
+  // Returns the force towards the constraint, N. 0 outside 0 < x < ls and for NaN.
   double force(double x) const;
-  // The largest |dF/dx| in 0 < x < ls, N/mm, for the stiffness limit. The spring's discontinuity at ls comes on top.
+  // Returns the largest |dF/dx| in 0 < x < ls, N/mm, for the stiffness limit. The spring's discontinuity at ls comes on
+  // top.
   double largestSlope() const;
   double peak() const;  // N; the spring's is just before its discontinuity
   double leap() const;  // N, the discontinuity at x = ls

@@ -7,8 +7,8 @@
 namespace handwheel {
 namespace {
 
-// Features that a proxy passes in one tick: more follow in the next. No trade, but a bound of a tick: each is passed
-// exactly, so a proxy is late by ticks, and not elsewhere.
+// Features that a proxy passes in one tick: more follow in the next. A bound of a tick, not a fidelity setting: each is
+// passed exactly, so the proxy is late, but not wrong.
 constexpr int kMostHops = 8;
 
 }  // namespace
@@ -43,14 +43,14 @@ SnapResult SnapProxy::step(const SnapField& field, const SnapProfile& profile, c
   return pull;
 }
 
-// What is held, at the proxy, while it is in reach of the hand; else what is closest to the proxy, of the highest
-// dimension in reach.
+// Returns the held feature, at the proxy, while it is in reach of the hand; else the one closest to the proxy, of the
+// highest dimension in reach.
 SnapLayer::Hold SnapProxy::capture(const SnapField& field, const SnapLayer::Reach& reach) {
   if (m_isHeld) {
     SnapLayer::Reach here = reach;
     here.fromProxy = reach.tie;
     if (const Hold hold = field.layer(m_dimension).nearest(here); hold.item != kNone) return hold;
-    // Of a curve the hand may have left the segment that held, and not yet the curve.
+    // The hand may have left the segment of a curve that held it, and not yet the curve.
     here = reach;
     here.onlyHeld = true;
     const bool isCurve = m_held.kind == SnapKind::Curve;
@@ -65,7 +65,7 @@ SnapLayer::Hold SnapProxy::capture(const SnapField& field, const SnapLayer::Reac
   return {};
 }
 
-// On to neighbours as long as they are closer to the hand. A curve of very short segments is passed in one stride.
+// Goes on to neighbours as long as they are closer to the hand. A curve of very short segments is passed in one stride.
 SnapLayer::Hold SnapProxy::slide(const SnapLayer& layer, SnapLayer::Reach reach, Hold hold) const {
   for (int hop = 0; hop < kMostHops; ++hop) {
     reach.proxy = hold.point;
@@ -81,7 +81,7 @@ SnapLayer::Hold SnapProxy::slide(const SnapLayer& layer, SnapLayer::Reach reach,
   return layer.nearest(reach);
 }
 
-// To what is of a lower dimension and near the proxy, and from there on.
+// Goes to features of a lower dimension near the proxy, and on from there.
 SnapLayer::Hold SnapProxy::descend(const SnapField& field, SnapLayer::Reach reach, Hold hold) {
   for (std::size_t d = m_dimension; d-- > 0;) {
     reach.proxy = hold.point;

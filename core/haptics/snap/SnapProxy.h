@@ -10,18 +10,19 @@ namespace handwheel {
 
 // Snap force by the proxy method, with one feature at a time. That feature holds the proxy, and the force pulls the tip
 // to it.
-// - Of features of one dimension the one closest to the proxy; of those equally close, as at the edge that two
-//   triangles share, the one closest to the tip. So what is held stays held until the tip is further than the snap
-//   distance from it, and the proxy slides over a fan of triangles and along a curve.
-// - Of different dimensions first the highest; when the proxy comes within the snap distance of a lower one that is in
-//   reach of the tip, that: slide along a line, snap to its end.
+// - Among features of one dimension, it is the one closest to the proxy; of those equally close, as at the edge that
+//   two triangles share, the one closest to the tip. So a held feature stays held until the tip is further than the
+//   snap distance from it, and the proxy slides over a fan of triangles and along a curve.
+// - Among different dimensions, it is first the highest; when the proxy comes within the snap distance of a lower one
+//   that is in reach of the tip, it is that one: slide along a line, snap to its end.
 // The held feature is identified by its position, so it survives a new field after an edit; when it is gone, the servo
 // loop ramps the discontinuity. The force may be discontinuous when the feature changes.
 //
 // Servo thread only; no allocation.
 class SnapProxy {
  public:
-  // The pull on the device tip at `hand` (mm) in this tick. If it is not finite, nothing, and what is held stays held.
+  // Returns the pull on the device tip at `hand` (mm) in this tick. If the position is not finite, there is no pull,
+  // and the held feature stays held.
   SnapResult step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
 
   // Releases the held feature: when snapping begins, or after the clutch was used.

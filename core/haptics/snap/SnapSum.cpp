@@ -41,7 +41,8 @@ void SnapSum::add(const Term& term) {
   if (m_size == 2 * m_most + 2) keepNearest();
 }
 
-// Those that may act and the first that may not, which stands last. In linear time, and rarely: a heap takes longer.
+// Keeps the terms that may act, and the first that may not as the last. In linear time, and rarely: a heap takes
+// longer.
 void SnapSum::keepNearest() {
   const auto begin = m_terms.begin();
   const auto last = begin + static_cast<std::ptrdiff_t>(m_most);
@@ -51,7 +52,7 @@ void SnapSum::keepNearest() {
   m_limit2 = last->distance2;
 }
 
-// The nearest terms; the snap distance that is left.
+// Collects the nearest terms; returns the snap distance that is left.
 double SnapSum::gather(const SnapField& field, double distance, const Vec3& hand, bool& isCutShort) {
   m_size = 0;
   m_limit2 = distance * distance;
@@ -87,7 +88,7 @@ SnapResult SnapSum::step(const SnapField& field, const SnapProfile& profile, con
     if (x >= acting.distance()) continue;
     pull.slope += std::abs(term.count) * slope;
     strongest.add(term.feature, std::abs(term.count) * force);
-    if (force > 0.0) pull.force += (term.count * force / x) * term.way;
+    if (force > 0.0) pull.force += (term.count * force / x) * term.displacement;
   }
   return pull;
 }

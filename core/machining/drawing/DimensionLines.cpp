@@ -9,16 +9,16 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kText = 3.5;                       // mm, height
+constexpr double kText = 3.5;                       // mm, text height
 constexpr double kTextGap = 1.0;                    // mm, between lines and texts
-constexpr double kOverrun = 2.0;                    // mm, of extension lines
-constexpr double kArrowRoom = 8.0;                  // mm: arrows are inside of what is longer
-constexpr double kArrowOutside = 6.0;               // mm, of the line behind arrows that are outside
+constexpr double kOverrun = 2.0;                    // mm, overrun of extension lines
+constexpr double kArrowRoom = 8.0;                  // mm; longer dimensions have their arrows inside
+constexpr double kArrowOutside = 6.0;               // mm, line behind outside arrows
 constexpr double kRow = 8.0;                        // mm, between rows
 constexpr double kNoteRow = 7.0;                    // mm
 constexpr double kLeader = 9.0;                     // mm
-constexpr double kSign = 4.5;                       // mm, wide: of roughness
-constexpr double kColumn = kText + 3.0 * kTextGap;  // mm, of a text that runs up
+constexpr double kSign = 4.5;                       // mm, width of the roughness sign
+constexpr double kColumn = kText + 3.0 * kTextGap;  // mm, width of a text that runs up
 constexpr std::size_t kMostRows = 7;                // more lengths are running dimensions
 
 const ProfilePoint kUp(0, 1), kRight(1, 0);
@@ -40,18 +40,18 @@ std::vector<double> spread(const std::vector<double>& wanted, double gap) {
       pools.back() = {pools.back().sum + last.sum, pools.back().count + last.count};
     }
   }
-  std::vector<double> places;
+  std::vector<double> positions;
   for (const Pool& pool : pools) {
     for (std::size_t k = 0; k < pool.count; ++k)
-      places.push_back(pool.mean() + gap * static_cast<double>(places.size()));
+      positions.push_back(pool.mean() + gap * static_cast<double>(positions.size()));
   }
-  return places;
+  return positions;
 }
 
 void DimensionLines::add(const PartDimensions& dimensions) {
   Notes notes = dimensions.notes;
   addDiameters(dimensions, notes);
-  const double bottom = m_sheet.box().min().y(), top = m_place.origin.y() + m_place.scale * m_part.largestRadius();
+  const double bottom = m_sheet.box().min().y(), top = m_layout.origin.y() + m_layout.scale * m_part.largestRadius();
   addLengths(dimensions.outerHeights, dimensions.spans, false, bottom);
   std::vector<double> inner = dimensions.innerHeights;
   if (!inner.empty()) inner.push_back(m_part.upperEnd());
@@ -59,9 +59,9 @@ void DimensionLines::add(const PartDimensions& dimensions) {
 }
 
 void DimensionLines::addDiameters(const PartDimensions& dimensions, Notes& notes) {
-  std::vector<double> taken;  // x of lines
+  std::vector<double> taken;  // x of vertical lines
   for (const PartDimensions::Diameter& d : dimensions.diameters) {
-    const double from = m_place.at(0.0, d.low).x() + kText + kTextGap, to = m_place.at(0.0, d.high).x() - kTextGap;
+    const double from = m_layout.at(0.0, d.low).x() + kText + kTextGap, to = m_layout.at(0.0, d.high).x() - kTextGap;
     const auto isFree = [&](double at) {
       return std::none_of(taken.begin(), taken.end(), [&](double t) { return std::abs(t - at) < kColumn; });
     };
@@ -79,10 +79,10 @@ void DimensionLines::addDiameters(const PartDimensions& dimensions, Notes& notes
   }
 }
 
-// A vertical line across the part, the text beside it below the axis, where nothing is hatched, or below the part. In
-// the half section a bore has one arrow, and the line ends beyond the axis (ISO 129-1).
+// Draws a vertical line across the part, with the text beside it below the axis, where nothing is hatched, or below the
+// part. In the half section a bore has one arrow, and the line ends beyond the axis (ISO 129-1).
 void DimensionLines::addDiameter(const PartDimensions::Diameter& d, double x) {
-  const double axis = m_place.origin.y(), high = axis + 0.5 * m_place.scale * d.value;
+  const double axis = m_layout.origin.y(), high = axis + 0.5 * m_layout.scale * d.value;
   const double low = 2.0 * axis - high, width = widthOf(d.text, kText);
   const bool isInside = high - low > 2.0 * kArrowRoom;
   double text = d.isInner ? axis - width - 2.0 * kTextGap : low + 4.0, bottom = d.isInner ? text - kTextGap : low;
@@ -94,21 +94,21 @@ void DimensionLines::addDiameter(const PartDimensions::Diameter& d, double x) {
   m_sheet.texts.push_back({{x - kTextGap, text}, d.text, kText, Sheet::Align::Left, true});
 }
 
-// From the surface to a line of dimensions.
+// Draws an extension line from the surface to a line of dimensions.
 void DimensionLines::extend(double z, double y, bool isAbove) {
   const auto extent = m_part.extentAt(z);
   const double r = extent ? extent->outer : 0.0;
-  const ProfilePoint start = m_place.at(isAbove ? r : -r, z);
+  const ProfilePoint start = m_layout.at(isAbove ? r : -r, z);
   m_sheet.line({start.x(), start.y() + (isAbove ? kTextGap : -kTextGap)}, {start.x(), y});
 }
 
 void DimensionLines::addLength(const PartDimensions::Length& length, double y, bool isAbove) {
-  const double a = m_place.at(0.0, length.from).x(), b = m_place.at(0.0, length.to).x();
+  const double a = m_layout.at(0.0, length.from).x(), b = m_layout.at(0.0, length.to).x();
   const double width = widthOf(length.text, kText);
   const bool isInside = b - a > 2.0 * kArrowRoom, hasRoom = b - a > width + 2.0 * kTextGap + (isInside ? 6.0 : 0.0);
   for (const double z : {length.from, length.to}) extend(z, y + (isAbove ? kOverrun : -kOverrun), isAbove);
   const double outside = isInside ? 0.0 : kArrowOutside;
-  // What has no room stands to the right, where no extension line goes further out.
+  // A text without room inside goes to the right, where no extension line goes further out.
   m_sheet.line({a - outside, y}, {b + outside + (hasRoom ? 0.0 : width + 2.0 * kTextGap), y});
   m_sheet.arrow({a, y}, isInside ? ProfilePoint(-kRight) : kRight);
   m_sheet.arrow({b, y}, isInside ? kRight : ProfilePoint(-kRight));
@@ -136,23 +136,23 @@ double DimensionLines::addLengths(std::vector<double> heights, const std::vector
 // which have a kink where their neighbours are too near.
 double DimensionLines::addRunning(const std::vector<double>& heights, bool isAbove, double start) {
   constexpr double kKink = 6.0;  // mm
-  const double out = isAbove ? 1.0 : -1.0, end = heights.back(), origin = m_place.at(0.0, end).x();
+  const double out = isAbove ? 1.0 : -1.0, end = heights.back(), origin = m_layout.at(0.0, end).x();
   std::vector<double> wanted;
   double longest = 0.0;
   std::vector<std::string> texts;
   for (const double z : heights) {
-    wanted.push_back(m_place.at(0.0, z).x());
+    wanted.push_back(m_layout.at(0.0, z).x());
     texts.push_back(toleratedText(m_title, DrawnTolerance::Of::Length, end - z, z, end, {}));
     longest = std::max(longest, widthOf(texts.back(), kText));
   }
-  const std::vector<double> places = spread(wanted, kColumn);
+  const std::vector<double> positions = spread(wanted, kColumn);
   m_sheet.line({wanted.front(), start}, {origin, start});
   for (const double half : {M_PI, 2.0 * M_PI})
     m_sheet.strokes.push_back({arcAround({origin, start}, 1.0, half - M_PI, half), Sheet::Line::Narrow});
   for (std::size_t i = 0; i < heights.size(); ++i) {
     extend(heights[i], start + out * kTextGap, isAbove);
     if (i + 1 < heights.size()) m_sheet.arrow({wanted[i], start}, ProfilePoint(-kRight));
-    const ProfilePoint kink(places[i], start + out * kKink);
+    const ProfilePoint kink(positions[i], start + out * kKink);
     m_sheet.line({wanted[i], start + out * kTextGap}, kink);
     m_sheet.line(kink, {kink.x(), kink.y() + out * (longest + kTextGap)});
     m_sheet.texts.push_back({{kink.x() - kTextGap, isAbove ? kink.y() + kTextGap : kink.y() - kTextGap},
@@ -168,9 +168,9 @@ double DimensionLines::addRunning(const std::vector<double>& heights, bool isAbo
 // leader crosses the text of another one.
 void DimensionLines::addNotes(Notes notes, double first) {
   std::stable_sort(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.at.y() > b.at.y(); });
-  std::vector<double> rowStarts;  // x from which on each row is taken
+  std::vector<double> rowStarts;  // x from which each row is taken
   for (const PartDimensions::Note& note : notes) {
-    const double x = m_place.at(note.at).x() + kLeader;
+    const double x = m_layout.at(note.at).x() + kLeader;
     const double width = widthOf(note.text, kText) + (note.isRoughness ? kSign : 0.0) + 2.0 * kTextGap;
     std::size_t row = 0;
     while (row < rowStarts.size() && x + width + kTextGap > rowStarts[row]) ++row;
@@ -181,13 +181,13 @@ void DimensionLines::addNotes(Notes notes, double first) {
 }
 
 void DimensionLines::addNote(const PartDimensions::Note& note, const ProfilePoint& elbow, double width) {
-  const ProfilePoint tip = m_place.at(note.at);
+  const ProfilePoint tip = m_layout.at(note.at);
   m_sheet.line(tip, elbow);
   m_sheet.line(elbow, {elbow.x() + width, elbow.y()});
   m_sheet.arrow(tip, tip - elbow);
   ProfilePoint text(elbow.x() + kTextGap, elbow.y() + kTextGap);
   if (note.isRoughness) {
-    // The sign of ISO 21920-1 for a surface from which material is to be removed.
+    // The sign of ISO 21920-1 for a surface from which material is removed.
     const double left = 0.3 * kSign, right = 0.7 * kSign, low = elbow.y(), middle = low + 2.0, high = low + 4.0;
     m_sheet.line({text.x() + left, low}, {text.x(), middle});
     m_sheet.line({text.x() + left, low}, {text.x() + right, high});

@@ -17,7 +17,7 @@ using Align = Sheet::Align;
 constexpr std::array kScales{50.0, 20.0, 10.0, 5.0,  2.0,  1.0,  0.5,  0.2,  0.1,
                              0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4};
 
-// As much of a text as fits, cut between characters.
+// Returns as much of a text as fits, cut between characters.
 std::string fitted(const std::string& text, double height, double room) {
   if (widthOf(text, height) <= room) return text;
   std::string cut = text;
@@ -41,7 +41,7 @@ void circle(Sheet& sheet, const ProfilePoint& centre, double radius) {
   sheet.strokes.push_back({arcAround(centre, radius, M_PI, 2.0 * M_PI), Sheet::Line::Narrow});
 }
 
-// A frustum from the side, its small end at the left, and what is seen of it from there, at the right.
+// Draws a frustum from the side, its small end at the left, and its view from there at the right.
 void addFirstAngleSign(Sheet& sheet, const ProfilePoint& centre) {
   const double small = 1.5, large = 3.0, half = 3.0;
   const ProfilePoint side = centre - ProfilePoint(5.5, 0), front = centre + ProfilePoint(4.5, 0);
@@ -86,7 +86,7 @@ void addTitleBlock(Sheet& sheet, const std::string& name, const std::string& mat
   sheet.line({left, middle}, {columns[3], middle});
   for (const double x : columns) sheet.line({x, bottom}, {x, bottom + kTitleHeight});
 
-  constexpr double kSmallest = 2.5;  // mm, of what is too long
+  constexpr double kSmallest = 2.5;  // mm, height of a text that is too long
   const auto field = [&](double x, double y, const char* label, const std::string& value, double room, double size) {
     sheet.text({x + 1.5, y + 8.8}, label, Align::Left, 1.8);
     const double shown = widthOf(value, size) <= room - 3.0 ? size : kSmallest;

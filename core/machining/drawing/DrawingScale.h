@@ -8,32 +8,32 @@
 
 namespace handwheel {
 
-// The position of a part on its sheet, which maps (r, z) to paper millimetres.
-struct DrawingPlace {
-  ProfilePoint origin{0, 0};  // of r = 0, z = 0
+// The position and scale of a part on its sheet. They map (r, z) to paper millimetres.
+struct DrawingLayout {
+  ProfilePoint origin{0, 0};  // position of r = 0, z = 0
   double scale = 1.0;
 
   ProfilePoint at(double r, double z) const { return origin + scale * ProfilePoint(z, r); }
   ProfilePoint at(const ProfilePoint& p) const { return at(p.x(), p.y()); }
-  // (r, z) to paper is a reflection, which turns arcs round.
+  // Mapping (r, z) to paper is a reflection, which reverses the sense of arcs.
   ProfileSegment at(const ProfileSegment& s) const { return {at(s.from), at(s.to), -s.bulge}; }
-  // On the other side of the axis.
+  // The segment mirrored to the other side of the axis.
   ProfileSegment below(const ProfileSegment& s) const {
     return {at(-s.from.x(), s.from.y()), at(-s.to.x(), s.to.y()), s.bulge};
   }
 };
 
-// The largest scale of ISO 5455 at which a length is not drawn longer than `room` (mm).
+// Returns the largest scale of ISO 5455 that draws a length no longer than `room` (mm).
 double standardScale(double length, double room);
-// The next smaller one; the least of all where there is none.
+// Returns the next smaller scale, or the least of all.
 double nextScale(double scale);
-// "1:2", "5:1".
+// Returns the text of a scale: "1:2", "5:1".
 std::string scaleText(double scale);
 
-// A size as a drawing says it: to 0.01, without zeros at the end.
+// Returns a size as drawings state it: to 0.01, without trailing zeros.
 std::string sizeText(double value);
 
-// The frame and the title block of a sheet. Its height above the frame is kTitleHeight, at the right.
+// The frame and the title block of a sheet. The title block stands on the frame, at the right.
 inline constexpr double kFrameLeft = 20.0, kFrame = 10.0;  // mm, from the edges of the paper
 inline constexpr double kTitleWidth = 170.0, kTitleHeight = 24.0;
 void addTitleBlock(Sheet& sheet, const std::string& name, const std::string& material, double scale);

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The threads of a part as its drawing shows them, each once. They are along the surface that they are in. base: mm,
-// height of the lower end of the part on the drawing. O(grooves · samples).
+// Returns the threads of a part as its drawing shows them, each once. Each extends along the surface that it is cut in.
+// base: mm, height of the lower end of the part on the drawing. O(grooves · samples).
 std::vector<DrawnThread> drawnThreads(const TurnedProfile& part, const PartThreads& threads, double base);
 
 }  // namespace handwheel

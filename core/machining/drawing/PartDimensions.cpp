@@ -11,9 +11,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSameSize = 0.005;        // mm: sizes that a drawing shows alike
-constexpr double kLargestChamfer = 5.0;    // mm
-constexpr double kTolerancedPlace = 0.51;  // mm: a surface that a tolerance is for
+constexpr double kSameSize = 0.005;           // mm; sizes that a drawing shows as equal
+constexpr double kLargestChamfer = 5.0;       // mm
+constexpr double kTolerancedDistance = 0.51;  // mm; distance within which a surface has a tolerance
 
 bool isChamfer(const ProfileFeature& f) {
   return f.kind == ProfileFeature::Kind::Taper && std::abs(f.value - M_PI / 4) < 0.01 && f.length() < kLargestChamfer;
@@ -25,8 +25,8 @@ void addHeight(std::vector<double>& heights, double z, double least) {
   heights.push_back(z);
 }
 
-// Heights that a fillet or chamfer does not blur: flat faces, and where cylinders and tapers meet. Faces first, for
-// what is nearly as high is the same.
+// Adds the heights that a fillet or chamfer does not blur: flat faces, and the joints of cylinders and tapers. Faces
+// come first, since nearly equal heights count as one.
 void addHeights(const std::vector<ProfileFeature>& features, bool isInner, double least, std::vector<double>& heights) {
   const auto isSmall = [](const ProfileFeature& f) {
     return isChamfer(f) || (f.kind == ProfileFeature::Kind::Arc && f.value < kLargestChamfer);
@@ -48,12 +48,12 @@ void addHeights(const std::vector<ProfileFeature>& features, bool isInner, doubl
   }
 }
 
-// Whether a side leans by less than 3°, and by no more than twice what is left out.
+// Returns true if a side leans by less than 3°, and by no more than twice the least drawn size.
 bool leansLittle(double extent, double along, double least) {
   return std::abs(extent) <= 2.0 * least && 20.0 * std::abs(extent) < std::abs(along);
 }
 
-// A feature that is flat but for less than what is left out, as flat.
+// Returns a feature that is flat within the least drawn size as flat.
 ProfileFeature straightened(ProfileFeature f, double least) {
   const ProfilePoint along = f.high - f.low;
   const double chord = along.norm(), half = 0.5 * chord;
@@ -89,13 +89,13 @@ std::string noteOf(const ProfileFeature& f, const DrawingTitle& title) {
 ProfilePoint middleOf(const ProfileFeature& f) {
   if (f.kind != ProfileFeature::Kind::Arc) return 0.5 * (f.low + f.high);
   const ProfilePoint chord = f.high - f.low;
-  // On the arc, on the side of its chord on which it bulges: outside if convex, unless it is in a bore.
+  // The note stands on the arc, on the convex side of its chord: outside if convex, unless it is in a bore.
   const bool isOutwards = f.isConvex != f.isInner;
   const ProfilePoint out = (isOutwards ? 1.0 : -1.0) * ProfilePoint(chord.y(), -chord.x()).normalized();
   return f.centre + f.value * out;
 }
 
-// The thread whose crest a diameter is.
+// Returns the thread whose crest has this diameter.
 const DrawnThread* threadOn(const DrawingTitle& title, const ProfileFeature& f) {
   for (const DrawnThread& t : title.threads) {
     const double common = std::min(t.high, f.high.y()) - std::max(t.low, f.low.y());
@@ -114,7 +114,7 @@ void addDiameters(const std::vector<ProfileFeature>& features, const DrawingTitl
         {f.value, f.low.y(), f.high.y(), f.isInner,
          thread ? thread->designation : toleratedText(title, of, f.value, f.low.y(), f.high.y(), "Ø")});
   }
-  // The ends of tapers that no cylinder tells.
+  // Adds the ends of tapers that no cylinder defines.
   for (const ProfileFeature& f : features) {
     if (f.kind != ProfileFeature::Kind::Taper || isChamfer(f)) continue;
     for (const ProfilePoint& end : {f.low, f.high}) {
@@ -127,14 +127,14 @@ void addDiameters(const std::vector<ProfileFeature>& features, const DrawingTitl
   }
 }
 
-// Diameters that are asked where no cylinder shows them: of a waist, or of a stem within a free form.
+// Adds toleranced diameters that no cylinder shows: of a waist, or of a stem within a free form.
 void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensions& all) {
   for (const DrawnTolerance& t : title.tolerances) {
     const bool isInner = t.of == DrawnTolerance::Of::Bore;
     if (!(t.high > t.low) || (!isInner && t.of != DrawnTolerance::Of::Diameter)) continue;
     const auto extent = part.extentAt(0.5 * (t.low + t.high));
     const double value = extent ? 2.0 * (isInner ? extent->inner : extent->outer) : 0.0;
-    if (std::abs(value - t.size) >= kTolerancedPlace) continue;
+    if (std::abs(value - t.size) >= kTolerancedDistance) continue;
     const std::string text = toleratedText(title, t.of, value, t.low, t.high, "Ø");
     const bool isShown =
         std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& d) { return d.text == text; });
@@ -142,7 +142,7 @@ void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensio
   }
 }
 
-// Roughness stands where its surface is longest.
+// Adds the roughness at the longest surface of each.
 void addRoughness(const std::vector<ProfileFeature>& features, const DrawingTitle& title, PartDimensions& all) {
   for (const DrawnRoughness& rough : title.roughness) {
     const auto common = [&](const ProfileFeature& f) {
@@ -161,15 +161,15 @@ void addRoughness(const std::vector<ProfileFeature>& features, const DrawingTitl
   }
 }
 
-// Lengths with a tolerance that those from the upper end do not show.
+// Adds lengths with a tolerance that the lengths from the upper end do not show.
 void addSpans(const DrawingTitle& title, double upperEnd, PartDimensions& all) {
   const auto heightAt = [&](double z) -> std::optional<double> {
     for (const double height : all.outerHeights)
-      if (std::abs(height - z) < kTolerancedPlace) return height;
+      if (std::abs(height - z) < kTolerancedDistance) return height;
     return std::nullopt;
   };
   for (const DrawnTolerance& t : title.tolerances) {
-    if (t.of != DrawnTolerance::Of::Length || !(t.high > t.low) || std::abs(t.high - upperEnd) < kTolerancedPlace)
+    if (t.of != DrawnTolerance::Of::Length || !(t.high > t.low) || std::abs(t.high - upperEnd) < kTolerancedDistance)
       continue;
     const auto from = heightAt(t.low), to = heightAt(t.high);
     if (from && to && *to > *from)
@@ -181,12 +181,12 @@ void addSpans(const DrawingTitle& title, double upperEnd, PartDimensions& all) {
 
 std::string toleratedText(const DrawingTitle& title, DrawnTolerance::Of of, double value, double low, double high,
                           const std::string& prefix) {
-  constexpr double kNominal = 0.051;  // mm: a part is not exactly what was asked
+  constexpr double kNominal = 0.051;  // mm; deviation of a made part from its nominal size
   for (const DrawnTolerance& t : title.tolerances) {
     const bool isPlaced = t.high > t.low, isLength = of == DrawnTolerance::Of::Length;
-    if (t.of != of || std::abs(t.size - value) >= (isPlaced ? kTolerancedPlace : kNominal)) continue;
+    if (t.of != of || std::abs(t.size - value) >= (isPlaced ? kTolerancedDistance : kNominal)) continue;
     const bool isHere =
-        isLength ? std::abs(low - t.low) < kTolerancedPlace && std::abs(high - t.high) < kTolerancedPlace
+        isLength ? std::abs(low - t.low) < kTolerancedDistance && std::abs(high - t.high) < kTolerancedDistance
                  : std::min(high, t.high) - std::max(low, t.low) > 0.5 * std::min(high - low, t.high - t.low);
     if (!isPlaced || isHere) return prefix + sizeText(t.size) + " " + t.text;
   }
@@ -213,7 +213,7 @@ PartDimensions dimensionsOf(const TargetProfile& part, const DrawingTitle& title
   addHeights(features, false, least, all.outerHeights);
   addHeights(features, true, least, all.innerHeights);
   for (auto* heights : {&all.outerHeights, &all.innerHeights}) std::sort(heights->begin(), heights->end());
-  // Of a bore the outside tells the ends.
+  // The outside defines the ends of a bore.
   std::erase_if(all.innerHeights, [&](double z) {
     return std::abs(z - part.lowerEnd()) < least || std::abs(z - part.upperEnd()) < least;
   });
@@ -222,7 +222,7 @@ PartDimensions dimensionsOf(const TargetProfile& part, const DrawingTitle& title
 }
 
 std::optional<TargetProfile> withoutSmall(const TargetProfile& part, double least) {
-  constexpr double kSteps = 10.0;  // samples along what is just left out
+  constexpr double kSteps = 10.0;  // number of samples along the least drawn size
   const Result<TargetProfile> smooth = sectionOf(sampled(part, least / kSteps), 0.5 * least);
   if (!smooth) return std::nullopt;
   TargetProfile placed = smooth->moved(part.lowerEnd());

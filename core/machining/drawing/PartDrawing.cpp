@@ -12,12 +12,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kFrameMargin = 5.0;                        // mm, between the frame and what is drawn
-constexpr double kBeyondAxis = 5.0;                         // mm, of the centre line
-constexpr double kSmallText = 2.5;                          // mm
-constexpr std::size_t kMostDimensions = 40, kCrowded = 12;  // dimensions of a drawing; of one that wants a larger sheet
-constexpr int kSmoothings = 6;                              // of them; then the part is taken as it is
-constexpr int kDoublings = 40;                              // of what is too small to be shown
+constexpr double kFrameMargin = 5.0;  // mm, between the frame and the view
+constexpr double kBeyondAxis = 5.0;   // mm, overrun of the centre line
+constexpr double kSmallText = 2.5;    // mm
+constexpr std::size_t kMostDimensions = 40,
+                      kCrowded = 12;  // dimensions of a drawing; from kCrowded on a larger sheet is preferred
+constexpr int kSmoothings = 6;        // number of attempts; then the part is taken as it is
+constexpr int kDoublings = 40;        // number of doublings of the least drawn size
 
 bool hasBore(const TargetProfile& part) {
   const auto all = part.segments();
@@ -26,14 +27,14 @@ bool hasBore(const TargetProfile& part) {
          });
 }
 
-// Whether two neighbours meet in an edge that is seen.
+// Returns true if two neighbours meet in a visible edge.
 bool isEdge(const ProfileSegment& a, const ProfileSegment& b) {
   return a.direction(1.0).dot(b.direction(0.0)) < std::cos(0.02);
 }
 
-// Circles are seen as lines across the part: of the outside below the axis, of a whole view also above it.
-void addEdges(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part, bool isSection) {
-  constexpr std::size_t kMostSegments = 200;  // of more the edges would blacken the view
+// Circles are seen as lines across the part: those of the outside below the axis, and in a whole view also above it.
+void addEdges(Sheet& sheet, const DrawingLayout& layout, const TargetProfile& part, bool isSection) {
+  constexpr std::size_t kMostSegments = 200;  // with more segments the edges would blacken the view
   const auto all = part.segments();
   if (all.size() > kMostSegments) return;
   for (std::size_t i = 0; i + 1 < all.size() + (part.isClosed() ? 1 : 0); ++i) {
@@ -43,14 +44,15 @@ void addEdges(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part
     const bool isOfOuter = a.direction(0.5).y() > 1e-6 || b.direction(0.5).y() > 1e-6;
     if (isOfOuter) {
       const double top = isSection ? 0.0 : corner.x();
-      sheet.line(place.at(top, corner.y()), place.at(-corner.x(), corner.y()), Sheet::Line::Wide);
+      sheet.line(layout.at(top, corner.y()), layout.at(-corner.x(), corner.y()), Sheet::Line::Wide);
     } else if (isSection) {
-      sheet.line(place.at(0.0, corner.y()), place.at(corner), Sheet::Line::Wide);  // of the bore, behind the section
+      sheet.line(layout.at(0.0, corner.y()), layout.at(corner),
+                 Sheet::Line::Wide);  // edge of the bore, behind the section
     }
   }
 }
 
-// Whether a segment is of the outside, or of a flat face that reaches it.
+// Returns true if a segment belongs to the outside, or to a flat face that reaches it.
 bool isSeenFromOutside(const ProfileSegment& s, const TargetProfile& part) {
   const double rise = s.direction(0.5).y();
   if (std::abs(rise) > 1e-6) return rise > 0.0;
@@ -58,58 +60,58 @@ bool isSeenFromOutside(const ProfileSegment& s, const TargetProfile& part) {
   return extent && std::max(s.from.x(), s.to.x()) >= extent->outer - 1e-6;
 }
 
-// The narrow line at the root of a thread and the wide ones where it ends, on both sides of the axis, or in the
+// Draws the narrow line at the root of a thread and the wide lines at its ends, on both sides of the axis, or in the
 // section.
-void addThread(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part, const DrawnThread& thread,
+void addThread(Sheet& sheet, const DrawingLayout& layout, const TargetProfile& part, const DrawnThread& thread,
                bool isSection) {
   const double root = 0.5 * (thread.isInner ? thread.major : thread.minor);
   const double crest = 0.5 * (thread.isInner ? thread.minor : thread.major);
   for (const double side : {1.0, -1.0}) {
     if (side < 0.0 && thread.isInner && isSection) continue;
-    sheet.line(place.at(side * root, thread.low), place.at(side * root, thread.high));
+    sheet.line(layout.at(side * root, thread.low), layout.at(side * root, thread.high));
     for (const double z : {thread.low, thread.high}) {
       const bool isEnd = z <= part.lowerEnd() || z >= part.upperEnd();
-      if (!isEnd) sheet.line(place.at(side * crest, z), place.at(side * root, z), Sheet::Line::Wide);
+      if (!isEnd) sheet.line(layout.at(side * crest, z), layout.at(side * root, z), Sheet::Line::Wide);
     }
   }
 }
 
-void addView(Sheet& sheet, const DrawingPlace& place, const TargetProfile& part, const TargetProfile& edges,
+void addView(Sheet& sheet, const DrawingLayout& layout, const TargetProfile& part, const TargetProfile& edges,
              const std::vector<DrawnThread>& threads) {
   const bool isSection = hasBore(part);
   std::vector<ProfileSegment> upper;
   for (const ProfileSegment& s : part.segments()) {
-    upper.push_back(place.at(s));
+    upper.push_back(layout.at(s));
     sheet.strokes.push_back({upper.back(), Sheet::Line::Wide});
-    if (!isSection || isSeenFromOutside(s, part)) sheet.strokes.push_back({place.below(s), Sheet::Line::Wide});
+    if (!isSection || isSeenFromOutside(s, part)) sheet.strokes.push_back({layout.below(s), Sheet::Line::Wide});
   }
   if (isSection) {
     if (!part.isClosed()) upper.push_back({upper.back().to, upper.front().from, 0.0});
     sheet.areas.push_back({std::move(upper), true});
   }
-  addEdges(sheet, place, edges, isSection);
-  for (const DrawnThread& thread : threads) addThread(sheet, place, part, thread, isSection);
-  sheet.line(place.at(0.0, part.lowerEnd()) - ProfilePoint(kBeyondAxis, 0),
-             place.at(0.0, part.upperEnd()) + ProfilePoint(kBeyondAxis, 0), Sheet::Line::Centre);
+  addEdges(sheet, layout, edges, isSection);
+  for (const DrawnThread& thread : threads) addThread(sheet, layout, part, thread, isSection);
+  sheet.line(layout.at(0.0, part.lowerEnd()) - ProfilePoint(kBeyondAxis, 0),
+             layout.at(0.0, part.upperEnd()) + ProfilePoint(kBeyondAxis, 0), Sheet::Line::Centre);
 }
 
-// What is drawn of a part, and of what its dimensions are.
+// The part to draw and its dimensions.
 struct Drawn {
   const TargetProfile& part;
-  const TargetProfile& measured;  // the same without what is too small
+  const TargetProfile& measured;  // the same without details that are too small
   const PartDimensions& dimensions;
   const DrawingTitle& title;
 };
 
-// On paper of this size at this scale, without frame; none if it has no room there.
+// Returns the view on paper of this size at this scale, without frame; nothing if it has no room.
 std::optional<Sheet> viewOn(double width, double height, double scale, const Drawn& drawn) {
   Sheet sheet;
   sheet.width = width;
   sheet.height = height;
-  DrawingPlace place;
-  place.scale = scale;
-  addView(sheet, place, drawn.part, drawn.measured, drawn.title.threads);
-  DimensionLines(sheet, place, drawn.measured, drawn.title).add(drawn.dimensions);
+  DrawingLayout layout;
+  layout.scale = scale;
+  addView(sheet, layout, drawn.part, drawn.measured, drawn.title.threads);
+  DimensionLines(sheet, layout, drawn.measured, drawn.title).add(drawn.dimensions);
   const ProfileBox box = sheet.box();
   const ProfilePoint low(kFrameLeft + kFrameMargin, kFrame + kTitleHeight + kFrameMargin);
   const ProfilePoint high(width - kFrame - kFrameMargin, height - kFrame - kFrameMargin);
@@ -118,7 +120,7 @@ std::optional<Sheet> viewOn(double width, double height, double scale, const Dra
   return sheet;
 }
 
-// At the largest scale of ISO 5455 that has room.
+// Returns the view at the largest scale of ISO 5455 that has room.
 std::optional<std::pair<Sheet, double>> largestOn(double width, double height, const Drawn& drawn) {
   const TargetProfile& part = drawn.part;
   double scale = std::min(standardScale(part.length(), width), standardScale(2.0 * part.largestRadius(), height));
@@ -132,7 +134,7 @@ std::optional<std::pair<Sheet, double>> largestOn(double width, double height, c
 
 std::optional<Sheet> sheetOf(const Drawn& drawn, double leftOut) {
   auto best = largestOn(297.0, 210.0, drawn);
-  // A larger sheet where the part would be too small for its dimensions.
+  // A larger sheet is used if the part would be too small for its dimensions.
   const bool isSmall = !best || drawn.dimensions.diameters.size() + drawn.dimensions.outerHeights.size() > kCrowded ||
                        best->second * drawn.part.length() < 60.0;
   if (isSmall) {
@@ -154,8 +156,8 @@ bool hasSmall(const TargetProfile& part, double tolerance, double least) {
                      [&](const ProfileFeature& f) { return (f.high - f.low).norm() < least; });
 }
 
-// Calls `use` with the part as it is measured, its dimensions, and what was left out (mm; 0: nothing), leaving out more
-// until it returns true. Returns whether it did.
+// Calls `use` with the measured part, its dimensions, and the size of omitted details (mm; 0: none), omitting more
+// until it returns true. Returns true if it did.
 template <class Use>
 bool tryDimensions(const TargetProfile& part, const DrawingTitle& title, Use use) {
   double least = std::min(kLeastDrawn, kLeastDrawnShare * std::max(part.length(), 2.0 * part.largestRadius()));
@@ -180,17 +182,17 @@ Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title) {
     return sheet.has_value();
   };
   if (tryDimensions(part, title, draw)) return std::move(*sheet);
-  Sheet empty;  // of a part beyond the least scale
+  Sheet empty;  // for a part beyond the least scale
   addTitleBlock(empty, title.name, title.material, nextScale(0.0));
   return empty;
 }
 
-Sheet dimensionSheet(const TargetProfile& part, const DrawingTitle& title, const DrawingPlace& place) {
+Sheet dimensionSheet(const TargetProfile& part, const DrawingTitle& title, const DrawingLayout& layout) {
   Sheet sheet;
   const double lowest = -part.largestRadius();
-  sheet.line(place.at(lowest, part.lowerEnd()), place.at(lowest, part.upperEnd()));  // below it dimensions begin
+  sheet.line(layout.at(lowest, part.lowerEnd()), layout.at(lowest, part.upperEnd()));  // the dimensions begin below it
   tryDimensions(part, title, [&](const TargetProfile& measured, const PartDimensions& dimensions, double) {
-    DimensionLines(sheet, place, measured, title).add(dimensions);
+    DimensionLines(sheet, layout, measured, title).add(dimensions);
     return true;
   });
   sheet.strokes.erase(sheet.strokes.begin());

@@ -12,17 +12,18 @@
 
 namespace handwheel {
 
-// A tolerance that a drawing shows behind a dimension of this size, at this place. A part is not exactly what was
-// asked: sizes that are as near as the place tells apart are taken for it, and shown with their nominal value.
+// A tolerance that a drawing shows behind a dimension of this size, at this height. A part does not have exactly the
+// nominal sizes: sizes that are near enough to be told apart by the height are taken for the nominal one, and shown
+// with its value.
 struct DrawnTolerance {
   enum class Of { Diameter, Bore, Length, Radius };
   Of of = Of::Diameter;
   double size = 0.0;             // mm, nominal
   std::string text;              // "h7", "±0.1"
-  double low = 0.0, high = 0.0;  // mm, z: within the surface; the two faces of a length
+  double low = 0.0, high = 0.0;  // mm, z; limits of the surface, or the two faces of a length
 };
 
-// A thread, which is shown as its crest and a narrow line at its root (ISO 6410-1).
+// A thread, which is drawn as its crest and a narrow line at its root (ISO 6410-1).
 struct DrawnThread {
   std::string designation;          // "M20×2.5", with its tolerance class if it has one
   double low = 0.0, high = 0.0;     // mm, z
@@ -36,29 +37,30 @@ struct DrawnRoughness {
   bool isInner = false;
 };
 
-// What a drawing says besides the shape of the part.
+// The texts and annotations of a drawing besides the shape of the part.
 struct DrawingTitle {
-  std::string name, material;  // UTF-8; cut where they are longer than their fields
+  std::string name, material;  // UTF-8; truncated if longer than their fields
   std::vector<DrawnTolerance> tolerances;
-  double tolerance = 1e-3;  // mm, of the features (featuresOf())
+  double tolerance = 1e-3;  // mm, tolerance of the features (featuresOf())
   std::vector<DrawnThread> threads;
   std::vector<DrawnRoughness> roughness;
 };
 
-// What is smaller has no dimension, mm; of small parts what is smaller than this share of them.
+// Smaller features have no dimension: mm, or for small parts a share of their size.
 inline constexpr double kLeastDrawn = 0.05, kLeastDrawnShare = 1.0 / 400.0;
 
-// Draws a turned part on A4, or on A3 where it has many dimensions.
+// Draws a turned part on A4, or on A3 if it has many dimensions.
 //
 // The view from the side has the axis horizontal. A part with a bore is shown in half section above the axis, others
 // whole. It has diameters, lengths from the upper end, radii, angles and chamfers, threads, roughness (ISO 21920-1), a
 // frame (ISO 5457) and a title block with name, material, scale (ISO 5455), unit and the sign of first angle projection
-// (ISO 128-3, 5456-2). Dimensions are those of the features, to 0.01 mm (ISO 129-1). No text is on another one; where a
-// sheet has no room for all dimensions, those of the smallest features are left out, which the sheet says. O(segments ·
-// log segments).
+// (ISO 128-3, 5456-2). Dimensions are those of the features, to 0.01 mm (ISO 129-1). Texts do not overlap; if a sheet
+// has no room for all dimensions, those of the smallest features are left out, and the sheet says so. O(segments · log
+// segments).
 Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title);
 
-// The dimensions of such a drawing without the part, for one that is shown otherwise at this place. The same cost.
-Sheet dimensionSheet(const TargetProfile& part, const DrawingTitle& title, const DrawingPlace& place);
+// Returns the dimensions of such a drawing without the part, for a part that is displayed otherwise with this layout.
+// The same cost.
+Sheet dimensionSheet(const TargetProfile& part, const DrawingTitle& title, const DrawingLayout& layout);
 
 }  // namespace handwheel

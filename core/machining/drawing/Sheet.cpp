@@ -15,7 +15,8 @@ void Sheet::arrow(const ProfilePoint& tip, const ProfilePoint& towards) {
   areas.push_back({{{tip, left, 0.0}, {left, right, 0.0}, {right, tip, 0.0}}, false});
 }
 
-// Shares of the height of capitals, of the widest sans serif that the program prints with, DejaVu Sans.
+// The shares are relative to the height of capitals, for the widest sans serif that the program prints with, DejaVu
+// Sans.
 double widthOf(const std::string& text, double height) {
   double width = 0.0;
   for (const char c : text) {
@@ -30,7 +31,7 @@ double widthOf(const std::string& text, double height) {
 }
 
 ProfileBox Sheet::Text::box() const {
-  constexpr double kDescent = 0.35;  // of the height of capitals
+  constexpr double kDescent = 0.35;  // share of the height of capitals
   const double length = widthOf(text, height), before = align == Align::Left ? 0.0 : align == Align::Centre ? 0.5 : 1.0;
   const ProfilePoint along = isUpwards ? ProfilePoint(0, 1) : ProfilePoint(1, 0);
   const ProfilePoint up = isUpwards ? ProfilePoint(-1, 0) : ProfilePoint(0, 1);

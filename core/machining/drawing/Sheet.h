@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A sheet of a technical drawing as lines, filled areas and texts. In millimetres of the paper. The origin is the lower
-// left corner; y is up.
+// A sheet of a technical drawing as lines, filled areas and texts. Lengths are millimetres on the paper. The origin is
+// the lower left corner; y is up.
 struct Sheet {
   enum class Line { Wide, Narrow, Centre };  // ISO 128-2: visible edges; dimensions; axes (long dash, dot)
   enum class Align { Left, Centre, Right };
@@ -20,13 +20,13 @@ struct Sheet {
     Line line = Line::Narrow;
   };
   struct Text {
-    ProfilePoint at{0, 0};  // of its base line
+    ProfilePoint at{0, 0};  // position of its base line
     std::string text;       // UTF-8
-    double height = 3.5;    // mm, of capitals
+    double height = 3.5;    // mm, height of capitals
     Align align = Align::Centre;
     bool isUpwards = false;  // runs up, to be read from the right
 
-    ProfileBox box() const;  // that it covers, descenders included
+    ProfileBox box() const;  // the area that it covers, descenders included
   };
   // A closed outline, to be filled (arrow heads) or hatched (cut material).
   struct Area {
@@ -45,13 +45,13 @@ struct Sheet {
   void text(const ProfilePoint& at, std::string words, Align align = Align::Centre, double size = 3.5) {
     texts.push_back({at, std::move(words), size, align, false});
   }
-  void move(const ProfilePoint& by);  // all that is on it
-  ProfileBox box() const;             // of all that is on it; an empty sheet has an empty one
-  // A slender arrow head whose tip is at a point, looking along a direction (ISO 129-1).
+  void move(const ProfilePoint& by);  // moves everything on the sheet
+  ProfileBox box() const;             // bounds of everything on the sheet; empty if the sheet is empty
+  // Adds a slender arrow head with its tip at a point, pointing along a direction (ISO 129-1).
   void arrow(const ProfilePoint& tip, const ProfilePoint& towards);
 };
 
-// How wide a text is printed (mm), or a little more.
+// Returns the printed width of a text (mm), or a little more.
 double widthOf(const std::string& text, double height);
 
 }  // namespace handwheel

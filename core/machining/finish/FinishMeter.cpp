@@ -13,18 +13,18 @@ namespace handwheel {
 namespace {
 
 constexpr double kMicrometresPerMm = 1e3;  // in a mm
-constexpr double kHeightOfRa = 4.0;        // crest above valley, in Ra: f²/(8 R) by f²/(32 R)
+constexpr double kHeightOfRa = 4.0;        // crest height in Ra: f²/(8 R) by f²/(32 R)
 
 double radiusOf(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
 }
 
-// Whether the way to a point goes on with the way before: not back, nor around a corner.
+// Returns true if the move to a point continues the move before: not back, nor around a corner.
 bool goesOn(const TurningPass& pass, std::size_t i) {
   return i < 2 || (pass.path[i] - pass.path[i - 1]).dot(pass.path[i - 1] - pass.path[i - 2]) > 0.0;
 }
 
-// Whether the way to a point is that of a drill: along the axis, about which it leaves a hole.
+// Returns true if the move to a point is that of a drill: along the axis, where it leaves a hole.
 bool isDrilling(const TurningPass& pass, std::size_t i) {
   constexpr double kOnAxis = 1e-9;  // mm
   if (pass.tool && pass.tool->kind == LatheToolKind::Drill) return true;
@@ -36,20 +36,20 @@ bool isDrilling(const TurningPass& pass, std::size_t i) {
 
 void FeedMeter::clear() {
   m_moves.clear();
-  m_way = m_turns = 0.0;
+  m_distance = m_turns = 0.0;
 }
 
-double FeedMeter::add(double way, double turns, bool isTurning) {
-  if (!isTurning) return way > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
-  m_moves.push_back({way, turns});
-  m_way += way;
+double FeedMeter::add(double distance, double turns, bool isTurning) {
+  if (!isTurning) return distance > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  m_moves.push_back({distance, turns});
+  m_distance += distance;
   m_turns += turns;
   while (m_moves.size() > 1 && m_turns - m_moves.front().turns >= 1.0) {
-    m_way -= m_moves.front().way;
+    m_distance -= m_moves.front().distance;
     m_turns -= m_moves.front().turns;
     m_moves.pop_front();
   }
-  return m_moves.size() == 1 && turns >= 1.0 ? way / turns : m_way / std::max(m_turns, 1.0);
+  return m_moves.size() == 1 && turns >= 1.0 ? distance / turns : m_distance / std::max(m_turns, 1.0);
 }
 
 FinishMeter::FinishMeter(TurnedProfile profile, SurfaceFinish finish, double usualSpeed)
@@ -77,16 +77,16 @@ void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t numb
   if (isOther) m_meter.clear();
   if (isOther || !goesOn(pass, i)) endContact();
   m_number = number;
-  // What a tool takes where its pass begins has the feed of the first move, of which the manual lathe cuts it as a
-  // part.
+  // The material removed at the begin of a pass has the feed of the first move, since the manual lathe cuts it as a
+  // part of that move.
   m_first = i == 0 && pass.path.size() > 1 ? changed : TurnedProfile::Range();
   if (changed.isEmpty() || !m_first.isEmpty()) return;
   m_touched.extend(changed);
   const bool isAbrasive = pass.tool && pass.tool->isAbrasive();
-  const double way = i == 0 ? 0.0 : (pass.path[i] - pass.path[i - 1]).norm();
+  const double distance = i == 0 ? 0.0 : (pass.path[i] - pass.path[i - 1]).norm();
   const double seconds = i == 0 ? 0.0 : pass.times[i] - pass.times[i - 1];
   const double speed = i < pass.speeds.size() ? pass.speeds[i] : m_usualSpeed;
-  m_feed = m_meter.add(way, seconds * speed / 60.0, speed > 0.0);
+  m_feed = m_meter.add(distance, seconds * speed / 60.0, speed > 0.0);
   for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
     if (side == TurningSide::Bore && !profile.isBored()) continue;
     for (std::size_t k = changed.first; k < changed.last; ++k) {
@@ -103,7 +103,7 @@ void FinishMeter::add(const TurningPass& pass, std::size_t i, std::uint32_t numb
   }
 }
 
-// Of an abrasive Ra falls; of an edge it is new. What was finer than the abrasive gets the marks of its grain.
+// An abrasive lowers Ra; an edge makes a new one. A surface finer than the abrasive gets the marks of its grain.
 FinishMark FinishMeter::markOf(const TurningPass& pass, std::size_t i, const FinishMark& before, double removed) const {
   FinishMark mark;
   const bool isSpeedKnown = !pass.speeds.empty() || m_usualSpeed > 0.0;
@@ -129,7 +129,7 @@ void FinishMeter::follow(TurningSide side, std::size_t i, double radius) {
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, std::uint32_t number, FinishMeter& meter,
                          Progress progress) {
-  constexpr std::size_t kLook = 64;  // points between two looks at the cancel flag
+  constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
   TurnedProfile::Range changed;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     if (i % kLook == 0) {

@@ -10,42 +10,42 @@
 
 namespace handwheel {
 
-// How far a tool went in the last revolution of the spindle while it cut. From point to point the hand and the clock of
-// the mouse give anything.
+// Measures the distance that a cutting tool covered in the last revolution of the spindle. The feed from point to point
+// is useless, since hand movements and mouse timestamps are irregular.
 class FeedMeter {
  public:
   void clear();
-  // Of one more move. way: mm. mm per revolution; infinite while the spindle stands.
-  double add(double way, double turns, bool isTurning);
+  // Adds one more move. distance: mm. Returns mm per revolution; infinite while the spindle stands.
+  double add(double distance, double turns, bool isTurning);
 
  private:
   struct Move {
-    double way, turns;
+    double distance, turns;
   };
   std::deque<Move> m_moves;
-  double m_way = 0.0, m_turns = 0.0;
+  double m_distance = 0.0, m_turns = 0.0;
 };
 
-// Follows passes move by move and marks the finish that they leave. An edge leaves what its feed and nose leave:
-// f²/(32 R); a drill what drills leave (drilledRoughness()). What is abrasive takes the crests off: those of a nose are
-// four times as high as their Ra, f²/(8 R) and f²/(32 R), so that Ra falls by a quarter of what leaves; once as much
-// has gone, the surface is that of the abrasive, which no further passes make finer. Only samples whose radius changes
-// are marked; of an edge those alone of which it takes more than TurningPass::kTouch while it goes one way: work that
-// has sprung back is touched by the tool on its way home, and stays as it is. The finish is a function of bar and
-// passes: whoever follows the same moves gets the same. One thread.
+// Follows passes move by move and marks the finish that they leave. An edge leaves the roughness of its feed and nose,
+// f²/(32 R); a drill that of drilling (drilledRoughness()). An abrasive tool removes the crests: those of a nose are
+// four times as high as their Ra, f²/(8 R) and f²/(32 R), so that Ra falls by a quarter of the depth removed; once as
+// much is removed, the surface is that of the abrasive, which no further passes make finer. Only samples whose radius
+// changes are marked; by an edge only those of which it removes more than TurningPass::kTouch while it goes in one
+// direction: work that has sprung back is touched by the returning tool, and keeps its finish. The finish is a function
+// of bar and passes: the same moves give the same finish. One thread.
 class FinishMeter {
  public:
-  // profile: the part before the next move. finish: of it; of another size: nothing is known. usualSpeed: r/min of
-  // passes that do not tell theirs; 0: what these leave is not known.
+  // profile: the part before the next move. finish: its finish; if it has another size, nothing is known. usualSpeed:
+  // spindle speed of passes that do not record theirs, r/min; 0: their finish is not known.
   FinishMeter(TurnedProfile profile, SurfaceFinish finish, double usualSpeed = 0.0);
 
-  // The move to point i of a pass, which is the one of this number in the part. profile: after it; changed: the samples
-  // that may have. O(changed).
+  // Adds the move to point i of a pass, which has this number in the part. profile: the part after the move; changed:
+  // the samples that may have changed. O(changed).
   void add(const TurningPass& pass, std::size_t i, std::uint32_t number, const TurnedProfile& profile,
            const TurnedProfile::Range& changed);
 
   const SurfaceFinish& finish() const { return m_finish; }
-  // mm per revolution, of the last move; 0 where it cut nothing; infinite while the spindle stood.
+  // Feed of the last move, mm per revolution; 0 if it cut nothing; infinite while the spindle stood.
   double feed() const { return m_feed; }
 
  private:
@@ -59,12 +59,12 @@ class FinishMeter {
   FeedMeter m_meter;
   std::uint32_t m_number = FinishMark::kNoPass;
   double m_feed = 0.0;
-  std::vector<double> m_taken[2];  // mm, by side: off each sample in this contact
-  TurnedProfile::Range m_touched;  // in this contact
-  TurnedProfile::Range m_first;    // that the first point of the pass has changed, and no mark tells yet
+  std::vector<double> m_taken[2];  // mm, by side: depth removed from each sample in this contact
+  TurnedProfile::Range m_touched;  // samples touched in this contact
+  TurnedProfile::Range m_first;    // samples that the first point of the pass has changed and that have no mark yet
 };
 
-// Cuts a pass as cut() does, and marks the finish. Incomplete when it was cancelled.
+// Cuts a pass like cut(), and marks the finish. Incomplete if it was cancelled.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, std::uint32_t number, FinishMeter& meter,
                          Progress progress = {});
 

@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-// Of samples from first on, before last; all are known.
+// Returns the reading of the samples from first to before last; all are known.
 FinishReading readingOf(const SurfaceFinish& finish, const TurnedProfile& profile, TurningSide side,
                         TurnedProfile::Range range) {
   constexpr double kMayBeRougher = 0.16;

@@ -7,21 +7,20 @@
 
 namespace handwheel {
 
-// How thick a chip is along the feed. That is what the edge went on in the last turn of the work: an
-// edge that has just touched takes no more than it has gone since, however fast it came: that becomes the feed after
-// one turn.
+// The thickness of a chip along the feed. It is the distance that the edge covered in the last turn of the work: an
+// edge that has just touched takes no more than it has moved since, at any speed; after one turn that becomes the feed.
 class ChipGrowth {
  public:
-  // The edge has cut on a way (mm), in turns of the work. What is not a number does nothing.
-  void add(double way, double turns) {
-    if (!std::isfinite(way) || !std::isfinite(turns)) return;
+  // The edge has cut over a distance (mm), in turns of the work. Values that are not a number do nothing.
+  void add(double distance, double turns) {
+    if (!std::isfinite(distance) || !std::isfinite(turns)) return;
     if (!(turns > 0.0)) {
-      m_thickness += way;
+      m_thickness += distance;
       return;
     }
-    const double feed = way / turns;
+    const double feed = distance / turns;
     if (m_thickness < feed)
-      m_thickness = std::min(feed, m_thickness + way);
+      m_thickness = std::min(feed, m_thickness + distance);
     else
       m_thickness = feed + (m_thickness - feed) * std::max(0.0, 1.0 - turns);
   }

@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// Takes the next line off a text, without its end; also "\r\n".
+// Removes the next line from a text and returns it without its end; also "\r\n".
 std::string_view takeLine(std::string_view& text);
 
-// The fields of one line of comma-separated values (RFC 4180), without blanks around them: at most so many. A quoted
+// Splits one line of comma-separated values (RFC 4180) into at most `most` fields, without blanks around them. A quoted
 // field ends at the end of the line at the latest. O(length).
 void splitCsvLine(std::string_view line, std::size_t most, std::vector<std::string>& fields);
 

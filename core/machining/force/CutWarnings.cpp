@@ -15,13 +15,13 @@ namespace handwheel {
 double deflection(const SlenderWork& work, double force) noexcept {
   const double secondMoment = std::numbers::pi * std::pow(work.diameter, 4) / 64.0;  // mm⁴
   const double stiffness = work.modulus * secondMoment;
-  const double length = work.length, place = std::clamp(work.place, 0.0, std::max(length, 0.0));
-  if (!(force > 0.0) || place == 0.0) return 0.0;
+  const double length = work.length, position = std::clamp(work.position, 0.0, std::max(length, 0.0));
+  if (!(force > 0.0) || position == 0.0) return 0.0;
   if (!(stiffness > 0.0)) return std::numeric_limits<double>::infinity();
-  const double free = force * place * place * place / (3.0 * stiffness);
+  const double free = force * position * position * position / (3.0 * stiffness);
   if (!work.hasTailstock) return free;
-  // What the centre pushes back: its reaction P a² (3L − a) / 2L³ lifts the place of the cut by R a² (3L − a) / 6EI.
-  const double share = place / length, arm = 3.0 - share;
+  // The centre pushes back: its reaction P a² (3L − a) / 2L³ lifts the cut by R a² (3L − a) / 6EI.
+  const double share = position / length, arm = 3.0 - share;
   return free * (1.0 - share * arm * arm / 4.0);
 }
 
@@ -39,7 +39,7 @@ std::vector<CutWarning> warningsFor(const CutConditions& cut, const CutForces& f
   const double bent = deflection(work, forces.radial);
   judge(Rule::Deflection, 2.0 * bent, rules.deflection);
   if (bent > 0.0) {
-    // Kr = radial / (ap f) and k = radial / bent: the radial force goes out.
+    // Kr = radial / (ap f) and k = radial / bent: the radial force cancels out.
     const double stable = 2.0 * rules.damping * (1.0 + rules.damping) * cut.depth * cut.feed / bent;
     judge(Rule::Chatter, cut.depth, stable);
   }

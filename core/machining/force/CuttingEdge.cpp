@@ -9,7 +9,7 @@ namespace handwheel {
 
 double chordAngle(const CutConditions& cut, const CuttingEdge& edge) noexcept {
   const double approach = edge.approach.value_or(kUsualApproach), radius = edge.noseRadius.value_or(kUsualNoseRadius);
-  // The nose ends where its tangent is the straight edge.
+  // The nose ends at its tangent point with the straight edge.
   const double noseDepth = radius * (1.0 - std::cos(approach));
   const double along =
       cut.depth < noseDepth
@@ -23,7 +23,7 @@ CutForces withThrust(double cutting, const CutConditions& cut, const CuttingEdge
   if (settings.law == ThrustLaw::Constant)
     return {cutting, settings.feedRatio * cutting, settings.radialRatio * cutting};
   const double angle = chordAngle(cut, edge), thrust = settings.share * cutting;
-  // An edge that leans back, as of a parting tool, would pull the tool in: such pulls are not rendered.
+  // An edge that leans back, like that of a parting tool, would pull the tool in: such pulls are not rendered.
   return {cutting, thrust * std::sin(angle), thrust * std::max(0.0, std::cos(angle))};
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostSwungForce = 1e7;   // N
 constexpr double kFastestHand = 5'000.0;  // mm/s
 
-// Not-a-number becomes the least.
+// Not-a-number becomes the least value.
 double withinFeel(double value, double least, double largest) noexcept {
   return value > least ? std::min(value, largest) : least;
 }

@@ -4,11 +4,11 @@
 
 namespace handwheel {
 
-// What a turning tool cuts at one moment.
+// The conditions of a turning cut at one moment.
 struct CutConditions {
-  double depth = 0.0;  // mm, of cut, along the radius
+  double depth = 0.0;  // mm, depth of cut along the radius
   double feed = 0.0;   // mm per revolution
-  double speed = 0.0;  // m/min, of cutting
+  double speed = 0.0;  // m/min, cutting speed
 
   bool operator==(const CutConditions&) const = default;
 };
@@ -23,9 +23,9 @@ struct CutForces {
   bool operator==(const CutForces&) const = default;
 };
 
-// The conditions as every model takes them. What is not a number, or below zero, cuts nothing: all is 0 then. Depth,
-// feed and speed are at most these, and the speed at least kLeastSpeed: laws with a negative power of it have a pole at
-// a standstill, where none was measured.
+// Returns the conditions within the range of every model. Values that are not a number, or below zero, cut nothing: all
+// are 0 then. Depth, feed and speed are at most these limits, and the speed at least kLeastSpeed: laws with a negative
+// power of the speed have a pole at a standstill, where none was measured.
 CutConditions bounded(const CutConditions& cut) noexcept;
 inline constexpr double kMostDepth = 1e3, kMostFeed = 1e3;       // mm, mm/rev
 inline constexpr double kLeastSpeed = 1.0, kLargestSpeed = 1e5;  // m/min
@@ -33,26 +33,27 @@ inline constexpr double kLeastSpeed = 1.0, kLargestSpeed = 1e5;  // m/min
 // A law for the forces of turning, for one material and one tool.
 //
 // Evaluated in the servo loop: at() neither allocates nor locks, and costs less than a microsecond. Every result is
-// finite and not negative, for any conditions; where depth or feed is 0, all forces are. Thread: any, at once.
+// finite and not negative, for any conditions; if depth or feed is 0, all forces are 0. Thread: any, concurrently.
 class CuttingForceModel {
  public:
   virtual ~CuttingForceModel() = default;
 
   virtual CutForces at(const CutConditions& cut) const noexcept = 0;
 
-  // Whether the law was measured, or fitted, for such a cut. Outside a model says the best it can.
+  // Returns true if the law was measured, or fitted, for such a cut. Outside of that range at() is an extrapolation.
   virtual bool covers(const CutConditions& cut) const noexcept = 0;
 };
 
-// The power of a cut, kW: Pc = Fc·v / 60000.
+// Returns the power of a cut, kW: Pc = Fc·v / 60000.
 double cuttingPower(const CutForces& forces, const CutConditions& cut) noexcept;
-// The torque at the spindle, N·m, of a cut at this diameter (mm).
+// Returns the torque at the spindle, N·m, of a cut at this diameter (mm).
 double cuttingTorque(const CutForces& forces, double diameter) noexcept;
-// The power that the motor gives, kW, where the drive has this efficiency in (0, 1].
+// Returns the power of the motor, kW, for a drive of this efficiency in (0, 1].
 double motorPower(double cuttingPower, double efficiency) noexcept;
-// The spindle speed, r/min, at which the work has this speed (m/min) at a diameter (mm); 0 where that is 0.
+// Returns the spindle speed, r/min, that gives the work this surface speed (m/min) at a diameter (mm); 0 if the
+// diameter is 0.
 double spindleSpeed(double speed, double diameter) noexcept;
-// The speed of the work, m/min, at a spindle speed (r/min) and a diameter (mm).
+// Returns the surface speed of the work, m/min, at a spindle speed (r/min) and a diameter (mm).
 double surfaceSpeed(double spindle, double diameter) noexcept;
 
 }  // namespace handwheel

@@ -25,13 +25,13 @@ std::string loweredName(std::string_view name) {
   return lower;
 }
 
-// The places of the columns in a line; kNoColumn where there is none.
+// Index of a column that is missing in a line.
 constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 
 struct ForceColumns {
   std::size_t depth = kNoColumn, feed = kNoColumn, speed = kNoColumn, force = kNoColumn, wear = kNoColumn;
-  bool isArea = false;     // depth: it is depth times feed, mm²
-  bool isSpindle = false;  // speed: r/min
+  bool isArea = false;     // the depth column contains depth times feed, mm²
+  bool isSpindle = false;  // the speed column contains r/min
 };
 
 class ForceHeader {
@@ -42,19 +42,20 @@ class ForceHeader {
     for (const std::string& name : m_names) m_lowered.push_back(loweredName(name));
   }
 
-  // Of the first of these names that is there as it is written; else in any case: a table may have feed and F, a force.
-  std::size_t place(const ColumnNames& names) const {
+  // Returns the column with the first of these names in exact case, else in any case: a table may have feed and F, a
+  // force.
+  std::size_t column(const ColumnNames& names) const {
     for (const std::string_view name : names)
-      if (const std::size_t at = placeIn(m_names, name); at != kNoColumn) return at;
+      if (const std::size_t at = columnIn(m_names, name); at != kNoColumn) return at;
     for (const std::string_view name : names)
-      if (const std::size_t at = placeIn(m_lowered, loweredName(name)); at != kNoColumn) return at;
+      if (const std::size_t at = columnIn(m_lowered, loweredName(name)); at != kNoColumn) return at;
     return kNoColumn;
   }
-  bool has(std::string_view name) const { return place({name}) != kNoColumn; }
+  bool has(std::string_view name) const { return column({name}) != kNoColumn; }
 
-  // The place of the first of these names.
+  // Returns the column with the first of these names.
   Result<std::size_t> find(const char* quantity, const ColumnNames& names) const {
-    if (const std::size_t at = place(names); at != kNoColumn) {
+    if (const std::size_t at = column(names); at != kNoColumn) {
       if (std::count(m_names.begin(), m_names.end(), m_names[at]) > 1)
         return Error{ForceErrors::ColumnTwice, {quantity}, InputPosition::line(1), {}};
       return at;
@@ -65,7 +66,7 @@ class ForceHeader {
   }
 
  private:
-  static std::size_t placeIn(const std::vector<std::string>& names, std::string_view name) {
+  static std::size_t columnIn(const std::vector<std::string>& names, std::string_view name) {
     const auto found = std::find(names.begin(), names.end(), name);
     return found == names.end() ? kNoColumn : static_cast<std::size_t>(found - names.begin());
   }
@@ -90,12 +91,12 @@ Result<ForceColumns> forceColumnsIn(std::string_view line, double diameter) {
   columns.feed = *feed;
   columns.force = *force;
   columns.speed = *speed;
-  columns.wear = header.place({"TCond", "VB"});
-  columns.isArea = columns.depth == header.place({"A_cal"}) || columns.depth == header.place({"A0"});
+  columns.wear = header.column({"TCond", "VB"});
+  columns.isArea = columns.depth == header.column({"A_cal"}) || columns.depth == header.column({"A0"});
   return columns;
 }
 
-// A number of a row; NaN where it says that it has none.
+// Returns a number of a row; NaN if it is marked as missing.
 Result<double> forceNumberIn(const std::vector<std::string>& fields, std::size_t column, double least) {
   const std::string word = column < fields.size() ? fields[column] : "";
   if (word.empty() || loweredName(word) == "na" || loweredName(word) == "nan") return std::nan("");
@@ -109,13 +110,13 @@ Result<double> forceNumberIn(const std::vector<std::string>& fields, std::size_t
   return value;
 }
 
-// One row: the depth (or area), feed, speed (or r/min), force and wear.
+// Returns the values of one row: the depth (or area), feed, speed (or r/min), force and wear.
 Result<std::array<double, 5>> forceValuesIn(const std::vector<std::string>& fields, const ForceColumns& columns) {
-  const std::array places{columns.depth, columns.feed, columns.speed, columns.force, columns.wear};
+  const std::array indices{columns.depth, columns.feed, columns.speed, columns.force, columns.wear};
   std::array<double, 5> values{};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (places[i] == kNoColumn) continue;
-    const Result<double> value = forceNumberIn(fields, places[i], i + 1 < places.size() ? kLeastValue : 0.0);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] == kNoColumn) continue;
+    const Result<double> value = forceNumberIn(fields, indices[i], i + 1 < indices.size() ? kLeastValue : 0.0);
     if (!value) return value.error();
     values[i] = *value;
   }
@@ -125,7 +126,7 @@ Result<std::array<double, 5>> forceValuesIn(const std::vector<std::string>& fiel
 }  // namespace
 
 Result<ForceSamples> forceSamplesFromCsv(std::string_view text, double diameter, Progress progress) {
-  constexpr std::size_t kLook = 1'000;  // rows between two looks at the cancel flag
+  constexpr std::size_t kLook = 1'000;  // rows between two checks of the cancel flag
   const std::size_t length = text.size();
   if (text.find_first_not_of(" \r\n") == text.npos) return Error{ErrorCode::FileEmpty, {}, {}, {}};
   const Result<ForceColumns> columns = forceColumnsIn(takeLine(text), diameter);

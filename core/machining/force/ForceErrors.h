@@ -7,10 +7,10 @@
 // The error codes of tables and models of cutting forces.
 namespace handwheel::ForceErrors {
 
-extern const ErrorDescription ColumnMissing;    // {quantity, names that it may have} of a table of cuts
+extern const ErrorDescription ColumnMissing;    // {quantity, its possible names}; a table of cuts
 extern const ErrorDescription ColumnTwice;      // {name}
-extern const ErrorDescription DiameterNeeded;   // the table gives r/min, and no cutting speed
+extern const ErrorDescription DiameterNeeded;   // the table gives r/min, but no cutting speed
 extern const ErrorDescription TooFewCuts;       // {found, least}
-extern const ErrorDescription MaterialUnknown;  // {id} no such work material
+extern const ErrorDescription MaterialUnknown;  // {id}; there is no such work material
 
 }  // namespace handwheel::ForceErrors

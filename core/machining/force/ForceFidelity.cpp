@@ -11,7 +11,7 @@ FidelitySetting forceModelSetting() {
   FidelitySetting s;
   s.id = "turn.force_model";
   s.label = translatable("Fidelity", "Law of the cutting force");
-  setChoices(s, {"kosilova", "kienzle", "network"});  // as ForceLaw
+  setChoices(s, {"kosilova", "kienzle", "network"});  // in the order of ForceLaw
   s.standard = static_cast<double>(ForceLaw::Kienzle);
   s.presets = {1.0, 1.0, 1.0};
   s.error = {translatable("Fidelity", "largest difference from the cited tables"), "%"};

@@ -7,23 +7,23 @@
 
 namespace handwheel {
 
-// The laws that the hand can feel; the choices of the setting, in its order.
+// The force laws that the hand can feel, in the order of the setting's choices.
 enum class ForceLaw { Kosilova, Kienzle, Network };
 
-// The setting turn.force_model: which law gives the cutting force.
+// The setting turn.force_model: the law that gives the cutting force.
 FidelitySetting forceModelSetting();
 
-// The law for a material by its choice. Kienzle's, which every material has, takes the place of Kosilova's where the
-// handbook has no row, and of the network that ships for another material than its own.
+// Returns the chosen law for a material. Kienzle's law, which every material has, replaces Kosilova's if the handbook
+// has no row, and replaces the shipped network for any material but the one it was trained on.
 std::unique_ptr<CuttingForceModel> forceModelFor(ForceLaw law, const WorkMaterial& material, const CuttingEdge& edge,
                                                  const ThrustSettings& thrust = {});
 
-// The law that a force is from.
+// The law that gives a force.
 struct LawInUse {
   ForceLaw law = ForceLaw::Kienzle;
-  bool isVerified = true;  // all that it comes from was compared with its source
+  bool isVerified = true;  // all its constants were compared with their source
 };
-// Of a model that forceModelFor() made for this material.
+// Returns the law of a model that forceModelFor() made for this material.
 LawInUse lawInUse(const CuttingForceModel& model, const WorkMaterial& material);
 
 }  // namespace handwheel

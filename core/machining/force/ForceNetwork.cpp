@@ -16,7 +16,7 @@ double sigmoid(double x) noexcept {
   return 1.0 / (1.0 + std::exp(-x));
 }
 
-// In -1…1; not std::uniform_real_distribution, whose result the standard leaves open.
+// Returns a number in -1…1; the standard does not specify the result of std::uniform_real_distribution.
 double uniformWeight(std::mt19937_64& random) {
   return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
 }
@@ -41,7 +41,7 @@ ForceNetwork ForceNetwork::untrained(std::span<const ForceSample> samples, std::
     network.largestForce = std::max(network.largestForce, sample.force);
   }
   std::mt19937_64 random(seed);
-  // Twice the slope of a hyperbolic tangent, for which the rule was made.
+  // Twice the slope for a hyperbolic tangent, which the rule was made for.
   const double slope = 2.0 * 0.7 * std::pow(static_cast<double>(hidden), 1.0 / kInputs);
   network.weights.assign(weightCount(hidden), 0.0);
   for (std::size_t j = 0; j < hidden; ++j) {
@@ -52,8 +52,8 @@ ForceNetwork ForceNetwork::untrained(std::span<const ForceSample> samples, std::
       norm += neuron[i] * neuron[i];
     }
     for (std::size_t i = 0; i < kInputs; ++i) neuron[i] *= slope / std::sqrt(std::max(norm, 1e-12));
-    const double place = hidden == 1 ? 0.0 : 2.0 * static_cast<double>(j) / static_cast<double>(hidden - 1) - 1.0;
-    neuron[kBias] = slope * place;
+    const double centre = hidden == 1 ? 0.0 : 2.0 * static_cast<double>(j) / static_cast<double>(hidden - 1) - 1.0;
+    neuron[kBias] = slope * centre;
     neuron[kOutput] = 0.5 * uniformWeight(random);
   }
   network.weights.back() = 0.5 * uniformWeight(random);

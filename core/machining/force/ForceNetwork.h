@@ -12,10 +12,11 @@
 namespace handwheel {
 
 // A neural network for the cutting force (He 2008, 3.1). It has depth, feed and speed as inputs, one hidden layer of
-// sigmoid neurons, a linear output. Its inputs are scaled from the range of the training set to -1…1, its output from
-// 0…1.
+// sigmoid neurons and a linear output. Its inputs are scaled from the range of the training set to -1…1, its output
+// from 0…1.
 //
-// weights: for each hidden neuron three of the inputs, its bias and its weight in the output; then the output's bias.
+// weights: for each hidden neuron three for the inputs, its bias and its weight in the output; then the bias of the
+// output.
 struct ForceNetwork {
   static constexpr std::size_t kInputs = 3, kPerNeuron = kInputs + 2;
   static constexpr std::size_t kMostHidden = 64;
@@ -28,20 +29,20 @@ struct ForceNetwork {
   static constexpr std::size_t weightCount(std::size_t hidden) { return kPerNeuron * hidden + 1; }
   std::size_t hidden() const { return weights.size() / kPerNeuron; }
 
-  // An untrained network for samples, of which there is at least one: scaled to their range, its weights chosen by the
-  // seed (Nguyen and Widrow, "Improving the learning speed of 2-layer neural networks", IJCNN 1990).
+  // Returns an untrained network for samples (at least one): scaled to their range, its weights chosen by the seed
+  // (Nguyen and Widrow, "Improving the learning speed of 2-layer neural networks", IJCNN 1990).
   static ForceNetwork untrained(std::span<const ForceSample> samples, std::size_t hidden, std::uint64_t seed);
 
   Inputs scaled(const CutConditions& cut) const noexcept;
   double scaledForce(double force) const noexcept;
 
-  // N; not negative. O(hidden), no allocation.
+  // Returns the cutting force, N; not negative. O(hidden), no allocation.
   double at(const CutConditions& cut) const noexcept;
 };
 
-// The output for scaled inputs.
+// Returns the output for scaled inputs.
 double networkOutput(std::span<const double> weights, const ForceNetwork::Inputs& inputs) noexcept;
-// Also writes its derivatives by the weights.
+// The same; also writes its derivatives with respect to the weights.
 double networkOutput(std::span<const double> weights, const ForceNetwork::Inputs& inputs, double* gradient) noexcept;
 
 }  // namespace handwheel

@@ -9,15 +9,15 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSamplesOfACut = 8.0;  // an eighth of the depth is what one sample more or less makes
-constexpr double kLongestMove = 0.5;    // mm: longer ones are judged in parts
+constexpr double kSamplesOfACut = 8.0;  // one sample more or less makes an eighth of the depth
+constexpr double kLongestMove = 0.5;    // mm; longer moves are judged in parts
 
 struct RemovedSection {
   double area = 0.0;    // mm²
   double radius = 0.0;  // mm
 };
 
-// By the nose of a pass, on its side. before: for the radii of that side; a buffer.
+// Returns the material removed by the nose of a pass, on its side. before: a buffer for the radii of that side.
 RemovedSection removedBy(TurnedProfile& profile, const TurningPass& pass, const ProfilePoint& a, const ProfilePoint& b,
                          std::vector<double>& before) {
   const bool isBore = pass.side == TurningSide::Bore;
@@ -65,7 +65,7 @@ void ForcePeakMeter::judge() {
   if (m_area > 0.0 && m_length > 0.0) {
     // Per length of the path the area is the width of the cut; per turn the length is the feed.
     const double feed = m_turns > 0.0 ? std::min(m_length / m_turns, kRapidFeed) : kRapidFeed;
-    // A cut that ended before it was as long as a sample tells nothing of its width.
+    // A cut that ended before it was as long as a sample does not define its width.
     const double length = std::max(m_length, m_resolution);
     const CutConditions cut{m_area / length, feed, handwheel::surfaceSpeed(m_spindle.at(m_radius), 2.0 * m_radius)};
     take(cut, m_radius);
@@ -98,20 +98,20 @@ ForcePeaks ForcePeakMeter::finish() {
 
 std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const TurningPass> passes,
                                      const SpindleSetting& spindle, const CuttingForceModel& model, Progress progress) {
-  constexpr std::size_t kLook = 64;      // points between two looks at the cancel flag
-  constexpr double kMostParts = 10'000;  // of a move
+  constexpr std::size_t kLook = 64;      // points between two checks of the cancel flag
+  constexpr double kMostParts = 10'000;  // largest number of parts of a move
   ForcePeakMeter meter(model, spindle, profile.spacing());
   std::vector<double> before;
   for (const TurningPass& pass : passes) {
     if (!pass.path.empty()) cut(profile, pass, pass.path[0], pass.path[0]);
     for (std::size_t i = 1; i < pass.path.size(); ++i) {
       if (i % kLook == 0 && progress.cancelled()) return std::nullopt;
-      const ProfilePoint from = pass.path[i - 1], way = pass.path[i] - from;
-      const double seconds = pass.times[i] - pass.times[i - 1], length = way.norm();
+      const ProfilePoint from = pass.path[i - 1], displacement = pass.path[i] - from;
+      const double seconds = pass.times[i] - pass.times[i - 1], length = displacement.norm();
       const int parts = static_cast<int>(std::clamp(std::ceil(length / kLongestMove), 1.0, kMostParts));
       for (int k = 0; k < parts; ++k) {
-        const ProfilePoint a = from + way * (static_cast<double>(k) / parts);
-        const ProfilePoint b = from + way * (static_cast<double>(k + 1) / parts);
+        const ProfilePoint a = from + displacement * (static_cast<double>(k) / parts);
+        const ProfilePoint b = from + displacement * (static_cast<double>(k + 1) / parts);
         const RemovedSection removed = removedBy(profile, pass, a, b, before);
         meter.add(length / parts, seconds / parts, removed.area, removed.radius);
       }

@@ -26,7 +26,7 @@ std::vector<CutConditions> conditionsOf(std::span<const ForceSample> samples) {
   return conditions;
 }
 
-// Values from least to largest in equal ratios.
+// Returns value i of a geometric series from least to largest.
 double geometric(double least, double largest, int i, int count) {
   return least * std::pow(largest / least, static_cast<double>(i) / (count - 1));
 }
@@ -36,7 +36,7 @@ double geometric(double least, double largest, int i, int count) {
 SplitSamples splitByConditions(std::span<const ForceSample> samples, std::size_t fold, std::size_t folds,
                                std::uint64_t seed) {
   std::vector<CutConditions> all = conditionsOf(samples), conditions;
-  // Not std::shuffle, whose result the standard leaves open.
+  // The standard does not specify the result of std::shuffle.
   std::mt19937_64 random(seed);
   for (std::size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[random() % i]);
   for (std::size_t i = fold; i < all.size() && all.size() > 1; i += folds) conditions.push_back(all[i]);

@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-// For each degree, of kc; beyond ±30°, where no tool is, no further.
+// Change of kc for each degree of rake; constant beyond ±30°, where there are no tools.
 constexpr double kPerDegreeOfRake = 0.01, kMostRake = 30.0;
 
 double rakeFactor(const CuttingEdge& edge) {
@@ -46,7 +46,7 @@ CutForces KienzleModel::at(const CutConditions& given) const noexcept {
   return cut.depth == 0.0 ? CutForces() : withThrust(m_cutting.at(cut), cut, m_edge, m_thrust);
 }
 
-// Chips of 0.05 to 2.5 mm, for which the tables hold (VDI 3206).
+// The tables hold for chips of 0.05 to 2.5 mm (VDI 3206).
 bool KienzleModel::covers(const CutConditions& cut) const noexcept {
   const double thickness = cut.feed * m_thickness;
   return cut.depth > 0.0 && thickness >= 0.05 && thickness <= 2.5 && cut.speed > 0.0;

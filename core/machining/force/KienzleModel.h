@@ -10,19 +10,19 @@
 
 namespace handwheel {
 
-// The two constants of Kienzle's law, kc = kc11 h^-mc. With the thickness h of the chip in mm.
+// The two constants of Kienzle's law, kc = kc11 h^-mc. h is the thickness of the chip in mm.
 struct KienzleConstants {
   double kc11 = 0.0;  // N/mm², of a chip 1 mm wide and 1 mm thick
   double mc = 0.0;
   bool operator==(const KienzleConstants&) const = default;
 };
 
-// The constants that come nearest, in logarithms and by least squares, to a table of thickness (mm) and kc (N/mm²). The
-// table must have two different thicknesses, and nothing that is not above zero.
+// Returns the constants nearest, in logarithms and by least squares, to a table of thickness (mm) and kc (N/mm²). The
+// table must have two different thicknesses, and only values above zero.
 KienzleConstants fittedConstants(std::span<const std::pair<double, double>> table);
 
 // Kienzle's cutting force law for a material and an edge. Fc = kc11 b h^(1-mc), b = ap / sin κ, h = f sin κ, and 1 %
-// less for each degree of rake (Kienzle 1952; rake after Sandvik's handbook). It knows no speed.
+// less for each degree of rake (Kienzle 1952; rake after Sandvik's handbook). It does not depend on the speed.
 class KienzleModel : public CuttingForceModel {
  public:
   KienzleModel(const KienzleConstants& constants, const CuttingEdge& edge, const ThrustSettings& thrust = {});
@@ -34,7 +34,7 @@ class KienzleModel : public CuttingForceModel {
   CuttingEdge m_edge;
   ThrustSettings m_thrust;
   PowerLaw m_cutting;
-  double m_thickness;  // of the chip, by the feed: sin κ
+  double m_thickness;  // thickness of the chip by the feed: sin κ
 };
 
 }  // namespace handwheel

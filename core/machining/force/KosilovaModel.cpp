@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kNewtonPerForce = 10.0;  // of the handbook's kgf
+constexpr double kNewtonPerForce = 10.0;  // newton in the handbook's kgf
 
 double materialFactor(const KosilovaRow& row, const KosilovaLaw& law, double property) {
   return row.reference > 0.0 && property > 0.0 ? std::pow(property / row.reference, law.materialExponent) : 1.0;

@@ -11,7 +11,8 @@ namespace handwheel {
 // 3-5), with K = Kmp Kφ Kγ Kλ Kr.
 class KosilovaModel : public CuttingForceModel {
  public:
-  // property: the tensile strength (MPa) or the hardness (HB) of the work, as the row asks; 0: as the row has it.
+  // property: the tensile strength (MPa) or the hardness (HB) of the work, as the row requires; 0: the reference of the
+  // row.
   KosilovaModel(const KosilovaTables& tables, const KosilovaRow& row, double property, const CuttingEdge& edge,
                 const ThrustSettings& thrust = {});
 
@@ -19,9 +20,9 @@ class KosilovaModel : public CuttingForceModel {
   bool covers(const CutConditions& cut) const noexcept override;
 
   double correction() const { return m_correction; }  // K of the cutting force
-  // Whether all that the cutting force comes from was compared with the handbook.
+  // Returns true if all constants of the cutting force were compared with the handbook.
   bool isVerified() const { return m_isVerified; }
-  // Whether feed and radial force come from laws of the table.
+  // Returns true if feed and radial force come from laws of the table.
   bool hasThrustLaws() const { return m_hasThrustLaws; }
 
  private:

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-KosilovaLaw kosilovaLawIn(const nlohmann::json& row, const char* component, std::size_t place) {
+KosilovaLaw kosilovaLawIn(const nlohmann::json& row, const char* component, std::size_t index) {
   KosilovaLaw law;
   if (!row.contains(component)) return law;
   const nlohmann::json& given = row.at(component);
@@ -23,7 +23,7 @@ KosilovaLaw kosilovaLawIn(const nlohmann::json& row, const char* component, std:
   law.y = given.at("y");
   law.n = given.at("n");
   law.isVerified = given.at("verified");
-  law.materialExponent = row.at("exponents").at(place);
+  law.materialExponent = row.at("exponents").at(index);
   return law;
 }
 
@@ -75,11 +75,11 @@ bool isSound(const KosilovaCorrection& correction) {
          std::all_of(correction.factors.begin(), correction.factors.end(), fits);
 }
 
-double interpolatedFactor(const std::vector<double>& at, const std::vector<double>& values, double place) {
-  const auto above = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), place) - at.begin());
+double interpolatedFactor(const std::vector<double>& at, const std::vector<double>& values, double value) {
+  const auto above = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), value) - at.begin());
   if (above == 0) return values.front();
   if (above == at.size()) return values.back();
-  const double t = (place - at[above - 1]) / (at[above] - at[above - 1]);
+  const double t = (value - at[above - 1]) / (at[above] - at[above - 1]);
   return (1.0 - t) * values[above - 1] + t * values[above];
 }
 
@@ -130,13 +130,13 @@ EdgeFactors KosilovaTables::factorsOf(const CuttingEdge& edge) const {
   constexpr double kSameEntry = 1e-9;  // radian, mm
   EdgeFactors factors;
   for (const KosilovaCorrection& correction : m_corrections) {
-    const std::optional<double> place = givenBy(edge, correction.of);
-    if (!place || (correction.tool && *correction.tool != edge.material)) continue;
-    factors.cutting *= interpolatedFactor(correction.at, correction.factors[0], *place);
-    factors.radial *= interpolatedFactor(correction.at, correction.factors[1], *place);
-    factors.feed *= interpolatedFactor(correction.at, correction.factors[2], *place);
+    const std::optional<double> value = givenBy(edge, correction.of);
+    if (!value || (correction.tool && *correction.tool != edge.material)) continue;
+    factors.cutting *= interpolatedFactor(correction.at, correction.factors[0], *value);
+    factors.radial *= interpolatedFactor(correction.at, correction.factors[1], *value);
+    factors.feed *= interpolatedFactor(correction.at, correction.factors[2], *value);
     factors.isVerified &= std::any_of(correction.verifiedAt.begin(), correction.verifiedAt.end(),
-                                      [&](double entry) { return std::abs(entry - *place) <= kSameEntry; });
+                                      [&](double entry) { return std::abs(entry - *value) <= kSameEntry; });
   }
   return factors;
 }

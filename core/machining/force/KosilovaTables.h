@@ -12,11 +12,12 @@
 
 namespace handwheel {
 
-// The law of one component of force, F[N] = 10 C t^x s^y v^n K. With the factor (strength / reference)^exponent in K.
+// The law of one component of force, F[N] = 10 C t^x s^y v^n K. The material factor (strength / reference)^exponent is
+// part of K.
 struct KosilovaLaw {
   double c = 0.0, x = 0.0, y = 0.0, n = 0.0;  // c in kgf; 0: the table has no such law
   double materialExponent = 0.0;
-  bool isVerified = false;  // compared with the handbook, or with what quotes it
+  bool isVerified = false;  // compared with the handbook, or with a quotation of it
 
   bool isGiven() const { return c > 0.0; }
 };
@@ -26,22 +27,22 @@ struct KosilovaRow {
   std::string id, work, operation;
   ToolMaterial tool = ToolMaterial::Carbide;
   std::string source;         // a sentence
-  double reference = 0.0;     // MPa or HB of the work that the row was measured on; 0: no correction
+  double reference = 0.0;     // MPa or HB of the work in the measurement; 0: no correction
   bool isByHardness = false;  // HB, else tensile strength
   KosilovaLaw cutting, radial, feed;
 };
 
-// A factor by an angle (radian) or a length (mm), linear between its entries and constant beyond.
+// A factor as a function of an angle (radian) or a length (mm), linear between its entries and constant beyond.
 struct KosilovaCorrection {
   enum class Of { Approach, Rake, Inclination, Nose };
   Of of = Of::Approach;
   std::optional<ToolMaterial> tool;            // none: any
   std::vector<double> at;                      // ascending
   std::array<std::vector<double>, 3> factors;  // cutting, radial, feed
-  std::vector<double> verifiedAt;              // entries whose factor of the cutting force is verified
+  std::vector<double> verifiedAt;              // entries with a verified factor of the cutting force
 };
 
-// The factors of an edge on the three components, and whether that on the cutting force rests on verified entries only.
+// The factors of an edge on the three components. isVerified: that on the cutting force rests on verified entries only.
 struct EdgeFactors {
   double cutting = 1.0, radial = 1.0, feed = 1.0;
   bool isVerified = true;
@@ -52,13 +53,13 @@ class KosilovaTables {
  public:
   // Errors: ElementMalformed.
   static Result<KosilovaTables> fromJson(std::string_view text);
-  // Those that the program ships: one for all, read with the first use.
+  // Returns the shipped tables: shared, read at the first use.
   static const KosilovaTables& standard();
 
   const std::vector<KosilovaRow>& rows() const { return m_rows; }
   const KosilovaRow* find(std::string_view id) const;  // null when unknown
 
-  // Of what the edge gives; the rest is as in the rows, with factor 1.
+  // Returns the factors for the values that the edge gives; other values are as in the rows, with factor 1.
   EdgeFactors factorsOf(const CuttingEdge& edge) const;
 
  private:

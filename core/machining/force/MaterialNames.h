@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The names of the built-in materials, in the order of WorkMaterials::standard(). From here they are gathered for
-// translation. They are shown by the context "Property".
+// The names of the built-in materials, in the order of WorkMaterials::standard(). The translation tools collect them
+// from this list. They are translated in the context "Property".
 inline constexpr const char* kMaterialNames[] = {
     translatable("Property", "Unalloyed steel below 0.25 % C, annealed"),
     translatable("Property", "Unalloyed steel from 0.25 % C, annealed"),

@@ -11,7 +11,8 @@ struct PowerLaw {
   double logC = 0.0;  // ln of C in N
   double x = 0.0, y = 0.0, n = 0.0;
 
-  // N. The conditions must be bounded(), and of some depth. Where an exponent is below zero, it has a pole at 0.
+  // Returns the force, N. The conditions must be bounded(), with a depth above zero. A negative exponent has a pole at
+  // 0.
   double at(const CutConditions& cut) const noexcept;
 };
 

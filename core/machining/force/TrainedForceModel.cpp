@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMostForce = 1e7;  // N; no lathe has more, and powers of hostile models do
+constexpr double kMostForce = 1e7;  // N; no lathe reaches it, but powers of hostile models do
 
 }  // namespace
 
@@ -32,7 +32,7 @@ CutForces TrainedForceModel::at(const CutConditions& given) const noexcept {
   const CutConditions cut = bounded(given);
   if (cut.depth == 0.0) return {};
   ForceNetwork::Inputs inputs{cut.depth, cut.feed, cut.speed};
-  double outside = 0.0;  // the largest distance from the range, by the width of the rim
+  double outside = 0.0;  // largest distance from the range, relative to the width of the rim
   for (std::size_t i = 0; i < ForceNetwork::kInputs; ++i) {
     const double nearest = std::clamp(inputs[i], m_network.least[i], m_network.largest[i]);
     const double rim = kRim * (m_network.largest[i] - m_network.least[i]);
@@ -43,7 +43,7 @@ CutForces TrainedForceModel::at(const CutConditions& given) const noexcept {
   double force = law;
   if (outside < 1.0) {
     const CutConditions border{inputs[0], inputs[1], inputs[2]};
-    // On the rim the network's value at the border goes on as the power law does.
+    // On the rim the network's value at the border is continued in proportion to the power law.
     const double onward = outside > 0.0 ? law / m_powerLaw.at(border) : 1.0;
     force = (1.0 - outside) * m_network.at(border) * onward + outside * law;
   }

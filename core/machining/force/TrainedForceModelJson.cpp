@@ -16,14 +16,14 @@ namespace {
 
 constexpr const char* kModelFormat = "handwheel force model";
 constexpr std::uint64_t kModelVersion = 1;
-// What a model may hold: far beyond all that is measured, and so little that no force overflows.
+// Limits of the numbers in a model: far beyond all measurements, and so small that no force overflows.
 constexpr double kMostWeight = 1e6, kLeastRange = 1e-9, kLargestRange = 1e9, kMostLogC = 100.0;
 
 Error wrongModelElement(const char* element, const char* what) {
   return {ErrorCode::ElementMalformed, {element, what}, {}, {}};
 }
 
-// Numbers in a range under a key, exactly so many.
+// Reads numbers in a range under a key; their count must be exact.
 Result<std::vector<double>> modelNumbersIn(const nlohmann::json& json, const char* key, std::size_t count, double least,
                                            double largest) {
   std::vector<double> numbers = numbersAt(json, key, count + 1);
@@ -42,7 +42,7 @@ double modelNumberAt(const nlohmann::json& json, const char* key) {
   return found != json.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
-// Without control characters, which a terminal would obey, and not too long for a line.
+// Returns a text without control characters, which a terminal would execute, and short enough for a line.
 std::string shownTextAt(const nlohmann::json& json, const char* key) {
   constexpr std::size_t kMost = 500;
   std::string text = stringAt(json, key);

@@ -42,7 +42,7 @@ Result<WorkMaterials> WorkMaterials::fromJson(std::string_view text) {
   try {
     for (const nlohmann::json& row : json->at("materials"))
       materials.m_all.push_back(materialIn(row, json->at("sources")));
-  } catch (const std::exception& problem) {  // of the library, or an empty group
+  } catch (const std::exception& problem) {  // from the library, or an empty group
     return Error{ErrorCode::ElementMalformed, {"the table of materials", problem.what()}, {}, {}};
   }
   return materials;

@@ -12,12 +12,12 @@ namespace {
 
 constexpr GrindingHold kInSlide{500.0, 1.0, 500.0}, kInHand{20.0, 0.2, 60.0};
 
-// The side that the tool works on, seen so that its material is below: r outside, -r in the bore.
+// Returns the height of the side that the tool works on, with the material below: r outside, -r in the bore.
 double heightOf(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : -profile.inner(i);
 }
 
-// How far the tool is in the piece between two samples along r, at its middle.
+// Returns the depth of the tool in the piece between two samples along r, at its middle.
 double radialDepth(const TurnedProfile& profile, TurningSide side, const std::vector<SectionSweep>& tool,
                    std::size_t i) {
   const double z = 0.5 * (profile.z(i) + profile.z(i + 1));

@@ -12,14 +12,14 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kWorkTolerance = 0.02;  // mm: a holder beside a flank that the samples of the profile lean
+constexpr double kWorkTolerance = 0.02;  // mm; a holder may be beside a flank that leans between samples of the profile
 
 LatheSolid boxOf(LathePart part, double leastR, double largestR, double first, double last) {
   const std::array<ProfilePoint, 4> corners{{{leastR, first}, {leastR, last}, {largestR, last}, {largestR, first}}};
   return {part, RoundedPolygon(corners, 0.0)};
 }
 
-// The centre of a dead centre: 60°.
+// Returns the section of a dead centre: 60°.
 LatheSolid centreOf(double tip) {
   constexpr double kRadius = 10.0, kShank = 12.0;
   const double back = tip + kRadius / std::tan(M_PI / 6.0);
@@ -101,7 +101,7 @@ std::vector<LatheSolid> tailstockSolids(const LatheTailstock& tailstock, double 
   } else {
     solids.push_back(centreOf(quillTip));
   }
-  const double front = tailstock.place + (quill - quillTip) + kBehind;
+  const double front = tailstock.position + (quill - quillTip) + kBehind;
   const double radius = 0.5 * tailstock.quillDiameter;
   solids.push_back(boxOf(LathePart::Fitting, -radius, radius, quill, front));
   solids.push_back(boxOf(LathePart::Tailstock, -tailstock.bodyRadius, tailstock.bodyRadius, front, front + kBody));
@@ -132,7 +132,7 @@ std::optional<LatheCollision> contactBetween(const std::vector<LatheSolid>& move
       LatheCollision collision;
       collision.moving = solid.part;
       collision.struck = other.part;
-      collision.place = at;
+      collision.position = at;
       return collision;
     }
   }
@@ -147,7 +147,7 @@ std::optional<LatheCollision> contactWithWork(const std::vector<LatheSolid>& mov
     if (!(overlap.depth > kWorkTolerance)) continue;
     LatheCollision collision;
     collision.moving = solid.part;
-    collision.place = overlap.place;
+    collision.position = overlap.position;
     collision.depth = overlap.depth;
     return collision;
   }

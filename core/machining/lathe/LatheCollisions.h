@@ -13,7 +13,7 @@ enum class LathePart { CuttingEdge, Holder, ToolPost, Slide, Fitting, Tailstock,
 inline constexpr std::size_t kLatheParts = 9;
 const char* titleOf(LathePart part);  // English, context "LathePart"
 
-// Why a contact is a crash.
+// The reason why a contact is a crash.
 enum class CrashCause {
   Contact,        // these parts must not touch at all
   Rapid,          // the power traverse ran into the work
@@ -24,16 +24,16 @@ enum class CrashCause {
 };
 const char* sentenceOf(CrashCause cause);  // English, context "LathePart"
 
-// A crash: what met what, where and when.
+// A crash of a lathe: the parts that met, the position and the time.
 struct LatheCollision {
   LathePart moving = LathePart::CuttingEdge;
   LathePart struck = LathePart::Work;
   CrashCause cause = CrashCause::Contact;
-  ProfilePoint place{0.0, 0.0};  // mm, (r, z)
-  double depth = 0.0;            // mm: how far they would have been in each other; 0 where that is not known
-  double time = 0.0;             // s, of the machine
-  std::string tool;              // id of the tool that was in use
-  double passes = -1.0;          // that the part had by then, the one under way included; below 0: not known
+  ProfilePoint position{0.0, 0.0};  // mm, (r, z)
+  double depth = 0.0;               // mm, overlap that the parts would have had; 0: not known
+  double time = 0.0;                // s, clock of the machine
+  std::string tool;                 // id of the tool that was in use
+  double passes = -1.0;             // passes of the part by then, the current one included; below 0: not known
 
   bool operator==(const LatheCollision&) const = default;
 };
@@ -44,22 +44,23 @@ struct LatheSolid {
   RoundedPolygon section;
 };
 
-// The largest outer, or least inner, radius of a part between the jaws, mm.
+// Returns the largest outer, or least inner, radius of a part between the jaws, mm.
 double grippedRadius(const TurnedProfile& profile, const LatheChuck& chuck);
 
-// The sections of what stands or turns around the axis: chuck, jaws, and the tailstock with its quill. gripped: mm,
-// radius that the jaws are closed on. They are drawn from these sections, too. drill: of the tailstock; null: none.
+// Returns the sections of the parts that stand or turn around the axis: chuck, jaws, and the tailstock with its quill.
+// They are also drawn from these sections. gripped: mm, radius that the jaws are closed on. drill: drill in the
+// tailstock; null: none.
 std::vector<LatheSolid> chuckSolids(const LatheChuck& chuck, double gripped);
 std::vector<LatheSolid> tailstockSolids(const LatheTailstock& tailstock, double quillTip, const LatheTool* drill);
-// Those of what moves with a tool, relative to its tip: edge, holder, tool post and slide.
+// Returns the sections of the parts that move with a tool, relative to its tip: edge, holder, tool post and slide.
 std::vector<LatheSolid> toolSolids(const LatheTool& tool);
 
-// Where the moved solids touch the others; none where nothing does. O(pairs).
+// Returns a contact of the moved solids with the others, or nothing. O(pairs).
 std::optional<LatheCollision> contactBetween(const std::vector<LatheSolid>& moved, const ProfilePoint& at,
                                              const std::vector<LatheSolid>& others);
 
-// Where a holder, a tool post or a fitting is in the work, deeper than its tolerance; the edge is not asked. within:
-// mm, a radius that no material exceeds.
+// Returns a contact of a holder, a tool post or a fitting with the work, deeper than its tolerance; the edge is not
+// tested. within: mm, a radius that no material exceeds.
 std::optional<LatheCollision> contactWithWork(const std::vector<LatheSolid>& moved, const ProfilePoint& from,
                                               const ProfilePoint& to, const TurnedProfile& work, double within);
 

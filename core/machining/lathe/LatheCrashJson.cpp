@@ -19,7 +19,7 @@ constexpr std::array<const char*, kLatheParts> kPartIds = {"edge",      "holder"
 constexpr std::array<const char*, 6> kCauseIds = {"contact",  "rapid",    "spindle-at-rest",
                                                   "reversed", "too-deep", "overload"};
 
-// The value with this id, in the order of the enumeration.
+// Returns the value with this id, in the order of the enumeration.
 template <class Value, std::size_t N>
 std::optional<Value> valueNamed(const std::array<const char*, N>& ids, const std::string& id) {
   const auto found = std::find(ids.begin(), ids.end(), id);
@@ -27,11 +27,11 @@ std::optional<Value> valueNamed(const std::array<const char*, N>& ids, const std
   return static_cast<Value>(found - ids.begin());
 }
 
-// The keys of what is a number or a text; the places of the enumerations.
+// Visits the keys of the numbers and texts; enumerations are read and written separately.
 template <class Crash>
 void visitCrash(Crash& crash, const auto& visit) {
-  visit("r", crash.place.x());
-  visit("z", crash.place.y());
+  visit("r", crash.position.x());
+  visit("z", crash.position.y());
   visit("depth", crash.depth);
   visit("time", crash.time);
   visit("tool", crash.tool);
@@ -65,7 +65,7 @@ std::vector<LatheCollision> crashesFrom(const nlohmann::json& json) {
     const auto cause = valueNamed<CrashCause>(kCauseIds, stringAt(each, kCause));
     LatheCollision crash;
     visitCrash(crash, JsonFieldReader(each));
-    const bool isFinite = crash.place.allFinite() && std::isfinite(crash.depth) && std::isfinite(crash.time) &&
+    const bool isFinite = crash.position.allFinite() && std::isfinite(crash.depth) && std::isfinite(crash.time) &&
                           std::isfinite(crash.passes);
     if (!moving || !struck || !cause || !isFinite || crash.tool.size() > kLongestId) continue;
     crash.moving = *moving;

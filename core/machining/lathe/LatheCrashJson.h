@@ -8,9 +8,10 @@
 
 namespace handwheel {
 
-// The crashes of a lathe as JSON, which documents keep with the part. docs/format.md lists the keys.
+// Returns the crashes of a lathe as JSON, as documents store them. docs/format.md lists the keys.
 nlohmann::json crashesToJson(const std::vector<LatheCollision>& crashes);
-// Any input; what is no crash is left out, and so is what comes after LatheRun::kMostCollisions.
+// Reads crashes from any JSON; entries that are no crash are left out, and so are those after
+// LatheRun::kMostCollisions.
 std::vector<LatheCollision> crashesFrom(const nlohmann::json& json);
 
 }  // namespace handwheel

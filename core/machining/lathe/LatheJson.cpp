@@ -18,10 +18,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kLargestPlace = 1e4;  // mm, of a corner of a tool
+constexpr double kLargestCornerCoordinate = 1e4;  // mm, limit for the corners of a tool
 constexpr const char *kCornersKey = "corners", *kRadiusKey = "radius", *kToolKindKey = "kind", *kDialsKey = "dials",
                      *kSlotsKey = "slots", *kAllowedKey = "allowed";
-// In the order of their enumerations.
+// These names are in the order of their enumerations.
 constexpr const char* kAxisNames[kLatheAxes] = {"carriage", "cross", "compound", "quill"};
 constexpr std::array kFittingNames{"none", "centre", "drill"};
 constexpr std::array kLatheSideNames{"outside", "inside"};
@@ -34,7 +34,7 @@ const json& memberOf(const json& object, const char* key) {
   return JsonFieldReader(object).member(key);
 }
 
-// Both ways with the types of a lathe besides the plain ones.
+// Writes the types of a lathe besides the plain ones.
 struct LatheFieldWriter : JsonFieldWriter {
   using JsonFieldWriter::JsonFieldWriter;
   using JsonFieldWriter::operator();
@@ -68,7 +68,7 @@ struct LatheFieldReader : JsonFieldReader {
   }
 };
 
-// The keys, each once: for reader and writer, and for values that are const or not.
+// Each key is listed once: for reader and writer, and for const and non-const values.
 template <class Dial>
 requires std::same_as<std::remove_const_t<Dial>, LatheDial>
 void visitFields(Dial& dial, const auto& visit) {
@@ -83,7 +83,7 @@ template <class Slot>
 requires std::same_as<std::remove_const_t<Slot>, LatheSlot>
 void visitFields(Slot& slot, const auto& visit) {
   visit("tool", slot.tool);
-  visit("place", slot.place);
+  visit("place", slot.position);
   visit("offset", slot.offset);
   visit("has_radius_offset", slot.hasOffset[0]);
   visit("has_z_offset", slot.hasOffset[1]);
@@ -106,7 +106,7 @@ requires std::same_as<std::remove_const_t<Tailstock>, LatheTailstock>
 void visitFields(Tailstock& tailstock, const auto& visit) {
   visit("fitting", tailstock.fitting);
   visit("drill", tailstock.drill);
-  visit("place", tailstock.place);
+  visit("place", tailstock.position);
   visit("quill_diameter", tailstock.quillDiameter);
   visit("body_radius", tailstock.bodyRadius);
 }
@@ -122,7 +122,7 @@ void visitFields(Spindle& spindle, const auto& visit) {
   visit("torque", spindle.torque);
 }
 
-// Of a setup the plain numbers; groups: those that are objects.
+// Visits the plain numbers of a setup; groups: those that are objects.
 template <class Setup>
 requires std::same_as<std::remove_const_t<Setup>, LatheSetup>
 void visitFields(Setup& setup, const auto& visit) {
@@ -196,9 +196,9 @@ Status takeSections(const json& list, const std::string& tool, std::vector<Round
     double radius = 0.0;
     LatheFieldReader{entry}(kRadiusKey, radius);
     const bool isNear = std::all_of(points.begin(), points.end(), [](const ProfilePoint& p) {
-      return std::abs(p.x()) <= kLargestPlace && std::abs(p.y()) <= kLargestPlace;
+      return std::abs(p.x()) <= kLargestCornerCoordinate && std::abs(p.y()) <= kLargestCornerCoordinate;
     });
-    if (!isNear || !(radius <= kLargestPlace) || !RoundedPolygon::isSound(points, radius))
+    if (!isNear || !(radius <= kLargestCornerCoordinate) || !RoundedPolygon::isSound(points, radius))
       return wrong(tool, "a section has no corners, too many, or impossible ones");
     sections.emplace_back(points, radius);
   }
@@ -223,10 +223,10 @@ Result<LatheTool> latheToolFrom(const json& value) {
   const auto found = latheToolKindNamed(kind);
   if (tool.id.empty()) return wrong("tool", "it has no id");
   if (!found) return wrong(name, "its kind is unknown");
-  const bool isPossible = tool.noseRadius >= 0.0 && tool.noseRadius <= kLargestPlace && tool.orientation >= 1 &&
-                          tool.orientation <= 9 && tool.enteringAngle > 0.0 && tool.enteringAngle < 180.0 &&
-                          std::abs(tool.rake) < 90.0 && tool.depthPerTurn >= 0.0 && tool.depthPerTurn <= 10.0 &&
-                          tool.leastRoughness >= 0.0 && tool.leastRoughness <= 1e3;
+  const bool isPossible = tool.noseRadius >= 0.0 && tool.noseRadius <= kLargestCornerCoordinate &&
+                          tool.orientation >= 1 && tool.orientation <= 9 && tool.enteringAngle > 0.0 &&
+                          tool.enteringAngle < 180.0 && std::abs(tool.rake) < 90.0 && tool.depthPerTurn >= 0.0 &&
+                          tool.depthPerTurn <= 10.0 && tool.leastRoughness >= 0.0 && tool.leastRoughness <= 1e3;
   if (!isPossible) return wrong(name, "one of its numbers is impossible");
   tool.kind = *found;
   Status taken = Done{};

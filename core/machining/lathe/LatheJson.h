@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Lathe tools and setups as JSON. Reading accepts any value; what is missing has its default, what is impossible is an
+// Lathe tools and setups as JSON. Reading accepts any value; a missing value has its default, an impossible one is an
 // error. Errors: ElementMalformed {element, what is wrong with it}.
 nlohmann::json toJson(const LatheTool& tool);
 Result<LatheTool> latheToolFrom(const nlohmann::json& value);

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMostLead = 100.0;  // mm in a turn, of feed and lead
+constexpr double kMostLead = 100.0;  // mm in a turn; limit of feed and lead
 constexpr std::size_t kCarriage = static_cast<std::size_t>(LatheAxis::Carriage);
 constexpr std::size_t kCross = static_cast<std::size_t>(LatheAxis::Cross);
 
@@ -46,10 +46,10 @@ void LatheMachine::apply(const LatheCommand& command) {
     case LatheCommand::Kind::Turn:
       m_state.demands[axis] += command.value;
       break;
-    case LatheCommand::Kind::Place: {
-      const ProfilePoint way = ProfilePoint(command.value, command.other) - tip();
-      m_state.demands[kCross] = way.x();
-      m_state.demands[kCarriage] = way.y();
+    case LatheCommand::Kind::MoveTip: {
+      const ProfilePoint displacement = ProfilePoint(command.value, command.other) - tip();
+      m_state.demands[kCross] = displacement.x();
+      m_state.demands[kCarriage] = displacement.y();
       break;
     }
     case LatheCommand::Kind::Release:
@@ -109,7 +109,7 @@ void LatheMachine::turnWheel(LatheAxis axis, double by) {
   slide = std::clamp(std::clamp(slide, wheel - play, wheel + play), dial.least, dial.largest);
 }
 
-// By the drive, which the wheel turns along with.
+// Moves a slide by its drive, which also turns the wheel.
 void LatheMachine::moveSlide(LatheAxis axis, double by) {
   const std::size_t i = static_cast<std::size_t>(axis);
   const double before = m_state.slides[i];
@@ -126,12 +126,12 @@ void LatheMachine::followNut(double before) {
     const double thread = was < is ? std::floor(is) : std::ceil(is);
     if (was == is || (was < is ? thread < was : thread > was)) return;
     m_state.isNutClosed = true;
-    m_state.nutPlace = thread * pitch;
+    m_state.nutPosition = thread * pitch;
   }
-  moveSlide(LatheAxis::Carriage, m_state.nutPlace + m_state.lead * m_state.turns - here);
+  moveSlide(LatheAxis::Carriage, m_state.nutPosition + m_state.lead * m_state.turns - here);
 }
 
-// With all its torque the drive accelerates a free spindle as its setup says.
+// The setup's acceleration is that of a free spindle with the full torque of the drive.
 double LatheMachine::nextSpeed(double dt, double torque) const {
   const double speed = m_state.speed, target = targetSpeed(), ramp = m_setup.spindle.acceleration * dt;
   const bool isDriven = speed * target > 0.0 && std::abs(speed) <= std::abs(target);
@@ -140,8 +140,8 @@ double LatheMachine::nextSpeed(double dt, double torque) const {
   return speed + std::clamp(target - speed, -left * ramp, left * ramp);
 }
 
-// The share of what they have yet to turn that the hands come to, when they move neither a slide nor the tool by more
-// than this, mm: two wheels at once do not go through material faster than one.
+// Returns the share of the remaining travel that the hands can make without moving a slide or the tool by more than
+// this, mm: two wheels at once do not go through material faster than one.
 double LatheMachine::shareOfHands(double most) const {
   const std::array<double, kLatheAxes> none{};
   double longest = (tipAt(m_setup, slot(), m_state.demands) - tipAt(m_setup, slot(), none)).norm();
@@ -182,9 +182,9 @@ void LatheMachine::stop() {
   m_state.isNutClosed = false;
 }
 
-// The quill goes out towards the chuck.
+// The quill extends towards the chuck.
 double LatheMachine::quillTip() const {
-  return m_setup.tailstock.place - m_state.slides[static_cast<std::size_t>(LatheAxis::Quill)];
+  return m_setup.tailstock.position - m_state.slides[static_cast<std::size_t>(LatheAxis::Quill)];
 }
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-// By the group of ISO 513, rounded: tables of constants have one for an alloy only.
+// Returns the modulus by the group of ISO 513, rounded: tables of constants have it only for alloys.
 double modulusOf(const WorkMaterial& material) {
   constexpr double kSteel = 210e3, kIron = 120e3, kAluminium = 70e3, kCopper = 110e3;  // N/mm²
   if (material.group == 'K') return kIron;

@@ -7,22 +7,22 @@
 
 namespace handwheel {
 
-// The mechanical properties of a part's material on the lathe. They are the laws of the cutting forces of its tools,
+// The mechanical properties of a part's material on the lathe. They are the laws of the cutting forces for each tool,
 // and its stiffness.
 struct LatheMaterial {
-  std::string id;                                              // of the work material
-  ForceLaw law = ForceLaw::Kienzle;                            // as it was chosen
-  std::vector<std::shared_ptr<const CuttingForceModel>> laws;  // as the tools; null: one that does not cut chips
-  double modulus = 210e3;                                      // N/mm², of elasticity
+  std::string id;                                              // id of the work material
+  ForceLaw law = ForceLaw::Kienzle;                            // the chosen law
+  std::vector<std::shared_ptr<const CuttingForceModel>> laws;  // one for each tool; null: it does not cut chips
+  double modulus = 210e3;                                      // N/mm², modulus of elasticity
 
-  // Of the tool with this place in the list; null: none.
+  // Returns the law of the tool with this index; null: none.
   const CuttingForceModel* lawOf(std::size_t tool) const { return tool < laws.size() ? laws[tool].get() : nullptr; }
 };
 
-// The edge of a tool as the laws see it.
+// Returns the edge of a tool as the laws see it.
 CuttingEdge edgeOf(const LatheTool& tool);
 
-// The laws of the chosen kind for all tools. Milliseconds.
+// Returns the laws of the chosen kind for all tools. Takes milliseconds.
 LatheMaterial latheMaterial(const WorkMaterial& material, ForceLaw law, const LatheTools& tools);
 
 }  // namespace handwheel

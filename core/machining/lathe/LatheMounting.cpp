@@ -27,7 +27,7 @@ bool isAllowed(const LatheSetup& setup, std::string_view tool) {
   return setup.allowed.empty() || std::find(setup.allowed.begin(), setup.allowed.end(), tool) != setup.allowed.end();
 }
 
-// Clamped by hand, no two tools have their tips in one place.
+// Tools are clamped by hand, so no two of them have their tips at the same position.
 LatheSetup mounted(LatheSetup setup, const LatheTools& tools, std::size_t station, const std::string& id) {
   const auto found = std::find_if(tools.begin(), tools.end(), [&](const auto& each) { return each->id == id; });
   if (found != tools.end() && (*found)->kind == LatheToolKind::Drill) {

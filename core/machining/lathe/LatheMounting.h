@@ -6,23 +6,23 @@
 
 namespace handwheel {
 
-// Why a tool was not mounted.
+// The reason why a tool was not mounted.
 enum class MountRefusal {
   Unknown,     // no such tool, or no such side of the post
   NotAllowed,  // LatheSetup::allowed does not name it
-  Turning,     // the spindle turns
-  InTheWay     // it would be in the work, the chuck or the tailstock where the slides are
+  Turning,     // the spindle is turning
+  InTheWay     // it would be in the work, the chuck or the tailstock at the present slide positions
 };
 const char* sentenceOf(MountRefusal refusal);  // English, context "LathePart"
 
-// Whether the setup lets a tool be mounted; also one that is in its post already.
+// Returns true if the setup allows a tool to be mounted; it may be in its post already.
 bool isAllowed(const LatheSetup& setup, std::string_view tool);
 
-// The setup with a tool on one side of its post; a drill goes into the tailstock. Its tip is where it happens to be
-// clamped, so it has to be touched off. An empty id empties the side.
+// Returns the setup with a tool on one side of its post; a drill goes into the tailstock. The tip is at an arbitrary
+// offset, so the tool has to be touched off. An empty id empties the side.
 LatheSetup mounted(LatheSetup setup, const LatheTools& tools, std::size_t station, const std::string& id);
 
-// Why a tool cannot be mounted on a lathe that stands like this; none: it can.
+// Returns the reason why a tool cannot be mounted on a lathe in this state, or nothing if it can.
 std::optional<MountRefusal> refusalToMount(const LatheSetup& setup, const LatheTools& tools, std::size_t station,
                                            const std::string& id, const TurnedProfile& part, const LatheState& state);
 

@@ -13,9 +13,9 @@ namespace {
 // mm along z that a tool springs aside while it is drawn back: 5 mm deep, an edge of 95° leans by 0.44.
 constexpr double kSpring = 0.5;
 
-// How far a move goes away from the axis, or in a bore towards it; mm.
-double wayBack(const LatheTool& tool, const ProfilePoint& way) {
-  return tool.side == TurningSide::Outside ? way.x() : -way.x();
+// Returns the travel of a move away from the axis, or in a bore towards it; mm.
+double travelBack(const LatheTool& tool, const ProfilePoint& displacement) {
+  return tool.side == TurningSide::Outside ? displacement.x() : -displacement.x();
 }
 
 double largestRadius(const TurnedProfile& profile) {
@@ -27,8 +27,8 @@ double largestRadius(const TurnedProfile& profile) {
 }  // namespace
 
 double LatheStep::depthOfCut() const {
-  const double way = (to - from).norm();
-  return way > 0.0 ? cut.area / way : 0.0;
+  const double distance = (to - from).norm();
+  return distance > 0.0 ? cut.area / distance : 0.0;
 }
 
 double LatheStep::feed() const {
@@ -63,7 +63,7 @@ std::size_t LatheRun::indexOf(const LatheTool* tool) const {
   return static_cast<std::size_t>(found - m_tools.begin());
 }
 
-// Of a post and a quill that move in one step, the quill is the one that drills.
+// If post and quill move in one step, the quill is the one that drills.
 LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double mostByHand) {
   const ProfilePoint tipBefore = m_machine.tip();
   const double quillBefore = m_machine.quillTip();
@@ -74,7 +74,7 @@ LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double most
   tried.tool = tried.isQuill ? drill() : tool();
   tried.from = tried.isQuill ? ProfilePoint(0.0, quillBefore) : tipBefore;
   tried.to = tried.isQuill ? ProfilePoint(0.0, m_machine.quillTip()) : m_machine.tip();
-  tried.isPressed = tried.tool && tried.tool->isAbrasive() && tried.tool == m_lastTool && m_lastPlace != tried.to;
+  tried.isPressed = tried.tool && tried.tool->isAbrasive() && tried.tool == m_lastTool && m_lastPosition != tried.to;
   if (!tried.tool || !tried.hasMoved()) return tried;
   tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
   tried.pushed = tried.cut.depth;
@@ -83,14 +83,14 @@ LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double most
   return tried;
 }
 
-// Whether a turning tool is drawn away from the axis, or in a bore towards it, or aside from a shoulder, with no more
-// of it in the work than before but the shoulder that it has left: that leans by the angle of the edge, and the tool
-// springs along it. So a turner draws back a tool that has stopped in the work.
+// Returns true if a turning tool is drawn away from the axis, or in a bore towards it, or aside from a shoulder, with
+// no more of it in the work than before except in the shoulder that it has left: the shoulder leans by the angle of the
+// edge, and the tool springs along it. So a turner draws back a tool that has stopped in the work.
 bool LatheRun::isDrawnOut(const Try& tried) const {
   if (tried.isQuill || tried.isIndexed || tried.motion.isRapid || tried.tool->isAbrasive()) return false;
-  const ProfilePoint way = tried.to - tried.from;
-  const double back = wayBack(*tried.tool, way);
-  const bool isStraight = back > 0.0 && std::abs(way.y()) <= back;
+  const ProfilePoint displacement = tried.to - tried.from;
+  const double back = travelBack(*tried.tool, displacement);
+  const bool isStraight = back > 0.0 && std::abs(displacement.y()) <= back;
   if (!(back >= 0.0)) return false;
   const auto depthAt = [&](const ProfilePoint& a, const ProfilePoint& b) {
     return previewCut(m_profile, *tried.tool, a, b).depth;
@@ -98,27 +98,27 @@ bool LatheRun::isDrawnOut(const Try& tried) const {
   if (isStraight && depthAt(tried.to, tried.to) <= std::max(kTouch, depthAt(tried.from, tried.from))) return true;
   for (const double along : {kSpring, -kSpring}) {
     const ProfilePoint beside(0.0, along);
-    if (!isStraight && !(way.y() * along > 0.0)) continue;
+    if (!isStraight && !(displacement.y() * along > 0.0)) continue;
     if (depthAt(tried.to + beside, tried.to + beside) <= kTouch) return true;
   }
   return false;
 }
 
-// Whether a tool that has come as far as its edge leans behind the front of the jaws goes back from them, outward or
-// away from the chuck. What was struck is counted already.
+// Returns true if a tool that has come as far as its edge leans behind the front of the jaws goes back from them,
+// outward or away from the chuck. The contact is counted already.
 bool LatheRun::isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const {
   if (tried.isQuill || tried.isIndexed || !tried.tool) return false;
-  const ProfilePoint way = tried.to - tried.from, beside(0.0, kSpring);
-  const bool isBack = way.y() >= 0.0 && wayBack(*tried.tool, way) >= 0.0 && !way.isZero();
+  const ProfilePoint displacement = tried.to - tried.from, beside(0.0, kSpring);
+  const bool isBack = displacement.y() >= 0.0 && travelBack(*tried.tool, displacement) >= 0.0 && !displacement.isZero();
   return isBack && !contactBetween(solids, tried.to + beside, m_chuck);
 }
 
 std::optional<LatheCollision> LatheRun::cutCrash(const Try& tried) const {
   if (!tried.tool || tried.takesNothing || !(tried.cut.depth > kTouch)) return std::nullopt;
-  if (tried.tool->isAbrasive() && !tried.motion.isRapid && !tried.isIndexed) return std::nullopt;  // it gives way
+  if (tried.tool->isAbrasive() && !tried.motion.isRapid && !tried.isIndexed) return std::nullopt;  // it yields
   const double speed = m_machine.state().speed;
   LatheCollision collision;
-  collision.place = tried.to;
+  collision.position = tried.to;
   collision.depth = tried.cut.depth;
   if (tried.isIndexed)
     collision.cause = CrashCause::Contact;
@@ -180,17 +180,17 @@ void LatheRun::crash(LatheStep& step, LatheCollision collision, const LatheState
   if (step.tool) collision.tool = step.tool->id;
   step.to = step.from;
   step.isHeld = true;
-  if (std::exchange(m_isBlocked, true)) return;  // still the same
+  if (std::exchange(m_isBlocked, true)) return;  // the same crash continues
   step.isCrash = true;
   if (m_collisions.size() < kMostCollisions) m_collisions.push_back(std::move(collision));
 }
 
-// What is pressed on by hand, or grinds, gives way where it would take off more than it can; the work gives way to an
-// edge that is pressed into it from outside.
+// A tool that is pressed by hand, or grinds, yields if it would remove more than it can; the work yields to an edge
+// that is pressed into it from outside.
 void LatheRun::cut(LatheStep& step, const Try& tried) {
   const LatheTool& tool = *tried.tool;
   const bool goesOn = m_lastTool == tried.tool && !tried.isIndexed;
-  step.from = goesOn ? m_lastPlace : tried.from;
+  step.from = goesOn ? m_lastPosition : tried.from;
   step.to = tried.to;
   if (tool.isAbrasive()) {
     const double pressed = pressedDepth(m_profile, tool, tried.from, tried.to);
@@ -202,8 +202,8 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   }
   step.thread = tried.thread;
   if (step.thread) {
-    const ThreadsBeingCut::Place place{step.to, -2.0 * M_PI * m_machine.state().turns};
-    const ThreadsBeingCut::Cut groove = m_threads.cut(m_profile, tool, *step.thread, step.from.y(), place);
+    const ThreadsBeingCut::ToolPosition position{step.to, -2.0 * M_PI * m_machine.state().turns};
+    const ThreadsBeingCut::Cut groove = m_threads.cut(m_profile, tool, *step.thread, step.from.y(), position);
     step.cut = groove.removed;
     step.edge = groove.edge;
   } else if (!tried.takesNothing) {
@@ -212,16 +212,16 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   m_isInThread = step.thread.has_value();
   step.isRing = tried.isRing;
   m_lastTool = tried.tool;
-  m_lastPlace = step.to;
+  m_lastPosition = step.to;
   if (step.thread)
-    m_behindCut = m_lastPlace.y();
+    m_behindCut = m_lastPosition.y();
   else if (!step.cut.isEmpty())
     m_behindCut = m_profile.z(step.cut.changed.first) - m_profile.spacing();
 }
 
-// What is laid on the work is pressed into it no deeper than the force of a hand, or of its slide, goes: the cross
-// slide and the compound slide stay where they were. The carriage goes on along the work, until a shoulder is there
-// that is higher than that again. A warning says it. Drawing back is free. Returns whether anything was held.
+// Limits the depth of a tool that is pressed on the work to the force of a hand, or of its slide: the cross slide and
+// the compound slide stay. The carriage continues along the work, until it meets a shoulder higher than that depth
+// again. A warning reports it. Drawing back is free. Returns true if anything was held.
 bool LatheRun::holdPressed(Try& tried, const LatheState& before) {
   if (!tried.tool || !tried.tool->isAbrasive() || tried.isIndexed || tried.isQuill) return false;
   const LatheTool& tool = *tried.tool;
@@ -269,7 +269,7 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
   const LatheSetup& setup = m_machine.setup();
   const LatheState before = m_machine.state();
   Try tried = attempt(start, dt, setup.handSpeed * dt);
-  // A hand feels material, and goes through it as fast as it can push only.
+  // A hand feels material, and goes through it only as fast as it can push.
   const bool isTurning = std::abs(m_machine.state().speed) >= kAtRest;
   if (isTurning && tried.motion.isByHand && !tried.motion.isRapid && tried.pushed > kTouch) {
     m_machine.restore(before);
@@ -282,7 +282,7 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
   if (isStalled(before.speed)) {
     LatheCollision stall;
     stall.cause = CrashCause::Overload;
-    stall.place = tried.from;
+    stall.position = tried.from;
     crash(step, std::move(stall), before);
     return step;
   }
@@ -309,7 +309,7 @@ LatheStep LatheRun::move(double dt, std::span<const LatheCommand> commands) {
     m_machine.restore(held);
     step.isHeld = true;
     if (isOnCentre || !tried.tool->isAbrasive()) return step;
-    tried.to = m_machine.tip();  // it is pressed on no harder, and goes on
+    tried.to = m_machine.tip();  // it is pressed no harder, and continues
     tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
   }
   m_isBlocked = false;

@@ -13,41 +13,41 @@
 
 namespace handwheel {
 
-// What happened in one step of a lathe.
+// The result of one step of a lathe.
 struct LatheStep {
-  RemovedMaterial cut;                        // what left; of a thread beyond the groove that was there
-  double edge = 0.0;                          // mm, of a thread: of the edge that cut
-  std::shared_ptr<const LatheTool> tool;      // that moved; null: none was in use
-  ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm: where its tip went, as far as it cut, (r, z)
-  double turns = 0.0;                         // of the spindle, not signed
+  RemovedMaterial cut;                        // the removed material; for a thread, beyond the groove that was there
+  double edge = 0.0;                          // mm; for a thread, length of the edge that cut
+  std::shared_ptr<const LatheTool> tool;      // the tool that moved; null: none was in use
+  ProfilePoint from{0.0, 0.0}, to{0.0, 0.0};  // mm; start and end of the cutting travel of its tip, (r, z)
+  double turns = 0.0;                         // spindle revolutions, not signed
   std::optional<ThreadCut> thread;            // the half-nut leads a threading tool, which leaves the profile as it is
-  double time = 0.0;                          // s, of the machine after the step
-  bool isCrash = false;                       // the last of LatheRun::collisions() is of this step
-  bool isRing = false;                        // the end of a groove that was there has become a ring
+  double time = 0.0;                          // s, clock of the machine after the step
+  bool isCrash = false;                       // the last entry of LatheRun::collisions() is from this step
+  bool isRing = false;                        // the end of an existing groove has become a ring
   bool isHeld = false;                        // the depth limit, the work, or a hand's force held the slide back
 
   bool hasMoved() const { return from != to; }
   bool cutsThread() const { return thread && cut.depth > 0.0; }
-  // mm, across the way of the tool, and mm in a turn; 0 where nothing was cut.
+  // mm across the path of the tool, and mm in a turn; 0 if nothing was cut
   double depthOfCut() const;
   double feed() const;
 };
 
-// A simulated manual lathe with a part in it, which commands move step by step. Material leaves, crashes stop it. A
-// step that would be a crash is not made: the slides stay where they were, the spindle stops, and the crash is
-// recorded. A tool that is drawn back from what it has struck strikes nothing again. File, paper and disk are laid on
-// the work, and pressed on no harder than a hand or their slide can. A cut loads the spindle, which slows down where
-// its drive has less, and stalls, which is a crash; it bends the work, which gives way and is left thicker; and the
-// rules that it breaks are recorded as warnings. Deterministic: all of it is a function of the calls.
+// A simulated manual lathe with a part in it, which commands move step by step. Material is removed, and crashes stop
+// the lathe. A step that would be a crash is not made: the slides stay where they were, the spindle stops, and the
+// crash is recorded. A tool that is drawn back from what it has struck strikes nothing again. File, paper and disk are
+// pressed on the work no harder than a hand or their slide can. A cut loads the spindle, which slows down if its drive
+// has less torque, and stalls, which is a crash; it bends the work, which yields and is left thicker; and the
+// workshop rules that it breaks are recorded as warnings. Deterministic: the state is a function of the calls.
 class LatheRun {
  public:
   static constexpr double kTouch = TurningPass::kTouch;
   static constexpr double kAtRest = 1.0;                // r/min: a slower spindle cuts nothing
-  static constexpr std::size_t kMostCollisions = 1000;  // that are recorded
-  static constexpr double kJudged = 0.1;                // s, between two judgements by the rules
+  static constexpr std::size_t kMostCollisions = 1000;  // largest number of recorded crashes
+  static constexpr double kJudged = 0.1;                // s between two evaluations of the workshop rules
 
-  // The setup must be sound. tools: those that it names; a slot whose tool is missing has none. material: its laws are
-  // of these tools; null: nothing has a force. threads: of the part; null: none.
+  // The setup must be sound. tools: the tools that it names; a slot whose tool is missing has none. material: its laws
+  // are those of these tools; null: there are no forces. threads: threads of the part; null: none.
   LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, const LatheState& state,
            std::shared_ptr<const LatheMaterial> material = nullptr,
            std::shared_ptr<const PartThreads> threads = nullptr);
@@ -58,13 +58,14 @@ class LatheRun {
   const LatheMachine& machine() const { return m_machine; }
   const std::vector<LatheCollision>& collisions() const { return m_collisions; }
   const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }  // may be null
-  const LatheLoad& load() const { return m_load; }                                     // of the last step
-  double sinceCut() const { return m_meter.sinceCut(); }                               // s since material left
+  const LatheLoad& load() const { return m_load; }                                     // load of the last step
+  double sinceCut() const { return m_meter.sinceCut(); }                               // s since material was removed
   const LatheWarnings& warnings() const { return m_warnings; }
-  std::shared_ptr<const LatheTool> tool() const;  // of the slot in use; null: none
-  // The place in the list of tools of the one that cut last; the number of tools: none did.
+  std::shared_ptr<const LatheTool> tool() const;  // tool of the slot in use; null: none
+  // Returns the index in the list of tools of the one that cut last; the number of tools: none did.
   std::size_t cuttingTool() const { return indexOf(m_lastTool.get()); }
-  // Whether nothing is in the work, the chuck or the tailstock as the slides are: from here on they can move.
+  // Returns true if nothing is in the work, the chuck or the tailstock at the present slide positions: only then can
+  // they move.
   bool isClear() const;
   double gripped() const { return m_gripped; }  // mm, radius that the jaws are closed on
 
@@ -90,27 +91,28 @@ class LatheRun {
 
   LatheMachine m_machine;
   LatheTools m_tools;
-  std::vector<std::vector<LatheSolid>> m_solids;  // of m_tools
+  std::vector<std::vector<LatheSolid>> m_solids;  // one entry for each of m_tools
   TurnedProfile m_profile;
   ThreadsBeingCut m_threads;
   bool m_isInThread = false;  // the tool stands in the groove that it has cut last
   double m_gripped = 0.0;
-  double m_within = 0.0;  // mm: no material is further from the axis
+  double m_within = 0.0;  // mm; largest distance of material from the axis
   std::vector<LatheSolid> m_chuck;
   std::vector<LatheCollision> m_collisions;
-  bool m_isBlocked = false;                     // the last move was a crash, which is recorded once
-  std::shared_ptr<const LatheTool> m_lastTool;  // that cut, and where: an abrasive tool is not where its slide is
-  ProfilePoint m_lastPlace{0.0, 0.0};
-  double m_behindCut = 0.0;  // mm, z of what stands on the chuck's side of the last cut, and is not cut itself
+  bool m_isBlocked = false;  // the last move was a crash, which is recorded once
+  std::shared_ptr<const LatheTool>
+      m_lastTool;  // the tool that cut last, and its position: an abrasive tool is not at its slide's position
+  ProfilePoint m_lastPosition{0.0, 0.0};
+  double m_behindCut = 0.0;  // mm; z of the uncut work on the chuck's side of the last cut
   std::shared_ptr<const LatheMaterial> m_material;
   CutMeter m_meter;
   LatheLoad m_load;
   LatheWarnings m_warnings;
   ProfilePoint m_tip{0.0, 0.0};    // mm, after the last step
   double m_sinceJudged = kJudged;  // s
-  double m_compliance = 0.0;       // mm/N, of the work at the cut
-  double m_thrust = 0.0;           // N, of the tool on the work, towards the axis
-  double m_chatter = 0.0;          // as in LatheLoad
+  double m_compliance = 0.0;       // mm/N, compliance of the work at the cut
+  double m_thrust = 0.0;           // N, force of the tool on the work, towards the axis
+  double m_chatter = 0.0;          // in the units of LatheLoad
 };
 
 }  // namespace handwheel

@@ -26,11 +26,11 @@ bool LatheRun::isStalled(double speedBefore) const {
          m_load.torque > spindleTorque(m_machine.setup().spindle, now.speed);
 }
 
-// The law says the force of the cut as it was over the last samples.
+// The law gives the force of the cut over the last samples.
 void LatheRun::measure(const LatheStep& step, double dt) {
-  const ProfilePoint tip = m_machine.tip(), way = tip - std::exchange(m_tip, tip);
+  const ProfilePoint tip = m_machine.tip(), displacement = tip - std::exchange(m_tip, tip);
   CutMeter::Move move{(step.to - step.from).norm(), step.cut.area, step.cut.volume, step.turns, dt, step.edge};
-  if (step.isRing) move.area = move.volume = 0.0;  // of a groove that was there
+  if (step.isRing) move.area = move.volume = 0.0;  // the end of an existing groove
   m_meter.add(move, m_profile.spacing());
   const double speed = m_machine.state().speed;
   LatheLoad load;
@@ -38,8 +38,8 @@ void LatheRun::measure(const LatheStep& step, double dt) {
   load.cut = m_meter.cut(speed);
   load.radius = m_meter.radius();
   load.passive = m_load.passive;
-  if (!way.isZero() && m_lastTool) load.passive = m_lastTool->passiveWay(way);
-  press(load, way / dt);
+  if (!displacement.isZero() && m_lastTool) load.passive = m_lastTool->passiveDirection(displacement);
+  press(load, displacement / dt);
   m_thrust = 0.0;
   const CuttingForceModel* const law = m_material && load.isCutting ? m_material->lawOf(cuttingTool()) : nullptr;
   if (law) {
@@ -47,8 +47,8 @@ void LatheRun::measure(const LatheStep& step, double dt) {
     load.forces = worn(law->at(m_meter.chip(speed)), m_machine.setup().wear);
     load.torque = cuttingTorque(load.forces, 2.0 * load.radius);
     load.power = motorPower(cuttingPower(load.forces, load.cut), driveOf(spindle).efficiency);
-    // Drawn out of its cut no tool pulls the work after it.
-    const double back = way.isZero() ? 0.0 : -way.x() / way.norm();
+    // A tool that is drawn out of its cut does not pull the work after it.
+    const double back = displacement.isZero() ? 0.0 : -displacement.x() / displacement.norm();
     m_thrust = std::max(0.0, load.passive.x() * load.forces.radial + back * load.forces.feed);
     load.isOutsideModel = !law->covers(load.cut);
     load.isOverloaded = load.torque > spindleTorque(spindle, speed);
@@ -62,7 +62,7 @@ void LatheRun::measure(const LatheStep& step, double dt) {
   judge();
 }
 
-// What grinds is pressed against the work, and rubs on it while that turns.
+// A grinding tool is pressed against the work, and rubs on it while the work turns.
 void LatheRun::press(LatheLoad& load, const ProfilePoint& velocity) {
   const ProfilePoint tip = m_machine.tip();
   const auto inPost = tool();
@@ -80,9 +80,9 @@ void LatheRun::press(LatheLoad& load, const ProfilePoint& velocity) {
   load.isOverloaded = load.torque > spindleTorque(spindle, speed);
 }
 
-// By the speed that the levers ask for: a spindle that has slowed down needs less power. What is being faced or parted
-// off holds nothing, however thin it gets: the work is that which stands behind the cut. A drill presses along the
-// axis: nothing bends away from it, nor swings across.
+// Judges by the speed that the levers ask for: a spindle that has slowed down needs less power. Material that is being
+// faced or parted off holds nothing, however thin it gets: the beam is the work behind the cut. A drill presses along
+// the axis: nothing bends away from it, nor swings across.
 void LatheRun::judge() {
   const LatheSetup& setup = m_machine.setup();
   SlenderWork beam = beamOf(m_profile, setup.chuck.grip, m_behindCut);
@@ -92,7 +92,7 @@ void LatheRun::judge() {
   beam.hasTailstock = setup.tailstock.fitting == LatheFitting::Centre &&
                       m_machine.quillTip() <= setup.chuck.grip + beam.length + kOnCentre;
   const bool isDrilling = m_lastTool->kind == LatheToolKind::Drill;
-  m_compliance = beam.place > 0.0 && !isDrilling ? deflection(beam, 1.0) : 0.0;
+  m_compliance = beam.position > 0.0 && !isDrilling ? deflection(beam, 1.0) : 0.0;
   CutConditions asked = m_load.cut;
   asked.speed = surfaceSpeed(std::abs(m_machine.targetSpeed()), beam.cut);
   CutForces bending = m_load.forces;

@@ -8,31 +8,31 @@
 
 namespace handwheel {
 
-// The profile does not know the grooves. What the edge takes on the helix, and where the spindle rests, it takes beyond
-// them. Where the half-nut is opened and the work turns on, the edge has made a ring of the end of its groove before
-// anybody can draw it back. On the helix a tool that is drawn out cuts as long as it is in the material, but nobody has
-// to push it.
+// The profile does not contain the grooves. On the helix, and while the spindle rests, the edge only removes material
+// beyond them. If the half-nut is opened and the work turns on, the edge makes a ring of the end of its groove before
+// anybody can draw it back. On the helix a tool that is drawn out cuts while it is in the material, but nobody has to
+// push it.
 void LatheRun::meetThreads(Try& tried) const {
   tried.thread = threadOf(tried);
   const LatheState& state = m_machine.state();
   const bool isAtRest = std::abs(state.speed) < kAtRest;
   if (tried.thread || isAtRest) {
-    const ThreadsBeingCut::Place place{tried.to, -2.0 * M_PI * state.turns};
-    const ThreadChip chip = m_threads.chipAt(m_profile, *tried.tool, place, isAtRest ? &tried.from : nullptr);
+    const ThreadsBeingCut::ToolPosition position{tried.to, -2.0 * M_PI * state.turns};
+    const ThreadChip chip = m_threads.chipAt(m_profile, *tried.tool, position, isAtRest ? &tried.from : nullptr);
     tried.cut.depth = std::min(tried.cut.depth, chip.depth);
     const double inward = tried.from.x() - tried.to.x(), depth = tried.cut.depth;
     tried.pushed = tried.thread ? std::min(depth, tried.tool->side == TurningSide::Bore ? -inward : inward) : depth;
     tried.takesNothing = !tried.thread && !(tried.cut.depth > kTouch);
   } else if (m_isInThread && m_lastTool == tried.tool) {
     TurnedProfile ringed = m_profile;  // shares its pages
-    cutWithTool(ringed, *tried.tool, m_lastPlace, tried.from);
+    cutWithTool(ringed, *tried.tool, m_lastPosition, tried.from);
     tried.cut = previewCut(ringed, *tried.tool, tried.from, tried.to);
     tried.pushed = tried.cut.depth;
     tried.isRing = true;
   }
 }
 
-// The tool is at a height for each turn; turns are those of the work, against which the tool goes about it.
+// The tool is at a height for each turn; turns are those of the work, opposite to those of the tool about it.
 std::optional<ThreadCut> LatheRun::threadOf(const Try& tried) const {
   const LatheState& state = m_machine.state();
   const bool isLed = state.lead != 0.0 && state.isNutClosed && !tried.isQuill && !tried.isIndexed;

@@ -19,7 +19,7 @@ bool isSize(double value) {
   return isBetween(value, 0.0, LatheSetup::kLargest);
 }
 
-bool isPlace(const ProfilePoint& p) {
+bool isPosition(const ProfilePoint& p) {
   return isBetween(p.x(), -LatheSetup::kLargest, LatheSetup::kLargest) &&
          isBetween(p.y(), -LatheSetup::kLargest, LatheSetup::kLargest);
 }
@@ -30,7 +30,7 @@ bool isSoundDial(const LatheDial& dial) {
          isBetween(dial.largest, dial.least, LatheSetup::kLargest);
 }
 
-// The travel of the slides as a way of the tool post.
+// Returns the displacement of the tool post for a travel of the slides.
 ProfilePoint postAt(const LatheSetup& setup, const std::array<double, kLatheAxes>& slides) {
   const double angle = setup.compoundAngle * M_PI / 180.0;
   const double compound = slides[static_cast<std::size_t>(LatheAxis::Compound)];
@@ -44,14 +44,14 @@ bool LatheSetup::isSound() const {
   const double sizes[] = {chuck.diameter,       chuck.length,
                           chuck.jawLength,      chuck.jawHeight,
                           chuck.jawWidth,       chuck.grip,
-                          tailstock.place,      tailstock.quillDiameter,
+                          tailstock.position,   tailstock.quillDiameter,
                           tailstock.bodyRadius, spindle.leastSpeed,
                           spindle.power,        spindle.torque,
                           depthLimit,           handFeed};
   return std::all_of(std::begin(sizes), std::end(sizes), isSize) &&
          std::all_of(dials.begin(), dials.end(), isSoundDial) &&
          std::all_of(stations.begin(), stations.end(),
-                     [](const LatheSlot& slot) { return isPlace(slot.place) && isPlace(slot.offset); }) &&
+                     [](const LatheSlot& slot) { return isPosition(slot.position) && isPosition(slot.offset); }) &&
          isBetween(spindle.largestSpeed, spindle.leastSpeed, kLargest) && isBetween(spindle.speed, 0.0, kLargest) &&
          isBetween(spindle.acceleration, 1.0, 1e6) && isBetween(compoundAngle, -90.0, 90.0) &&
          isBetween(leadScrewPitch, 0.1, 100.0) && isBetween(rapidSpeed, 0.1, 1e3) &&
@@ -64,12 +64,12 @@ LatheSetup defaultLatheSetup(const StockCylinder& stock) {
   const double radius = 0.5 * stock.diameter;
   setup.chuck.grip = std::min(20.0, 0.3 * stock.length);
   setup.chuck.diameter = std::max(125.0, 2.0 * (radius + 30.0));
-  setup.tailstock.place = stock.length + 150.0;
+  setup.tailstock.position = stock.length + 150.0;
   const char* const tools[] = {"right-roughing", "right-finishing", "left-roughing", "parting-3",
                                "threading-60",   "boring-12",       "form-radius-4", "grooving-2",
                                "file-flat",      "paper-120",       "paper-400",     "disk-100"};
   static_assert(std::size(tools) <= LatheSetup::kMostSlots);
-  // The tips of the tools of a post are not in one place: that is what touching off is for.
+  // The tips of the tools of a post are at different positions, so they have to be touched off.
   for (std::size_t i = 0; i < std::size(tools); ++i) {
     const double away = static_cast<double>(i);
     setup.stations.push_back({tools[i], {0.37 * away, -0.23 * away}});
@@ -85,7 +85,7 @@ LatheSetup defaultLatheSetup(const StockCylinder& stock) {
 }
 
 ProfilePoint tipAt(const LatheSetup& setup, const LatheSlot& slot, const std::array<double, kLatheAxes>& slides) {
-  return postAt(setup, slides) + slot.place;
+  return postAt(setup, slides) + slot.position;
 }
 
 ProfilePoint readoutAt(const LatheSetup& setup, const LatheSlot& slot, const std::array<double, kLatheAxes>& slides) {

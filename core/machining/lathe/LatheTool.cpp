@@ -31,7 +31,7 @@ constexpr std::array<KindName, kLatheToolKinds> kKindNames{{
     {"grinding-disk", translatable("LatheTool", "Grinding disk")},
 }};
 
-// In r and z, by orientation.
+// Directions in r and z, by orientation.
 constexpr std::array<std::array<int, 2>, 10> kTipFromNose{
     {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 0}}};
 
@@ -53,19 +53,19 @@ const char* titleOf(LatheToolKind kind) {
 }
 
 ProfilePoint LatheTool::noseCentre() const {
-  const auto& way = kTipFromNose[static_cast<std::size_t>(std::clamp(orientation, 1, 9))];
-  return {-noseRadius * way[0], -noseRadius * way[1]};
+  const auto& towards = kTipFromNose[static_cast<std::size_t>(std::clamp(orientation, 1, 9))];
+  return {-noseRadius * towards[0], -noseRadius * towards[1]};
 }
 
 // For a corner between two edges this is 1 along either of them.
-ProfilePoint LatheTool::passiveWay(const ProfilePoint& way) const {
-  const double length = way.norm();
+ProfilePoint LatheTool::passiveDirection(const ProfilePoint& direction) const {
+  const double length = direction.norm();
   if (!(length > 0.0) || kind == LatheToolKind::Drill) return ProfilePoint::Zero();
   const auto& tip = kTipFromNose[static_cast<std::size_t>(std::clamp(orientation, 1, 9))];
   ProfilePoint out(-tip[0], -tip[1]);
   const bool isBlade = kind == LatheToolKind::Parting || kind == LatheToolKind::Grooving;
   if (isBlade || out.isZero()) out = {side == TurningSide::Bore ? -1.0 : 1.0, 0.0};
-  const ProfilePoint ahead = way / length, across = out - out.dot(ahead) * ahead;
+  const ProfilePoint ahead = direction / length, across = out - out.dot(ahead) * ahead;
   return across / std::max(1.0, across.norm());
 }
 
@@ -101,7 +101,7 @@ RemovedMaterial cutWithTool(TurnedProfile& profile, const LatheTool& tool, const
   return cut;
 }
 
-// Where sections of a tool overlap, what leaves is counted for each of them.
+// If sections of a tool overlap, the removed material is counted for each of them.
 RemovedMaterial previewCut(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                            const ProfilePoint& to) {
   RemovedMaterial cut;

@@ -32,18 +32,18 @@ double spindleTorque(const LatheSpindle& spindle, double speed) {
   return n > 0.0 ? std::min(drive.torque, drive.power * drive.efficiency * kKilowatt / n) : drive.torque;
 }
 
-SlenderWork beamOf(const TurnedProfile& part, double grip, double place) {
+SlenderWork beamOf(const TurnedProfile& part, double grip, double position) {
   SlenderWork beam;
-  beam.place = std::max(0.0, place - grip);
+  beam.position = std::max(0.0, position - grip);
   beam.length = 0.0;
-  double compliance = 0.0, weight = 0.0, outer = 0.0;  // of 1 / (r⁴ - inner⁴)
+  double compliance = 0.0, weight = 0.0, outer = 0.0;  // compliance is weighted by 1 / (r⁴ - inner⁴)
   for (std::size_t i = 0; i < part.size(); ++i) {
     const double z = part.z(i);
     if (z < grip) continue;
     if (!(part.radius(i) > part.inner(i))) break;
-    if (outer == 0.0) outer = part.radius(i);  // of a cut beside the jaws
-    if (z <= std::max(place, grip)) {
-      const double arm = place - z + 0.5 * part.spacing();
+    if (outer == 0.0) outer = part.radius(i);  // for a cut beside the jaws
+    if (z <= std::max(position, grip)) {
+      const double arm = position - z + 0.5 * part.spacing();
       const double stiff = fourthPower(part.radius(i)) - fourthPower(part.inner(i));
       compliance += arm * arm / stiff;
       weight += arm * arm;
@@ -51,7 +51,7 @@ SlenderWork beamOf(const TurnedProfile& part, double grip, double place) {
     }
     beam.length = z - grip;
   }
-  beam.place = std::min(beam.place, beam.length);
+  beam.position = std::min(beam.position, beam.length);
   beam.diameter = compliance > 0.0 ? 2.0 * std::pow(weight / compliance, 0.25) : 2.0 * outer;
   return beam;
 }
@@ -63,7 +63,7 @@ void LatheWarnings::judge(const std::vector<CutWarning>& broken, double time, co
     open.last = time;
     if (isSame) {
       CutWarning& recorded = m_all[open.entry].warning;
-      // Of a chip that is too thin, the thinnest.
+      // The thinnest of several thin chips is the worst.
       const bool isWorse =
           warning.rule == CutWarning::Rule::Rubbing ? warning.value < recorded.value : warning.value > recorded.value;
       if (!isWorse) continue;

@@ -8,41 +8,41 @@
 
 namespace handwheel {
 
-// A workshop rule that was broken on a lathe. With the time since when, the tool, and by how much at worst.
+// A workshop rule that was broken on a lathe. It has the time, the tool, and the largest excess.
 struct LatheWarning {
   CutWarning warning;
-  double time = 0.0;  // s, of the machine, when it began
+  double time = 0.0;  // s, clock of the machine when it began
   std::string tool;   // id
 
   bool operator==(const LatheWarning&) const = default;
 };
 
-// The drive of a lathe as the rules see it; a limit that it does not have is infinite.
+// Returns the drive of a lathe for the rules; a missing limit is infinite.
 SpindleDrive driveOf(const LatheSpindle& spindle);
-// The torque that the spindle has at a speed (r/min), N·m; infinite where nothing limits it.
+// Returns the torque that the spindle has at a speed (r/min), N·m; infinite if nothing limits it.
 double spindleTorque(const LatheSpindle& spindle, double speed);
 
-// A part in the jaws as a beam that gives way as much as the part does at this place (mm, z): the shaft of one diameter
-// with the same ∫ (place - s)² / I(s) ds from the jaws on. It ends where the material does. O(samples).
-SlenderWork beamOf(const TurnedProfile& part, double grip, double place);
+// Returns a beam that deflects as much as a part in the jaws does at this position (mm, z): the shaft of one diameter
+// with the same ∫ (position - s)² / I(s) ds from the jaws on. It ends at the end of the material. O(samples).
+SlenderWork beamOf(const TurnedProfile& part, double grip, double position);
 
-// What was warned of since a lathe began to run. One entry for each time that a rule was broken: what is broken again
-// within kApart goes on.
+// The warnings since a lathe began to run. One entry for each time that a rule was broken; a rule that is broken again
+// within kApart continues its entry.
 class LatheWarnings {
  public:
-  static constexpr std::size_t kMost = 1000;  // that are recorded
+  static constexpr std::size_t kMost = 1000;  // largest number of recorded warnings
   static constexpr double kApart = 2.0;       // s
 
-  // Times never fall.
+  // Adds the rules that are broken at a time. Times never fall.
   void judge(const std::vector<CutWarning>& broken, double time, const std::string& tool);
 
   const std::vector<LatheWarning>& all() const { return m_all; }
-  std::uint64_t changes() const { return m_changes; }  // how often all() has changed
+  std::uint64_t changes() const { return m_changes; }  // number of changes of all()
 
  private:
   struct Open {
     std::size_t entry = 0;
-    double last = 0.0;  // s, broken last
+    double last = 0.0;  // s; time at which it was last broken
     bool isOpen = false;
   };
   std::vector<LatheWarning> m_all;

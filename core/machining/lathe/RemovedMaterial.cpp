@@ -18,7 +18,7 @@ void countChange(RemovedMaterial& cut, std::size_t i, double before, double afte
   cut.depth = std::max(cut.depth, std::abs(before - after));
 }
 
-// Calls change(sample, the radius it would have), which tells whether that is a change.
+// Calls change(sample, its new radius), which returns true if that is a change.
 template <class Change>
 RemovedMaterial cutWith(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side, Change change) {
   RemovedMaterial cut;
@@ -27,7 +27,7 @@ RemovedMaterial cutWith(const TurnedProfile& profile, const SectionSweep& sweep,
   for (std::size_t i = under.first; i < under.last; ++i) {
     const double z = profile.z(i), outer = profile.radius(i), inner = profile.inner(i);
     if (!(outer > inner)) continue;
-    // Beyond the material it cuts nothing: there a shank would be in the work.
+    // Beyond the material it cuts nothing: a shank there would be in the work.
     if (!(sweep.lowest(z) < outer && sweep.highest(z) > inner)) continue;
     if (side == TurningSide::Outside) {
       const double left = std::max(sweep.lowest(z), inner);

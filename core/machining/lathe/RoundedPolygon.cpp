@@ -15,12 +15,12 @@ bool isLower(const ProfilePoint& a, const ProfilePoint& b) {
   return a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
 }
 
-// Positive where a, b, c turn to the left, z to the right and r upward.
+// Returns a positive value if a, b, c turn to the left, with z to the right and r up.
 double turn(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c) {
   return (b.y() - a.y()) * (c.x() - a.x()) - (b.x() - a.x()) * (c.y() - a.y());
 }
 
-// Andrew's monotone chain (Andrew 1979). The points must be sorted; hull has room for as many and one more.
+// Andrew's monotone chain (Andrew 1979). The points must be sorted; hull must have room for one more.
 std::size_t hullOf(std::span<const ProfilePoint> sorted, std::span<ProfilePoint> hull) {
   if (sorted.size() < 3) {
     std::copy(sorted.begin(), sorted.end(), hull.begin());
@@ -34,7 +34,7 @@ std::size_t hullOf(std::span<const ProfilePoint> sorted, std::span<ProfilePoint>
   for (const ProfilePoint& p : sorted) add(p, 0);
   const std::size_t lower = count - 1;
   for (std::size_t i = sorted.size() - 1; i-- > 0;) add(sorted[i], lower);
-  return count - 1;  // the first is there again
+  return count - 1;  // the first point is repeated
 }
 
 }  // namespace
@@ -74,14 +74,14 @@ RoundedPolygon RoundedPolygon::mirrored() const {
 std::vector<ProfilePoint> RoundedPolygon::outline(int perCircle) const {
   std::vector<ProfilePoint> line;
   if (m_radius == 0.0) line.assign(m_corners.begin(), m_corners.begin() + static_cast<std::ptrdiff_t>(m_count));
-  // Each direction belongs to the corner that is furthest that way. z is the first axis of the angle.
+  // Each direction belongs to the corner that is furthest in it. z is the first axis of the angle.
   for (int i = 0; m_radius > 0.0 && i < perCircle; ++i) {
     const double angle = 2.0 * M_PI * i / perCircle;
-    const ProfilePoint way(std::sin(angle), std::cos(angle));
-    const auto furthest =
-        std::max_element(corners().begin(), corners().end(),
-                         [&](const ProfilePoint& a, const ProfilePoint& b) { return a.dot(way) < b.dot(way); });
-    if (furthest != corners().end()) line.push_back(*furthest + m_radius * way);
+    const ProfilePoint direction(std::sin(angle), std::cos(angle));
+    const auto furthest = std::max_element(
+        corners().begin(), corners().end(),
+        [&](const ProfilePoint& a, const ProfilePoint& b) { return a.dot(direction) < b.dot(direction); });
+    if (furthest != corners().end()) line.push_back(*furthest + m_radius * direction);
   }
   if (!line.empty()) line.push_back(line.front());
   return line;
@@ -116,7 +116,7 @@ SectionSweep::SectionSweep(const RoundedPolygon& section, const ProfilePoint& fr
   m_largest = largest->x() + m_radius;
 }
 
-// The lower hull. Points come in the order of z; of those at one z the lowest counts.
+// Adds to the lower hull. Points come in the order of z; of those at one z the lowest counts.
 void SectionSweep::Chain::add(const ProfilePoint& p) {
   if (count > 0 && points[count - 1].y() == p.y()) {
     if (p.x() >= points[count - 1].x()) return;

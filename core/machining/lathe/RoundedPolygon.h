@@ -9,28 +9,28 @@
 
 namespace handwheel {
 
-// A convex polygon offset by a radius, in (r, z), mm. The section of a tool or of a part of the lathe. With a radius of
-// 0 its corners are sharp; one corner alone is a disc, or a point.
+// A convex polygon offset by a radius, in (r, z), mm. It is the section of a tool or of a part of the lathe. With a
+// radius of 0 its corners are sharp; one corner alone is a disc, or a point.
 class RoundedPolygon {
  public:
   static constexpr std::size_t kMostCorners = 12;
 
   // Empty: covers nothing.
   RoundedPolygon() = default;
-  // The hull of at most kMostCorners finite points, and a finite radius of at least 0; a caller with other input checks
-  // isSound() of it first.
+  // The hull of at most kMostCorners finite points, and a finite radius of at least 0; check other input with isSound()
+  // first.
   RoundedPolygon(std::span<const ProfilePoint> corners, double radius);
   static bool isSound(std::span<const ProfilePoint> corners, double radius);
 
   bool empty() const { return m_count == 0; }
-  // Without repetition, counterclockwise where z points to the right and r upward.
+  // The corners without repetition, counterclockwise with z to the right and r up.
   std::span<const ProfilePoint> corners() const { return {m_corners.data(), m_count}; }
   double radius() const { return m_radius; }
 
   RoundedPolygon moved(const ProfilePoint& by) const;
-  // Mirrored at the axis.
+  // Returns the polygon mirrored at the axis.
   RoundedPolygon mirrored() const;
-  // Its boundary as a closed polyline with this many points to a full circle.
+  // Returns its boundary as a closed polyline with this many points to a full circle.
   std::vector<ProfilePoint> outline(int perCircle) const;
 
   bool operator==(const RoundedPolygon& other) const;
@@ -41,25 +41,25 @@ class RoundedPolygon {
   double m_radius = 0.0;
 };
 
-// What a section covers while it moves straight from one place to another: exact, since it is the widened hull of both.
-// The section moves with its own origin. No allocation.
+// The area that a section covers while it moves straight. Exact: the widened hull of its first and last position. The
+// section moves with its own origin. No allocation.
 class SectionSweep {
  public:
-  // Places that are not finite: covers nothing.
+  // If a position is not finite, the sweep covers nothing.
   SectionSweep(const RoundedPolygon& section, const ProfilePoint& from, const ProfilePoint& to);
 
   bool empty() const { return m_lower.count == 0; }
-  double first() const { return m_first; }  // mm, the least z that it covers
-  double last() const { return m_last; }    // and the largest
-  double least() const { return m_least; }  // mm, the least r that it covers anywhere
+  double first() const { return m_first; }  // mm, least z
+  double last() const { return m_last; }    // mm, largest z
+  double least() const { return m_least; }  // mm, least r of the whole sweep
   double largest() const { return m_largest; }
 
-  // The least and the largest r that it covers at this z, which must be within first() and last(). O(corners).
+  // The least and the largest r of the sweep at this z, which must be within first() and last(). O(corners).
   double lowest(double z) const { return m_lower.at(z, m_radius); }
   double highest(double z) const { return -m_upper.at(z, m_radius); }
 
  private:
-  // The side of the hull that faces the axis, from the least z to the largest; of the other side mirrored.
+  // The side of the hull that faces the axis, from the least z to the largest; for the other side mirrored.
   struct Chain {
     std::array<ProfilePoint, 2 * RoundedPolygon::kMostCorners> points{};
     std::size_t count = 0;

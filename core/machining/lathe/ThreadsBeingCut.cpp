@@ -13,17 +13,17 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kPieces = 32;             // of a section
-constexpr std::int64_t kMostChips = 8;  // of one way along the helix
+constexpr int kPieces = 32;             // pieces of a section
+constexpr std::int64_t kMostChips = 8;  // limit for one travel along the helix
 constexpr double kSameHelix = 1e-6;     // mm
 constexpr double kInMaterial = 1e-6;    // mm
 
-// The nose as a pass is recorded with it.
+// Returns the nose that a pass is recorded with.
 double recordedNose(const LatheTool& tool) {
   return std::max(tool.noseRadius, TurningPass::kLeastNose);
 }
 
-// The bottom of the groove of a tool with its tip here, (r, z); as ThreadGroove has it.
+// Returns the bottom of the groove of a tool with its tip here, (r, z), like ThreadGroove.
 ProfilePoint bottomOf(const LatheTool& tool, const ProfilePoint& tip) {
   const double nose = recordedNose(tool);
   return tip + tool.noseCentre() + ProfilePoint(tool.side == TurningSide::Bore ? nose : -nose, 0.0);
@@ -41,7 +41,7 @@ double outward(TurningSide side) {
   return side == TurningSide::Bore ? -1.0 : 1.0;
 }
 
-// mm: how high the material stands above the bottom of a groove, where its flanks may reach.
+// Returns the height of the material above the bottom of a groove, within the reach of its flanks, mm.
 double heightIn(const TurnedProfile& part, TurningSide side, const ProfilePoint& bottom, const ThreadCut& form,
                 double nose) {
   const auto above = [&](std::size_t i) {
@@ -64,7 +64,7 @@ double* ThreadsBeingCut::Helix::at(double z, double spacing) {
   return &bottoms[static_cast<std::size_t>(sample)];
 }
 
-// mm, from the axis: the envelope, or a groove that is deeper there.
+// mm from the axis: the envelope, or a deeper groove.
 double ThreadsBeingCut::surfaceAt(const TurnedProfile& part, TurningSide side, double z, double angle) const {
   const double at = std::clamp(z / part.spacing(), 0.0, static_cast<double>(part.size() - 1));
   const auto i = std::min(static_cast<std::size_t>(at), part.size() - 2);
@@ -84,13 +84,13 @@ double ThreadsBeingCut::surfaceAt(const TurnedProfile& part, TurningSide side, d
   return surface;
 }
 
-ThreadChip ThreadsBeingCut::chipAt(const TurnedProfile& part, const LatheTool& tool, const Place& place,
+ThreadChip ThreadsBeingCut::chipAt(const TurnedProfile& part, const LatheTool& tool, const ToolPosition& position,
                                    const ProfilePoint* stands) const {
   ThreadChip chip;
   const ThreadCut form;
   const TurningSide side = tool.side;
   const double nose = recordedNose(tool), out = outward(side);
-  const ProfilePoint bottom = bottomOf(tool, place.tip);
+  const ProfilePoint bottom = bottomOf(tool, position.tip);
   const double height = heightIn(part, side, bottom, form, nose);
   if (!(height > 0.0)) return chip;
   const ThreadEdge edge(form, nose);
@@ -100,7 +100,7 @@ ThreadChip ThreadsBeingCut::chipAt(const TurnedProfile& part, const LatheTool& t
     const double sample = std::round(z / part.spacing());
     if (!(sample >= 0.0 && sample < static_cast<double>(part.size()))) continue;
     if (!part.hasMaterial(static_cast<std::size_t>(sample))) continue;
-    double there = surfaceAt(part, side, z, place.angle);
+    double there = surfaceAt(part, side, z, position.angle);
     if (stands) {
       const ProfilePoint stood = bottomOf(tool, *stands);
       there = deeper(side, there, stood.x() + out * edge.heightAt(z - stood.y()));
@@ -136,11 +136,11 @@ ThreadsBeingCut::Helix& ThreadsBeingCut::helixOf(const TurnedProfile& part, cons
   return m_helices.back();
 }
 
-// Sample by sample: what a step leaves of one, the next step takes.
+// Cuts sample by sample: the next step removes the rest of a sample.
 ThreadsBeingCut::Cut ThreadsBeingCut::cut(const TurnedProfile& part, const LatheTool& tool, const ThreadCut& thread,
-                                          double from, const Place& place) {
+                                          double from, const ToolPosition& position) {
   Cut cut;
-  const ProfilePoint to = place.tip;
+  const ProfilePoint to = position.tip;
   const double middle = bottomOf(tool, to).y(), shift = middle - to.y(), spacing = part.spacing();
   const auto [low, high] = std::minmax({from + shift, middle});
   const double before = -thread.pitch / spacing, last = static_cast<double>(part.size() - 1) - before;
@@ -150,7 +150,8 @@ ThreadsBeingCut::Cut ThreadsBeingCut::cut(const TurnedProfile& part, const Lathe
   const std::int64_t stride = (end - begin) / kMostChips + 1;
   for (std::int64_t i = begin; i <= end; i += stride) {
     const std::int64_t next = std::min(i + stride, end + 1);
-    const double z = static_cast<double>(i) * spacing, angle = place.angle + 2.0 * M_PI * (z - middle) / thread.rise();
+    const double z = static_cast<double>(i) * spacing,
+                 angle = position.angle + 2.0 * M_PI * (z - middle) / thread.rise();
     const ThreadChip chip = chipAt(part, tool, {{to.x(), z - shift}, angle});
     if (!(chip.section > 0.0)) continue;
     const double area = chip.section * static_cast<double>(next - i) * spacing / thread.lead();

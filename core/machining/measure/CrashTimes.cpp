@@ -9,12 +9,12 @@ namespace handwheel {
 
 namespace {
 
-// A program strikes at a point of its path. What the manual lathe struck is beside it.
+// A crash of a program is at a point of its path, one of the manual lathe is beside it.
 std::optional<std::size_t> pointOfCrash(const TurningPass& pass, const LatheCollision& crash) {
   std::optional<std::size_t> nearest;
   double least = pass.tool ? kCrashReach : 0.0;
   for (std::size_t i = 0; i < std::min(pass.path.size(), pass.times.size()); ++i) {
-    const double distance = (pass.path[i] - crash.place).norm();
+    const double distance = (pass.path[i] - crash.position).norm();
     if (!(nearest ? distance < least : distance <= least)) continue;
     nearest = i;
     least = distance;

@@ -16,7 +16,7 @@ using Row = std::array<int, kSizeSteps>;  // micrometres
 // The last size of each step, mm.
 constexpr std::array<double, kSizeSteps> kStepEnds = {3, 6, 10, 18, 30, 50, 80, kLargestToleratedSize};
 
-// ISO 286-1, table 1.
+// Table 1 of ISO 286-1.
 constexpr int kFirstGrade = 5;
 constexpr std::array<Row, 8> kGrades = {{{4, 5, 6, 8, 9, 11, 13, 15},
                                          {6, 8, 9, 11, 13, 16, 19, 22},
@@ -27,8 +27,8 @@ constexpr std::array<Row, 8> kGrades = {{{4, 5, 6, 8, 9, 11, 13, 15},
                                          {60, 75, 90, 110, 130, 160, 190, 220},
                                          {100, 120, 150, 180, 210, 250, 300, 350}}};
 
-// The fundamental deviation of shafts, ISO 286-1, tables 4 and 5: the upper one of those below the nominal size, the
-// lower one of those above it.
+// The fundamental deviation of shafts, ISO 286-1, tables 4 and 5: the upper deviation of those below the nominal size,
+// the lower deviation of those above it.
 struct Fundamental {
   std::string_view letter;
   bool isUpper;
@@ -40,7 +40,7 @@ constexpr std::array<Fundamental, 9> kFundamentals = {{
     {"f", true, {-6, -10, -13, -16, -20, -25, -30, -36}},
     {"g", true, {-2, -4, -5, -6, -7, -9, -10, -12}},
     {"h", true, {0, 0, 0, 0, 0, 0, 0, 0}},
-    {"k", false, {0, 1, 1, 1, 2, 2, 2, 3}},  // of the grades up to 7; above them 0
+    {"k", false, {0, 1, 1, 1, 2, 2, 2, 3}},  // for grades up to 7; above them 0
     {"m", false, {2, 4, 6, 7, 8, 9, 11, 13}},
     {"n", false, {4, 8, 10, 12, 15, 17, 20, 23}},
     {"p", false, {6, 12, 15, 18, 22, 26, 32, 37}},
@@ -109,7 +109,7 @@ std::optional<SizeDeviations> isoDeviations(double nominal, std::string_view tol
   if (letter == "js" || letter == "it") return SizeDeviations{-0.5 * *width, 0.5 * *width};
   const auto ofShaft = shaft(letter, grade, *stepOf(nominal), *width);
   if (upperCount == 0 || !ofShaft) return ofShaft;
-  // Of holes above the nominal size only: those below it have corrections that depend on the grade.
+  // Holes below the nominal size are left out: they have corrections that depend on the grade.
   if (letter > "h") return std::nullopt;
   return SizeDeviations{-ofShaft->upper, -ofShaft->lower};
 }

@@ -7,24 +7,24 @@
 
 namespace handwheel {
 
-// The limits of a size as deviations from its nominal value, mm. How far it may be below and above.
+// The limits of a size as deviations from its nominal value, mm.
 struct SizeDeviations {
   double lower = 0.0, upper = 0.0;
   double width() const { return upper - lower; }
   bool operator==(const SizeDeviations&) const = default;
 };
 
-// The nominal sizes that the tables know end here, mm.
+// Largest nominal size of the tables, mm.
 inline constexpr double kLargestToleratedSize = 120.0;
 
-// The width (mm) of a standard tolerance grade of ISO 286-1 for a nominal size, mm: IT5 to IT12, sizes above 0 and up
-// to kLargestToleratedSize. None for others.
+// Returns the width (mm) of a standard tolerance grade of ISO 286-1 for a nominal size, mm: IT5 to IT12, sizes above 0
+// and up to kLargestToleratedSize; nothing for others.
 std::optional<double> standardTolerance(double nominal, int grade);
 
-// The deviations of a tolerance class of ISO 286-2: "h10", "H7", "js9", "f7". A grade alone, "IT10", says how wide the
-// tolerance is and not where it lies: half of it is taken on both sides, as of js10. Shafts d, e, f, g, h, js, k, m, n,
-// p; holes D, E, F, G, H, JS, which mirror the shafts without a correction. None for other classes and sizes: those
-// take explicit limits.
+// Returns the deviations of a tolerance class of ISO 286-2: "h10", "H7", "js9", "f7". A grade alone, "IT10", gives the
+// width of the tolerance but not its position: half of it is taken on both sides, like js10. Shafts d, e, f, g, h, js,
+// k, m, n, p; holes D, E, F, G, H, JS, which mirror the shafts without a correction. Returns nothing for other classes
+// and sizes, which need explicit limits.
 std::optional<SizeDeviations> isoDeviations(double nominal, std::string_view toleranceClass);
 
 }  // namespace handwheel

@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 // Rounding of positions that users type, mm.
-constexpr double kTypedPlace = 1e-9;
+constexpr double kTypedRounding = 1e-9;
 
 double sideAt(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
@@ -20,16 +20,16 @@ bool isThere(const TurnedProfile& profile, TurningSide side, std::size_t i) {
   return profile.hasMaterial(i) && (side == TurningSide::Outside || profile.inner(i) > 0.0);
 }
 
-// The samples of a range; empty for one that is not finite or has none.
+// Returns the samples of a range; empty if the range is not finite or has none.
 TurnedProfile::Range samplesIn(const TurnedProfile& profile, AxisRange range) {
   const double spacing = profile.spacing(), last = static_cast<double>(profile.size() - 1);
-  const double from = std::ceil((range.from - kTypedPlace) / spacing),
-               to = std::floor((range.to + kTypedPlace) / spacing);
+  const double from = std::ceil((range.from - kTypedRounding) / spacing),
+               to = std::floor((range.to + kTypedRounding) / spacing);
   if (!(from <= to) || !(to >= 0.0) || !(from <= last)) return {};
   return {static_cast<std::size_t>(std::max(from, 0.0)), static_cast<std::size_t>(std::min(to, last)) + 1};
 }
 
-// The points of a side in a range; none where one of them is missing.
+// Returns the points of a side in a range; empty if one of them is missing.
 std::vector<ProfilePoint> pointsOf(const TurnedProfile& profile, TurningSide side, AxisRange range) {
   const TurnedProfile::Range samples = samplesIn(profile, range);
   std::vector<ProfilePoint> points;
@@ -47,7 +47,8 @@ ProfilePoint meanOf(const std::vector<ProfilePoint>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-// The algebraic fit (Kåsa): x² + y² = 2ax + 2by + c, about the mean of the points. None for points on a line.
+// The algebraic fit (Kåsa): x² + y² = 2ax + 2by + c, about the mean of the points. Returns nothing for points on a
+// line.
 std::optional<ArcReading> algebraicCircle(const std::vector<ProfilePoint>& points) {
   const ProfilePoint mean = meanOf(points);
   double xx = 0, xy = 0, yy = 0, xq = 0, yq = 0, qq = 0;
@@ -66,7 +67,7 @@ std::optional<ArcReading> algebraicCircle(const std::vector<ProfilePoint>& point
   return circle;
 }
 
-// One step of Gauss and Newton towards the least squares of the distances. Returns how far it moved.
+// One step of Gauss and Newton towards the least squares of the distances. Returns the distance that it moved.
 double refine(ArcReading& circle, const std::vector<ProfilePoint>& points) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -97,7 +98,7 @@ std::optional<DiameterReading> measureDiameter(const TurnedProfile& profile, Tur
 
 std::optional<double> measureFace(const TurnedProfile& profile, TurningSide side, double radius, double near,
                                   double reach) {
-  // 0 where there is no material. A bore begins and ends where the part does.
+  // Returns 0 if there is no material. A bore begins and ends with the part.
   const auto at = [&](std::size_t i) { return isThere(profile, side, i) ? sideAt(profile, side, i) : 0.0; };
   std::optional<double> face;
   const auto offer = [&](double z) {

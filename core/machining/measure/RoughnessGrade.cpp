@@ -44,7 +44,7 @@ double drilledRoughness(double feed) {
 double idealRoughness(double feed, double noseRadius) {
   constexpr double kMicrometres = 1e3;  // a mm
   if (feed == 0.0) return 0.0;
-  const bool hasCusps = feed <= 2.0 * noseRadius;  // else the nose leaves a ridge of the surface before
+  const bool hasCusps = feed <= 2.0 * noseRadius;  // otherwise the nose leaves a ridge of the previous surface
   if (!(noseRadius > 0.0 && hasCusps)) return std::numeric_limits<double>::infinity();
   return kMicrometres * feed * feed / (32.0 * noseRadius);
 }

@@ -13,20 +13,21 @@ namespace {
 
 using Points = std::span<const ProfilePoint>;
 
-constexpr double kTaperPlace = 1e-9;  // mm, rounding of positions that users type
-constexpr double kFaceSlope = 6.0;    // of r over z, between two samples: steeper is a face
-// A neighbour is not of the taper where its slope differs by half of that, and by half a degree: hands waver.
+constexpr double kTaperRounding = 1e-9;  // mm, rounding of positions that users type
+constexpr double kFaceSlope = 6.0;       // r over z between two samples; a steeper slope is a face
+// A neighbour does not belong to the taper if its slope differs by half of that slope, and by half a degree: hands are
+// unsteady.
 constexpr double kOtherShare = 0.5, kOtherSlope = 0.00873;
-// A side that is within this of a line has ends only where the other lines leave almost nothing of the distances: not
-// for feed marks, but for the cylinder of a few samples beside a shallow taper.
+// A side within this distance of a line has ends only if the other lines leave almost nothing of the distances: this
+// excludes feed marks, but finds a cylinder of a few samples beside a shallow taper.
 constexpr double kStraight = 2e-3, kExactTaper = 1e-7;  // mm, root mean square; kExactTaper is rounding
 constexpr double kClearlyBetter = 0.01;
 
-// Samples [first, last) of a line.
+// The samples [first, last) of a line.
 struct Piece {
   std::size_t first = 0, last = 0;
   double slope = 0.0;
-  double squares = 0.0;  // mm², of the distances in r
+  double squares = 0.0;  // mm²; squared distances in r
 
   std::size_t size() const { return last - first; }
 };
@@ -57,7 +58,7 @@ class LineSums {
   }
 
  private:
-  std::vector<std::array<double, 5>> m_sums;  // of r, z, z², r z, r²
+  std::vector<std::array<double, 5>> m_sums;  // sums of r, z, z², r z, r²
 };
 
 using Pieces = std::array<Piece, 3>;
@@ -66,7 +67,8 @@ double squaresOf(const Pieces& pieces) {
   return pieces[0].squares + pieces[1].squares + pieces[2].squares;
 }
 
-// The three lines, one after the other, that are nearest to the samples. First at 64 places, then between these.
+// Finds the (up to) three consecutive lines that are nearest to the samples. Tries 64 positions first, then those
+// between them.
 Pieces bestLines(const LineSums& sums, std::size_t count) {
   const auto cut = [&](std::size_t i, std::size_t j) {
     return Pieces{sums.fit(0, i), sums.fit(i, j), sums.fit(j, count)};
@@ -153,7 +155,7 @@ std::optional<TaperReading> measureTaper(const TurnedProfile& profile, TurningSi
     run.clear();
   };
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    if (!(profile.z(i) >= range.from - kTaperPlace && profile.z(i) <= range.to + kTaperPlace)) continue;
+    if (!(profile.z(i) >= range.from - kTaperRounding && profile.z(i) <= range.to + kTaperRounding)) continue;
     const ProfilePoint p(isOutside ? profile.radius(i) : profile.inner(i), profile.z(i));
     const bool isThere = profile.hasMaterial(i) && (isOutside || p.x() > 0.0);
     if (!run.empty() && (!isThere || std::abs(p.x() - run.back().x()) > kFaceSlope * profile.spacing())) endRun();

@@ -50,8 +50,8 @@ SurfaceLine lineAlong(const TurnedProfile& profile, const PartThreads& threads, 
   return line;
 }
 
-// Where the line crosses a radius: downwards into a groove, and up out of it; mm. A groove that is cut off by an end of
-// the range is none.
+// The positions at which the line crosses a radius: downwards into a groove, and up out of it; mm. A groove that is cut
+// off by an end of the range does not count.
 struct Gap {
   double begin = 0.0, end = 0.0;
   double middle() const { return 0.5 * (begin + end); }
@@ -75,7 +75,7 @@ std::vector<Gap> gapsAt(const SurfaceLine& line, double radius, TurningSide side
   return gaps;
 }
 
-// How much wider than half the pitch the grooves are at a radius, on average.
+// Returns the mean excess of the grooves' width over half the pitch at a radius.
 double excessAt(const SurfaceLine& line, double radius, TurningSide side, double pitch) {
   const std::vector<Gap> gaps = gapsAt(line, radius, side);
   double sum = 0.0;
@@ -102,7 +102,7 @@ std::optional<ThreadReading> measureThread(const TurnedProfile& profile, const P
   for (std::size_t i = 1; i < gaps.size(); ++i)
     reading.largestError =
         std::max(reading.largestError, std::abs(gaps[i].middle() - gaps[i - 1].middle() - reading.pitch));
-  // A groove grows wider from its root to the crest.
+  // A groove widens from its root to the crest.
   double root = side == TurningSide::Bore ? *largest : *least, crest = side == TurningSide::Bore ? *least : *largest;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (root + crest);

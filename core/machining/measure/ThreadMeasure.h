@@ -7,17 +7,17 @@
 
 namespace handwheel {
 
-// The measurements of a thread. mm.
+// The measurements of a thread, mm.
 struct ThreadReading {
   double pitch = 0.0;               // mean distance of neighbouring grooves along the axis
-  double largestError = 0.0;        // of one of these distances
+  double largestError = 0.0;        // largest deviation of one of these distances
   double major = 0.0, minor = 0.0;  // diameters of crest and root; in a bore of root and crest
-  double pitchDiameter = 0.0;       // where the groove is as wide as half the pitch
+  double pitchDiameter = 0.0;       // diameter at which the groove is as wide as half the pitch
   int grooves = 0;
 };
 
-// Measures the thread of a side along a line on the surface, parallel to the axis. None where the range has fewer than
-// two grooves. Errors below a thousandth of the pitch. O(range / pitch).
+// Measures the thread of a side along a line on the surface, parallel to the axis. Returns nothing if the range has
+// fewer than two grooves. Errors below a thousandth of the pitch. O(range / pitch).
 std::optional<ThreadReading> measureThread(const TurnedProfile& profile, const PartThreads& threads, TurningSide side,
                                            AxisRange range);
 

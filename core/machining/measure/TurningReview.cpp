@@ -15,7 +15,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostCrashes = 1'000;
-// Beyond the largest feed, as a share of it: work that gives way makes the path of a tool longer than that of its
+// Tolerance of the largest feed, as a share of it: work that yields makes the path of a tool longer than that of its
 // slides, which keep the feed.
 constexpr double kFeedSlack = 0.01;
 
@@ -23,40 +23,40 @@ double sideRadius(const TurnedProfile& profile, TurningSide side, std::size_t i)
   return side == TurningSide::Outside ? profile.radius(i) : profile.inner(i);
 }
 
-// Whether the nose, or the shank that comes to it from outside, is within the jaws.
+// Returns true if the nose, or the shank that comes to it from outside, is within the jaws.
 bool isInChuck(const TurningPass& pass, const ProfilePoint& centre, const ReviewedLathe& lathe) {
   if (!(lathe.chuckHeight > 0.0) || pass.side == TurningSide::Bore) return false;
   const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
   return centre.y() - nose < lathe.chuckHeight && centre.x() - nose < 0.5 * lathe.chuckDiameter;
 }
 
-// r/min on the way to a point.
+// r/min in the move to a point.
 double speedAt(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
   return i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
 }
 
-// r/min that were asked for there.
+// r/min that the levers asked for there.
 double askedAt(const TurningPass& pass, std::size_t i, double speed) {
   return i < pass.askedSpeeds.size() ? std::max(pass.askedSpeeds[i], speed) : speed;
 }
 
-// How much a cut asks of the lathe; only to compare.
+// Returns the load of a cut on the lathe; only for comparison.
 double weightOf(const CutMoment& moment) {
   return moment.depth * moment.chip * moment.asked;
 }
 
 }  // namespace
 
-// The moves that are taken as one cut.
-struct TurningReview::Way {
-  static constexpr double kLongest = 0.5;  // mm: hands move in steps that are shorter than the samples are apart
+// A short sequence of moves that counts as one cut.
+struct TurningReview::Stretch {
+  static constexpr double kLongest = 0.5;  // mm; hand movements have steps shorter than the distance of the samples
 
   double length = 0.0, seconds = 0.0, turns = 0.0, time = 0.0;
   double chip = 0.0;     // mm, the thickest
-  double asked = 0.0;    // turns that the spindle would have made at the speed that was asked for
-  double area = 0.0;     // mm², that left the section
+  double asked = 0.0;    // turns that the spindle would have made at the requested speed
+  double area = 0.0;     // mm², removed area of the section
   double largest = 0.0;  // mm, the largest radius that was cut
-  ProfilePoint place{0, 0};
+  ProfilePoint position{0, 0};
 };
 
 TurningReview::TurningReview(const TurnedProfile& bar) : m_profile(bar) {
@@ -85,14 +85,14 @@ std::optional<TurningReview> TurningReview::make(const TurnedProfile& bar, Passe
 
 void TurningReview::repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, FinishMeter& meter,
                            Progress progress) {
-  constexpr std::size_t kLook = 256;  // points between two looks at the cancel flag
+  constexpr std::size_t kLook = 256;  // points between two checks of the cancel flag
   const double start = m_seconds;
   bool wasInChuck = false, wasRapid = false;
-  constexpr double kClear = 3.0;  // samples: on a shorter way without a cut the tool is in the material still
-  Way cutting;
+  constexpr double kClear = 3.0;  // samples; after a shorter travel without a cut the tool is still in the material
+  Stretch cutting;
   ChipGrowth chip;
-  double wayClear = 0.0;              // mm
-  std::size_t inJaws = kMostCrashes;  // number of the crash that goes on there
+  double distanceClear = 0.0;         // mm
+  std::size_t inJaws = kMostCrashes;  // index of the crash that continues there
   const auto crash = [&](CrashMoment::What what, double time, std::size_t point) {
     if (m_crashes.size() < kMostCrashes) m_crashes.push_back({what, number, time, pass.path[point], 0.0, point, point});
   };
@@ -101,9 +101,9 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     if (i % kLook == 0 && progress.cancelled()) return;
     const ProfilePoint &from = pass.path[i == 0 ? 0 : i - 1], &to = pass.path[i];
-    const double seconds = i == 0 ? 0.0 : pass.times[i] - pass.times[i - 1], way = (to - from).norm();
+    const double seconds = i == 0 ? 0.0 : pass.times[i] - pass.times[i - 1], distance = (to - from).norm();
     const double time = start + pass.times[i];
-    m_pathLength += way;
+    m_pathLength += distance;
     const bool inChuck = isInChuck(pass, to, lathe);
     if (inChuck && !wasInChuck) {
       inJaws = m_crashes.size();
@@ -123,54 +123,54 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
       m_crashes.back().feed = std::max(m_crashes.back().feed, meter.feed());
       m_crashes.back().last = i;
     }
-    wayClear = changed.isEmpty() ? wayClear + way : 0.0;
-    if (wayClear > kClear * m_profile.spacing())
+    distanceClear = changed.isEmpty() ? distanceClear + distance : 0.0;
+    if (distanceClear > kClear * m_profile.spacing())
       chip.end();
     else if (!changed.isEmpty() || chip.thickness() > 0.0)
-      chip.add(way, turns);
+      chip.add(distance, turns);
     if (changed.isEmpty()) {
-      endWay(cutting);
+      endStretch(cutting);
       continue;
     }
-    cutting.length += way;
+    cutting.length += distance;
     cutting.seconds += seconds;
     cutting.turns += turns;
     cutting.chip = std::max(cutting.chip, chip.thickness());
     cutting.asked += seconds * askedAt(pass, i, speed) / 60.0;
     cutting.time = time;
-    cutting.place = to;
-    if (cutting.length >= Way::kLongest) endWay(cutting);
+    cutting.position = to;
+    if (cutting.length >= Stretch::kLongest) endStretch(cutting);
   }
-  endWay(cutting);
+  endStretch(cutting);
   if (!pass.times.empty()) m_seconds += pass.times.back();
 }
 
-double TurningReview::take(Way& way, TurningSide side, TurnedProfile::Range changed) {
+double TurningReview::take(Stretch& stretch, TurningSide side, TurnedProfile::Range changed) {
   double deepest = 0.0;
   std::vector<double>& radii = side == TurningSide::Outside ? m_outerRadii : m_boreRadii;
   for (std::size_t i = changed.first; i < changed.last; ++i) {
     const double before = std::exchange(radii[i], sideRadius(m_profile, side, i));
     const double depth = std::abs(before - radii[i]);
-    way.area += depth * m_profile.spacing();
-    way.largest = std::max({way.largest, before, radii[i]});
+    stretch.area += depth * m_profile.spacing();
+    stretch.largest = std::max({stretch.largest, before, radii[i]});
     deepest = std::max(deepest, depth);
   }
   return deepest;
 }
 
-// What begins has gone less than a sample, which leaves as a whole.
-void TurningReview::endWay(Way& way) {
-  const Way done = std::exchange(way, Way());
+// A cut that begins has covered less than a sample, but removes the whole sample.
+void TurningReview::endStretch(Stretch& stretch) {
+  const Stretch done = std::exchange(stretch, Stretch());
   if (!(done.length > 0.0 && done.turns > 0.0)) return;  // work at rest is not cut: that is a crash
   const double feed = done.length / done.turns;
   const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * done.largest * 60.0 / done.seconds / 1000.0 : 0.0;
   const double depth = done.area / std::max(done.length, m_profile.spacing());
-  m_moments.push_back({done.time, done.place, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
+  m_moments.push_back({done.time, done.position, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
                        perTurn * std::max(done.asked, done.turns)});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();
 }
 
-// Of each two neighbours the heavier cut stays.
+// Keeps the heavier cut of each two neighbours.
 void TurningReview::thinMoments() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < m_moments.size(); i += 2) {

@@ -12,67 +12,66 @@ namespace handwheel {
 
 // The parameters of the lathe for a review of passes.
 struct ReviewedLathe {
-  double spindleSpeed = 800.0;  // revolutions a minute, of passes that do not tell theirs
-  double chuckHeight = 0.0;     // mm above the lower end of the part that the chuck holds it; 0: no chuck
+  double spindleSpeed = 800.0;  // revolutions a minute, for passes that do not record theirs
+  double chuckHeight = 0.0;     // mm above the lower end of the part up to which the chuck holds it; 0: no chuck
   double chuckDiameter = 0.0;   // mm
-  double largestFeed = 2.0;     // mm per revolution that a tool survives in the material, deeper than kTouch
+  double largestFeed = 2.0;  // mm per revolution, largest feed that a tool survives in the material, deeper than kTouch
 };
 
-// A tool that touched what it must not touch.
+// A contact of a tool with something that it must not touch.
 struct CrashMoment {
   enum class What { Chuck, RapidInMaterial };
   What what = What::Chuck;
   std::size_t pass = 0;
-  double time = 0.0;         // s since the begin of the first pass, pauses between passes left out
-  ProfilePoint place{0, 0};  // of the centre of the nose
-  // mm per revolution, the largest of RapidInMaterial; infinite while the spindle stands.
+  double time = 0.0;            // s since the begin of the first pass, without the pauses between passes
+  ProfilePoint position{0, 0};  // position of the centre of the nose
+  // mm per revolution, largest feed of RapidInMaterial; infinite while the spindle stands.
   double feed = 0.0;
-  std::size_t first = 0, last = 0;  // points of the path of the pass that it begins and ends at
+  std::size_t first = 0, last = 0;  // first and last point of the crash on the path of the pass
 };
 
-// How the tool cut over a short way, half a millimetre or less.
+// The conditions of a cut over a short distance, half a millimetre or less.
 struct CutMoment {
   double time = 0.0;  // s, as above
-  ProfilePoint place{0, 0};
-  double depth = 0.0;  // mm, width of the cut across the feed: the area that left the section, by the way
+  ProfilePoint position{0, 0};
+  double depth = 0.0;  // mm, width of the cut across the feed: removed area of the section over the distance
   double feed = 0.0;   // mm per revolution
-  double chip = 0.0;   // mm, of that: as thick as the chip became, less than the feed in the first turn in the material
+  double chip = 0.0;  // mm, largest chip thickness along the feed: less than the feed in the first turn in the material
   double speed = 0.0;  // m/min at the largest radius that was cut
-  double asked = 0.0;  // m/min, the same at the speed that the levers asked for; higher where the motor was overloaded
+  double asked = 0.0;  // m/min, the same at the speed that the levers asked for; higher if the motor was overloaded
 };
 
 class FinishMeter;
 
-// What the passes of a part tell about the work: finish, crashes, cuts, time. It repeats them on the bar.
-// Deterministic.
+// The results of a part's passes: finish, crashes, cuts, time. The review repeats them on the bar. Deterministic.
 class TurningReview {
  public:
-  // The most samples that the passes may visit; beyond it there is no review. An hour of cutting on the manual lathe
-  // visits 2e9: 500 moves a second with a thousand samples below the tool.
+  // Largest number of samples that the passes may visit; beyond it there is no review. An hour of cutting on the manual
+  // lathe visits 2e9: 500 moves a second with a thousand samples below the tool.
   static constexpr std::uint64_t kMostWork = 4'000'000'000;
-  static constexpr std::size_t kMostMoments = 2'000;  // neighbours are joined, the heaviest cut of them is kept
+  static constexpr std::size_t kMostMoments = 2'000;  // neighbours are joined, and the heaviest cut of them is kept
 
   using Passes = std::span<const std::shared_ptr<const TurningPass>>;
 
-  // bar: before the first pass. None when it takes too much work or was cancelled.
+  // bar: the part before the first pass. Returns nothing if it takes too much work or was cancelled.
   static std::optional<TurningReview> make(const TurnedProfile& bar, Passes passes, const ReviewedLathe& lathe,
                                            Progress progress = {});
 
   const TurnedProfile& profile() const { return m_profile; }  // after the last pass
-  double seconds() const { return m_seconds; }                // of all passes
+  double seconds() const { return m_seconds; }                // s, duration of all passes
   double pathLength() const { return m_pathLength; }          // mm
   const std::vector<CrashMoment>& crashes() const { return m_crashes; }
   const std::vector<CutMoment>& moments() const { return m_moments; }  // by time
-  // Of the part after the last pass.
+  // Finish of the part after the last pass.
   const SurfaceFinish& finish() const { return m_finish; }
 
  private:
   explicit TurningReview(const TurnedProfile& bar);
-  struct Way;
+  struct Stretch;
   void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, FinishMeter& meter,
               Progress progress);
-  double take(Way& way, TurningSide side, TurnedProfile::Range changed);  // mm, the largest change of a radius
-  void endWay(Way& way);
+  double take(Stretch& stretch, TurningSide side, TurnedProfile::Range changed);  // mm, the largest change of a radius
+  void endStretch(Stretch& stretch);
   void thinMoments();
 
   TurnedProfile m_profile;

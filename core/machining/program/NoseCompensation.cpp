@@ -8,9 +8,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kCorner = 0.05;        // radian: flatter corners are none (LinuxCNC's TOLERANCE_CONCAVE_CORNER)
+constexpr double kCorner = 0.05;        // radian; flatter corners do not count (LinuxCNC's TOLERANCE_CONCAVE_CORNER)
 constexpr double kRadiusChange = 0.01;  // mm, between the ends of an arc
-constexpr double kSweepChange = 0.001;  // radian, that an arc may become longer in a corner
+constexpr double kSweepChange = 0.001;  // radian; tolerance of an arc's growth in a corner
 constexpr const char* kSmallerNose = "Use a tool with a smaller nose radius, or make the corner rounder.";
 constexpr const char* kNoFit = "the nose of the tool does not fit into this corner without cutting into the contour";
 
@@ -27,12 +27,12 @@ double sweepBetween(const PlanePoint& from, const PlanePoint& centre, int turn, 
   return sweepOf(move);
 }
 
-[[noreturn]] void refuseCorner(const ProgramPlace& place) {
-  refuse(place, "nose compensation", kNoFit, kSmallerNose);
+[[noreturn]] void refuseCorner(const SourceLocation& location) {
+  refuse(location, "nose compensation", kNoFit, kSmallerNose);
 }
 
-double cosineIn(double value, const ProgramPlace& place) {
-  if (!(value >= -1.0 && value <= 1.0)) refuseCorner(place);
+double cosineIn(double value, const SourceLocation& location) {
+  if (!(value >= -1.0 && value <= 1.0)) refuseCorner(location);
   return value;
 }
 
@@ -44,7 +44,7 @@ void NoseCompensation::begin(int side, double radius, const ProfilePoint& tip, c
   m_tip = radius * planePoint(tip);
   m_isFirst = true;
   m_isEntry = false;
-  m_contour = m_centre = at;  // as LinuxCNC: the entry move starts from the tip as if the nose's centre were there
+  m_contour = m_centre = at;  // like LinuxCNC: the entry move starts from the tip as if the nose's centre were there
   m_held.clear();
   m_heldFrom.reset();
 }
@@ -58,7 +58,7 @@ void NoseCompensation::move(const Step& programmed) {
 }
 
 PlanePoint NoseCompensation::end() {
-  if (!m_held.empty()) endHeldAt(m_centre, m_held.back().step.place);
+  if (!m_held.empty()) endHeldAt(m_centre, m_held.back().step.location);
   m_side = 0;
   return m_contour;
 }
@@ -73,21 +73,21 @@ void NoseCompensation::flush() {
   m_heldFrom.reset();
 }
 
-// The moves held back end here instead. More than one is held only where a move had no length.
-void NoseCompensation::endHeldAt(const PlanePoint& corner, const ProgramPlace& place) {
+// Ends the held moves here instead. More than one is held only if a move had no length.
+void NoseCompensation::endHeldAt(const PlanePoint& corner, const SourceLocation& location) {
   if (m_held.empty()) return;
   for (Held& held : m_held) {
     Step& step = held.step;
     if (step.modal.turn != 0) {
       const double before = std::abs(step.to - step.centre), after = std::abs(corner - step.centre);
-      if (std::abs(before - after) > kRadiusChange) refuseCorner(place);
+      if (std::abs(before - after) > kRadiusChange) refuseCorner(location);
       if (held.sweep != 0.0 && m_heldFrom) {
         const double sweep = sweepBetween(*m_heldFrom, step.centre, step.modal.turn, corner);
-        if (std::abs(sweep) > std::abs(held.sweep) + kSweepChange) refuseCorner(place);
+        if (std::abs(sweep) > std::abs(held.sweep) + kSweepChange) refuseCorner(location);
       }
     } else if (m_heldFrom) {
       const PlanePoint now = corner - *m_heldFrom;
-      if (held.direction.real() * now.real() + held.direction.imag() * now.imag() < 0.0) refuseCorner(place);
+      if (held.direction.real() * now.real() + held.direction.imag() * now.imag() < 0.0) refuseCorner(location);
     }
     step.to = corner;
   }
@@ -98,7 +98,7 @@ void NoseCompensation::endHeldAt(const PlanePoint& corner, const ProgramPlace& p
 void NoseCompensation::enter(const Step& programmed) {
   const PlanePoint along = programmed.to - m_centre;
   if (std::abs(along) <= m_radius)
-    refuse(programmed.place, "nose compensation", "the first move is not longer than the nose radius",
+    refuse(programmed.location, "nose compensation", "the first move is not longer than the nose radius",
            "Begin compensation farther from the part.");
   const double out = std::arg(along) + (m_side > 0 ? M_PI_2 : -M_PI_2);
   Held held{programmed, m_entersSquare ? PlanePoint{} : std::polar(1.0, out), 0.0};
@@ -111,7 +111,7 @@ void NoseCompensation::enter(const Step& programmed) {
   hold(std::move(held));
 }
 
-// The move in ends beside the beginning of the contour.
+// Ends the entry move beside the beginning of the contour.
 void NoseCompensation::endEntryAt(const PlanePoint& offset) {
   m_isEntry = false;
   m_centre = m_contour + offset;
@@ -120,10 +120,10 @@ void NoseCompensation::endEntryAt(const PlanePoint& offset) {
   m_heldFrom = m_centre;
 }
 
-// The arc that ends in the offset of the programmed end, towards its centre, and begins where the tool is.
+// Adds the arc that ends in the offset of the programmed end, towards its centre, and begins at the tool.
 void NoseCompensation::enterByArc(const Step& programmed) {
   if (std::abs(programmed.to - m_centre) <= m_radius)
-    refuse(programmed.place, "nose compensation", "the first arc is not longer than the nose radius",
+    refuse(programmed.location, "nose compensation", "the first arc is not longer than the nose radius",
            "Begin compensation farther from the part.");
   const PlanePoint inward = programmed.centre - programmed.to;
   const double out = std::arg(isInside(programmed.modal.turn) ? inward : -inward);
@@ -131,11 +131,12 @@ void NoseCompensation::enterByArc(const Step& programmed) {
   const double direction = angleTo(to, programmed.centre);
   const double half = 0.5 * std::abs(m_centre - to);
   const double share = std::cos(angleTo(to, m_centre) - direction);
-  if (std::abs(share) < 1e-4) refuseCorner(programmed.place);
+  if (std::abs(share) < 1e-4) refuseCorner(programmed.location);
   Held held{programmed, {}, 0.0};
   held.step.to = to;
   held.step.centre = to + std::polar(half / share, direction);
-  Held shift{programmed, {}, 0.0};  // the tip moves by the offset of its orientation first: or the arc would be none
+  Held shift{
+      programmed, {}, 0.0};  // the tip first moves by the offset of its orientation; otherwise the arc would be invalid
   shift.step.modal.turn = 0;
   shift.step.to = m_centre;
   m_isFirst = false;
@@ -151,7 +152,7 @@ void NoseCompensation::enterByArc(const Step& programmed) {
   hold(std::move(held));
 }
 
-// An arc of the nose around a convex corner; of rapids a straight move, as there are no rapid arcs.
+// Adds an arc of the nose around a convex corner; for rapids a straight move, since there are no rapid arcs.
 void NoseCompensation::roundCorner(const Step& programmed, const PlanePoint& to) {
   Held round{programmed, {}, 0.0};
   const bool isRapid = programmed.modal.kind == ToolMove::Kind::Rapid;
@@ -182,11 +183,11 @@ void NoseCompensation::line(const Step& programmed) {
   const bool isBackBeside = beta > M_PI - kCorner && isAfterArc && m_side * m_held.front().step.modal.turn < 0;
   if (beta < -kCorner || beta > M_PI + kCorner || isBackBeside) {
     if (!m_held.empty())
-      endHeldAt(isAfterArc ? cornerFromArc(programmed.to, programmed.place)
-                           : cornerOfLines(std::polar(1.0, theta + m_side * M_PI_2), beta, programmed.place),
-                programmed.place);
+      endHeldAt(isAfterArc ? cornerFromArc(programmed.to, programmed.location)
+                           : cornerOfLines(std::polar(1.0, theta + m_side * M_PI_2), beta, programmed.location),
+                programmed.location);
   } else if (beta > kCorner) {
-    if (!m_held.empty()) endHeldAt(m_centre, programmed.place);
+    if (!m_held.empty()) endHeldAt(m_centre, programmed.location);
     roundCorner(programmed, m_contour + offset);
   } else {
     flush();
@@ -199,14 +200,15 @@ void NoseCompensation::line(const Step& programmed) {
   hold(std::move(held));
 }
 
-PlanePoint NoseCompensation::cornerOfLines(const PlanePoint& direction, double beta, const ProgramPlace& place) const {
+PlanePoint NoseCompensation::cornerOfLines(const PlanePoint& direction, double beta,
+                                           const SourceLocation& location) const {
   const double half = 0.5 * (beta + M_PI);
-  if (half == 0.0) refuseCorner(place);
+  if (half == 0.0) refuseCorner(location);
   return m_centre + m_radius / std::tan(half) * direction;
 }
 
-// Where the offset line meets the offset arc that is held back.
-PlanePoint NoseCompensation::cornerFromArc(const PlanePoint& to, const ProgramPlace& place) const {
+// Returns the intersection of the offset line and the offset arc that is held back.
+PlanePoint NoseCompensation::cornerFromArc(const PlanePoint& to, const SourceLocation& location) const {
   const Step& before = m_held.front().step;
   const int turn = before.modal.turn;
   const double radius = std::abs(before.to - before.centre);
@@ -214,23 +216,23 @@ PlanePoint NoseCompensation::cornerFromArc(const PlanePoint& to, const ProgramPl
   const double contourRadius = inside ? radius + m_radius : radius - m_radius;
   const double across = angleTo(m_contour, to) + turn * M_PI_2;
   const double distance = contourRadius * std::cos(across - angleTo(m_contour, before.centre));
-  const double share = cosineIn((inside ? distance - m_radius : distance + m_radius) / radius, place);
+  const double share = cosineIn((inside ? distance - m_radius : distance + m_radius) / radius, location);
   const double spread = (inside ? -turn : turn) * std::acos(share);
   return before.centre + std::polar(radius, spread + across + M_PI);
 }
 
-// Where the offset arc meets the offset line that is held back, whose direction is theta.
+// Returns the intersection of the offset arc and the offset line that is held back, whose direction is theta.
 PlanePoint NoseCompensation::cornerToArc(const Step& programmed, double theta, double beta) const {
   const int turn = programmed.modal.turn;
   const double arcRadius = std::abs(programmed.to - programmed.centre);
   const double across = arcRadius * std::sin(beta - M_PI_2);
   if (isInside(turn)) {
     const double radius = arcRadius - m_radius;
-    const double share = cosineIn((across + m_radius) / radius, programmed.place);
+    const double share = cosineIn((across + m_radius) / radius, programmed.location);
     return programmed.centre + std::polar(radius, theta + turn * std::asin(share));
   }
   const double radius = arcRadius + m_radius;
-  const double share = cosineIn((across - m_radius) / radius, programmed.place);
+  const double share = cosineIn((across - m_radius) / radius, programmed.location);
   return programmed.centre + std::polar(radius, theta + M_PI - turn * std::asin(share));
 }
 
@@ -242,9 +244,9 @@ PlanePoint NoseCompensation::cornerOfArcs(const Step& programmed) const {
   const double radius = isInside(turn) ? arcRadius - m_radius : arcRadius + m_radius;
   const PlanePoint between = programmed.centre - before.centre;
   const double distance = std::abs(between);
-  if (old == 0.0 || distance == 0.0) refuseCorner(programmed.place);
+  if (old == 0.0 || distance == 0.0) refuseCorner(programmed.location);
   const double share =
-      cosineIn((old * old + distance * distance - radius * radius) / (2.0 * old * distance), programmed.place);
+      cosineIn((old * old + distance * distance - radius * radius) / (2.0 * old * distance), programmed.location);
   const double spread = (isInside(before.modal.turn) ? turn : -turn) * std::acos(share);
   return before.centre + std::polar(old, std::arg(between) + spread);
 }
@@ -260,14 +262,14 @@ void NoseCompensation::arc(const Step& programmed) {
   double beta = m_side * (theta - alpha);
   if (beta > 1.5 * M_PI) beta -= 2.0 * M_PI;
   if (beta < -M_PI_2) beta += 2.0 * M_PI;
-  if (isInside(turn) && arcRadius <= m_radius) refuseCorner(programmed.place);
+  if (isInside(turn) && arcRadius <= m_radius) refuseCorner(programmed.location);
   const PlanePoint to = programmed.to + std::polar(side, angleTo(programmed.to, programmed.centre));
 
   const bool isTangentBack = std::abs(beta - M_PI) < kCorner && !isInside(turn);
   if (beta < -kCorner || beta > M_PI + kCorner || isTangentBack) {
     if (!m_held.empty()) {
       const bool isAfterArc = m_held.front().step.modal.turn != 0;
-      endHeldAt(isAfterArc ? cornerOfArcs(programmed) : cornerToArc(programmed, theta, beta), programmed.place);
+      endHeldAt(isAfterArc ? cornerOfArcs(programmed) : cornerToArc(programmed, theta, beta), programmed.location);
     }
   } else if (beta > kCorner) {
     flush();

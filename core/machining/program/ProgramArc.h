@@ -6,12 +6,13 @@
 
 namespace handwheel {
 
-// The centre of an arc from its radius. Of the shorter arc, or of the longer one where the radius is negative. turn: 1
-// counter-clockwise in the plane of z and r, -1 clockwise. Refuses a radius that does not reach (ProgramRefusal).
+// Returns the centre of an arc from its radius. A negative radius selects the longer arc. turn: 1 counter-clockwise in
+// the plane of z and r, -1 clockwise. Refuses a radius that does not reach (ProgramRefusal).
 PlanePoint centreFromRadius(const PlanePoint& from, const PlanePoint& to, int turn, double radius,
-                            const ProgramPlace& place);
+                            const SourceLocation& location);
 
-// Refuses a centre that is not as far from both ends: by more than 0.0127 mm and 0.1 %, or by more than 1.27 mm.
-void checkCentre(const PlanePoint& from, const PlanePoint& to, const PlanePoint& centre, const ProgramPlace& place);
+// Refuses a centre whose distances from the two ends differ by more than 0.0127 mm and 0.1 %, or by more than 1.27 mm.
+void checkCentre(const PlanePoint& from, const PlanePoint& to, const PlanePoint& centre,
+                 const SourceLocation& location);
 
 }  // namespace handwheel

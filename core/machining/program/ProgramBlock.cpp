@@ -8,18 +8,18 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLargest = 1e9;  // of any number in a word
+constexpr double kLargest = 1e9;  // limit of any number in a word
 
 struct Assignment {
   int number = 0;
   std::string name;
   ProgramValue value;
-  ProgramPlace place;
+  SourceLocation location;
 };
 
 Assignment readAssignment(ProgramScanner& scanner, const ProgramVariables& variables, ProgramDialect dialect) {
   Assignment set;
-  set.place = scanner.place();
+  set.location = scanner.location();
   scanner.take();  // #
   ProgramExpression expression(scanner, variables, dialect);
   if (scanner.peek() == '<')
@@ -29,17 +29,17 @@ Assignment readAssignment(ProgramScanner& scanner, const ProgramVariables& varia
   scanner.expect('=', "Write #number=value.");
   set.value = dialect == ProgramDialect::Fanuc ? expression.expression() : expression.value();
   if (set.number == 0 && set.name.empty())
-    refuse(set.place, "#0", "this variable is always vacant", "Use another number.");
+    refuse(set.location, "#0", "this variable is always vacant", "Use another number.");
   return set;
 }
 
 ProgramWord readWord(ProgramScanner& scanner, const ProgramVariables& variables, ProgramDialect dialect,
                      bool& isVacant) {
   ProgramWord word;
-  word.place = scanner.place();
+  word.location = scanner.location();
   word.letter = scanner.peek();
   if (!scanner.nextIsLetter())
-    refuse(word.place, scanner.token(), "no word begins with this", "Remove it, or put it in a comment.");
+    refuse(word.location, scanner.token(), "no word begins with this", "Remove it, or put it in a comment.");
   scanner.take();
   const std::size_t begin = scanner.at();
   const std::string digits = scanner.token();
@@ -49,7 +49,8 @@ ProgramWord readWord(ProgramScanner& scanner, const ProgramVariables& variables,
   const bool isPlain = !digits.empty() && (isDigit(digits[0]) || digits[0] == '-' || digits[0] == '+');
   word.hasPoint = !isPlain || digits.find('.') != std::string::npos || scanner.at() == begin;
   if (!(std::abs(word.number) <= kLargest))
-    refuse(word.place, word.text(), "the number is too large", "Numbers may have up to nine digits before the point.");
+    refuse(word.location, word.text(), "the number is too large",
+           "Numbers may have up to nine digits before the point.");
   return word;
 }
 
@@ -72,7 +73,7 @@ double ProgramBlock::number(char letter, double otherwise) const {
 
 ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, ProgramDialect dialect) {
   ProgramBlock block;
-  block.place = scanner.place();
+  block.location = scanner.location();
   std::vector<Assignment> assignments;
   while (scanner.peek() != '\0') {
     if (scanner.peek() == '#') {
@@ -80,19 +81,19 @@ ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, Pro
       continue;
     }
     if (block.words.size() >= ProgramBlock::kMostWords)
-      refuse(scanner.place(), scanner.token(), "the line has too many words", "Divide it over several lines.");
+      refuse(scanner.location(), scanner.token(), "the line has too many words", "Divide it over several lines.");
     bool isVacant = false;
     const ProgramWord word = readWord(scanner, variables, dialect, isVacant);
     if (isVacant || word.letter == 'N') continue;
     if (word.letter != 'G' && word.letter != 'M' && block.has(word.letter))
-      refuse(word.place, word.text(), "this letter occurs twice in the line", "Remove one of them.");
+      refuse(word.location, word.text(), "this letter occurs twice in the line", "Remove one of them.");
     block.words.push_back(word);
   }
   for (const Assignment& set : assignments) {
     if (set.name.empty())
-      variables.set(set.number, set.value, set.place);
+      variables.set(set.number, set.value, set.location);
     else
-      variables.set(set.name, set.value.number, set.place);
+      variables.set(set.name, set.value.number, set.location);
   }
   return block;
 }

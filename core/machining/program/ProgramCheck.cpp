@@ -14,8 +14,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostRead = std::size_t{16} << 20;  // bytes, of all runs together
-constexpr std::uint64_t kMostBlocks = 300'000;            // of a run after the first
+constexpr std::size_t kMostRead = std::size_t{16} << 20;  // bytes, limit for all runs together
+constexpr std::uint64_t kMostBlocks = 300'000;            // limit for each run after the first
 
 // A line of a text, without its end.
 struct LineSpan {
@@ -37,13 +37,13 @@ std::size_t columnOf(const Error& error) {
   return column;
 }
 
-// A code, which alone is left out: the rest of its line may be refused, too.
+// Returns true if the error is about a code. Only the code is left out: the rest of its line may be refused, too.
 bool isCode(const Error& error) {
   const char letter = error.arguments[1].empty() ? '\0' : error.arguments[1].front();
   return letter == 'G' || letter == 'M';
 }
 
-// Leaves out what was refused. False when there is nothing to leave out.
+// Blanks the refused text. Returns false if there is nothing to blank.
 bool blank(std::string& text, const Error& error, bool isWholeLine) {
   const LineSpan line = lineAt(text, error.position.value);
   std::size_t from = line.begin, to = line.end;
@@ -61,7 +61,7 @@ bool blank(std::string& text, const Error& error, bool isWholeLine) {
   return isAny;
 }
 
-// Signs of a dialect: those of LinuxCNC count up, those of Fanuc down.
+// Indications of a dialect: those of LinuxCNC count up, those of Fanuc down.
 class DialectSigns {
  public:
   int of(std::string_view line) {
@@ -80,7 +80,7 @@ class DialectSigns {
   }
 
  private:
-  // Capitals, without blanks and comments; a blank behind G7 and G8 is kept as the end of the word.
+  // Returns the line in capitals, without blanks and comments; a blank behind G7 and G8 is kept as the end of the word.
   static std::string without(std::string_view line) {
     std::string kept;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -144,7 +144,7 @@ std::vector<Error> programProblems(std::string_view text, const ProgramSetup& se
   std::string left(text);
   ProgramSetup shorter = setup;
   std::size_t read = 0;
-  std::uint64_t codeLine = 0;  // whose code was left out
+  std::uint64_t codeLine = 0;  // line of the code that was left out
   while (problems.size() < kMostProblems && read <= kMostRead && !progress.cancelled()) {
     read += text.size();
     const Result<ToolPath> path = runProgram(left, shorter, progress);
@@ -152,7 +152,7 @@ std::vector<Error> programProblems(std::string_view text, const ProgramSetup& se
     const Error& error = path.error();
     const bool isRefused = error.code == ProgramError::Refused && error.arguments.size() >= 2;
     const std::uint64_t line = error.position.value;
-    // The words of a code that was left out are its own; further codes of the line are not.
+    // The words of a code that was left out belong to it; further codes of the line do not.
     const bool isFollowing = isRefused && line == codeLine && !isCode(error);
     if (problems.empty() || (isRefused && !isFollowing)) problems.push_back(error);
     if (!isRefused || !blank(left, error, isFollowing || !isCode(error))) break;

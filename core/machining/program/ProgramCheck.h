@@ -13,13 +13,13 @@
 
 namespace handwheel {
 
-// All errors that keep a program from running, in the order of execution. The first is what runProgram() says. To find
-// the next ones, what was refused is left out and the program is run again; so an error may be one that an earlier one
-// causes. At most kMostProblems, and fewer of long programs. Empty: it runs. Any thread.
+// Returns all errors that prevent a program from running, in the order of execution. The first is the error of
+// runProgram(). To find the next ones, the refused parts are left out and the program is run again; so an error may be
+// caused by an earlier one. At most kMostProblems, and fewer for long programs. Empty: it runs. Any thread.
 inline constexpr std::size_t kMostProblems = 100;
 std::vector<Error> programProblems(std::string_view text, const ProgramSetup& setup, Progress progress = {});
 
-// The dialect that the words of a program tell; none where it could be either. Cost: linear in the text.
+// Returns the dialect that the words of a program indicate, or nothing if it could be either. Cost: linear in the text.
 std::optional<ProgramDialect> recognisedDialect(std::string_view text);
 
 }  // namespace handwheel

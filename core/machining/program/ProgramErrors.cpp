@@ -28,14 +28,15 @@ const ErrorDescription ProgramError::CyclesGouge{
     .sentences = {translatable("ErrorText", "the cycles cut %1 mm into the target at Z %2")},
     .advice = {translatable("ErrorText", "Take a smaller nose.")}};
 
-void refuse(const ProgramPlace& place, const std::string& word, const std::string& reason, const std::string& remedy) {
+void refuse(const SourceLocation& location, const std::string& word, const std::string& reason,
+            const std::string& remedy) {
   constexpr std::size_t kMostShown = 40;
   std::string shown = word.substr(0, kMostShown);
   for (char& c : shown)
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
   throw ProgramRefusal{{ProgramError::Refused,
-                        {std::to_string(place.column), shown, reason, remedy},
-                        InputPosition::line(place.line),
+                        {std::to_string(location.column), shown, reason, remedy},
+                        InputPosition::line(location.line),
                         {}}};
 }
 

@@ -15,16 +15,16 @@ constexpr double kEqual = 1e-4;  // LinuxCNC's TOLERANCE_EQUAL
 
 struct Operator {
   const char* text;
-  int strength, fanuc;  // of LinuxCNC and of Fanuc; 0: it has none
+  int strength, fanuc;  // in LinuxCNC and in Fanuc; 0: not available
   int strengthIn(ProgramDialect dialect) const { return dialect == ProgramDialect::Fanuc ? fanuc : strength; }
 };
 
-// The longest first.
+// The longest operators come first.
 constexpr Operator kOperators[] = {{"**", 5, 0}, {"MOD", 4, 4}, {"AND", 1, 4}, {"XOR", 1, 3}, {"EQ", 2, 2},
                                    {"NE", 2, 2}, {"GT", 2, 2},  {"GE", 2, 2},  {"LT", 2, 2},  {"LE", 2, 2},
                                    {"OR", 1, 3}, {"*", 4, 4},   {"/", 4, 4},   {"+", 3, 3},   {"-", 3, 3}};
 
-// AND, OR and XOR of Fanuc: of the bits of two whole numbers. NaN for others.
+// Fanuc's AND, OR and XOR of the bits of two whole numbers. Returns NaN for others.
 double bitsOf(const std::string& op, double a, double b) {
   constexpr double kMost = 2147483647.0;  // 32 bits with a sign
   if (!(std::abs(a) <= kMost && std::abs(b) <= kMost)) return std::nan("");
@@ -41,7 +41,7 @@ bool isSame(const ProgramValue& a, const ProgramValue& b, ProgramDialect dialect
 }
 
 double moduloOf(double a, double b) {
-  const double rest = std::fmod(a, b);  // of LinuxCNC: never negative
+  const double rest = std::fmod(a, b);  // in LinuxCNC never negative
   return rest < 0.0 ? rest + std::abs(b) : rest;
 }
 
@@ -84,13 +84,14 @@ double functionOf(const std::string& name, double x, bool isFanuc) {
 
 void ProgramExpression::enter() {
   if (++m_depth > kDeepest)
-    refuse(m_scanner.place(), m_scanner.token(), "the expression is nested too deeply",
+    refuse(m_scanner.location(), m_scanner.token(), "the expression is nested too deeply",
            "Divide it over several variables.");
 }
 
-double ProgramExpression::finite(double value, const ProgramPlace& place, const std::string& what) const {
+double ProgramExpression::finite(double value, const SourceLocation& location, const std::string& what) const {
   if (!std::isfinite(value))
-    refuse(place, what, "this has no value", "Check for a division by zero, a root or logarithm of a negative number.");
+    refuse(location, what, "this has no value",
+           "Check for a division by zero, a root or logarithm of a negative number.");
   return value;
 }
 
@@ -110,15 +111,15 @@ ProgramValue ProgramExpression::value() {
   } else if (m_scanner.nextIsNumber()) {
     result.number = m_scanner.number();
   } else {
-    const ProgramPlace place = m_scanner.place();
+    const SourceLocation location = m_scanner.location();
     const std::string token = m_scanner.token();
     for (const char* const name : kFunctions) {
       if (!m_scanner.takeIf(std::string_view(name))) continue;
-      result.number = function(name, place);
+      result.number = function(name, location);
       --m_depth;
       return result;
     }
-    refuse(place, token.empty() ? "end of the line" : token, "a value is expected here",
+    refuse(location, token.empty() ? "end of the line" : token, "a value is expected here",
            "Write a number, a variable such as #1, or an expression in square brackets.");
   }
   --m_depth;
@@ -126,14 +127,14 @@ ProgramValue ProgramExpression::value() {
 }
 
 double ProgramExpression::bracketed() {
-  const ProgramPlace place = m_scanner.place();
+  const SourceLocation location = m_scanner.location();
   m_scanner.expect('[', "Write the value in square brackets.");
   const double result = binary(0).number;
   m_scanner.expect(']', "Close the square bracket.");
-  return finite(result, place, "[");
+  return finite(result, location, "[");
 }
 
-double ProgramExpression::function(const std::string& name, const ProgramPlace& place) {
+double ProgramExpression::function(const std::string& name, const SourceLocation& location) {
   if (name == "EXISTS") {
     m_scanner.expect('[', "Write EXISTS[#<name>].");
     m_scanner.expect('#', "Write EXISTS[#<name>].");
@@ -143,18 +144,18 @@ double ProgramExpression::function(const std::string& name, const ProgramPlace& 
     return exists ? 1.0 : 0.0;
   }
   const double x = bracketed();
-  if (name != "ATAN") return finite(functionOf(name, x, m_dialect == ProgramDialect::Fanuc), place, name);
+  if (name != "ATAN") return finite(functionOf(name, x, m_dialect == ProgramDialect::Fanuc), location, name);
   m_scanner.expect('/', "Write ATAN[y]/[x].");
   return std::atan2(x, bracketed()) / kRadiansPerDegree;
 }
 
 int ProgramExpression::variableNumber() {
-  const ProgramPlace place = m_scanner.place();
+  const SourceLocation location = m_scanner.location();
   const double number = value().number;
   const double whole = std::round(number);
   const bool isZero = whole == 0.0 && m_dialect == ProgramDialect::Fanuc;
   if (std::abs(number - whole) > kEqual || (whole < 1.0 && !isZero) || whole > ProgramVariables::kLargest)
-    refuse(place, "#",
+    refuse(location, "#",
            "the number of a variable is a whole number from 1 to " + std::to_string(ProgramVariables::kLargest),
            "Use another number.");
   return static_cast<int>(whole);
@@ -165,11 +166,11 @@ ProgramValue ProgramExpression::variable() {
     const int number = variableNumber();
     return number == 0 ? ProgramValue{0.0, true} : m_variables.get(number);
   }
-  const ProgramPlace place = m_scanner.place();
+  const SourceLocation location = m_scanner.location();
   const std::string name = m_scanner.name();
   const std::optional<double> found = m_variables.get(name);
   if (!found)
-    refuse(place, "#<" + name + ">", "this variable has no value here",
+    refuse(location, "#<" + name + ">", "this variable has no value here",
            "Set it before, or begin its name with an underscore to share it between subprograms.");
   return {*found, false};
 }
@@ -179,7 +180,7 @@ ProgramValue ProgramExpression::binary(int least) {
   ProgramValue left = value();
   for (;;) {
     const Operator* found = nullptr;
-    const ProgramPlace place = m_scanner.place();
+    const SourceLocation location = m_scanner.location();
     const std::size_t before = m_scanner.at();
     for (const Operator& op : kOperators) {
       if (op.strengthIn(m_dialect) == 0 || !m_scanner.takeIf(std::string_view(op.text))) continue;
@@ -191,7 +192,7 @@ ProgramValue ProgramExpression::binary(int least) {
       break;
     }
     const ProgramValue right = binary(found->strengthIn(m_dialect) + 1);
-    left = {finite(apply(found->text, left, right, m_dialect), place, found->text), false};
+    left = {finite(apply(found->text, left, right, m_dialect), location, found->text), false};
   }
   --m_depth;
   return left;

@@ -11,12 +11,12 @@
 
 namespace handwheel {
 
-// Runs a lathe program in G-code. Its dialect is that of LinuxCNC 2.9 or of Fanuc, system A. docs/programs.md has the
+// Runs a lathe program in G-code. Its dialect is that of LinuxCNC 2.9 or of Fanuc, system A. docs/programs.md lists the
 // words.
 //
-// The text is hostile input: its size, its loops and its moves are limited. Every word that is not understood is
-// refused with its line and column. Errors: Refused, Endless, TooManyMoves, FileTooLarge, Cancelled. Cost: linear in
-// the blocks executed, about a microsecond for each. Thread: any.
+// The text is hostile input: its size, its loops and its moves are limited. Every unknown word is refused with its line
+// and column. Errors: Refused, Endless, TooManyMoves, FileTooLarge, Cancelled. Cost: linear in the blocks executed,
+// about a microsecond for each. Thread: any.
 Result<ToolPath> runProgram(std::string_view text, const ProgramSetup& setup, Progress progress = {});
 
 }  // namespace handwheel

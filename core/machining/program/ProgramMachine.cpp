@@ -21,10 +21,10 @@ ProgramMachine::ProgramMachine(const ProgramSetup& setup, ToolPath& path)
   m_at = m_tip = setup.reference;
 }
 
-ToolMove ProgramMachine::moveOf(ToolMove::Kind kind, double length, const ProgramPlace& place) const {
+ToolMove ProgramMachine::moveOf(ToolMove::Kind kind, double length, const SourceLocation& location) const {
   ToolMove move;
   move.kind = kind;
-  move.line = place.line;
+  move.line = location.line;
   move.tool = static_cast<std::uint16_t>(modal.tool);
   move.shape = static_cast<std::uint16_t>(mounted());
   move.spin = static_cast<std::int8_t>(modal.spin);
@@ -34,44 +34,46 @@ ToolMove ProgramMachine::moveOf(ToolMove::Kind kind, double length, const Progra
   if (kind != ToolMove::Kind::Feed) return move;
   move.feed = modal.feedMode == FeedMode::InverseTime ? modal.feed * length : modal.feed;
   move.isPerRevolution = modal.feedMode == FeedMode::PerRevolution;
-  if (!(modal.feed > 0.0)) refuse(place, "F", "there is no feed rate", "Write one before this move, such as F100.");
+  if (!(modal.feed > 0.0)) refuse(location, "F", "there is no feed rate", "Write one before this move, such as F100.");
   if (move.isPerRevolution && !(modal.spindle > 0.0))
-    refuse(place, "F", "a feed per revolution needs a turning spindle", kSpindleRemedy);
+    refuse(location, "F", "a feed per revolution needs a turning spindle", kSpindleRemedy);
   return move;
 }
 
-void ProgramMachine::straight(ToolMove::Kind kind, const ProfilePoint& to, const ProgramPlace& place) {
+void ProgramMachine::straight(ToolMove::Kind kind, const ProfilePoint& to, const SourceLocation& location) {
   m_needsStraight = false;
-  go({moveOf(kind, (to - m_tip).norm(), place), planePoint(to), {}, place});
+  go({moveOf(kind, (to - m_tip).norm(), location), planePoint(to), {}, location});
 }
 
-void ProgramMachine::arc(int turn, const ProfilePoint& to, const ProfilePoint& centre, const ProgramPlace& place) {
+void ProgramMachine::arc(int turn, const ProfilePoint& to, const ProfilePoint& centre, const SourceLocation& location) {
   if (m_needsStraight)
-    refuse(place, turn > 0 ? "G3" : "G2", "the move after nose compensation must be straight",
+    refuse(location, turn > 0 ? "G3" : "G2", "the move after nose compensation must be straight",
            "Put a straight move before the arc.");
   ToolMove length;
   length.turn = static_cast<std::int8_t>(turn);
   length.from = m_tip;
   length.to = to;
   length.centre = centre;
-  ToolMove move = moveOf(ToolMove::Kind::Feed, lengthOf(length), place);
+  ToolMove move = moveOf(ToolMove::Kind::Feed, lengthOf(length), location);
   move.turn = length.turn;
-  go({move, planePoint(to), planePoint(centre), place});
+  go({move, planePoint(to), planePoint(centre), location});
 }
 
-void ProgramMachine::thread(const ProfilePoint& to, double pitch, const ProgramPlace& place) {
-  if (modal.spin == 0 || !(modal.spindle > 0.0)) refuse(place, "thread", "the spindle does not turn", kSpindleRemedy);
-  if (isCompensated()) refuse(place, "thread", "a thread cannot be cut with nose compensation", "Write G40 before it.");
-  ToolMove move = moveOf(ToolMove::Kind::Thread, 0.0, place);
+void ProgramMachine::thread(const ProfilePoint& to, double pitch, const SourceLocation& location) {
+  if (modal.spin == 0 || !(modal.spindle > 0.0))
+    refuse(location, "thread", "the spindle does not turn", kSpindleRemedy);
+  if (isCompensated())
+    refuse(location, "thread", "a thread cannot be cut with nose compensation", "Write G40 before it.");
+  ToolMove move = moveOf(ToolMove::Kind::Thread, 0.0, location);
   move.feed = pitch;
   move.isPerRevolution = true;
-  go({move, planePoint(to), {}, place});
+  go({move, planePoint(to), {}, location});
 }
 
-void ProgramMachine::dwell(double seconds, const ProgramPlace& place) {
+void ProgramMachine::dwell(double seconds, const SourceLocation& location) {
   if (!(seconds >= 0.0 && seconds <= 1e5))
-    refuse(place, "G4", "the dwell is not between 0 and 100000 s", "Correct its time.");
-  ToolMove move = moveOf(ToolMove::Kind::Dwell, 0.0, place);
+    refuse(location, "G4", "the dwell is not between 0 and 100000 s", "Correct its time.");
+  ToolMove move = moveOf(ToolMove::Kind::Dwell, 0.0, location);
   move.time = seconds;
   move.from = move.to = partPoint(m_tip);
   m_path.moves.push_back(move);
@@ -81,7 +83,7 @@ void ProgramMachine::dwell(double seconds, const ProgramPlace& place) {
 void ProgramMachine::go(const NoseCompensation::Step& step) {
   const ProfilePoint to = profilePoint(step.to);
   if (!(to.cwiseAbs().maxCoeff() <= kFarthest))
-    refuse(step.place, "X Z", "the place is farther away than 1000 m", "Check the numbers of the move.");
+    refuse(step.location, "X Z", "the place is farther away than 1000 m", "Check the numbers of the move.");
   if (m_compensation.isOn())
     m_compensation.move(step);
   else
@@ -92,7 +94,7 @@ void ProgramMachine::go(const NoseCompensation::Step& step) {
 void ProgramMachine::emitStep(const NoseCompensation::Step& step) {
   if (m_path.moves.size() >= m_setup.mostMoves)
     throw ProgramRefusal{
-        {ProgramError::TooManyMoves, {std::to_string(m_setup.mostMoves)}, InputPosition::line(step.place.line), {}}};
+        {ProgramError::TooManyMoves, {std::to_string(m_setup.mostMoves)}, InputPosition::line(step.location.line), {}}};
   ToolMove move = step.modal;
   const ProfilePoint to = profilePoint(step.to);
   move.from = partPoint(m_tip);
@@ -105,9 +107,9 @@ void ProgramMachine::emitStep(const NoseCompensation::Step& step) {
   m_path.moves.push_back(move);
 }
 
-void ProgramMachine::compensate(int side, double radius, const ProfilePoint& tip, const ProgramPlace& place) {
+void ProgramMachine::compensate(int side, double radius, const ProfilePoint& tip, const SourceLocation& location) {
   if (m_compensation.isOn())
-    refuse(place, side > 0 ? "G41" : "G42", "nose compensation is on already", "Write G40 before it.");
+    refuse(location, side > 0 ? "G41" : "G42", "nose compensation is on already", "Write G40 before it.");
   if (radius > 0.0) m_compensation.begin(side, radius, tip, planePoint(m_tip));
 }
 
@@ -143,8 +145,8 @@ void ProgramMachine::changeTool(int number) {
   modal.tool = number;
 }
 
-// The entry of the mounted tool, or that of the offset in effect: on a Fanuc a tool may have an offset of another
-// number.
+// Returns the entry of the mounted tool, or that of the offset in effect: on a Fanuc a tool may have an offset of
+// another number.
 int ProgramMachine::mounted() const {
   const bool isThere = m_setup.tools.contains(modal.tool) || !m_setup.tools.contains(m_offsetNumber);
   return isThere ? modal.tool : m_offsetNumber;

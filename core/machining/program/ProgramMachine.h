@@ -9,14 +9,14 @@
 
 namespace handwheel {
 
-// The lathe that a program drives: its modal state, offsets and tool position. Writes the tool path.
+// The lathe that a program drives: its modal state, offsets and tool position. It writes the tool path.
 //
-// Lengths are mm, radii not diameters, whatever the program uses. Points are (r, z) in the coordinates of the program:
-// those of the active system (G54...), shifted by G92 and the offset of the tool.
+// Lengths are mm, and radii instead of diameters, whatever the program uses. Points are (r, z) in the coordinates of
+// the program: those of the active system (G54...), shifted by G92 and the offset of the tool.
 //
-// The post is where the program's numbers and the offset in effect put it; the tip is where the mounted tool has it, by
-// its entry in the table of tools. So a tip cuts elsewhere than programmed with the offset of another tool, or without.
-// A tool that is not in the table has the offset in effect.
+// The program's numbers and the offset in effect position the post; the tip follows from the entry of the mounted tool
+// in the table of tools. So a tip cuts at another position than programmed with the offset of another tool, or without
+// one. A tool that is not in the table has the offset in effect.
 class ProgramMachine {
  public:
   static constexpr double kInch = 25.4;
@@ -29,7 +29,7 @@ class ProgramMachine {
     bool isIncremental = false;  // G91 of LinuxCNC
     bool isArcAbsolute = false;  // G90.1
     bool isDrillPlane = false;   // G17: only straight moves and drilling
-    bool returnsToStart = true;  // G98 of LinuxCNC: a drilling cycle ends where it began
+    bool returnsToStart = true;  // G98 of LinuxCNC: a drilling cycle ends at its initial height
     FeedMode feedMode = FeedMode::PerMinute;
     double feed = 0.0;  // mm/min, mm per revolution or 1/min
     int motion = -1;    // the G code of motion times 10; -1 none
@@ -49,27 +49,27 @@ class ProgramMachine {
   double unit() const { return modal.isInch ? kInch : 1.0; }
   double radius(double x) const { return unit() * (modal.isDiameter ? 0.5 * x : x); }
 
-  const ProfilePoint& at() const { return m_at; }  // as programmed, without compensation
+  const ProfilePoint& at() const { return m_at; }  // programmed position, without compensation
   bool isCompensated() const { return m_compensation.isOn(); }
 
   // Moves. A feed without speed or feed rate is refused (ProgramRefusal).
-  void rapid(const ProfilePoint& to, const ProgramPlace& place) { straight(ToolMove::Kind::Rapid, to, place); }
-  void feed(const ProfilePoint& to, const ProgramPlace& place) { straight(ToolMove::Kind::Feed, to, place); }
-  void arc(int turn, const ProfilePoint& to, const ProfilePoint& centre, const ProgramPlace& place);
+  void rapid(const ProfilePoint& to, const SourceLocation& location) { straight(ToolMove::Kind::Rapid, to, location); }
+  void feed(const ProfilePoint& to, const SourceLocation& location) { straight(ToolMove::Kind::Feed, to, location); }
+  void arc(int turn, const ProfilePoint& to, const ProfilePoint& centre, const SourceLocation& location);
   // A pass of a thread. pitch: mm along the move for each revolution.
-  void thread(const ProfilePoint& to, double pitch, const ProgramPlace& place);
-  void dwell(double seconds, const ProgramPlace& place);
+  void thread(const ProfilePoint& to, double pitch, const SourceLocation& location);
+  void dwell(double seconds, const SourceLocation& location);
 
   // side: 1 left, -1 right of the contour. radius: mm; 0 switches nothing on.
-  void compensate(int side, double radius, const ProfilePoint& tip, const ProgramPlace& place);
+  void compensate(int side, double radius, const ProfilePoint& tip, const SourceLocation& location);
   void endCompensation();
-  // Takes the centre of the nose to be here, for the next corner.
+  // Sets the centre of the nose for the next corner.
   void placeNose(const ProfilePoint& centre) { m_compensation.placeNose(planePoint(centre)); }
 
-  // In the coordinates of the program: a point of the machine's own system, its zero being the reference.
+  // Converts a point of the machine's own system, whose zero is the reference, to the coordinates of the program.
   ProfilePoint fromMachine(const ProfilePoint& p) const { return p - m_systems[m_system] - m_shift - m_toolOffset; }
   ProfilePoint toMachine(const ProfilePoint& p) const { return p + m_systems[m_system] + m_shift + m_toolOffset; }
-  std::array<ProfilePoint, 2> home{ProfilePoint(0, 0), ProfilePoint(0, 0)};  // of G28 and G30, in machine coordinates
+  std::array<ProfilePoint, 2> home{ProfilePoint(0, 0), ProfilePoint(0, 0)};  // G28 and G30, in machine coordinates
 
   void selectSystem(int index);
   int system() const { return m_system; }
@@ -79,20 +79,20 @@ class ProgramMachine {
   void setShift(const ProfilePoint& shift);  // G92, G52; the tool stays where it is
   void changeTool(int number);
   const ProfilePoint& toolOffset() const { return m_toolOffset; }
-  // number: of the entry of the table that it is from; -1: of none.
+  // number: entry of the tool table that the offset is from; -1: none.
   void setToolOffset(const ProfilePoint& offset, int number);
   void addTime(double seconds) { m_path.time += seconds; }
 
  private:
-  void straight(ToolMove::Kind kind, const ProfilePoint& to, const ProgramPlace& place);
-  ToolMove moveOf(ToolMove::Kind kind, double length, const ProgramPlace& place) const;
+  void straight(ToolMove::Kind kind, const ProfilePoint& to, const SourceLocation& location);
+  ToolMove moveOf(ToolMove::Kind kind, double length, const SourceLocation& location) const;
   void go(const NoseCompensation::Step& step);        // through compensation
   void emitStep(const NoseCompensation::Step& step);  // the path of the tip
   ProfilePoint partPoint(const ProfilePoint& p) const {
     return p + m_systems[m_system] + m_shift + m_setup.reference + (m_toolOffset - tipOffset());
   }
   ProfilePoint tipOffset() const;  // from the post to the tip of the mounted tool
-  int mounted() const;             // its entry in the table
+  int mounted() const;             // entry of the mounted tool in the table
 
   const ProgramSetup& m_setup;
   ToolPath& m_path;
@@ -100,10 +100,10 @@ class ProgramMachine {
   std::array<ProfilePoint, kSystems> m_systems;
   int m_system = 0;
   ProfilePoint m_shift{0, 0}, m_toolOffset{0, 0};
-  int m_offsetNumber = -1;       // of m_toolOffset in the table
+  int m_offsetNumber = -1;       // entry of m_toolOffset in the table
   ProfilePoint m_at{0, 0};       // programmed
-  ProfilePoint m_tip{0, 0};      // where the tip is, in the same coordinates
-  bool m_needsStraight = false;  // the move after compensation
+  ProfilePoint m_tip{0, 0};      // position of the tip, in the same coordinates
+  bool m_needsStraight = false;  // the move after compensation must be straight
 };
 
 }  // namespace handwheel

@@ -9,23 +9,25 @@
 
 namespace handwheel {
 
-// The obstacles of the tools of a program besides the material that they cut. Chuck, jaws and tailstock meet all of the
-// tool, its post and its slide; the work all but the edge. The same contacts as on the manual lathe (LatheRun).
+// The obstacles of the tools of a program besides the material that they cut. Chuck, jaws and tailstock can hit the
+// whole tool, its post and its slide; the work can hit all but the edge. The same contacts as on the manual lathe
+// (LatheRun).
 class ProgramObstacles {
  public:
-  // part: as the chuck has gripped it.
+  // part: in the state in which the chuck gripped it.
   ProgramObstacles(const ProgramSetup& setup, const TurnedProfile& part);
 
-  // With the tip of a tool at a place of the part, (r, z); none: it meets nothing. O(sections, samples below them).
+  // Returns the contact of a tool whose tip is at this position in the part, (r, z), or nothing. O(sections, samples
+  // below them).
   std::optional<LatheCollision> contact(const LatheTool& tool, const ProfilePoint& tip, const TurnedProfile& part);
 
  private:
-  std::map<const LatheTool*, std::vector<LatheSolid>> m_solids;  // of the tools that were asked for
+  std::map<const LatheTool*, std::vector<LatheSolid>> m_solids;  // cache, by tool
   std::vector<LatheSolid> m_standing;                            // chuck and tailstock
-  double m_within = 0.0;                                         // mm: no material is further from the axis
+  double m_within = 0.0;                                         // mm; largest distance of material from the axis
 };
 
-// From the centre of the nose of a tool of a program to the tip of its body.
+// Returns the tip of a tool's body from the centre of the nose that a program moves.
 ProfilePoint bodyTipFrom(const LatheTool& body, const ProfilePoint& centre, double nose);
 
 }  // namespace handwheel

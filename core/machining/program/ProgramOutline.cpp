@@ -18,7 +18,7 @@ struct Name {
   Keyword keyword;
 };
 
-// Longer words before those that they begin with.
+// Longer words come before their prefixes.
 constexpr Name kKeywords[] = {{"SUB", Keyword::Sub},
                               {"ENDSUB", Keyword::EndSub},
                               {"CALL", Keyword::Call},
@@ -35,7 +35,7 @@ constexpr Name kKeywords[] = {{"SUB", Keyword::Sub},
                               {"BREAK", Keyword::Break},
                               {"CONTINUE", Keyword::Continue}};
 
-// Whether a condition, a count or arguments follow the keyword.
+// Returns true if a condition, a count or arguments follow the keyword.
 bool takesValue(Keyword keyword) {
   switch (keyword) {
     case Keyword::Call:
@@ -51,11 +51,11 @@ bool takesValue(Keyword keyword) {
   }
 }
 
-ProgramPlace placeOf(std::uint32_t line) {
+SourceLocation locationOf(std::uint32_t line) {
   return {line + 1, 1};
 }
 
-// Whether there is another line that begins with %.
+// Returns true if there is another line that begins with %.
 bool hasMarkedEnd(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -67,7 +67,7 @@ bool hasMarkedEnd(std::string_view text) {
 }
 
 [[noreturn]] void refuseUnclosed(std::uint32_t line, const std::string& label) {
-  refuse(placeOf(line), "O" + label, "its other half is missing",
+  refuse(locationOf(line), "O" + label, "its other half is missing",
          "Every sub, if, while, do and repeat needs its end with the same label.");
 }
 
@@ -82,9 +82,9 @@ ProgramOutline::ProgramOutline(std::string_view text, ProgramDialect dialect) {
   link();
 }
 
-// A line that begins with % begins or ends the tape; what follows the second is not read. A title may stand before the
-// first, as on the leader of a tape; words there are refused, since a machine would not run them. The only one of a
-// file ends it where words stand before it.
+// Splits the text into lines. A line that begins with % begins or ends the tape; text after the second is not read. A
+// title may precede the first, as on the leader of a tape; words there are refused, since a machine would not run them.
+// If a file has only one, it ends the tape if words precede it.
 void ProgramOutline::split(std::string_view text, ProgramDialect dialect) {
   bool hasWords = false, hasMark = false;
   while (!text.empty()) {
@@ -94,7 +94,7 @@ void ProgramOutline::split(std::string_view text, ProgramDialect dialect) {
     if (m_lines.size() >= kMostLines)
       throw ProgramRefusal{{ErrorCode::FileTooLarge, {"lines", "", std::to_string(kMostLines)}, {}, {}}};
     if (line.size() > kLongestLine)
-      refuse(placeOf(size()), "", "the line has more than 4096 bytes", "Is this a program? Divide the line.");
+      refuse(locationOf(size()), "", "the line has more than 4096 bytes", "Is this a program? Divide the line.");
     const std::size_t first = line.find_first_not_of(" \t\r");
     const bool isMark = first != std::string_view::npos && line[first] == '%';
     m_lines.push_back(isMark ? std::string_view() : line);
@@ -106,7 +106,7 @@ void ProgramOutline::split(std::string_view text, ProgramDialect dialect) {
       hasMark = true;
     } else {
       if (dialect == ProgramDialect::Fanuc && hasMarkedEnd(text))
-        refuse(placeOf(size() - 1), "%", "the program begins here, but words precede it",
+        refuse(locationOf(size() - 1), "%", "the program begins here, but words precede it",
                "Remove the words before the first %, or the %.");
       return;
     }
@@ -120,13 +120,13 @@ ProgramOutline::Statement& ProgramOutline::add(std::uint32_t i, Keyword keyword,
 void ProgramOutline::readLine(std::uint32_t i, ProgramDialect dialect) {
   const std::size_t first = m_lines[i].find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return;
-  static constexpr std::string_view kBegins = "/nNoO:wWdDeE(";  // what a line of the outline begins with
+  static constexpr std::string_view kBegins = "/nNoO:wWdDeE(";  // the first characters of lines of the outline
   if (kBegins.find(m_lines[i][first]) == std::string_view::npos) return;
   ProgramScanner scanner(m_lines[i], i + 1);
   scanner.takeIf('/');
   if (scanner.peek() == 'N') {
     scanner.take();
-    if (!scanner.nextIsNumber()) return;  // read, and refused if need be, when it is executed
+    if (!scanner.nextIsNumber()) return;  // read, and possibly refused, when it is executed
     const double n = scanner.number();
     if (n >= 0.0 && n <= 1e8 && n == std::floor(n)) m_numbered[static_cast<int>(n)].push_back(i);
   }
@@ -137,7 +137,7 @@ void ProgramOutline::readLine(std::uint32_t i, ProgramDialect dialect) {
 }
 
 void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDialect dialect) {
-  const ProgramPlace place = scanner.place();
+  const SourceLocation location = scanner.location();
   scanner.take();
   std::string label;
   if (scanner.peek() == '<') {
@@ -145,7 +145,7 @@ void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDial
   } else if (scanner.nextIsNumber()) {
     label = roundedText(scanner.number(), 12);
   } else {
-    refuse(place, "O" + scanner.token(), "the label of an O word is a number or a <name>",
+    refuse(location, "O" + scanner.token(), "the label of an O word is a number or a <name>",
            "Write the number itself; labels that are computed are not supported.");
   }
   if (dialect == ProgramDialect::LinuxCnc) {
@@ -157,7 +157,7 @@ void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDial
       return;
     }
     if (scanner.peek() != '\0')
-      refuse(scanner.place(), scanner.token(), "this is no keyword of an O word",
+      refuse(scanner.location(), scanner.token(), "this is no keyword of an O word",
              "Use sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, repeat, endrepeat, break or "
              "continue.");
   }
@@ -169,7 +169,7 @@ void ProgramOutline::readO(ProgramScanner& scanner, std::uint32_t i, ProgramDial
   m_subs.emplace(label, i);
 }
 
-// WHILE [...] DO1 and END1, behind a slash and a number of the line.
+// Reads WHILE [...] DO1 and END1, behind a slash and a number of the line.
 void ProgramOutline::readFanucLoop(ProgramScanner& scanner, std::uint32_t i) {
   const std::string text = scanner.rest();
   if (text.starts_with("END") && text.size() == 4) {
@@ -202,7 +202,7 @@ std::uint32_t ProgramOutline::numbered(int n, std::uint32_t from) const {
   return line == lines.end() || *line >= end ? kNone : *line;
 }
 
-// The line i ends what was opened last with its label, or goes on with it.
+// The line i ends the statement that was opened last with its label, or continues it.
 void ProgramOutline::close(std::uint32_t i, Statement& statement) {
   std::vector<std::uint32_t>& open = m_open[statement.label];
   if (open.empty()) refuseUnclosed(i, statement.label);
@@ -241,7 +241,7 @@ void ProgramOutline::close(std::uint32_t i, Statement& statement) {
     open.push_back(i);
     return;
   }
-  // The end is known to all branches.
+  // Stores the end in all branches.
   for (std::uint32_t line = statement.head; line != kNone && line != i;) {
     Statement& branch = m_statements.at(line);
     branch.end = i;

@@ -35,7 +35,7 @@ class ProgramOutline {
     EndRepeat,
     Break,
     Continue,
-    Program,  // a program number of Fanuc
+    Program,  // program number of Fanuc
     FanucWhile,
     FanucEnd
   };
@@ -46,21 +46,21 @@ class ProgramOutline {
     std::string label;
     std::size_t rest = 0;        // byte behind the keyword
     std::uint32_t head = kNone;  // first line of the loop or condition
-    std::uint32_t next = kNone;  // of a condition: its next branch
-    std::uint32_t end = kNone;   // its last line
+    std::uint32_t next = kNone;  // next branch of a condition
+    std::uint32_t end = kNone;   // last line of the loop or condition
   };
 
-  // Throws ProgramRefusal, also for what is too large.
+  // Throws ProgramRefusal, also for a text that is too large.
   ProgramOutline(std::string_view text, ProgramDialect dialect);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(m_lines.size()); }
   std::string_view line(std::uint32_t i) const { return m_lines[i]; }
   const Statement* statement(std::uint32_t i) const;
 
-  // The line that begins a subprogram, or kNone.
+  // Returns the line that begins a subprogram, or kNone.
   std::uint32_t subprogram(const std::string& label) const;
-  // The first line from `from` on with this N number, or else the first of all, in the program of a Fanuc file that
-  // `from` is in; kNone.
+  // Returns the first line from `from` on with this N number, or else the first of all, in the program of a Fanuc file
+  // that contains `from`; or kNone.
   std::uint32_t numbered(int n, std::uint32_t from) const;
 
  private:
@@ -76,8 +76,8 @@ class ProgramOutline {
   std::map<std::uint32_t, Statement> m_statements;
   std::map<std::string, std::uint32_t> m_subs;
   std::unordered_map<int, std::vector<std::uint32_t>> m_numbered;
-  std::vector<std::uint32_t> m_programs;                     // lines of O numbers of Fanuc, rising
-  std::map<std::string, std::vector<std::uint32_t>> m_open;  // while linking: by label
+  std::vector<std::uint32_t> m_programs;                     // lines of Fanuc's O numbers, rising
+  std::map<std::string, std::vector<std::uint32_t>> m_open;  // open statements while linking, by label
 };
 
 }  // namespace handwheel

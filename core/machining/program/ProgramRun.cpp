@@ -51,18 +51,18 @@ ToolPath ProgramRun::run() {
   return std::move(m_path);
 }
 
-void ProgramRun::refuseMissingReturn(const ProgramPlace& place) {
-  refuse(place, "M99", "the subprogram that was called has no end before this line", "End it with M99.");
+void ProgramRun::refuseMissingReturn(const SourceLocation& location) {
+  refuse(location, "M99", "the subprogram that was called has no end before this line", "End it with M99.");
 }
 
 void ProgramRun::runTo(std::uint32_t end) {
   while (!m_isDone && m_next < end) step();
 }
 
-void ProgramRun::runInside(std::uint32_t begin, const ProgramPlace& place) {
+void ProgramRun::runInside(std::uint32_t begin, const SourceLocation& location) {
   const ProgramBlock* const block = m_block;
   const std::uint32_t read = m_read, after = m_next;
-  call(begin, {}, 1, true, place);
+  call(begin, {}, 1, true, location);
   const std::size_t depth = m_frames.size();
   while (!m_isDone && m_next < m_outline.size() && m_frames.size() >= depth) step();
   m_next = after;
@@ -81,7 +81,7 @@ void ProgramRun::runLines(std::uint32_t begin, std::uint32_t end) {
 }
 
 void ProgramRun::step() {
-  constexpr std::uint64_t kLook = 256;  // blocks between two looks at the cancel flag
+  constexpr std::uint64_t kLook = 256;  // blocks between two checks of the cancel flag
   if (++m_path.blocks > m_setup.mostBlocks)
     throw ProgramRefusal{
         {ProgramError::Endless, {std::to_string(m_setup.mostBlocks)}, InputPosition::line(m_next + 1), {}}};
@@ -96,9 +96,9 @@ void ProgramRun::step() {
 }
 
 void ProgramRun::call(std::uint32_t begin, const std::vector<ProgramValue>& arguments, int repeats,
-                      bool hasOwnVariables, const ProgramPlace& place) {
+                      bool hasOwnVariables, const SourceLocation& location) {
   if (m_frames.size() >= kDeepest)
-    refuse(place, "call", "subprograms call each other too deeply", "Look for a subprogram that calls itself.");
+    refuse(location, "call", "subprograms call each other too deeply", "Look for a subprogram that calls itself.");
   Frame frame;
   frame.returnTo = m_next;
   frame.begin = begin;
@@ -149,7 +149,7 @@ double ProgramRun::number(char letter, double otherwise) {
 double ProgramRun::needed(char letter, const ProgramWord& code, const char* meaning) {
   const ProgramWord* const found = word(letter);
   if (!found)
-    refuse(code.place, code.text(), std::string("the word ") + letter + " is missing",
+    refuse(code.location, code.text(), std::string("the word ") + letter + " is missing",
            std::string("Write ") + letter + ", " + meaning + ".");
   return found->number;
 }
@@ -157,7 +157,7 @@ double ProgramRun::needed(char letter, const ProgramWord& code, const char* mean
 int ProgramRun::whole(const ProgramWord& w, int least, int most) const {
   const double rounded = std::round(w.number);
   if (std::abs(w.number - rounded) > 1e-4 || rounded < least || rounded > most)
-    refuse(w.place, w.text(), "this is a whole number from " + std::to_string(least) + " to " + std::to_string(most),
+    refuse(w.location, w.text(), "this is a whole number from " + std::to_string(least) + " to " + std::to_string(most),
            "Correct it.");
   return static_cast<int>(rounded);
 }
@@ -166,23 +166,24 @@ void ProgramRun::refuseUnread() const {
   for (const ProgramWord& w : m_block->words) {
     if (m_read & bitOf(w.letter)) continue;
     if (w.letter == 'Y' || w.letter == 'B' || w.letter == 'V')
-      refuse(w.place, w.text(), "a lathe has no axis of this name",
+      refuse(w.location, w.text(), "a lathe has no axis of this name",
              "Remove the word; programs for milling do not run here.");
-    refuse(w.place, w.text(), "nothing in this line uses this word", "Remove it, or add the code that it belongs to.");
+    refuse(w.location, w.text(), "nothing in this line uses this word",
+           "Remove it, or add the code that it belongs to.");
   }
 }
 
 PlanePoint ProgramRun::arcCentre(const PlanePoint& from, const PlanePoint& to, int turn, bool isAbsolute,
-                                 const ProgramPlace& place) {
+                                 const SourceLocation& location) {
   const double unit = m_machine.unit();
   const ProgramWord *const i = word('I'), *const k = word('K'), *const r = word('R');
-  if (r && (i || k)) refuse(r->place, r->text(), "an arc has a radius R or a centre I and K", "Remove one of them.");
-  if (r) return centreFromRadius(from, to, turn, unit * r->number, r->place);
-  if (!i && !k) refuse(place, turn > 0 ? "G3" : "G2", "the arc has no centre", "Write I and K, or the radius R.");
-  // I is a radius also where X is a diameter.
+  if (r && (i || k)) refuse(r->location, r->text(), "an arc has a radius R or a centre I and K", "Remove one of them.");
+  if (r) return centreFromRadius(from, to, turn, unit * r->number, r->location);
+  if (!i && !k) refuse(location, turn > 0 ? "G3" : "G2", "the arc has no centre", "Write I and K, or the radius R.");
+  // I is a radius, even if X is a diameter.
   const PlanePoint given(k ? unit * k->number : 0.0, i ? unit * i->number : 0.0);
   const PlanePoint centre = isAbsolute ? given : from + given;
-  checkCentre(from, to, centre, place);
+  checkCentre(from, to, centre, location);
   return centre;
 }
 
@@ -190,23 +191,23 @@ void ProgramRun::setSpindle(double speed) {
   m_machine.modal.spindle = m_machine.modal.isSurfaceSpeed && m_machine.modal.isInch ? 0.3048 * speed : speed;
 }
 
-void ProgramRun::note(const ProgramPlace& place, std::string text) {
-  if (m_path.notes.size() < kMostNotes) m_path.notes.push_back({place.line, std::move(text)});
+void ProgramRun::note(const SourceLocation& location, std::string text) {
+  if (m_path.notes.size() < kMostNotes) m_path.notes.push_back({location.line, std::move(text)});
 }
 
-CycleOutput ProgramRun::cycleOutput(const ProgramPlace& place, double unit) {
+CycleOutput ProgramRun::cycleOutput(const SourceLocation& location, double unit) {
   ProgramMachine& machine = m_machine;
-  return {[=, &machine](const PlanePoint& to) { machine.rapid(profilePoint(unit * to), place); },
-          [=, &machine](const PlanePoint& to) { machine.feed(profilePoint(unit * to), place); },
+  return {[=, &machine](const PlanePoint& to) { machine.rapid(profilePoint(unit * to), location); },
+          [=, &machine](const PlanePoint& to) { machine.feed(profilePoint(unit * to), location); },
           [=, &machine](int turn, const PlanePoint& centre, const PlanePoint& to) {
-            constexpr double kSame = 1e-4;  // in units of the program: no arc
+            constexpr double kSame = 1e-4;  // units of the program; shorter is no arc
             const PlanePoint gap = planePoint(machine.at()) - unit * to;
             if (std::abs(gap.real()) < kSame * unit && std::abs(gap.imag()) < kSame * unit) return;
-            machine.arc(turn, profilePoint(unit * to), profilePoint(unit * centre), place);
+            machine.arc(turn, profilePoint(unit * to), profilePoint(unit * centre), location);
           }};
 }
 
-// Those that both dialects have. False for others.
+// Runs the M codes that both dialects have. Returns false for others.
 bool ProgramRun::runCommonM(int code, const ProgramWord& m) {
   ProgramMachine::Modal& modal = m_machine.modal;
   switch (code) {
@@ -237,15 +238,15 @@ bool ProgramRun::runCommonM(int code, const ProgramWord& m) {
       const double label = needed('P', m, "the number of the subprogram");
       const std::uint32_t begin = m_outline.subprogram(roundedText(label, 12));
       if (begin == kNone)
-        refuse(m.place, "P" + roundedText(label, 12), "there is no subprogram with this number",
+        refuse(m.location, "P" + roundedText(label, 12), "there is no subprogram with this number",
                "Put it into the same file.");
       const ProgramWord* const l = word('L');
-      call(begin + 1, {}, l ? whole(*l, 1, 9999) : 1, false, m.place);
+      call(begin + 1, {}, l ? whole(*l, 1, 9999) : 1, false, m.location);
       return true;
     }
     case 99:
       if (m_frames.empty())
-        m_isDone = true;  // where a machine would begin again
+        m_isDone = true;  // a machine would start again here
       else
         returnFromCall();
       return true;

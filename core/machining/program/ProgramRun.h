@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A run of a program: what both dialects share. Its parts throw ProgramRefusal.
+// A run of a program, the base of both dialects. Its parts throw ProgramRefusal.
 class ProgramRun {
  public:
   ProgramRun(std::string_view text, const ProgramSetup& setup, Progress progress);
@@ -21,10 +21,10 @@ class ProgramRun {
   ToolPath run();
 
  protected:
-  static constexpr std::size_t kDeepest = 100;  // calls in calls
+  static constexpr std::size_t kDeepest = 100;  // limit of nested calls
   static constexpr std::uint32_t kNone = ProgramOutline::kNone;
 
-  // What M70 saves.
+  // The modes that M70 saves.
   struct SavedModes {
     ProgramMachine::Modal modal;
     int system = 0;
@@ -33,33 +33,33 @@ class ProgramRun {
   struct Frame {
     std::uint32_t returnTo = 0;
     std::uint32_t begin = 0;  // its first line
-    int repeats = 0;          // of the whole subprogram that are still to come
+    int repeats = 0;          // remaining repeats of the whole subprogram
     bool hasOwnVariables = true;
-    std::map<std::uint32_t, int> loops;  // how often a repeat is still to run
+    std::map<std::uint32_t, int> loops;  // remaining runs of each repeat loop
     std::optional<SavedModes> saved;
-    bool restores = false;  // saved, on return
+    bool restores = false;  // restores the saved modes on return
   };
 
-  // One line that is not empty and not skipped.
+  // Executes one line that is not empty and not skipped.
   virtual void readLine(std::uint32_t i, ProgramScanner& scanner) = 0;
   virtual std::optional<ProgramValue> systemVariable(int) const { return {}; }
   virtual std::optional<double> systemVariable(const std::string&) const { return {}; }
 
   void runTo(std::uint32_t end);
-  // Runs a subprogram to its end, or the lines up to `end`, while a block is executed; goes on behind the block.
-  void runInside(std::uint32_t begin, const ProgramPlace& place);
+  // Runs a subprogram to its end, or the lines up to `end`, while a block is executed; then continues after the block.
+  void runInside(std::uint32_t begin, const SourceLocation& location);
   void runLines(std::uint32_t begin, std::uint32_t end);
   void call(std::uint32_t begin, const std::vector<ProgramValue>& arguments, int repeats, bool hasOwnVariables,
-            const ProgramPlace& place);
+            const SourceLocation& location);
   void returnFromCall();
-  // All modes but the motion, the tool and the selected one, and the coordinate system.
+  // Restores all modes but the motion, the tool, the selected tool, and the coordinate system.
   void restoreModes(const SavedModes& saved);
-  [[noreturn]] static void refuseMissingReturn(const ProgramPlace& place);
+  [[noreturn]] static void refuseMissingReturn(const SourceLocation& location);
   ProgramValue valueIn(ProgramScanner& scanner) {
     return ProgramExpression(scanner, m_variables, m_setup.dialect).value();
   }
 
-  // A block, whose words count as understood once they are asked for.
+  // A block, whose words count as understood once they are read.
   void begin(const ProgramBlock& block);
   const ProgramWord* word(char letter);
   bool has(char letter) const { return m_block->has(letter); }
@@ -68,13 +68,13 @@ class ProgramRun {
   int whole(const ProgramWord& word, int least, int most) const;
   void refuseUnread() const;
 
-  // The angle and lengths of an arc: I, K or R.
+  // Reads the centre of an arc from I, K or R.
   PlanePoint arcCentre(const PlanePoint& from, const PlanePoint& to, int turn, bool isAbsolute,
-                       const ProgramPlace& place);
+                       const SourceLocation& location);
   void setSpindle(double speed);
   bool runCommonM(int code, const ProgramWord& m);
-  void note(const ProgramPlace& place, std::string text);
-  CycleOutput cycleOutput(const ProgramPlace& place, double unit);
+  void note(const SourceLocation& location, std::string text);
+  CycleOutput cycleOutput(const SourceLocation& location, double unit);
 
   const ProgramSetup& m_setup;
   Progress m_progress;
@@ -92,7 +92,7 @@ class ProgramRun {
  private:
   void step();
   const ProgramBlock* m_block = nullptr;
-  std::uint32_t m_read = 0;  // letters of the block, as bits
+  std::uint32_t m_read = 0;  // letters of the block that were read, as bits
 };
 
 }  // namespace handwheel

@@ -70,7 +70,7 @@ bool ProgramScanner::nextIsNumber() {
 }
 
 double ProgramScanner::number() {
-  const ProgramPlace begin = place();
+  const SourceLocation begin = location();
   const std::size_t from = m_at;
   while (m_at < m_text.size() && (isDigit(m_text[m_at]) || m_text[m_at] == '.')) ++m_at;
   double value = 0.0;
@@ -83,7 +83,7 @@ double ProgramScanner::number() {
 }
 
 std::string ProgramScanner::name() {
-  const ProgramPlace begin = place();
+  const SourceLocation begin = location();
   expect('<', "Write the name in angle brackets.");
   std::string text;
   for (; m_at < m_text.size() && m_text[m_at] != '>'; ++m_at) {
@@ -99,12 +99,12 @@ std::string ProgramScanner::name() {
 void ProgramScanner::expect(char c, const char* remedy) {
   if (takeIf(c)) return;
   const std::string found = token();
-  refuse(place(), found.empty() ? "end of the line" : found, std::string("'") + c + "' is expected here", remedy);
+  refuse(location(), found.empty() ? "end of the line" : found, std::string("'") + c + "' is expected here", remedy);
 }
 
 void ProgramScanner::expectEnd() {
   if (peek() == '\0') return;
-  refuse(place(), token(), "nothing may follow here", "Put it into a line of its own.");
+  refuse(location(), token(), "nothing may follow here", "Put it into a line of its own.");
 }
 
 bool ProgramScanner::hasWords() {
@@ -122,7 +122,7 @@ std::string ProgramScanner::rest() {
   return text;
 }
 
-ProgramPlace ProgramScanner::place() {
+SourceLocation ProgramScanner::location() {
   skip();
   return {m_line, static_cast<std::uint32_t>(m_at + 1)};
 }

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMostTools = 1000;
 constexpr const char* kToolRemedy = "Write a line as T1 P1 X0 Z0 D0.8 Q2.";
 
-// Reads the next word of a tool line; false at its end.
-bool nextWord(std::string_view line, std::size_t& at, char& letter, double& number, const ProgramPlace& start) {
+// Reads the next word of a tool line; returns false at its end.
+bool nextWord(std::string_view line, std::size_t& at, char& letter, double& number, const SourceLocation& start) {
   while (at < line.size() && (line[at] == ' ' || line[at] == '\t' || line[at] == '\r')) ++at;
   if (at == line.size() || line[at] == ';') return false;
   const std::size_t begin = at;
@@ -30,7 +30,7 @@ bool nextWord(std::string_view line, std::size_t& at, char& letter, double& numb
   return true;
 }
 
-// The body that the comment of a line names; null: none.
+// Returns the body that the comment of a line names; null: none.
 std::shared_ptr<const LatheTool> bodyIn(std::string_view line, const LatheTools& bodies) {
   const std::size_t mark = line.find(';');
   if (mark == std::string_view::npos) return nullptr;
@@ -84,7 +84,8 @@ void readToolLine(std::string_view line, std::uint32_t number, ProgramTools& too
 }  // namespace
 
 ProfilePoint tipDirection(ProgramDialect dialect, int orientation) {
-  // Where LinuxCNC's numbers put the point; Fanuc counts 1 to 4 and 5 to 8 from the other side (system A, tool behind).
+  // The positions of the point by LinuxCNC's numbers; Fanuc counts 1 to 4 and 5 to 8 from the other side (system A,
+  // tool behind).
   static const ProfilePoint kLinuxCnc[10] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1},
                                              {0, 1}, {-1, 0}, {0, -1},  {1, 0},  {0, 0}};
   static const ProfilePoint kFanuc[10] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
@@ -103,9 +104,9 @@ int boreOrientation(ProgramDialect dialect) {
 
 // Tools have the numbers of ISO, which are those of Fanuc.
 int orientationOf(const LatheTool& tool, ProgramDialect dialect) {
-  const ProfilePoint way = tipDirection(ProgramDialect::Fanuc, tool.orientation);
+  const ProfilePoint direction = tipDirection(ProgramDialect::Fanuc, tool.orientation);
   for (int i = 1; i <= 9; ++i)
-    if (tipDirection(dialect, i) == way) return i;
+    if (tipDirection(dialect, i) == direction) return i;
   return 0;
 }
 
@@ -120,16 +121,16 @@ ProgramTool programToolOf(std::shared_ptr<const LatheTool> tool, ProgramDialect 
 ProgramTools inDialect(ProgramTools tools, ProgramDialect from, ProgramDialect to) {
   if (from == to) return tools;
   for (auto& [number, tool] : tools) {
-    const ProfilePoint way = tipDirection(from, tool.orientation);
-    for (int i = 1; i <= 9 && !way.isZero(); ++i)
-      if (tipDirection(to, i) == way) tool.orientation = i;
+    const ProfilePoint direction = tipDirection(from, tool.orientation);
+    for (int i = 1; i <= 9 && !direction.isZero(); ++i)
+      if (tipDirection(to, i) == direction) tool.orientation = i;
   }
   return tools;
 }
 
 ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, double grip, double nose,
                         double allowance) {
-  constexpr double kHomeDistance = 100.0;  // mm, of machine zero from the corner of the bar
+  constexpr double kHomeDistance = 100.0;  // mm, distance of machine zero from the corner of the bar
   ProgramSetup setup;
   setup.dialect = dialect;
   setup.standard = {nose, outsideOrientation(dialect), {0, 0}};

@@ -9,11 +9,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kTouch = 1e-3;       // mm: a rapid that takes less only touches
+constexpr double kTouch = 1e-3;       // mm; a rapid that takes less only touches
 constexpr double kOnAxis = 1e-6;      // mm
-constexpr double kPiece = 1.0;        // mm, of a straight move, for its forces
-constexpr int kMostPieces = 16;       // of a straight move
-constexpr int kMostArcPieces = 4096;  // of an arc
+constexpr double kPiece = 1.0;        // mm; piece of a straight move, for its forces
+constexpr int kMostPieces = 16;       // limit for a straight move
+constexpr int kMostArcPieces = 4096;  // limit for an arc
 constexpr std::size_t kPassPoints = 100'000;
 constexpr std::size_t kMostRemarks = 100;
 
@@ -45,13 +45,13 @@ TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
   shape.noseRadius = tool.noseRadius;
   const bool isBoring = tipDirection(m_setup.dialect, tool.orientation).x() > 0.0;
   if (m_state.isDrilling || isBoring) shape.side = TurningSide::Bore;
-  // A drill whose body is known has its point; any other is as round as its nose.
+  // A drill with a known body has its point; any other drill is as round as its nose.
   if (m_state.isDrilling && tool.body && tool.body->kind == LatheToolKind::Drill) shape.tool = tool.body;
   return shape;
 }
 
-// A tool that feeds along the axis towards the chuck is a drill until it leaves the axis, so that its way back through
-// the hole is one, too; a tool that has faced to the axis is not.
+// A tool that feeds along the axis towards the chuck is a drill until it leaves the axis, so that it also returns
+// through the hole as a drill; a tool that has faced to the axis is not.
 void ProgramSimulation::followDrill(const ToolMove& move) {
   const bool isOnAxis = move.turn == 0 && std::abs(move.from.x()) <= kOnAxis && std::abs(move.to.x()) <= kOnAxis;
   const bool begins = move.kind != ToolMove::Kind::Rapid && move.to.y() < move.from.y();
@@ -59,8 +59,8 @@ void ProgramSimulation::followDrill(const ToolMove& move) {
   m_state.drill = move.tool;
 }
 
-// How deep a piece of a move is in the material, mm, on the radius: of a point, which takes nothing where it moves
-// straight in, from the profile between the samples. Of a nose the samples tell it.
+// Returns the depth of a piece of a move in the material, mm, on the radius: for a point, which removes nothing if it
+// moves straight in, from the profile between the samples; for a nose, from the samples.
 double ProgramSimulation::deepestOf(const ProfilePoint& a, const ProfilePoint& b, const TurningPass& shape) const {
   return shape.noseRadius > 0.0 ? 0.0 : pointDepth(m_part, a, b);
 }
@@ -68,25 +68,26 @@ double ProgramSimulation::deepestOf(const ProfilePoint& a, const ProfilePoint& b
 void ProgramSimulation::judge(const ToolMove& move, const Taken& taken, double nose) {
   if (!(taken.deepest > kTouch)) return;
   if (move.kind == ToolMove::Kind::Rapid)
-    collide(ProgramCollision::Kind::RapidInMaterial, move, taken.place);
+    collide(ProgramCollision::Kind::RapidInMaterial, move, taken.position);
   else if (move.spin == 0 || !(move.spindle > 0.0))
-    collide(ProgramCollision::Kind::SpindleAtRest, move, taken.place);
+    collide(ProgramCollision::Kind::SpindleAtRest, move, taken.position);
   else if (move.spin < 0 && move.kind == ToolMove::Kind::Feed)
-    collide(ProgramCollision::Kind::SpindleReversed, move, taken.place);
+    collide(ProgramCollision::Kind::SpindleReversed, move, taken.position);
   if (m_state.isDrilling && nose == 0.0 && m_notes.size() < kMostRemarks)
     m_notes.push_back({move.line,
                        "The drill leaves no hole: the tool has no diameter. Give it a nose radius of half the "
                        "diameter of the drill."});
 }
 
-// From the point that the program controls to the centre of the nose.
+// Returns the vector from the point that the program controls to the centre of the nose.
 ProfilePoint ProgramSimulation::toCentre(const ToolMove& move, double nose) const {
-  ProfilePoint way = -nose * tipDirection(m_setup.dialect, m_setup.toolOf(move).orientation);
-  if (m_state.isDrilling) way.x() = 0.0;  // a drill turns about its own axis
-  return way;
+  ProfilePoint toNose = -nose * tipDirection(m_setup.dialect, m_setup.toolOf(move).orientation);
+  if (m_state.isDrilling) toNose.x() = 0.0;  // a drill turns about its own axis
+  return toNose;
 }
 
-// The jaws are around the part: what drills or bores may go past their face, within the part. low: of the nose.
+// The jaws are around the part: a tool that drills or bores may pass their face, within the part. low: lowest point of
+// the nose.
 bool ProgramSimulation::isInChuck(const ProfilePoint& low, TurningSide side) const {
   const double held = side == TurningSide::Bore ? 0.0 : m_setup.grip;
   const double face = held - zeroHeight() - kTouch;
@@ -94,20 +95,20 @@ bool ProgramSimulation::isInChuck(const ProfilePoint& low, TurningSide side) con
   return low.y() < face && low.x() < reach;
 }
 
-// A collision is the way in; the tool comes out again.
-void ProgramSimulation::meetChuck(const ToolMove& move, double nose, TurningSide side, const ProfilePoint& place) {
+// A collision is counted on entry only; the tool comes out again.
+void ProgramSimulation::meetChuck(const ToolMove& move, double nose, TurningSide side, const ProfilePoint& position) {
   const ProfilePoint toLow = toCentre(move, nose) - ProfilePoint(nose, nose);
   if (isInChuck(move.from.cwiseMin(move.to) + toLow, side) && !m_isInChuck)
-    collide(ProgramCollision::Kind::Chuck, move, place);
+    collide(ProgramCollision::Kind::Chuck, move, position);
   m_isInChuck = isInChuck(move.to + toLow, side);
 }
 
-// Returns whether it is a new one that is kept.
-bool ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place) {
-  if (m_collisionCount > 0 && m_lastCollision == move.line) return false;  // of one line one
+// Returns true if it is new and stored.
+bool ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& position) {
+  if (m_collisionCount > 0 && m_lastCollision == move.line) return false;  // only one per line
   m_lastCollision = move.line;
   if (++m_collisionCount > kMostCollisions) return false;
-  m_collisions.push_back({kind, move.line, move.to, place, m_time});
+  m_collisions.push_back({kind, move.line, move.to, position, m_time});
   m_collisions.back().passes = m_passes.size();
   return true;
 }
@@ -145,7 +146,7 @@ void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, 
   m_passes.back().speeds.push_back(speed);
 }
 
-// Of the spindle as the move has it. There must be a model.
+// Returns the meter for the spindle setting of the move. There must be a model.
 ForcePeakMeter& ProgramSimulation::meterOf(const ToolMove& move) {
   SpindleSetting spindle;
   spindle.speed = move.isSurfaceSpeed ? move.mostSpindle : move.spindle;
@@ -187,30 +188,30 @@ bool ProgramSimulation::step() {
   const TurningPass shape = shapeOf(move);
   const Taken taken = isLeaving ? Taken{0.0, move.to + ProfilePoint(0.0, zeroHeight())} : cutMove(move, shape);
   if (isLeaving) followBody(move);
-  meetChuck(move, shape.noseRadius, shape.side, taken.place);
+  meetChuck(move, shape.noseRadius, shape.side, taken.position);
   judge(move, taken, shape.noseRadius);
   return true;
 }
 
-// A body is looked at where it has come to by then, and finds what its nose has taken gone.
+// A body is checked at the end of each piece, when the material of the nose is already removed.
 int ProgramSimulation::piecesOf(const ToolMove& move) const {
   const int cuts = cutsOf(move);
   if (!m_setup.toolOf(move).body) return cuts;
   return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), cuts, kMostArcPieces);
 }
 
-// A contact is the way in; the tool comes out again.
+// A contact is counted on entry only; the tool comes out again.
 void ProgramSimulation::meetBody(const ToolMove& move, const ProfilePoint& centre, double nose) {
   const LatheTool& body = *m_setup.toolOf(move).body;
   const auto contact = m_obstacles.contact(body, bodyTipFrom(body, centre, nose), m_part);
   if (std::exchange(m_isTouching, contact.has_value()) || !contact) return;
-  const bool isKept = collide(ProgramCollision::Kind::Contact, move, contact->place);
+  const bool isKept = collide(ProgramCollision::Kind::Contact, move, contact->position);
   if (!isKept) return;
   m_collisions.back().moving = contact->moving;
   m_collisions.back().struck = contact->struck;
 }
 
-// Along a move that takes nothing of the profile.
+// Checks the body along a move that removes nothing from the profile.
 void ProgramSimulation::followBody(const ToolMove& move) {
   const ProgramTool& tool = m_setup.toolOf(move);
   if (!tool.body) return;
@@ -246,7 +247,7 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
     taken.deepest = std::max(taken.deepest, removal.depth);
     if (hasBody) meetBody(move, b, shape.noseRadius);
   }
-  taken.place = first.value_or(move.to + toPart);
+  taken.position = first.value_or(move.to + toPart);
   return taken;
 }
 
@@ -255,7 +256,7 @@ TurnedProfile::Range ProgramSimulation::samplesBelow(const ProfilePoint& a, cons
 }
 
 bool ProgramSimulation::run(Progress progress) {
-  constexpr std::size_t kLook = 64;  // moves between two looks at the cancel flag
+  constexpr std::size_t kLook = 64;  // moves between two checks of the cancel flag
   while (step()) {
     if (m_next % kLook != 0) continue;
     if (progress.cancelled()) return false;

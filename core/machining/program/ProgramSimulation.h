@@ -21,60 +21,60 @@ struct ProgramCollision {
     Chuck,            // the tip beyond the face of the chuck
     SpindleAtRest,    // a feed into the part that does not turn
     SpindleReversed,  // a feed into the part that turns away from the edge (M4)
-    Contact,          // a part of the lathe met another: a holder, a slide, the tailstock
+    Contact,          // contact of two parts of the lathe: a holder, a slide, the tailstock
   };
   Kind kind = Kind::RapidInMaterial;
   std::uint32_t line = 0;
-  ProfilePoint at{0, 0};  // mm, (r, z) of the program, where the move ends
-  // mm, (r, z) from the lower end of the part: of the nose, where it first took material; of a contact its place.
-  ProfilePoint place{0, 0};
-  double time = 0.0;                          // s, of the program, at the end of the move
-  LathePart moving = LathePart::CuttingEdge;  // of a contact
+  ProfilePoint at{0, 0};  // mm, (r, z) of the program, end of the move
+  // mm, (r, z) from the lower end of the part: the nose where it first took material, or the position of a contact.
+  ProfilePoint position{0, 0};
+  double time = 0.0;                          // s, program time at the end of the move
+  LathePart moving = LathePart::CuttingEdge;  // for Kind::Contact
   LathePart struck = LathePart::Work;
-  std::size_t passes = 0;  // of the program by then
+  std::size_t passes = 0;  // passes of the program by then
 };
 
 // A thread that was just cut: the spindle goes on turning while threads follow one another.
 struct ThreadLead {
-  ProfilePoint end{0, 0};  // of the tip, after the last move
-  double turns = 0.0;      // since the first of them began
+  ProfilePoint end{0, 0};  // position of the tip after the last move
+  double turns = 0.0;      // revolutions since the first of them began
   TurningSide side = TurningSide::Outside;
 };
 
-// What the next move of a program depends on besides the profile of the part.
+// The state besides the part's profile that the next move of a program depends on.
 struct ProgramState {
   bool isDrilling = false;                     // the tool is on the axis and has drilled there
-  int drill = -1;                              // its number
+  int drill = -1;                              // number of the drill
   std::optional<ThreadLead> lead;              // the last move was a thread
-  std::shared_ptr<const PartThreads> threads;  // of the part, for forces; null: none
+  std::shared_ptr<const PartThreads> threads;  // threads of the part, for forces; null: none
 };
 
 // Cuts a part along the tool path of a program, move by move.
 //
 // The upper end of the part is z = 0 of the program; it is gripped at the lower end, over ProgramSetup::grip, where no
-// tool may be beside it. A tool cuts with its nose, or as a point where it has none, and takes all between it and the
-// side that its shank comes from: the outside, or the axis for a tool whose tip points outwards. A feed along the axis
-// towards the chuck drills, with the nose for a drill, until the tool leaves the axis. A rapid move cuts, too, and so
+// tool may be beside it. A tool cuts with its nose, or as a point if it has none, and removes all material between it
+// and the side of its shank: the outside, or the axis for a tool whose tip points outwards. A feed along the axis
+// towards the chuck drills, with the nose as the drill, until the tool leaves the axis. A rapid move cuts, too, and so
 // does a feed with the spindle at rest or reversed; each is a collision where it meets material. A thread is a pass of
-// its own, which leaves the profile as it is: the envelope; its flanks are at 60°. Where the body of a tool is known,
-// what its holder, its post and its slide meet is looked at once a millimetre. Cost: O(samples below the moves). One
+// its own, which leaves the profile, the envelope, as it is; its flanks are at 60°. If the body of a tool is known,
+// contacts of its holder, its post and its slide are checked once a millimetre. Cost: O(samples below the moves). One
 // thread.
 class ProgramSimulation {
  public:
-  static constexpr std::size_t kMostCollisions = 1000;  // kept; all are counted
-  static constexpr double kChord = 1e-4;                // mm, of an arc
+  static constexpr std::size_t kMostCollisions = 1000;  // limit of stored collisions; all are counted
+  static constexpr double kChord = 1e-4;                // mm, chord tolerance of an arc
 
-  // setup: for the tools. model: of the forces; may be null. before: the state after the moves that come before those
-  // of the path. Path, setup and model must outlive it.
+  // setup: for the tools. model: force law; may be null. before: the state after the moves before the path. Path, setup
+  // and model must outlive the simulation.
   ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
                     const CuttingForceModel* model = nullptr, const ProgramState& before = {});
 
-  // The next move; false after the last. Changed samples are added to changed().
+  // Makes the next move; returns false after the last. Changed samples are added to changed().
   bool step();
-  // All that are left. Returns false when cancelled.
+  // Makes all remaining moves. Returns false when cancelled.
   bool run(Progress progress);
 
-  std::size_t done() const { return m_next; }  // moves
+  std::size_t done() const { return m_next; }  // number of moves
   const TurnedProfile& part() const { return m_part; }
   const ProgramState& state() const { return m_state; }
   TurnedProfile::Range takeChanged() { return std::exchange(m_changed, {}); }
@@ -82,11 +82,11 @@ class ProgramSimulation {
 
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
   std::size_t collisionCount() const { return m_collisionCount; }
-  // What does not come out as a reader of the program expects, such as a drill without diameter.
+  // Remarks on results that the reader of a program may not expect, such as a drill without diameter.
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }
-  // The largest force and power so far; zero without a model.
+  // Returns the largest force and power so far; zero without a model.
   ForcePeaks peaks();
-  // The moves that cut, as passes that give the same part again.
+  // Returns the cutting moves, as passes that reproduce the part.
   std::vector<TurningPass> takePasses() { return std::move(m_passes); }
 
  private:
@@ -96,10 +96,10 @@ class ProgramSimulation {
   void followDrill(const ToolMove& move);
   TurningPass shapeOf(const ToolMove& move) const;
   double deepestOf(const ProfilePoint& a, const ProfilePoint& b, const TurningPass& shape) const;
-  // What a move took: how deep it was in the material (mm, in r), and where its nose was first.
+  // The material that a move removed: its largest depth (mm, in r), and the first position of the nose in it.
   struct Taken {
     double deepest = 0.0;
-    ProfilePoint place{0, 0};
+    ProfilePoint position{0, 0};
   };
   Taken cutMove(const ToolMove& move, const TurningPass& shape);
   void judge(const ToolMove& move, const Taken& taken, double nose);
@@ -107,9 +107,9 @@ class ProgramSimulation {
   Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
   void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end,
               double speed);
-  double zeroHeight() const { return m_part.length() - m_setup.allowance; }  // of program zero, in the part
+  double zeroHeight() const { return m_part.length() - m_setup.allowance; }  // z of program zero in the part
   ForcePeakMeter& meterOf(const ToolMove& move);
-  bool collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& place);
+  bool collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& position);
   static bool isThread(const ToolMove& move);
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
@@ -117,7 +117,7 @@ class ProgramSimulation {
   bool leavesThread(const ToolMove& move) const;
   ProfilePoint toCentre(const ToolMove& move, double nose) const;
   bool isInChuck(const ProfilePoint& low, TurningSide side) const;
-  void meetChuck(const ToolMove& move, double nose, TurningSide side, const ProfilePoint& place);
+  void meetChuck(const ToolMove& move, double nose, TurningSide side, const ProfilePoint& position);
   int piecesOf(const ToolMove& move) const;
   void meetBody(const ToolMove& move, const ProfilePoint& centre, double nose);
   void followBody(const ToolMove& move);
@@ -126,20 +126,20 @@ class ProgramSimulation {
   const ToolPath& m_path;
   const ProgramSetup& m_setup;
   const CuttingForceModel* m_model;
-  double m_largest;  // mm, radius of the part at first
+  double m_largest;  // mm, initial radius of the part
   std::size_t m_next = 0;
   double m_time = 0.0;
   TurnedProfile::Range m_changed;
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;
-  std::uint32_t m_lastCollision = 0;  // line
+  std::uint32_t m_lastCollision = 0;  // line of the last collision
   bool m_isInChuck = false;           // since the last move
   std::vector<ToolPath::Note> m_notes;
   ProgramState m_state;
   ProgramObstacles m_obstacles;
-  bool m_isTouching = false;  // since the last move, with a body
+  bool m_isTouching = false;  // with a body, since the last move
   std::vector<TurningPass> m_passes;
-  double m_passBegin = 0.0;  // s, of the program, where the last pass begins
+  double m_passBegin = 0.0;  // s, program time at the begin of the last pass
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

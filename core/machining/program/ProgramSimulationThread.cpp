@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kSameLength = 1e-6;  // mm
 
-// What a pass of a thread takes in a section along the axis, between two turns.
+// The chip that a thread pass removes in a section along the axis, between two turns.
 struct TurnChip {
   double area = 0.0;   // mm²
-  double width = 0.0;  // mm, of the edge that cuts
+  double width = 0.0;  // mm, length of the edge that cuts
 };
 
-// Beside the grooves that are there already, where the part has this radius (mm); by the midpoint rule.
+// Returns the chip beyond the existing grooves, for a part of this radius (mm); by the midpoint rule.
 TurnChip chipOf(const ThreadGroove& groove, const PartThreads* before, double middle, double surface) {
   constexpr int kParts = 256;
   const double out = groove.side() == TurningSide::Bore ? -1.0 : 1.0;
@@ -27,7 +27,7 @@ TurnChip chipOf(const ThreadGroove& groove, const PartThreads* before, double mi
   TurnChip chip;
   for (int i = 0; i < kParts; ++i) {
     const double z = begin + step * (i + 0.5);
-    double left = out * surface;  // of the material
+    double left = out * surface;  // height of the remaining material
     if (before) {
       for (const ThreadGroove& each : before->grooves())
         if (each.side() == groove.side()) left = std::min(left, out * each.radius(z, 0.0));
@@ -36,15 +36,15 @@ TurnChip chipOf(const ThreadGroove& groove, const PartThreads* before, double mi
     if (!(depth > kSameLength)) continue;
     chip.area += depth * step;
     const double rise = groove.radius(z + 0.5 * step, 0.0) - groove.radius(z - 0.5 * step, 0.0);
-    chip.width += std::isfinite(rise) ? std::hypot(step, rise) : step;  // not where the groove ends
+    chip.width += std::isfinite(rise) ? std::hypot(step, rise) : step;  // not at the end of the groove
   }
   return chip;
 }
 
 }  // namespace
 
-// A spiral on a face has no groove along the axis, and what is finer than any thread is a feed: both are cut as any
-// other move is.
+// A spiral on a face has no groove along the axis, and a pitch finer than any thread is a feed: both are cut like any
+// other move.
 bool ProgramSimulation::isThread(const ToolMove& move) {
   const double along = std::abs(move.to.y() - move.from.y()), length = lengthOf(move);
   if (move.kind != ToolMove::Kind::Thread || !(along > 1e-3 * length)) return false;
@@ -56,18 +56,18 @@ bool ProgramSimulation::isThread(const ToolMove& move) {
 // A tool is drawn back out of its groove, between the flanks and away from the material.
 bool ProgramSimulation::leavesThread(const ToolMove& move) const {
   if (!m_state.lead || move.turn != 0 || m_state.lead->end != move.from) return false;
-  const ProfilePoint way = move.to - move.from;
-  const double away = m_state.lead->side == TurningSide::Bore ? -way.x() : way.x();
-  return std::abs(way.y()) <= away * std::tan(0.5 * ThreadCut().angle) + kSameLength;
+  const ProfilePoint displacement = move.to - move.from;
+  const double away = m_state.lead->side == TurningSide::Bore ? -displacement.x() : displacement.x();
+  return std::abs(displacement.y()) <= away * std::tan(0.5 * ThreadCut().angle) + kSameLength;
 }
 
-// The work turns against the tool: where the spindle runs forward and the tool goes towards the chuck the thread is
+// The work turns opposite to the tool: if the spindle runs forward and the tool goes towards the chuck, the thread is
 // right-hand. The first move of several begins in the half plane of +x.
 TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   const ProgramTool& tool = m_setup.toolOf(move);
   const double nose = tool.noseRadius;
   const ProfilePoint shift = ProfilePoint(0.0, zeroHeight()) - nose * tipDirection(m_setup.dialect, tool.orientation);
-  const double way = move.to.y() - move.from.y();
+  const double travel = move.to.y() - move.from.y();
   TurningPass pass;
   pass.isOfProgram = true;
   pass.noseRadius = nose;
@@ -80,18 +80,18 @@ TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   const double bore = m_part.inner(sample);
   if (bore > 0.0 && middle.x() - bore < m_part.radius(sample) - middle.x()) pass.side = TurningSide::Bore;
   ThreadCut thread;
-  thread.pitch = move.feed * std::abs(way) / lengthOf(move);
+  thread.pitch = move.feed * std::abs(travel) / lengthOf(move);
   const double forward = move.spin < 0 ? -1.0 : 1.0;
-  thread.isLeft = way * forward > 0.0;
-  const double turned = m_state.lead ? -forward * m_state.lead->turns : 0.0;  // of the tool about the work
+  thread.isLeft = travel * forward > 0.0;
+  const double turned = m_state.lead ? -forward * m_state.lead->turns : 0.0;  // turns of the tool about the work
   const double offset = pass.path[0].y() - thread.rise() * turned;
   thread.offset = offset - thread.pitch * std::floor(offset / thread.pitch);
   pass.thread = thread;
   return pass;
 }
 
-// The force of a thread: its chip is as wide as the edge that cuts, and as thick as what the pass takes beside the ones
-// before leaves on that width.
+// Adds the force of a thread: the width of the chip is that of the cutting edge, and its thickness follows from the
+// area that the pass removes beyond the ones before.
 void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
   if (!m_model) return;
   const double middle = 0.5 * (std::max(groove.from(), 0.0) + std::min(groove.to(), m_part.length()));
@@ -103,7 +103,7 @@ void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass
   m_state.threads = PartThreads::with(m_state.threads, pass);
 }
 
-// Of several moves the passes are one where they go on with the same lead.
+// Consecutive moves are one pass if they continue with the same lead.
 void ProgramSimulation::cutThread(const ToolMove& move) {
   std::optional<ThreadLead>& lead = m_state.lead;
   if (lead && lead->end != move.from) lead.reset();

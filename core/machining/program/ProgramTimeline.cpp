@@ -48,7 +48,7 @@ ProgramPosition ProgramTimeline::next(const ProgramPosition& position) const {
 }
 
 ProgramPosition ProgramTimeline::previous(const ProgramPosition& position) const {
-  // The last end of a step that lies before the position.
+  // The last end of a step before the position.
   const std::size_t before = position.fraction > 0.0 ? position.done + 1 : position.done;
   const auto step = std::lower_bound(m_stepEnds.begin(), m_stepEnds.end(), before);
   return step == m_stepEnds.begin() ? ProgramPosition{} : ProgramPosition{*std::prev(step), 0.0};

@@ -20,7 +20,7 @@ constexpr std::size_t kMostStored = 1000;
 constexpr int kMostNumber = 99'999;
 constexpr double kMostOffset = 1e4;  // mm
 
-// None: it is impossible.
+// Returns nothing if the tool is impossible.
 std::optional<std::pair<int, ProgramTool>> toolFrom(const Json& json, const LatheTools& bodies) {
   const auto whole = [&](const char* key, int largest) -> std::optional<int> {
     const auto found = json.find(key);

@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// The table of tools as JSON in a document. [{"number", "tool": id of its body, "nose_radius" (mm), "orientation",
-// "offset": [r, z] (mm)}, …], orientations in the numbers of LinuxCNC.
+// Returns the table of tools as JSON for a document. [{"number", "tool": id of its body, "nose_radius" (mm),
+// "orientation", "offset": [r, z] (mm)}, …], orientations in the numbers of LinuxCNC.
 nlohmann::json toJson(const ProgramTools& tools);
-// Accepts any JSON; a tool that is impossible, or whose body is none of these, is added to the damage and left out.
+// Reads any JSON; an impossible tool, or one whose body is none of these, is added to the damage and left out.
 ProgramTools programToolsFrom(const nlohmann::json& json, const LatheTools& bodies, std::vector<Error>& damage);
 
 }  // namespace handwheel

@@ -27,12 +27,12 @@ ProgramValue ProgramVariables::get(int number) const {
   return found == values.end() ? ProgramValue{0.0, m_isVacant} : found->second;
 }
 
-void ProgramVariables::set(int number, ProgramValue value, const ProgramPlace& place) {
+void ProgramVariables::set(int number, ProgramValue value, const SourceLocation& location) {
   if (m_system && m_system(number))
-    refuse(place, "#" + std::to_string(number), "this variable belongs to the machine and can only be read",
+    refuse(location, "#" + std::to_string(number), "this variable belongs to the machine and can only be read",
            "Use another number.");
   auto& values = number <= m_localCount ? m_frames.back().numbers : m_global;
-  if (values.size() >= kMost) refuse(place, "#" + std::to_string(number), "there are too many variables", kFewer);
+  if (values.size() >= kMost) refuse(location, "#" + std::to_string(number), "there are too many variables", kFewer);
   values[number] = value;
 }
 
@@ -44,11 +44,12 @@ std::optional<double> ProgramVariables::get(const std::string& name) const {
   return found == names.end() ? std::nullopt : std::optional<double>(found->second);
 }
 
-void ProgramVariables::set(const std::string& name, double value, const ProgramPlace& place) {
+void ProgramVariables::set(const std::string& name, double value, const SourceLocation& location) {
   if (m_namedSystem && isGlobalName(name) && m_namedSystem(name))
-    refuse(place, "#<" + name + ">", "this variable belongs to the machine and can only be read", "Use another name.");
+    refuse(location, "#<" + name + ">", "this variable belongs to the machine and can only be read",
+           "Use another name.");
   auto& names = isGlobalName(name) ? m_globalNames : m_frames.back().names;
-  if (names.size() >= kMost) refuse(place, "#<" + name + ">", "there are too many variables", kFewer);
+  if (names.size() >= kMost) refuse(location, "#<" + name + ">", "there are too many variables", kFewer);
   names[name] = value;
 }
 

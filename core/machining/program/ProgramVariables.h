@@ -13,30 +13,31 @@
 
 namespace handwheel {
 
-// The value of a variable. A vacant one counts as 0 in arithmetic; a word with it is as if it were not there (Fanuc).
+// The value of a variable. A vacant one counts as 0 in arithmetic; a word with a vacant value is ignored (Fanuc).
 struct ProgramValue {
   double number = 0.0;
   bool isVacant = false;
 };
 
 // The variables of a lathe program: #number and #<name>. Numbers 1 to 33 and names without a leading underscore belong
-// to the subprogram that runs; all others to the program.
+// to the current subprogram; all others to the program.
 class ProgramVariables {
  public:
   static constexpr int kLargest = 99'999;
-  static constexpr std::size_t kMost = 100'000;  // of each sort
+  static constexpr std::size_t kMost = 100'000;  // limit for each sort
   using System = std::function<std::optional<ProgramValue>(int)>;
   using NamedSystem = std::function<std::optional<double>(const std::string&)>;
 
-  // locals: how many numbers belong to a subprogram. isVacant: what was never set is vacant; otherwise it is 0.
+  // locals: count of numbers that belong to a subprogram. isVacant: a variable that was never set is vacant; otherwise
+  // it is 0.
   ProgramVariables(int locals, bool isVacant) : m_localCount(locals), m_isVacant(isVacant), m_frames(1) {}
-  // What the machine says; asked first.
+  // Sets the variables of the machine; they are looked up first.
   void setSystem(System numbers, NamedSystem names);
 
   ProgramValue get(int number) const;
-  void set(int number, ProgramValue value, const ProgramPlace& place);
+  void set(int number, ProgramValue value, const SourceLocation& location);
   std::optional<double> get(const std::string& name) const;
-  void set(const std::string& name, double value, const ProgramPlace& place);
+  void set(const std::string& name, double value, const SourceLocation& location);
 
   // Enters a subprogram with these values of #1, #2, ..., and leaves it.
   void enter(const std::vector<ProgramValue>& arguments);

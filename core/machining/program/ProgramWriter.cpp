@@ -14,12 +14,12 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kWritten = 1e-4;     // mm, of a coordinate
+constexpr double kWritten = 1e-4;     // mm, resolution of a coordinate
 constexpr double kSlowest = 1.0;      // mm/min
-constexpr double kUsualFeed = 100.0;  // mm/min, where the times are not known
-constexpr double kClearOfWall = 0.2;  // mm, of a tool that goes into a bore or out of it
+constexpr double kUsualFeed = 100.0;  // mm/min, if the times are not known
+constexpr double kClearOfWall = 0.2;  // mm; clearance of a tool that goes into a bore or out of it
 
-// With four decimals and always a point: for Fanuc a number without one is in thousandths.
+// Returns a number with four decimals and always a point: for Fanuc a number without one is in thousandths.
 std::string decimal(double value) {
   const double rounded = std::round(value / kWritten) * kWritten;
   std::array<char, 40> text{};
@@ -29,7 +29,7 @@ std::string decimal(double value) {
   return digits;
 }
 
-// The words of a program, with what is modal.
+// Writes the words of a program and keeps its modal state.
 class Writer {
  public:
   Writer(ProgramDialect dialect, const std::string& title, std::span<const std::string> comments)
@@ -44,13 +44,13 @@ class Writer {
     setSpindle(move);
     switch (move.kind) {
       case ToolMove::Kind::Rapid:
-        line("G0" + place(move));
+        line("G0" + coordinates(move));
         break;
       case ToolMove::Kind::Dwell:
         line(m_isFanuc ? "G4 U" + decimal(move.time) : "G4 P" + decimal(move.time));
         break;
       case ToolMove::Kind::Thread:
-        line((m_isFanuc ? "G32" : "G33") + place(move) +
+        line((m_isFanuc ? "G32" : "G33") + coordinates(move) +
              (m_isFanuc ? " F" + decimal(lead(move)) : " K" + decimal(move.feed)));
         m_feed = -1.0;
         break;
@@ -76,7 +76,7 @@ class Writer {
     return "(" + inside + ")";
   }
 
-  // The lead of Fanuc is measured along the longer axis.
+  // Fanuc measures the lead along the longer axis.
   static double lead(const ToolMove& move) {
     const ProfilePoint along = move.to - move.from;
     return along.norm() > 0.0 ? move.feed * along.cwiseAbs().maxCoeff() / along.norm() : move.feed;
@@ -114,7 +114,7 @@ class Writer {
       words = move.isPerRevolution ? (m_isFanuc ? "G99 " : "G95 ") : (m_isFanuc ? "G98 " : "G94 ");
     }
     words += move.turn == 0 ? "G1" : move.turn > 0 ? "G3" : "G2";
-    words += place(move);
+    words += coordinates(move);
     if (move.turn != 0)
       words += " I" + decimal(move.centre.x() - m_at.x()) + " K" + decimal(move.centre.y() - m_at.y());
     if (move.feed != m_feed) words += " F" + decimal(std::max(move.feed, kWritten));
@@ -122,7 +122,7 @@ class Writer {
     line(words);
   }
 
-  static std::string place(const ToolMove& move) {
+  static std::string coordinates(const ToolMove& move) {
     return " X" + decimal(2.0 * move.to.x()) + " Z" + decimal(move.to.y());
   }
 
@@ -133,7 +133,7 @@ class Writer {
   ProfilePoint m_at{0, 0};
 };
 
-// Its number among these tools; 0: none of them.
+// Returns the tool number among these tools; 0: none of them.
 int toolNumberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
   for (const PassTool& known : tools) {
     const bool isBoth = known.tool && pass.tool;
@@ -145,7 +145,7 @@ int toolNumberIn(const std::vector<PassTool>& tools, const TurningPass& pass) {
   return 0;
 }
 
-// Of the spindle on the way to each point of a pass; empty: it does not tell.
+// Returns the spindle revolutions in the move to each point of a pass; empty: not recorded.
 std::vector<double> turnsOf(const TurningPass& pass) {
   if (pass.speeds.size() != pass.path.size() || pass.times.size() != pass.path.size()) return {};
   std::vector<double> turns(pass.path.size(), 0.0);
@@ -155,27 +155,27 @@ std::vector<double> turnsOf(const TurningPass& pass) {
   return sum > 0.0 ? turns : std::vector<double>();
 }
 
-// Whether the tool was brought to a point faster than it cuts.
+// Returns true if the tool was brought to a point faster than it cuts.
 bool isTraverse(const std::vector<ProfilePoint>& path, const std::vector<double>& turns, std::size_t i) {
   constexpr double kFastestCut = 2.0;  // mm in a turn
   return !turns.empty() && (path[i] - path[i - 1]).norm() > kFastestCut * turns[i];
 }
 
-// mm in a turn, from one point of a path to another; as it is written.
+// Returns the feed in mm in a turn, from one point of a path to another, as it is written.
 double feedBetween(const std::vector<ProfilePoint>& path, const std::vector<double>& turns, std::size_t from,
                    std::size_t to) {
-  constexpr double kFastest = 10.0;  // mm in a turn, of a tool that is moved clear of the work
-  double way = 0.0, sum = 0.0;
+  constexpr double kFastest = 10.0;  // mm in a turn, for a tool that moves clear of the work
+  double distance = 0.0, sum = 0.0;
   for (std::size_t i = from + 1; i <= to; ++i) {
-    way += (path[i] - path[i - 1]).norm();
+    distance += (path[i] - path[i - 1]).norm();
     sum += turns[i];
   }
-  const double feed = sum > 0.0 ? std::clamp(way / sum, kWritten, kFastest) : kFastest;
+  const double feed = sum > 0.0 ? std::clamp(distance / sum, kWritten, kFastest) : kFastest;
   return std::round(feed / kWritten) * kWritten;
 }
 
-// The points of a path that are needed to stay within the tolerance of all, by number. Where the tool cuts after it was
-// brought there, one stays.
+// Returns the indices of the points of a path that are needed to stay within the tolerance of all. The point at which a
+// tool begins to cut after a traverse stays.
 std::vector<std::size_t> thinned(const std::vector<ProfilePoint>& path, const std::vector<double>& turns,
                                  double tolerance) {
   std::vector<std::size_t> kept{0};
@@ -190,7 +190,7 @@ std::vector<std::size_t> thinned(const std::vector<ProfilePoint>& path, const st
     }
     return true;
   };
-  constexpr std::size_t kLongest = 1000;  // points of one line: the cost of trying is its square
+  constexpr std::size_t kLongest = 1000;  // points of one line; the cost of a try is quadratic
   for (std::size_t to = 1; to < path.size(); ++to) {
     const bool isSame = to + 1 < path.size() && isTraverse(path, turns, to) == isTraverse(path, turns, to + 1);
     if (isSame && to + 1 - from < kLongest && fits(to + 1)) continue;
@@ -200,11 +200,11 @@ std::vector<std::size_t> thinned(const std::vector<ProfilePoint>& path, const st
   return kept;
 }
 
-// The way of the tip that cuts a thread once more, as deep and in the same groove: the spindle runs forward, so a
-// right-hand one goes towards the chuck, and all passes begin a whole number of pitches from one another.
+// Returns the path of the tip that repeats a thread, as deep and in the same groove: the spindle runs forward, so a
+// right-hand thread goes towards the chuck, and all passes begin a whole number of pitches from one another.
 std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint& toTip) {
   std::vector<ProfilePoint> tips;
-  const double middle = pass.tool ? pass.tool->noseCentre().y() : 0.0;  // of the groove, from the path
+  const double middle = pass.tool ? pass.tool->noseCentre().y() : 0.0;  // middle of the groove, from the path
   for (const ProfilePoint& point : pass.path) tips.emplace_back(point.x() + toTip.x(), point.y() + middle);
   if ((tips.front().y() < tips.back().y()) != pass.thread->isLeft) std::reverse(tips.begin(), tips.end());
   const double pitch = pass.thread->lead(), offset = pass.thread->offset;
@@ -215,20 +215,20 @@ std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint
   return tips;
 }
 
-// mm/min: the mean along the pass.
+// Returns the mean feed along the pass, mm/min.
 double feedOf(const TurningPass& pass) {
-  double way = 0.0;
-  for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
+  double distance = 0.0;
+  for (std::size_t i = 1; i < pass.path.size(); ++i) distance += (pass.path[i] - pass.path[i - 1]).norm();
   const double seconds = pass.times.empty() ? 0.0 : pass.times.back() - pass.times.front();
-  return seconds > 0.0 ? std::max(kSlowest, 60.0 * way / seconds) : kUsualFeed;
+  return seconds > 0.0 ? std::max(kSlowest, 60.0 * distance / seconds) : kUsualFeed;
 }
 
 bool isDrilled(const TurningPass& pass) {
   return pass.tool && pass.tool->kind == LatheToolKind::Drill;
 }
 
-// The moves that repeat recorded passes, one pass after another. Between them the tool is above the part, and before
-// and after one in a bore in front of it.
+// The moves that repeat recorded passes, one pass after another. Between them the tool is above the part, and for a
+// bore in front of it.
 class PassMoves {
  public:
   PassMoves(const StockCylinder& stock, double zero, const PassProgram& how, double spindle, std::uint16_t tool)
@@ -247,7 +247,7 @@ class PassMoves {
   void add(const TurningPass& pass, std::uint16_t tool) {
     const bool isBored = pass.side == TurningSide::Bore;
     if (isBored)
-      go(ToolMove::Kind::Rapid, {m_above, m_front});  // with the tool before: what bores has no room elsewhere
+      go(ToolMove::Kind::Rapid, {m_above, m_front});  // with the previous tool: a boring tool has no room elsewhere
     m_move.tool = tool;
     const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
     const ProfilePoint toTip(isBored ? nose : -nose, -nose - m_zero);
@@ -274,7 +274,7 @@ class PassMoves {
   std::vector<ToolMove> take() { return std::move(m_moves); }
 
  private:
-  // A straight way to a point of the tip.
+  // A straight move of the tip.
   struct Stretch {
     ProfilePoint to{0, 0};
     double feed = 0.0;  // mm/min, or mm in a turn
@@ -301,9 +301,9 @@ class PassMoves {
     go(ToolMove::Kind::Feed, {std::max(m_above, m_move.to.x()), m_move.to.y()});
   }
 
-  // In and out along the axis, clear of what it cuts and of what passes before with the same tool have left: a pass may
-  // begin in a groove behind a narrower mouth. A drill feeds all the way in: a rapid move does not drill. A path that
-  // ends beside the bar goes up from there.
+  // Moves in and out along the axis, clear of the wall that it cuts and of the remains of earlier passes with the same
+  // tool: a pass may begin in a groove behind a narrower mouth. A drill feeds all along the hole: a rapid move does not
+  // drill. A path that ends beside the bar leaves upwards.
   void bore(const std::vector<Stretch>& path, bool isDrill) {
     double inner = path.front().to.x();
     for (const Stretch& stretch : path) inner = std::min(inner, stretch.to.x());
@@ -326,16 +326,16 @@ class PassMoves {
     go(ToolMove::Kind::Rapid, {m_above, tips.front().y()});
     go(ToolMove::Kind::Rapid, tips.front());
     for (std::size_t i = 1; i < tips.size(); ++i) {
-      const ProfilePoint way = tips[i] - tips[i - 1];
-      if (way.y() == 0.0) continue;
-      m_move.feed = pass.thread->lead() * way.norm() / std::abs(way.y());
+      const ProfilePoint displacement = tips[i] - tips[i - 1];
+      if (displacement.y() == 0.0) continue;
+      m_move.feed = pass.thread->lead() * displacement.norm() / std::abs(displacement.y());
       go(ToolMove::Kind::Thread, tips[i]);
     }
     go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
   }
 
   double m_radius, m_above, m_front, m_zero, m_tolerance;  // mm, in the coordinates of the program
-  std::map<std::uint16_t, double> m_narrowest;             // mm, where a tool has gone into a bore
+  std::map<std::uint16_t, double> m_narrowest;             // mm, narrowest bore that a tool has entered
   ToolMove m_move;
   std::vector<ToolMove> m_moves;
 };

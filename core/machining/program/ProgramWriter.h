@@ -12,15 +12,15 @@
 namespace handwheel {
 
 // Writes moves as a lathe program. The interpreter, and a machine, reads it as the same path to 1e-4 mm. Millimetres,
-// diameters, arcs with I and K. A tool of another number is changed to; what does not change is not repeated. comments:
-// lines of their own, after the title.
+// diameters, arcs with I and K. A move with another tool number changes the tool; unchanged words are not repeated.
+// comments: separate lines after the title.
 std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
                         std::span<const std::string> comments = {});
 
 // The mean speed of the spindle in passes, by time.
 class MeanSpindle {
  public:
-  static constexpr double kUsual = 500.0;  // r/min, of passes that do not tell theirs
+  static constexpr double kUsual = 500.0;  // r/min, for passes that do not record theirs
   void add(const TurningPass& pass);
   double speed() const;  // r/min, a whole number
 
@@ -28,10 +28,10 @@ class MeanSpindle {
   double m_turns = 0.0, m_seconds = 0.0;
 };
 
-// How recorded passes become a program.
+// Options of the conversion of recorded passes to a program.
 struct PassProgram {
   double spindle = 0.0;     // r/min; 0: the mean of the passes (MeanSpindle)
-  double tolerance = 1e-3;  // mm: points nearer than this to the line between their neighbours are left out
+  double tolerance = 1e-3;  // mm; points nearer than this to the line between their neighbours are left out
   double clearance = 2.0;   // mm, above the part between passes
 };
 
@@ -40,22 +40,24 @@ struct PassTool {
   int number = 1;                              // T
   double noseRadius = 0.0;                     // mm
   std::shared_ptr<const LatheTool> tool = {};  // null: a round nose alone
-  TurningSide side = TurningSide::Outside;     // that it cuts
+  TurningSide side = TurningSide::Outside;     // the side that it cuts
   int orientationIn(ProgramDialect dialect) const;
 };
 
-// The tools of these passes, in the order in which they come, from T1. Noses of another radius are other tools.
+// Returns the tools of these passes, in the order of their first use, from T1. Noses of different radius are different
+// tools.
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes);
-// For the head of a program: "T2: CNMG 120408, nose 0.8, orientation 2".
+// Returns a description for the head of a program: "T2: CNMG 120408, nose 0.8, orientation 2".
 std::string descriptionOf(const PassTool& tool, ProgramDialect dialect);
-// Whether a program can repeat what the tool does: it turns, bores or drills, or cuts a thread on the outside.
+// Returns true if a program can repeat the pass: it turns, bores or drills, or cuts a thread on the outside.
 bool isProgrammable(const TurningPass& pass);
 
-// The moves that repeat recorded passes, each with its tool of toolsOf(): to each pass from above, of a bore from in
-// front, along it, and away. The feed per revolution is that of the pass, move by move, whatever the spindle does; of a
-// pass that does not tell its spindle it is the mean in a minute. A program moves the tip of a tool; of a round nose
-// alone the corner of its tangents towards the chuck and the axis, in a bore away from the axis. stock: that the first
-// pass cuts; its place does not count. zero: mm, height of z = 0 above the lower end of the part.
+// Returns the moves that repeat recorded passes, each with its tool of toolsOf(): to each pass from above, or to a bore
+// from in front, along it, and away. The feed per revolution is that of the pass, move by move, whatever the spindle
+// speed; for a pass that does not record its spindle speed it is the mean in a minute. A program moves the tip of a
+// tool; for a round nose alone, the corner of its tangents towards the chuck and the axis, in a bore away from the
+// axis. stock: bar of the first pass; its position does not matter. zero: mm, height of z = 0 above the lower end of
+// the part.
 std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCylinder& stock, double zero,
                               const PassProgram& how);
 

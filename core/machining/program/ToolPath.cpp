@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-// Angle from the centre, in the plane of z and r.
+// Returns the angle from the centre, in the plane of z and r.
 double angleOf(const ProfilePoint& centre, const ProfilePoint& p) {
   return std::atan2(p.x() - centre.x(), p.y() - centre.y());
 }
@@ -19,7 +19,7 @@ double angleOf(const ProfilePoint& centre, const ProfilePoint& p) {
 double sweepOf(const ToolMove& move) {
   if (move.turn == 0) return 0.0;
   double sweep = angleOf(move.centre, move.to) - angleOf(move.centre, move.from);
-  constexpr double kSame = 1e-9;  // radian: the same place, so a whole turn
+  constexpr double kSame = 1e-9;  // radian; the same position, so a whole turn
   if (move.turn > 0 && sweep <= kSame) sweep += 2.0 * M_PI;
   if (move.turn < 0 && sweep >= -kSame) sweep -= 2.0 * M_PI;
   return sweep;

@@ -17,42 +17,42 @@ struct ToolMove {
 
   Kind kind = Kind::Rapid;
   std::int8_t turn = 0;  // 0: straight; 1, -1: an arc, counter-clockwise or clockwise in the plane of z (right), r (up)
-  bool isPerRevolution = false;  // of the feed
-  bool isSurfaceSpeed = false;   // of the spindle
-  std::int8_t spin = 0;          // of the spindle: 1 M3, -1 M4, 0 stopped
+  bool isPerRevolution = false;  // feed is mm per revolution
+  bool isSurfaceSpeed = false;   // spindle is m/min
+  std::int8_t spin = 0;          // spindle direction: 1 M3, -1 M4, 0 stopped
   std::uint16_t tool = 0;
-  std::uint16_t shape = 0;  // the entry of the table of tools that has its nose; 0: that of the tool
-  std::uint32_t line = 0;   // of the program, from 1
+  std::uint16_t shape = 0;  // tool table entry with its nose; 0: that of the tool
+  std::uint32_t line = 0;   // line of the program, from 1
   ProfilePoint from{0, 0}, to{0, 0}, centre{0, 0};
-  double feed = 0.0;         // mm/min, or mm per revolution; of a thread its pitch along the move
-  double spindle = 0.0;      // r/min, or m/min of the surface
-  double mostSpindle = 0.0;  // r/min, clamp of the surface speed; 0: none
-  double time = 0.0;         // s, that it takes
+  double feed = 0.0;         // mm/min, or mm per revolution; for a thread its pitch along the move
+  double spindle = 0.0;      // r/min, or m/min surface speed
+  double mostSpindle = 0.0;  // r/min, limit for surface speed; 0: none
+  double time = 0.0;         // s, duration
 };
 
-// The angle of an arc, radian, with the sign of its turn: at most a whole turn; 0 of a straight move.
+// Returns the angle of an arc, radian, with the sign of its turn: at most a whole turn; 0 for a straight move.
 double sweepOf(const ToolMove& move);
 double lengthOf(const ToolMove& move);                            // mm
 ProfilePoint pointOn(const ToolMove& move, double fraction);      // fraction: 0…1 of its length
-ProfilePoint directionOf(const ToolMove& move, double fraction);  // of unit length; 0 where it does not move
+ProfilePoint directionOf(const ToolMove& move, double fraction);  // unit vector; 0 if it does not move
 
-// The speed of the spindle at a radius (mm), r/min; at most kMostSpindle where nothing else limits it.
+// Returns the speed of the spindle at a radius (mm), r/min; at most kMostSpindle if nothing else limits it.
 inline constexpr double kMostSpindle = 10'000.0;
 double spindleAt(const ToolMove& move, double radius);
 
-// The time that a move takes, s. rapidSpeed: mm/min. A dwell has its own time. Where the spindle stands still, a feed
-// per revolution is taken as one at 1 r/min.
+// Returns the duration of a move, s. rapidSpeed: mm/min. A dwell has its own time. If the spindle stands still, a feed
+// per revolution is treated as one at 1 r/min.
 double durationOf(const ToolMove& move, double rapidSpeed);
 
-// What a program lets the tool do.
+// The tool path of a program.
 struct ToolPath {
   struct Note {
     std::uint32_t line;
     std::string text;  // English
   };
   std::vector<ToolMove> moves;
-  std::vector<Note> notes;   // what was done differently than written
-  double time = 0.0;         // s, of all moves and tool changes
+  std::vector<Note> notes;   // deviations from the text of the program
+  double time = 0.0;         // s, duration of all moves and tool changes
   std::uint64_t blocks = 0;  // executed
 };
 

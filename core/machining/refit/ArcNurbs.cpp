@@ -10,9 +10,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLeastPiece = 1e-7;  // rad: a shorter piece of an arc is not parted from its neighbour
+constexpr double kLeastPiece = 1e-7;  // rad; a shorter piece of an arc is not split from its neighbour
 
-// The angles at which to part an arc, its ends included.
+// Returns the angles at which an arc is split, its ends included.
 std::vector<double> partings(const ProfileSegment& arc) {
   const ProfilePoint start = arc.from - arc.centre();
   const double from = std::atan2(start.y(), start.x()), to = from + arc.angle();

@@ -18,11 +18,11 @@ namespace {
 using Side = std::vector<ProfilePoint>;
 using SegmentChain = std::vector<ProfileSegment>;
 
-constexpr double kExactly = 1e-7;  // mm, of what a tool left exactly
-constexpr double kShort = 200.0;   // in tolerances: what is longer stays as it was found
+constexpr double kExactly = 1e-7;  // mm, tolerance of surfaces that a tool left exactly
+constexpr double kShort = 200.0;   // in tolerances; longer segments stay as they were found
 
 // The arcs through two points that pass a third one within a tolerance, by their half angle b. With y the height of the
-// point above the middle of the chord 2c, x its place along it, and A = (c² - x² - y²) / 2c, its distance from the
+// point above the middle of the chord 2c, x its position along it, and A = (c² - x² - y²) / 2c, its distance from the
 // circle is |y cos b - A sin b|, but for terms of second order in distance over radius.
 class HalfAngles {
  public:
@@ -40,7 +40,7 @@ class HalfAngles {
     m_low = std::max(m_low, angle - width);
     m_high = std::min(m_high, angle + width);
   }
-  // Zero, a line, where that is among them. An arc on the right of its chord turns counter-clockwise.
+  // Returns zero, a line, if it is in the range. An arc on the right of its chord turns counter-clockwise.
   double best() const { return m_low <= 0.0 && m_high >= 0.0 ? 0.0 : 0.5 * (m_low + m_high); }
 
  private:
@@ -51,7 +51,7 @@ class HalfAngles {
   double m_low = -kMost, m_high = kMost;
 };
 
-// Joins short neighbours as far as one line or arc is within the tolerance of all samples and corners.
+// Joins short neighbours while one line or arc is within the tolerance of all samples and corners.
 class Joining {
  public:
   Joining(const Side& points, const SegmentChain& segments, double chord)
@@ -89,7 +89,7 @@ class Joining {
   // Between two samples an arc may reach over the axis.
   static bool isAcross(const ProfileSegment& s) { return s.box().min().x() < 0.0; }
 
-  // Lines through the samples of one segment.
+  // Adds lines through the samples of one segment.
   void addSamples(SegmentChain& chain, std::size_t segment) const {
     ProfilePoint at = m_segments[segment].from;
     const auto goOnTo = [&](const ProfilePoint& p) {
@@ -100,7 +100,7 @@ class Joining {
     goOnTo(m_segments[segment].to);
   }
 
-  // In place of the segments from `first` to before `end`; at least two.
+  // Returns one segment that replaces those from `first` to before `end`; at least two.
   std::optional<ProfileSegment> over(std::size_t first, std::size_t end) const {
     HalfAngles angles(m_segments[first].from, m_segments[end - 1].to, m_chord);
     for (std::size_t i = first; i < end && !angles.isEmpty(); ++i) {
@@ -113,7 +113,7 @@ class Joining {
     return !isAcross(found) && passes(found, first, end) ? std::optional<ProfileSegment>(found) : std::nullopt;
   }
 
-  // Exactly: where the tolerance is not small beside a radius, the terms of second order count.
+  // Checks exactly: if the tolerance is not small compared to a radius, the terms of second order count.
   bool passes(const ProfileSegment& found, std::size_t first, std::size_t end) const {
     const auto isNear = [&](const ProfilePoint& p) { return (found.nearest(p) - p).norm() <= m_chord; };
     for (std::size_t i = first; i < end; ++i) {
@@ -131,7 +131,7 @@ class Joining {
   std::vector<std::size_t> m_first;  // for each segment, the first sample beyond its beginning
 };
 
-// From the end of the last segment to this point: a flat end of the part.
+// Adds a line from the end of the last segment to this point: a flat end of the part.
 void goTo(SegmentChain& segments, const ProfilePoint& p) {
   if (!segments.empty() && segments.back().to != p) segments.push_back({segments.back().to, p, 0.0});
 }

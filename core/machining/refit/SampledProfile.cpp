@@ -13,13 +13,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kExactCurve = 1e-6;  // mm, of the lines and arcs of a curve
+constexpr double kExactCurve = 1e-6;  // mm, tolerance of the lines and arcs of a curve
 
-// A run of samples, of which one side after the other is taken. Beside a bore, samples without material are the wall of
-// the bore on both sides: the run ends before them, half way if the part has a face there.
+// A run of samples, whose sides are read one after the other. Beside a bore, samples without material are the wall of
+// the bore on both sides: the run ends before them, halfway if the part has a face there.
 class SampleRun {
  public:
-  // From `first` to before `end`, two at least.
+  // first to before end, two samples at least.
   SampleRun(const TurnedProfile& part, std::size_t first, std::size_t end) : m_part(part), m_first(first), m_end(end) {
     std::size_t low = first, high = end;
     while (low < high && !part.hasMaterial(low)) ++low;
@@ -47,14 +47,14 @@ class SampleRun {
   }
 
  private:
-  static constexpr double kSteepest = 2.0;  // what is steeper than that is a wall
+  static constexpr double kSteepest = 2.0;  // a steeper slope is a wall
 
   bool isSteep(double from, double to) const { return std::abs(to - from) > kSteepest * m_part.spacing(); }
-  // Or a sharp edge, where outside and bore meet.
+  // Returns true at a wall, or at a sharp edge between outside and bore.
   bool isWall(std::size_t last, std::size_t beyond) const {
     return isSteep(m_part.radius(last), m_part.radius(beyond)) || isSteep(m_part.inner(last), m_part.inner(beyond));
   }
-  // Half a sample beyond the last one, as the surface came there.
+  // Returns the radius half a sample beyond the last one, extrapolated.
   double beyond(double last, double before) const {
     return isSteep(last, before) ? last : std::max(1.5 * last - 0.5 * before, 0.0);
   }
@@ -73,7 +73,7 @@ class SampleRun {
   bool m_isFacedBelow = false, m_isFacedAbove = false;
 };
 
-// Of the samples from `first` to before `end`, two at least.
+// Returns the section of the samples from `first` to before `end`, two at least.
 Result<TargetProfile> sectionBetween(const TurnedProfile& part, std::size_t first, std::size_t end, double tolerance) {
   const SampleRun run(part, first, end);
   std::vector<ProfileSegment> outline = refitted(run.outside(), tolerance, part.spacing());

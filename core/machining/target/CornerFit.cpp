@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-// Shoulders rise by more than this many steps within one; what is less steep is a chamfer or an edge of an arc.
+// Shoulders rise by more than this many steps within one; a flatter rise is a chamfer or an edge of an arc.
 constexpr double kSteep = 3.0;
 
 struct Span {
@@ -23,12 +23,13 @@ Span spanOf(const ProfileSegment& step) {
   return {std::min(step.from.y(), step.to.y()), std::max(step.from.y(), step.to.y())};
 }
 
-// Where the lines or circles of two segments meet within a span of z, nearest to the step between them.
+// Returns the intersection of the lines or circles of two segments within a span of z, nearest to the step between
+// them.
 std::optional<ProfilePoint> corner(const ProfileSegment& before, const ProfileSegment& after,
                                    const ProfileSegment& step) {
   const Span span = spanOf(step);
   const double size = std::abs(step.to.y() - step.from.y());
-  // Both are made longer by the step, with which they overlap where they meet.
+  // Both are extended by the step, so that they overlap at their intersection.
   const auto longer = [&](const ProfileSegment& s, bool atEnd) {
     const double share = 1.0 + 4.0 * (step.to - step.from).norm() / std::max(s.length(), 1e-300);
     if (!s.isArc()) {
@@ -47,7 +48,7 @@ std::optional<ProfilePoint> corner(const ProfileSegment& before, const ProfileSe
   return away <= 4.0 * (step.to - step.from).norm() ? found : std::nullopt;
 }
 
-// The height of a shoulder: that at which an arc beside it is tangent to it, or half way.
+// Returns the height of a shoulder: that of an arc's tangent point beside it, or halfway.
 double shoulderHeight(const ProfileSegment& before, const ProfileSegment& after, const ProfileSegment& step) {
   const Span span = spanOf(step);
   for (const ProfileSegment* s : {&before, &after}) {
@@ -60,7 +61,7 @@ double shoulderHeight(const ProfileSegment& before, const ProfileSegment& after,
   return 0.5 * (span.low + span.high);
 }
 
-// The radius at a height on the line or circle of a segment, near that of a point.
+// Returns the radius at a height on the line or circle of a segment, near that of a point.
 double radiusAt(const ProfileSegment& segment, double z, const ProfilePoint& near) {
   if (!segment.isArc()) {
     const double rise = segment.to.y() - segment.from.y();
@@ -84,7 +85,7 @@ ProfileSegment endedAt(const ProfileSegment& segment, const ProfilePoint& end) {
   if (!segment.isArc()) return {segment.from, end, 0.0};
   const ProfilePoint c = segment.centre(), a = segment.from - c, b = end - c;
   double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  // Of the two ways round, that which is nearer to what it was.
+  // The sense of rotation nearer to the former angle is used.
   for (const double other : {angle - 2.0 * M_PI, angle + 2.0 * M_PI})
     if (std::abs(other - segment.angle()) < std::abs(angle - segment.angle())) angle = other;
   return {segment.from, end, std::tan(0.25 * angle)};
@@ -107,8 +108,7 @@ std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, doub
       continue;
     }
     ProfileSegment &before = done.back(), &after = segments[i + 1];
-    // Puts a wall from a to b in place of the step, unless that is across the axis or leaves a sample beside the
-    // profile.
+    // Replaces the step by a wall from a to b, unless that is across the axis or leaves a sample beside the profile.
     const auto put = [&](const ProfilePoint& a, const ProfilePoint& b) {
       if (a.x() < 0.0 || b.x() < 0.0) return false;
       const ProfileSegment ended = endedAt(before, a), wall{a, b, 0.0}, begun = begunAt(after, b);

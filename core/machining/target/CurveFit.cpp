@@ -14,7 +14,7 @@ using Points = std::span<const ProfilePoint>;
 
 constexpr double kMostArc = 1.9 * M_PI;  // rad
 
-// Whether all points of a range are on the segment, in its order, to the tolerance.
+// Returns true if all points of a range are on the segment, in its order, to the tolerance.
 bool isAlong(const ProfileSegment& segment, Points points, double tolerance) {
   double last = 0.0;
   const ProfilePoint centre = segment.isArc() ? segment.centre() : segment.from;
@@ -24,15 +24,15 @@ bool isAlong(const ProfileSegment& segment, Points points, double tolerance) {
   for (const ProfilePoint& p : points) {
     if ((segment.nearest(p) - p).norm() > tolerance) return false;
     // It must not go back by more than the tolerance, nor turn round at a corner.
-    double way = (p - segment.from).dot(along);
+    double travel = (p - segment.from).dot(along);
     if (segment.isArc()) {
       const ProfilePoint v = p - centre;
       double swept = turn * std::atan2(start.x() * v.y() - start.y() * v.x(), start.dot(v));
       if (swept < -0.01 * M_PI) swept += 2.0 * M_PI;
-      way = swept * segment.radius();
+      travel = swept * segment.radius();
     }
-    if (way < last - 2.0 * tolerance) return false;
-    last = std::max(last, way);
+    if (travel < last - 2.0 * tolerance) return false;
+    last = std::max(last, travel);
   }
   return true;
 }
@@ -42,7 +42,7 @@ std::optional<ProfileSegment> lineOver(Points points, double tolerance) {
   return isAlong(line, points, tolerance) ? std::optional<ProfileSegment>(line) : std::nullopt;
 }
 
-// Through the ends and the point that is furthest from their chord.
+// Returns the arc through the ends and the point that is furthest from their chord.
 std::optional<ProfileSegment> arcOver(Points points, double tolerance) {
   if (points.size() < 3) return std::nullopt;
   const ProfilePoint chord = points.back() - points.front();
@@ -57,7 +57,7 @@ std::optional<ProfileSegment> arcOver(Points points, double tolerance) {
   return isAlong(*arc, points, tolerance) ? arc : std::nullopt;
 }
 
-// The furthest point to which a segment from `from` fits: doubling, then halving the step.
+// Returns the furthest point to which a segment from `from` fits: doubling, then halving the step.
 template <class Fit>
 std::size_t reach(std::size_t from, std::size_t size, const Fit& fits) {
   std::size_t step = 1;
@@ -92,7 +92,7 @@ std::vector<ProfileSegment> fitSegments(std::span<const ProfilePoint> points, do
         reach(at, points.size(), [&](std::size_t to) { return lineOver(range(to), tolerance).has_value(); });
     const std::size_t byArc =
         reach(at, points.size(), [&](std::size_t to) { return arcOver(range(to), tolerance).has_value(); });
-    // Four points always lie near some arc: it must take more than that.
+    // Four points always lie near some arc: more points are needed.
     const bool isArc = byArc > byLine && byArc >= at + 4 && arcOver(range(byArc), tolerance);
     const std::size_t next = isArc ? byArc : byLine;
     const ProfileSegment line{points[at], points[next], 0.0};

@@ -50,7 +50,7 @@ Status checkNumbers(const Segments& segments) {
   return Done{};
 }
 
-// Leaves out what has no length; what ends on the axis to rounding does so exactly, and neighbours share their ends.
+// Removes segments without length; ends that are on the axis to rounding become exact, and neighbours share their ends.
 Status join(Segments& segments) {
   for (ProfileSegment& s : segments) {
     for (ProfilePoint* p : {&s.from, &s.to})
@@ -77,7 +77,7 @@ Status checkSides(const Segments& segments) {
   return Done{};
 }
 
-// Without the pieces on the axis, and beginning behind them.
+// Removes the pieces on the axis, and begins behind them.
 void openAtAxis(Segments& segments) {
   const auto isAlongAxis = [](const ProfileSegment& s) { return isOnAxis(s.from) && isOnAxis(s.to) && !s.isArc(); };
   const bool isRing = !segments.empty() && segments.front().from == segments.back().to;
@@ -118,14 +118,14 @@ Status checkAxis(const Segments& segments) {
   return Done{};
 }
 
-// Twice the area that segments and axis enclose; above zero where it is on the left.
+// Returns twice the area that segments and axis enclose; above zero if it is on the left.
 double signedArea(const Segments& segments) {
   double sum = 0.0;
   for (const ProfileSegment& s : segments) {
     sum += s.from.x() * s.to.y() - s.from.y() * s.to.x();
     if (!s.isArc()) continue;
     const double chord = (s.to - s.from).squaredNorm(), angle = s.angle(), r = s.radius();
-    // Of the circular segment: r² (angle - sin angle); by the chord where that would cancel.
+    // Area of the circular segment: r² (angle - sin angle); by the chord if that would cancel.
     sum += std::abs(angle) < 1e-3 ? chord * angle / 6.0 : r * r * (angle - std::sin(angle));
   }
   const ProfilePoint a = segments.back().to, b = segments.front().from;
@@ -138,10 +138,11 @@ void turnLeft(Segments& segments, bool isClockwise) {
   for (ProfileSegment& s : segments) s = s.reversed();
 }
 
-// Where it crosses itself. Errors: TooIntricate, Cancelled.
+// Returns a point at which it crosses itself. Errors: TooIntricate, Cancelled.
 Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool isClosed, Progress progress) {
   constexpr std::size_t kPairsPerPoll = 4096;
-  constexpr std::size_t kPairsOfEach = 100, kLeastPairs = 1'000'000;  // whose boxes meet: a second or two
+  constexpr std::size_t kPairsOfEach = 100,
+                        kLeastPairs = 1'000'000;  // pairs of intersecting boxes; takes a second or two
   const std::size_t most = std::max(kLeastPairs, kPairsOfEach * segments.size());
   std::size_t pairs = 0;
   const ProfileHierarchy tree(segments);
@@ -158,7 +159,7 @@ Result<std::optional<ProfilePoint>> ownCrossing(const Segments& segments, bool i
       if (pairs % kPairsPerPoll == 0) isCancelled = progress.cancelled();
       if (k <= i) return true;
       const bool isNext = k == i + 1, isBefore = isClosed && i == 0 && k + 1 == n;
-      if (isNext && isBefore) return true;  // two arcs that are a whole ring
+      if (isNext && isBefore) return true;  // two arcs that form a whole ring
       found = isNext     ? meetingBeside(segments[i], segments[k], kJoin)
               : isBefore ? meetingBeside(segments[k], segments[i], kJoin)
                          : meeting(segments[i], segments[k], kJoin);

@@ -19,10 +19,10 @@ using Segments = std::vector<ProfileSegment>;
 
 constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
-// Numbers for places: ends that are nearer than the gap get the same.
-class Places {
+// Numbers for points: ends that are nearer than the gap get the same.
+class PointIndex {
  public:
-  explicit Places(double gap) : m_gap(gap) {}
+  explicit PointIndex(double gap) : m_gap(gap) {}
 
   std::size_t of(const ProfilePoint& p) {
     const Cell cell = cellOf(p);
@@ -30,15 +30,15 @@ class Places {
       for (std::int64_t k = -1; k <= 1; ++k) {
         const auto found = m_cells.find({cell[0] + i, cell[1] + k});
         if (found == m_cells.end()) continue;
-        for (const std::size_t place : found->second)
-          if ((m_points[place] - p).norm() <= m_gap) return place;
+        for (const std::size_t index : found->second)
+          if ((m_points[index] - p).norm() <= m_gap) return index;
       }
     }
     m_points.push_back(p);
     m_cells[cell].push_back(m_points.size() - 1);
     return m_points.size() - 1;
   }
-  const ProfilePoint& point(std::size_t place) const { return m_points[place]; }
+  const ProfilePoint& point(std::size_t index) const { return m_points[index]; }
   std::size_t size() const { return m_points.size(); }
 
  private:
@@ -55,7 +55,7 @@ class Places {
   std::map<Cell, std::vector<std::size_t>> m_cells;
 };
 
-// A segment between two places.
+// A segment between two points.
 struct Edge {
   ProfileSegment segment;
   std::array<std::size_t, 2> ends;
@@ -66,8 +66,8 @@ Error crossingAt(const ProfilePoint& p) {
   return {TargetError::CrossesItself, {shownText(p.x()), shownText(p.y())}, {}, {}};
 }
 
-// The segments as edges, none of them twice. Error: CrossesItself, where more than two go between the same places.
-Result<std::vector<Edge>> edgesOf(const Segments& segments, Places& places, double gap, Progress progress) {
+// Returns the segments as edges, without duplicates. Error: CrossesItself, if more than two connect the same points.
+Result<std::vector<Edge>> edgesOf(const Segments& segments, PointIndex& points, double gap, Progress progress) {
   constexpr std::size_t kPerPoll = 1024;
   std::size_t count = 0;
   std::vector<Edge> edges;
@@ -75,10 +75,10 @@ Result<std::vector<Edge>> edgesOf(const Segments& segments, Places& places, doub
   for (const ProfileSegment& s : segments) {
     if (count++ % kPerPoll == 0 && progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!(s.length() > gap)) continue;
-    Edge edge{s, {places.of(s.from), places.of(s.to)}, false};
+    Edge edge{s, {points.of(s.from), points.of(s.to)}, false};
     if (edge.ends[0] == edge.ends[1]) continue;
-    edge.segment.from = places.point(edge.ends[0]);
-    edge.segment.to = places.point(edge.ends[1]);
+    edge.segment.from = points.point(edge.ends[0]);
+    edge.segment.to = points.point(edge.ends[1]);
     auto& between = known[{std::min(edge.ends[0], edge.ends[1]), std::max(edge.ends[0], edge.ends[1])}];
     const ProfilePoint middle = s.at(0.5);
     const bool isTwice = std::any_of(between.begin(), between.end(), [&](std::size_t k) {
@@ -92,43 +92,43 @@ Result<std::vector<Edge>> edgesOf(const Segments& segments, Places& places, doub
   return edges;
 }
 
-// Which edges end at each place, at most two.
+// The edges that end at each point, at most two.
 using EdgesAt = std::vector<std::array<std::size_t, 2>>;
 
-Result<EdgesAt> edgesAt(const std::vector<Edge>& edges, const Places& places) {
-  EdgesAt at(places.size(), {kNobody, kNobody});
+Result<EdgesAt> edgesAt(const std::vector<Edge>& edges, const PointIndex& points) {
+  EdgesAt at(points.size(), {kNobody, kNobody});
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (const std::size_t end : edges[i].ends) {
       auto& there = at[end];
-      if (there[1] != kNobody) return crossingAt(places.point(end));
+      if (there[1] != kNobody) return crossingAt(points.point(end));
       there[there[0] == kNobody ? 0 : 1] = i;
     }
   }
   return at;
 }
 
-// From a place along all edges that follow.
-Segments walk(std::size_t place, std::vector<Edge>& edges, const EdgesAt& at) {
+// Returns the chain from a point along all edges that follow.
+Segments walk(std::size_t index, std::vector<Edge>& edges, const EdgesAt& at) {
   Segments chain;
   while (true) {
     std::size_t next = kNobody;
-    for (const std::size_t edge : at[place])
+    for (const std::size_t edge : at[index])
       if (edge != kNobody && !edges[edge].isUsed) next = edge;
     if (next == kNobody) return chain;
     Edge& edge = edges[next];
     edge.isUsed = true;
-    const bool isForward = edge.ends[0] == place;
+    const bool isForward = edge.ends[0] == index;
     chain.push_back(isForward ? edge.segment : edge.segment.reversed());
-    place = edge.ends[isForward ? 1 : 0];
+    index = edge.ends[isForward ? 1 : 0];
   }
 }
 
-// Open chains from an end, then rings from anywhere.
+// Returns open chains from an end, then rings from any point.
 std::vector<Segments> chainsOf(std::vector<Edge>& edges, const EdgesAt& at) {
   std::vector<Segments> chains;
-  for (std::size_t place = 0; place < at.size(); ++place) {
-    if (at[place][1] != kNobody || at[place][0] == kNobody || edges[at[place][0]].isUsed) continue;
-    chains.push_back(walk(place, edges, at));
+  for (std::size_t index = 0; index < at.size(); ++index) {
+    if (at[index][1] != kNobody || at[index][0] == kNobody || edges[at[index][0]].isUsed) continue;
+    chains.push_back(walk(index, edges, at));
   }
   for (const Edge& edge : edges)
     if (!edge.isUsed) chains.push_back(walk(edge.ends[0], edges, at));
@@ -141,7 +141,7 @@ Segments reversedChain(Segments chain) {
   return chain;
 }
 
-// Outside and bore, if their ends are beside one another.
+// Joins outside and bore, if their ends are beside one another.
 bool joinByFaces(std::vector<Segments>& chains, double gap) {
   if (chains.size() != 2) return false;
   Segments& first = chains[0];
@@ -163,12 +163,12 @@ bool joinByFaces(std::vector<Segments>& chains, double gap) {
 
 Result<std::vector<ProfileSegment>> joinedOutline(const std::vector<ProfileSegment>& segments, double gap,
                                                   Progress progress) {
-  Places places(gap);
-  Result<std::vector<Edge>> joined = edgesOf(segments, places, gap, progress);
+  PointIndex points(gap);
+  Result<std::vector<Edge>> joined = edgesOf(segments, points, gap, progress);
   if (!joined) return joined.error();
   std::vector<Edge>& edges = joined.value();
   if (edges.empty()) return Error{TargetError::NoProfile, {}, {}, {}};
-  const Result<EdgesAt> at = edgesAt(edges, places);
+  const Result<EdgesAt> at = edgesAt(edges, points);
   if (!at) return at.error();
   std::vector<Segments> chains = chainsOf(edges, *at);
   if (chains.size() > 1 && !joinByFaces(chains, gap))

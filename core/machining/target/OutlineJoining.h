@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// Puts the segments of one outline, which come in any order and direction, into order. gap: mm, ends nearer than this
-// are joined. What is there twice counts once. Two open outlines whose ends are at the same heights are joined by
-// flat faces. O(n log n). Errors: TargetError::SeveralProfiles, CrossesItself where more than two ends meet, Cancelled.
+// Joins the segments of one outline, which come in any order and direction, in order. gap: mm, ends nearer than this
+// are joined. Duplicates count once. Two open outlines whose ends are at the same heights are joined by flat faces. O(n
+// log n). Errors: TargetError::SeveralProfiles, CrossesItself if more than two ends meet, Cancelled.
 Result<std::vector<ProfileSegment>> joinedOutline(const std::vector<ProfileSegment>& segments, double gap,
                                                   Progress progress = {});
 

@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-// Whether two neighbours are pieces of one line or circle.
+// Returns true if two neighbours are pieces of one line or circle.
 bool isContinued(const ProfileSegment& a, const ProfileSegment& b, double tolerance) {
   if (a.isArc() != b.isArc()) return false;
   if (a.isArc()) {
@@ -51,9 +51,9 @@ ProfileFeature featureOf(const ProfileSegment& s, double tolerance) {
   return feature;
 }
 
-constexpr std::size_t kLeastPieces = 5;   // of a curve
+constexpr std::size_t kLeastPieces = 5;   // pieces of a curve
 constexpr double kLongestPiece = 10.0;    // mm, along the axis
-constexpr double kMostTurn = M_PI / 6.0;  // rad, from piece to piece
+constexpr double kMostTurn = M_PI / 6.0;  // rad, between two pieces
 constexpr double kJoined = 1e-9;          // mm
 
 bool isPiece(const ProfileFeature& f) {
@@ -61,7 +61,8 @@ bool isPiece(const ProfileFeature& f) {
   return isLine && f.length() <= kLongestPiece;
 }
 
-// Whether a piece follows another on the same surface of a curve. The outline goes up the outside and down a bore.
+// Returns true if a piece follows another on the same surface of a curve. The outline goes up the outside and down a
+// bore.
 bool turnsOn(const ProfileFeature& a, const ProfileFeature& b) {
   if (!isPiece(a) || !isPiece(b) || a.isInner != b.isInner) return false;
   const ProfilePoint gap = a.isInner ? a.low - b.high : a.high - b.low;

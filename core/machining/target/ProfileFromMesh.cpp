@@ -17,7 +17,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kRingWidth = 1e-4;  // mm: points nearer than this in r and z are of one ring
+constexpr double kRingWidth = 1e-4;  // mm; points nearer than this in r and z belong to one ring
 constexpr double kRingGap = 1e-3;    // mm, between the ends of the outline's pieces
 
 struct Axis {
@@ -43,7 +43,7 @@ class NormalLines {
     m_solve = m_normals.completeOrthogonalDecomposition().solve(m_mixed.transpose());
   }
 
-  // The best line of a direction.
+  // Returns the best line of a direction.
   Axis along(const Vec3& direction) const {
     const Vec3 moment = -m_solve * direction;
     return {m_centre + direction.cross(moment), direction};
@@ -72,38 +72,38 @@ class MeshRings {
     for (std::size_t i = 0; i < soup.points.size(); ++i) {
       const Vec3 from = soup.points[i] - axis.point;
       const double x = from.dot(across), y = from.dot(third);
-      m_places.push_back({std::hypot(x, y), axis.direction.dot(soup.points[i]), std::atan2(y, x), i});
+      m_points.push_back({std::hypot(x, y), axis.direction.dot(soup.points[i]), std::atan2(y, x), i});
     }
-    std::sort(m_places.begin(), m_places.end(), [](const Place& a, const Place& b) { return a.z < b.z; });
-    split(0, m_places.size(), &Place::z, [this](std::size_t first, std::size_t last) {
-      // One height for all points of a flat: rounding would tilt it, and the end lose its width.
-      const double low = m_places[first].z, high = m_places[last - 1].z;
-      if (high - low <= kRingWidth) std::for_each(at(first), at(last), [&](Place& p) { p.z = 0.5 * (low + high); });
-      std::sort(at(first), at(last), [](const Place& a, const Place& b) { return a.r < b.r; });
-      split(first, last, &Place::r, [this](std::size_t f, std::size_t l) { addRing(f, l); });
+    std::sort(m_points.begin(), m_points.end(), [](const MeshPoint& a, const MeshPoint& b) { return a.z < b.z; });
+    split(0, m_points.size(), &MeshPoint::z, [this](std::size_t first, std::size_t last) {
+      // All points of a flat get one height: rounding would tilt it, and the end would lose its width.
+      const double low = m_points[first].z, high = m_points[last - 1].z;
+      if (high - low <= kRingWidth) std::for_each(at(first), at(last), [&](MeshPoint& p) { p.z = 0.5 * (low + high); });
+      std::sort(at(first), at(last), [](const MeshPoint& a, const MeshPoint& b) { return a.r < b.r; });
+      split(first, last, &MeshPoint::r, [this](std::size_t f, std::size_t l) { addRing(f, l); });
     });
   }
 
   std::size_t ringOf(std::size_t point) const { return m_ring[point]; }
-  // From the lower to the higher, those of one height outwards.
+  // The rings from the lower to the higher, those of one height outwards.
   std::size_t count() const { return m_rings.size(); }
-  const ProfilePoint& place(std::size_t ring) const { return m_rings[ring]; }
-  // How far the widest gap of the ring leaves its circle by its chord, mm.
+  const ProfilePoint& ringPoint(std::size_t ring) const { return m_rings[ring]; }
+  // Returns the distance of the widest gap's chord from the circle of the ring, mm.
   double deviation(std::size_t ring) const { return m_deviations[ring]; }
   double largestRadius() const { return m_largest; }
 
  private:
-  struct Place {
+  struct MeshPoint {
     double r, z, angle;
     std::size_t point;
   };
-  std::vector<Place>::iterator at(std::size_t i) { return m_places.begin() + static_cast<std::ptrdiff_t>(i); }
+  std::vector<MeshPoint>::iterator at(std::size_t i) { return m_points.begin() + static_cast<std::ptrdiff_t>(i); }
 
   template <class Take>
-  void split(std::size_t first, std::size_t last, double Place::*by, const Take& take) {
+  void split(std::size_t first, std::size_t last, double MeshPoint::*by, const Take& take) {
     for (std::size_t begin = first; begin < last;) {
       std::size_t end = begin + 1;
-      while (end < last && m_places[end].*by - m_places[end - 1].*by <= kRingWidth) ++end;
+      while (end < last && m_points[end].*by - m_points[end - 1].*by <= kRingWidth) ++end;
       take(begin, end);
       begin = end;
     }
@@ -113,13 +113,13 @@ class MeshRings {
     ProfilePoint middle(0, 0);
     std::vector<double> angles;
     for (std::size_t i = first; i < last; ++i) {
-      middle += ProfilePoint(m_places[i].r, m_places[i].z) / static_cast<double>(last - first);
-      angles.push_back(m_places[i].angle);
-      m_ring[m_places[i].point] = m_rings.size();
+      middle += ProfilePoint(m_points[i].r, m_points[i].z) / static_cast<double>(last - first);
+      angles.push_back(m_points[i].angle);
+      m_ring[m_points[i].point] = m_rings.size();
     }
     if (middle.x() <= kRingWidth) middle.x() = 0.0;
     const auto [low, high] =
-        std::minmax_element(at(first), at(last), [](const Place& a, const Place& b) { return a.z < b.z; });
+        std::minmax_element(at(first), at(last), [](const MeshPoint& a, const MeshPoint& b) { return a.z < b.z; });
     middle.y() = std::clamp(middle.y(), low->z, high->z);  // the mean may be rounded beyond its points
     m_rings.push_back(middle);
     m_largest = std::max(m_largest, middle.x());
@@ -129,15 +129,15 @@ class MeshRings {
     m_deviations.push_back(middle.x() * (1.0 - std::cos(0.5 * std::min(gap, 2.0 * M_PI))));
   }
 
-  std::vector<Place> m_places;
+  std::vector<MeshPoint> m_points;
   std::vector<ProfilePoint> m_rings;
-  std::vector<std::size_t> m_ring;  // of each point
+  std::vector<std::size_t> m_ring;  // ring of each point
   std::vector<double> m_deviations;
   double m_largest = 0.0;
 };
 
-// The outline through the rings of a mesh, which is kept by reference. Points within a flat end or shoulder may lie as
-// they like: the flat is one line.
+// The outline through the rings of a mesh, which is kept by reference. Points within a flat end or shoulder may be
+// arbitrary: the flat is one line.
 class RingOutline {
  public:
   RingOutline(const TriangleSoup& soup, const MeshRings& rings)
@@ -150,7 +150,7 @@ class RingOutline {
     }
   }
 
-  // The largest of the rings of walls, mm. O(rings).
+  // Returns the largest deviation of the rings of walls, mm. O(rings).
   double deviation() const {
     double largest = 0.0;
     for (std::size_t i = 0; i < m_rings.count(); ++i)
@@ -158,7 +158,7 @@ class RingOutline {
     return largest;
   }
 
-  // O(n log n) of the triangles. Once.
+  // Returns the lines of the outline, once. O(n log n) of the triangles.
   std::vector<ProfileSegment> lines(const Axis& axis) && {
     std::set<std::pair<std::size_t, std::size_t>> joined, flat;
     for (const Triangle& t : m_soup.triangles) {
@@ -170,16 +170,16 @@ class RingOutline {
       }
       if (isFlatTriangle && isAcross(axis, m_soup, t)) m_acrossAxis.insert(m_rings.ringOf(t[0]));
     }
-    for (const auto& [a, b] : joined) add(m_rings.place(a), m_rings.place(b));
+    for (const auto& [a, b] : joined) add(m_rings.ringPoint(a), m_rings.ringPoint(b));
     addFlats(flat);
     return std::move(m_lines);
   }
 
  private:
   bool isFlat(std::size_t a, std::size_t b) const {
-    return std::abs(m_rings.place(a).y() - m_rings.place(b).y()) <= kRingWidth;
+    return std::abs(m_rings.ringPoint(a).y() - m_rings.ringPoint(b).y()) <= kRingWidth;
   }
-  // Whether the axis goes through a triangle.
+  // Returns true if the axis goes through a triangle.
   static bool isAcross(const Axis& axis, const TriangleSoup& soup, const Triangle& t) {
     int left = 0, right = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -203,14 +203,14 @@ class RingOutline {
       while (++edge != edges.end() && goesOn()) outer = std::max(outer, edge->second);
       const auto across = m_acrossAxis.lower_bound(inner);
       const bool isDisc = across != m_acrossAxis.end() && *across <= outer;
-      const ProfilePoint& from = m_rings.place(inner);
-      add(isDisc ? ProfilePoint(0.0, from.y()) : from, m_rings.place(outer));
+      const ProfilePoint& from = m_rings.ringPoint(inner);
+      add(isDisc ? ProfilePoint(0.0, from.y()) : from, m_rings.ringPoint(outer));
     }
   }
 
   const TriangleSoup& m_soup;
   const MeshRings& m_rings;
-  std::vector<bool> m_hasWall;         // for each ring, whether it bounds a face that is not flat
+  std::vector<bool> m_hasWall;         // true for each ring that bounds a face that is not flat
   std::set<std::size_t> m_acrossAxis;  // rings of flat triangles that the axis goes through
   std::vector<ProfileSegment> m_lines;
 };
@@ -222,7 +222,7 @@ double turnedMeshTolerance(double radius) {
   return std::max(kLeast, kShare * radius);
 }
 
-// Directions of the coordinates go first: a ball has many axes.
+// Directions of the coordinates come first: a ball has many axes.
 Result<ProfileFromMesh> profileFromMesh(const TriangleSoup& soup, Progress progress) {
   if (soup.triangles.empty()) return Error{TargetError::NoAxis, {}, {}, {}};
   const NormalLines lines(soup);

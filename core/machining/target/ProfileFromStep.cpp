@@ -18,7 +18,7 @@ namespace handwheel {
 namespace {
 
 constexpr const char* kLibrary = "Open CASCADE";
-constexpr double kTolerance = 1e-4;  // mm, of arcs in place of other curves
+constexpr double kTolerance = 1e-4;  // mm, tolerance of arcs that replace other curves
 constexpr double kEdgeGap = 2e-3;    // mm: faces meet within the tolerance of their file
 constexpr std::size_t kMostStepPoints = 1'000'000;
 constexpr std::array kKinds{"plane", "cylinder", "cone", "sphere", "torus", "spline", "extrusion", "surface"};
@@ -27,7 +27,7 @@ Error nonsense() {
   return {ErrorCode::LibraryFailed, {kLibrary, "its answer is not understood"}, {}, {}};
 }
 
-// Takes words and numbers of the answer.
+// Reads words and numbers of the answer.
 class Answer {
  public:
   explicit Answer(std::string_view text) : m_rest(text) {}
@@ -73,7 +73,7 @@ Error notTurned(Answer& answer) {
   return error;
 }
 
-// Adds the segments of one line; false where it is not understood.
+// Adds the segments of one line; returns false if it is not understood.
 bool addMeridian(Answer& answer, std::size_t& left, std::vector<ProfileSegment>& all) {
   const std::string_view word = answer.word();
   std::size_t count = word == "line" ? 2 : word == "arc" ? 3 : 0;
@@ -93,7 +93,7 @@ bool addMeridian(Answer& answer, std::size_t& left, std::vector<ProfileSegment>&
   return true;
 }
 
-// Left out: what is on the axis.
+// Pieces on the axis are left out.
 Result<TargetProfile> joined(std::vector<ProfileSegment> all, Progress progress) {
   for (ProfileSegment& s : all) {
     for (ProfilePoint* p : {&s.from, &s.to})

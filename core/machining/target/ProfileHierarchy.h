@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A hierarchy of boxes over the segments of a profile, in their order. It keeps no segments: each query is given those
-// that it was built from.
+// A hierarchy of boxes over the segments of a profile, in their order. It keeps no segments: each query gets those that
+// it was built from.
 class ProfileHierarchy {
  public:
   explicit ProfileHierarchy(std::span<const ProfileSegment> segments);
@@ -20,10 +20,11 @@ class ProfileHierarchy {
     ProfilePoint point{0, 0};
     double distance = 0.0;  // mm
   };
-  // O(log segments) for a profile that does not come back to where it was. There must be a segment.
+  // Returns the nearest segment. O(log segments) for a profile that does not return to its own neighbourhood. There
+  // must be a segment.
   Nearest nearest(std::span<const ProfileSegment> segments, const ProfilePoint& p) const;
 
-  // Calls visit(segment) for those whose boxes meet this one, until it returns false.
+  // Calls visit(segment) for the segments whose boxes meet this one, until it returns false.
   template <class Visit>
   void meeting(const ProfileBox& box, Visit visit) const {
     meetingBelow(0, 0, m_count, box, visit);

@@ -23,7 +23,7 @@ double cross(const ProfilePoint& a, const ProfilePoint& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Where the direction of an arc's points as seen from its centre is along +r, +z, -r, -z.
+// Directions of an arc's points from its centre: along +r, +z, -r, -z.
 constexpr std::array<std::array<double, 2>, 4> kExtremes{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 }  // namespace
@@ -43,7 +43,7 @@ double ProfileSegment::length() const {
   return std::abs(half) < 1e-6 ? chord : chord * half / std::sin(half);
 }
 
-// The chord from the start is turned against the whole one by half of the angle that is left; no radius is needed.
+// The chord from the start is turned against the whole chord by half of the remaining angle; no radius is needed.
 ProfilePoint ProfileSegment::at(double t) const {
   if (t <= 0.0) return from;
   if (t >= 1.0) return to;
@@ -68,10 +68,10 @@ ProfilePoint ProfileSegment::nearest(const ProfilePoint& p) const {
   const ProfilePoint outward = p - centre(), v = p - from, along = to - from, left(-along.y(), along.x());
   const double distance = outward.norm();
   const ProfilePoint nearEnd = v.squaredNorm() <= (p - to).squaredNorm() ? from : to;
-  if (!(distance > 0.0)) return nearEnd;  // all of it is as near
-  // Between the radii to both ends, by the tangents there, and how far from the circle, by the power of the point: both
-  // are exact however far the centre is.
-  const double cosine = 1.0 - bulge * bulge, sine = 2.0 * bulge;  // of half of the angle, times 1 + bulge²
+  if (!(distance > 0.0)) return nearEnd;  // all points are equally near
+  // The test is between the radii to both ends, by the tangents there; the distance from the circle is by the power of
+  // the point: both are exact for any distance of the centre.
+  const double cosine = 1.0 - bulge * bulge, sine = 2.0 * bulge;  // for half of the angle, times 1 + bulge²
   const bool isPastStart = v.dot(cosine * along - sine * left) >= 0.0;
   const bool isBeforeEnd = (p - to).dot(cosine * along + sine * left) <= 0.0;
   const bool isBeside = std::abs(bulge) <= 1.0 ? isPastStart && isBeforeEnd : isPastStart || isBeforeEnd;

@@ -17,7 +17,8 @@ double crossOf(const ProfilePoint& a, const ProfilePoint& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Where the lines of two segments meet; none where they are parallel to within a thousandth of a radian.
+// Returns the intersection of the lines of two segments; nothing if they are parallel to within a thousandth of a
+// radian.
 std::optional<ProfilePoint> lineMeeting(const ProfileSegment& a, const ProfileSegment& b) {
   constexpr double kParallel = 1e-3;
   const ProfilePoint u = a.direction(0.0), v = b.direction(0.0);
@@ -26,18 +27,18 @@ std::optional<ProfilePoint> lineMeeting(const ProfileSegment& a, const ProfileSe
   return ProfilePoint(a.from + u * (crossOf(b.from - a.from, v) / sine));
 }
 
-// A corner of an outline, and how it goes on from there.
+// A corner of an outline, and the shape of the next segment.
 struct Corner {
   ProfilePoint at;
   double fillet = 0.0;  // mm, radius of the arc that rounds it; 0: sharp
-  double bulge = 0.0;   // of the segment to the next corner
+  double bulge = 0.0;   // bulge of the segment to the next corner
 };
 
-// Arcs between two lines that they touch are fillets of the corner in which the lines meet: round ones, that go less
-// far along the lines than those are long.
+// An arc between two lines that it touches is the fillet of the corner in which the lines meet: a round arc, shorter
+// along the lines than those are long.
 std::optional<Corner> filletedCorner(const ProfileSegment& before, const ProfileSegment& arc,
                                      const ProfileSegment& after) {
-  constexpr double kTangent = 0.02;  // rad, as fitted arcs are off
+  constexpr double kTangent = 0.02;  // rad, error of fitted arcs
   if (!arc.isArc() || before.isArc() || after.isArc() || std::abs(arc.angle()) > 0.9 * M_PI) return std::nullopt;
   const auto touches = [](const ProfilePoint& a, const ProfilePoint& b) {
     return a.dot(b) > 0.0 && std::abs(crossOf(a, b)) < kTangent;
@@ -50,7 +51,7 @@ std::optional<Corner> filletedCorner(const ProfileSegment& before, const Profile
 }
 
 std::vector<Corner> cornersOf(const TargetProfile& target, double largestFillet) {
-  constexpr double kFitted = 1e-3;  // mm, as fitted radii are off
+  constexpr double kFitted = 1e-3;  // mm, error of fitted radii
   const auto segments = target.segments();
   const std::size_t count = segments.size();
   std::vector<Corner> corners;
@@ -62,7 +63,7 @@ std::vector<Corner> cornersOf(const TargetProfile& target, double largestFillet)
                             : std::nullopt;
     if (fillet) {
       corners.push_back(*fillet);
-      // The material is on the left: what turns right is hollow.
+      // The material is on the left: a right turn is concave.
       const bool isOfNose = largestFillet > 0.0 && fillet->fillet <= largestFillet + kFitted;
       if (segments[i].bulge < 0.0 && isOfNose) corners.back().fillet = 0.0;
     } else if (!isAfterFillet) {
@@ -79,7 +80,7 @@ double multiple(double value, double step) {
   return std::round(value / step) * step;
 }
 
-// The arc that rounds a corner between two others, or nothing: there is no room, or no corner.
+// Returns the arc that rounds a corner between two others, or nothing if there is no room, or no corner.
 std::optional<ProfileSegment> filletAt(const ProfilePoint& before, const Corner& corner, const ProfilePoint& after) {
   const ProfilePoint in = (corner.at - before).normalized(), out = (after - corner.at).normalized();
   const double turn = std::atan2(crossOf(in, out), in.dot(out));

@@ -18,7 +18,7 @@ bool isOn(const ProfileSegment& segment, const ProfilePoint& p, double slack) {
   return (segment.nearest(p) - p).norm() <= slack;
 }
 
-// At most two where curves meet, and the ends of both.
+// At most two intersections of the curves, and the ends of both.
 struct Candidates {
   std::array<ProfilePoint, 6> points;
   std::size_t count = 0;
@@ -56,7 +56,7 @@ void addLineCircle(const Support& line, const Support& circle, Candidates& found
 void addCircles(const Support& a, const Support& b, Candidates& found) {
   const ProfilePoint between = b.point - a.point;
   const double distance = between.norm();
-  if (!(distance > 1e-12 * (a.radius + b.radius))) return;  // concentric: only ends can tell
+  if (!(distance > 1e-12 * (a.radius + b.radius))) return;  // concentric: only the ends decide
   const double foot = 0.5 * (distance + (a.radius - b.radius) * (a.radius + b.radius) / distance);
   const double half = std::sqrt(std::max(0.0, (a.radius - foot) * (a.radius + foot)));
   const ProfilePoint along = between / distance, across(-along.y(), along.x());
@@ -64,7 +64,7 @@ void addCircles(const Support& a, const Support& b, Candidates& found) {
   found.add(a.point + foot * along + half * across);
 }
 
-// Where the curves behind two segments meet, and the ends of both, which tell of overlaps.
+// Returns the intersections of the curves behind two segments, and the ends of both, which reveal overlaps.
 Candidates candidates(const ProfileSegment& a, const ProfileSegment& b) {
   Candidates found;
   const Support s(a), t(b);
@@ -89,7 +89,7 @@ std::optional<ProfilePoint> meeting(const ProfileSegment& a, const ProfileSegmen
 }
 
 std::optional<ProfilePoint> meetingBeside(const ProfileSegment& first, const ProfileSegment& next, double slack) {
-  // Curves that part with nearly one tangent stay within the slack of one another for about its root.
+  // Curves that separate with nearly one tangent stay within the slack of one another for about its root.
   const double apart = std::max({first.length(), next.length(), 1.0});
   const double near = std::max(10.0 * slack, 4.0 * std::sqrt(slack * apart));
   const ProfilePoint shared = first.to;
@@ -97,7 +97,7 @@ std::optional<ProfilePoint> meetingBeside(const ProfileSegment& first, const Pro
     const bool isNear = (p - shared).norm() <= near;
     if (!isNear && isOn(first, p, slack) && isOn(next, p, slack)) return p;
   }
-  // One that turns back along the other.
+  // The next segment turns back along the first.
   const double ahead = std::min({near * 2.0, first.length(), next.length()});
   if (!(ahead > 0.0)) return std::nullopt;
   const ProfilePoint back = first.at(1.0 - ahead / first.length());

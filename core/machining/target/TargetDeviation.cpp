@@ -12,15 +12,15 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kFacePoints = 32;  // across a flat end
-constexpr std::size_t kPlacesPerPoll = 1024;
+constexpr int kFacePoints = 32;  // number of points across a flat end
+constexpr std::size_t kSamplesPerPoll = 1024;
 
 void note(TargetDeviation& deviation, double distance, const ProfilePoint& at) {
   if (distance > deviation.largestOver.distance) deviation.largestOver = {distance, at};
   if (distance < deviation.largestUnder.distance) deviation.largestUnder = {distance, at};
 }
 
-// Where the surfaces of a part are to be.
+// The nominal surfaces of a part.
 class Measured {
  public:
   explicit Measured(const TargetProfile& target) : m_target(target), m_sides(sidesOf(target)) {}
@@ -28,17 +28,17 @@ class Measured {
   double outside(const ProfilePoint& p) const { return m_sides ? m_sides->outside.distance(p) : m_target.distance(p); }
   double bore(const ProfilePoint& p) const {
     if (!m_sides) return m_target.distance(p);
-    double beyond = p.x();  // of the axis, where no bore is to be
+    double beyond = p.x();  // distance from the axis, if there should be no bore
     for (const TargetProfile& bore : m_sides->bores) beyond = std::min(beyond, bore.distance(p));
     return -beyond;
   }
-  // How deep within the material of the target the furthest point at a height is; not above zero.
+  // Returns the depth within the material of the target of the furthest point at a height; not above zero.
   double deepest(double z, double base) const {
-    constexpr int kPlaces = 16;
+    constexpr int kSamples = 16;
     const auto extent = m_target.extentAt(base + z);
     double least = 0.0;
-    for (int k = 0; extent && k <= kPlaces; ++k) {
-      const double r = std::lerp(extent->inner, extent->outer, static_cast<double>(k) / kPlaces);
+    for (int k = 0; extent && k <= kSamples; ++k) {
+      const double r = std::lerp(extent->inner, extent->outer, static_cast<double>(k) / kSamples);
       least = std::min(least, m_target.distance({r, base + z}));
     }
     return least;
@@ -69,7 +69,7 @@ TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& 
   };
   const auto isWithin = [&](double z) { return z >= range.from && z <= range.to; };
   for (std::size_t i = 0; i < part.size(); ++i) {
-    if (i % kPlacesPerPoll == 0) {
+    if (i % kSamplesPerPoll == 0) {
       if (progress.cancelled()) return deviation;
       progress.set(static_cast<double>(i) / static_cast<double>(part.size()));
     }
@@ -80,7 +80,7 @@ TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& 
       continue;
     }
     deviation.outer[i] = take(wanted.outside({r, base + z}), r, z);
-    // Where there is no bore, the axis tells whether there should be one.
+    // If there is no bore, the axis shows if there should be one.
     if (bore > 0.0) {
       deviation.inner[i] = take(wanted.bore({bore, base + z}), bore, z);
     } else {

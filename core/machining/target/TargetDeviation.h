@@ -12,36 +12,37 @@
 
 namespace handwheel {
 
-// How far the surface of a turned part is from its target. Above zero: material is left; below: too much was cut. mm.
+// The distance of the surface of a turned part from its target. Above zero: material is left; below: too much was cut.
+// mm.
 struct TargetDeviation {
-  struct Place {
+  struct Extreme {
     double distance = 0.0;
-    ProfilePoint at{0, 0};  // of the part, z in the target's coordinates
+    ProfilePoint at{0, 0};  // position on the part, z in the target's coordinates
   };
-  // Of each sample of the part in the range: its outer and its inner surface. NaN for an inner one where there is no
-  // bore, and for an outer one where neither part nor target has material.
+  // Deviations of the outer and the inner surface at each sample of the part in the range. NaN for an inner one if
+  // there is no bore, and for an outer one if neither part nor target has material.
   std::vector<double> outer, inner;
-  // The furthest of all, flat ends and missing bores included; 0 where nothing is over or under.
-  Place largestOver, largestUnder;
+  // The largest deviations, flat ends and missing bores included; 0 if nothing is over or under.
+  Extreme largestOver, largestUnder;
 
   double largest() const { return std::max(largestOver.distance, -largestUnder.distance); }
 };
 
-// All of a part, whatever its length.
+// The whole part, of any length.
 inline constexpr AxisRange kWholeAxis{-std::numeric_limits<double>::infinity(),
                                       std::numeric_limits<double>::infinity()};
 
-// The range of a part that is to become its target. It begins at the lower end of that: what the chuck holds behind it
-// is parted off, and no part of it, nor is the sample beside the step there. What stands over the other end has to go,
-// and counts. base: as below; from: mm, of the part, where it begins at the earliest.
+// Returns the range of a part that is to become its target. It begins at the lower end of the target: the material that
+// the chuck holds behind it is parted off, and does not count; neither does the sample beside the step there. Material
+// that stands over the other end has to be removed, and counts. base: as below; from: mm of the part, earliest begin.
 AxisRange rangeOfTarget(const TargetProfile& target, const TurnedProfile& part, double base,
                         double from = kWholeAxis.from);
 
-// Measures a part. base: mm, z of its lower end in the target's coordinates; range: of the part, above its lower end.
-// The outside of the part is measured from the outside of the target, and its bore from the bores, although the other
-// side of a thin wall is nearer; of a target that cannot be taken apart (sidesOf()) all from what is nearest. A bore
-// where there should be none is as much too little as it is wide. The result is incomplete when cancelled. O(samples ·
-// log segments).
+// Measures a part. base: mm, z of its lower end in the target's coordinates; range: range of the part, above its lower
+// end. The outside of the part is measured from the outside of the target, and its bore from the bores, although the
+// other side of a thin wall is nearer; if a target cannot be split (sidesOf()), everything is measured from the nearest
+// surface. A bore that should not exist counts as too much cut, by its width. The result is incomplete when cancelled.
+// O(samples · log segments).
 TargetDeviation deviationFrom(const TargetProfile& target, const TurnedProfile& part, double base,
                               Progress progress = {}, AxisRange range = kWholeAxis);
 

@@ -4,19 +4,19 @@
 
 #include "base/Error.h"
 
-// The codes of errors of target profiles. Places are in the coordinates of the profile, mm.
+// The error codes of target profiles. Positions are in the coordinates of the profile, mm.
 namespace handwheel::TargetError {
 
 extern const ErrorDescription CrossesAxis;      // {z}
 extern const ErrorDescription TouchesAxis;      // {z} other than at its ends
 extern const ErrorDescription CrossesItself;    // {r, z}
 extern const ErrorDescription NotJoined;        // {gap, r, z}
-extern const ErrorDescription NoArea;           // it encloses nothing
+extern const ErrorDescription NoArea;           // the outline has no area
 extern const ErrorDescription NoProfile;        // the file contains no line or arc
 extern const ErrorDescription SeveralProfiles;  // {count}
 extern const ErrorDescription BinaryDrawing;    // a DXF file of the binary variant
-extern const ErrorDescription AxisUnknown;      // of the drawing
-extern const ErrorDescription NoAxis;           // of a solid: nothing in it turns
+extern const ErrorDescription AxisUnknown;      // the drawing has no axis
+extern const ErrorDescription NoAxis;           // no face of the solid is of revolution
 extern const ErrorDescription NotTurned;        // {number of the face, kind of surface, x, y, z}
 extern const ErrorDescription TooIntricate;     // its pieces overlap too often to be checked
 extern const ErrorDescription MeshNotTurned;    // {deviation, tolerance}

@@ -29,12 +29,11 @@ ProfileBox boxOf(const std::vector<ProfileSegment>& segments) {
   return box;
 }
 
-// The places of an arc's circle at a height, as radii from that of its start; the same twice where it is touched.
-//
-// With the chord d from the start and the bulge b, a point v from the start is on the circle where
-// b (v·v − v·d) = ½ (1 − b²) v·left(d). Nothing in that is large for a flat arc, whose centre is far away.
+// Returns the points of an arc's circle at a height, as radii from that of its start; twice the same if the height
+// touches it. With the chord d from the start and the bulge b, a point v from the start is on the circle if b (v·v −
+// v·d) = ½ (1 − b²) v·left(d). No term of that is large for a flat arc, whose centre is far away.
 std::optional<std::array<double, 2>> radiiOfCircle(const ProfileSegment& arc, double z) {
-  constexpr double kTouching = 1e-14;  // of the discriminant, by rounding
+  constexpr double kTouching = 1e-14;  // relative discriminant, by rounding
   const ProfilePoint d = arc.to - arc.from;
   const double up = z - arc.from.y(), b = arc.bulge, half = 0.5 * (1.0 - b * b);
   const double linear = half * d.y() - b * d.x(), constant = b * up * (up - d.y()) - half * up * d.x();
@@ -45,12 +44,12 @@ std::optional<std::array<double, 2>> radiiOfCircle(const ProfileSegment& arc, do
   return q == 0.0 ? std::array{0.0, 0.0} : std::array{q / b, constant / q};
 }
 
-// Whether a point on an arc's circle is on the arc. v: from its start.
+// Returns true if a point on an arc's circle is on the arc. v: from its start.
 bool isOnArc(const ProfileSegment& arc, const ProfilePoint& v) {
-  constexpr double kRounding = 1e-12;  // of the chord
+  constexpr double kRounding = 1e-12;  // share of the chord
   const ProfilePoint d = arc.to - arc.from;
   const double whole = d.squaredNorm(), along = v.dot(d), aside = crossed(d, v);
-  // Of an arc of half a circle at most, beside its chord and not across the circle; else of the rest of the circle.
+  // For an arc of half a circle at most: beside its chord and not across the circle; else on the rest of the circle.
   const bool isMinor = std::abs(arc.bulge) <= 1.0;
   const double bulge = isMinor ? arc.bulge : -1.0 / arc.bulge, slack = isMinor ? kRounding : -kRounding;
   const bool isBeside = along >= -slack * whole && along <= (1.0 + slack) * whole;
@@ -73,7 +72,7 @@ void extendAt(const ProfileSegment& segment, double z, double& least, double& la
   }
   const auto radii = radiiOfCircle(segment, z);
   if (!radii) {
-    // Its lowest or highest place, beside which it passes by rounding.
+    // Its lowest or highest point, which the height misses by rounding.
     const ProfileBox box = segment.box();
     if (z == box.min().y() || z == box.max().y()) take(segment.centre().x());
     return;
@@ -97,8 +96,8 @@ Result<TargetProfile> TargetProfile::make(std::vector<ProfileSegment> segments, 
   return TargetProfile(std::move(outline->segments), outline->isClosed);
 }
 
-// A point whose nearest one is a corner is outside where the material is less than half of what is around it. On the
-// axis the outline goes on as its mirror image.
+// A point whose nearest point is a corner is outside if the material fills less than half of the surroundings. On the
+// axis the outline continues as its mirror image.
 bool TargetProfile::isOutsideOfCorner(std::size_t segment, bool atEnd, const ProfilePoint& p) const {
   const auto& all = m_outline->segments;
   const std::size_t before = atEnd ? segment : segment + all.size() - 1, after = atEnd ? segment + 1 : segment;
@@ -155,7 +154,7 @@ TargetProfile TargetProfile::moved(double dz) const {
   return TargetProfile(std::move(all), m_outline->isClosed);
 }
 
-// Reflected, and walked the other way so that the material stays on the left: both reverse an arc, so it keeps its
+// Reflected, and traversed in reverse so that the material stays on the left: both reverse an arc, so it keeps its
 // bulge.
 TargetProfile TargetProfile::turnedEndForEnd() const {
   const double sum = lowerEnd() + upperEnd();

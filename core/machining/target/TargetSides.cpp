@@ -12,7 +12,8 @@ namespace {
 
 using SegmentList = std::vector<ProfileSegment>;
 
-// With arcs parted where they are highest and lowest, so that every extreme of z is the end of a segment.
+// Returns the segments with arcs split at their highest and lowest points, so that every extreme of z is the end of a
+// segment.
 SegmentList partedAtExtremes(std::span<const ProfileSegment> segments) {
   SegmentList all;
   for (const ProfileSegment& s : segments) {
@@ -34,20 +35,22 @@ SegmentList partedAtExtremes(std::span<const ProfileSegment> segments) {
   return all;
 }
 
-// The segment that begins at the highest, or lowest, place; of several the one nearest to the axis. The end of an open
-// outline comes after the last one.
+// Returns the segment that begins at the highest, or lowest, point; of several the one nearest to the axis. The end of
+// an open outline comes after the last one.
 std::size_t furthest(const SegmentList& all, bool isClosed, double up) {
   std::size_t best = 0;
-  const auto place = [&](std::size_t i) -> const ProfilePoint& { return i < all.size() ? all[i].from : all.back().to; };
+  const auto pointAt = [&](std::size_t i) -> const ProfilePoint& {
+    return i < all.size() ? all[i].from : all.back().to;
+  };
   for (std::size_t i = 1; i < all.size() + (isClosed ? 0 : 1); ++i) {
-    const double rise = up * (place(i).y() - place(best).y());
+    const double rise = up * (pointAt(i).y() - pointAt(best).y());
     const bool isSame = std::abs(rise) <= TargetProfile::kJoin;
-    if (isSame ? place(i).x() < place(best).x() : rise > 0.0) best = i;
+    if (isSame ? pointAt(i).x() < pointAt(best).x() : rise > 0.0) best = i;
   }
   return best;
 }
 
-// From one place of the outline to another, round the end if it is closed.
+// Returns the segments from one point of the outline to another, round the end if it is closed.
 SegmentList between(const SegmentList& all, std::size_t from, std::size_t to) {
   SegmentList some;
   for (std::size_t i = from; i != to; i = i + 1 == all.size() && to < from ? 0 : i + 1) {
@@ -79,7 +82,7 @@ Result<TargetSides> sidesOf(const TargetProfile& part) {
     sides.bores.push_back(std::move(bore).value());
     return Done{};
   };
-  // Down the bore: through the part, or from the highest place to the axis and from the axis to the lowest one.
+  // Down the bore: through the part, or from the highest point to the axis and from the axis to the lowest one.
   std::vector<SegmentList> walls{between(all, high, part.isClosed() ? low : all.size())};
   if (!part.isClosed()) walls.push_back(between(all, 0, low));
   for (SegmentList& wall : walls) {

@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kInRing = 1e-6;  // mm: a row that is this near to a ring is in it
+constexpr double kInRing = 1e-6;  // mm; a row this near to a ring is in it
 
 // Heights of rows above the middle of a groove, within one pitch, rising: the edges of bottom and crest, three in each
 // rounding, and some between.
@@ -17,16 +17,16 @@ std::vector<double> rowsWithinPitch(const ThreadGroove& groove, double surface) 
   const ThreadCut& cut = groove.cut();
   const double half = 0.5 * cut.pitch, nose = groove.noseRadius();
   const double height = std::max(0.0, std::abs(surface - groove.deepest()));
-  std::vector<double> places{0.0, 0.5 * cut.flat, cut.distanceAt(height, nose), half};
+  std::vector<double> distances{0.0, 0.5 * cut.flat, cut.distanceAt(height, nose), half};
   const double rounding = nose * std::cos(0.5 * cut.angle);
-  for (const double share : {0.25, 0.5, 0.75, 1.0}) places.push_back(0.5 * cut.flat + share * rounding);
-  for (int k = 1; k < 8; ++k) places.push_back(half * k / 8.0);
-  std::sort(places.begin(), places.end());
+  for (const double share : {0.25, 0.5, 0.75, 1.0}) distances.push_back(0.5 * cut.flat + share * rounding);
+  for (int k = 1; k < 8; ++k) distances.push_back(half * k / 8.0);
+  std::sort(distances.begin(), distances.end());
   const double least = 1e-3 * cut.pitch;
   std::vector<double> rows;
-  for (const double place : places) {
-    if (place > half - least && place != half) continue;
-    if (rows.empty() || place > rows.back() + least) rows.push_back(place);
+  for (const double distance : distances) {
+    if (distance > half - least && distance != half) continue;
+    if (rows.empty() || distance > rows.back() + least) rows.push_back(distance);
   }
   for (std::size_t i = rows.size() - 1; i-- > 1;) rows.push_back(-rows[i]);
   std::sort(rows.begin(), rows.end());
@@ -66,7 +66,7 @@ class HelicalBand {
            m_rows[static_cast<std::size_t>(row - groove * count)] + m_groove.cut().rise() * turn;
   }
 
-  // The first row that is above a height.
+  // Returns the first row above a height.
   std::int64_t rowAbove(std::uint32_t column, double z) const {
     const double grooves = (z - height(column, 0)) / m_groove.cut().pitch;
     auto row = static_cast<std::int64_t>(std::floor(grooves) - 1.0) * static_cast<std::int64_t>(m_rows.size());
@@ -102,7 +102,7 @@ class HelicalBand {
     m_soup.triangles.push_back({a, b, c});
   }
 
-  // The strip from a column to the next. After the last comes the first, a turn higher up the helix.
+  // Adds the strip from a column to the next. After the last comes the first, a turn higher up the helix.
   void join(std::uint32_t column) {
     const bool isLast = column + 1 == m_columns;
     const std::uint32_t next = isLast ? 0 : column + 1;

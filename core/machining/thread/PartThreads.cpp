@@ -55,16 +55,16 @@ double PartThreads::radius(TurningSide side, double radius, double otherSide, do
     if (z < groove.from() - reach || z > groove.to() + reach) continue;
     cut = side == TurningSide::Bore ? std::max(cut, groove.radius(z, angle)) : std::min(cut, groove.radius(z, angle));
   }
-  // Of the wall a hundredth stays; of one with threads on both sides half of it for each.
+  // A hundredth of the wall stays; with threads on both sides each may take half of the wall.
   const double left = m_isOutside && m_isBore ? 0.5 : 0.01;
   const double deepest = std::lerp(otherSide, radius, left);
   return side == TurningSide::Bore ? std::min(cut, deepest) : std::max(cut, deepest);
 }
 
-// The mean over a turn, by the rectangle rule, which is exact for what is periodic in the limit.
+// The mean over a turn, by the rectangle rule, which is exact for periodic functions in the limit.
 double PartThreads::volume(const TurnedProfile& profile) const {
   constexpr int kAngles = 32;
-  constexpr double kSteps = 96.0;  // along a pitch
+  constexpr double kSteps = 96.0;  // samples along a pitch
   double least = ThreadCut::kLargestPitch;
   for (const ThreadGroove& groove : m_grooves) least = std::min(least, groove.cut().pitch);
   const auto parts = std::max(1, static_cast<int>(std::ceil(profile.spacing() * kSteps / least)));

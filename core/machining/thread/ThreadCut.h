@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// The parameters of a thread that a pass cuts. The work turns in step with the tool, which leaves a groove between
-// straight flanks. The bottom of the groove is as wide as the flat, and rounded into the flanks with the radius of the
-// nose.
+// The parameters of a thread that a pass cuts. The work turns in step with the tool, and the tool leaves a groove
+// between straight flanks. The bottom of the groove is as wide as the flat, and rounded into the flanks with the radius
+// of the nose.
 struct ThreadCut {
   static constexpr double kLeastPitch = 0.05, kLargestPitch = 100.0;  // mm
   static constexpr double kLeastAngle = 0.01, kLargestAngle = 3.0;    // radian
@@ -17,41 +17,41 @@ struct ThreadCut {
   double pitch = 1.0;         // mm, from groove to groove along the axis
   int starts = 1;             // grooves side by side; each rises by pitch · starts in a turn
   bool isLeft = false;        // left-hand
-  double angle = M_PI / 3.0;  // radian, between the flanks
+  double angle = M_PI / 3.0;  // radian between the flanks
   double flat = 0.0;          // mm
   double offset = 0.0;        // mm, height of the middle of a groove in the half plane of +x
 
   double lead() const { return pitch * starts; }             // mm in a turn
   double rise() const { return isLeft ? -lead() : lead(); }  // mm in a turn about +z
-  bool isSound() const;                                      // all within the limits
+  bool isSound() const;                                      // true if all values are within the limits
   bool operator==(const ThreadCut&) const = default;
 
-  // The distance from the middle of the groove, along the axis, at which its edge is this high above the bottom; mm,
-  // not negative. The inverse of ThreadEdge::heightAt().
+  // Returns the distance from the middle of the groove, along the axis, at which its edge is this high above the
+  // bottom; mm, not negative. The inverse of ThreadEdge::heightAt().
   double distanceAt(double height, double noseRadius) const;
 };
 
-// The edge of a groove. It is the bottom, a circle of the nose's radius, and the flank, each tangent to the next. Keeps
-// the trigonometry for many heights.
+// The edge of a groove. It consists of the bottom, a circle of the nose's radius, and the flank, each tangent to the
+// next. It stores the trigonometry for many heights.
 class ThreadEdge {
  public:
   ThreadEdge(const ThreadCut& cut, double noseRadius);
 
-  // Above the bottom at this distance from the middle of the groove, along the axis; mm.
+  // Returns the height above the bottom at this distance from the middle of the groove, along the axis; mm.
   double heightAt(double distance) const;
 
  private:
   double m_halfFlat, m_nose;
-  double m_tangent, m_atTangent;  // where the circle ends: beside the flat, and above the bottom
+  double m_tangent, m_atTangent;  // end of the circle: beside the flat, and above the bottom
   double m_slope;                 // tan of half the angle
 };
 
-// The ISO metric profile (ISO 68-1, with the rounded root of ISO 965-1, R = H/6): a groove of this depth, with this
-// radius of the nose, leaves a crest of P/8 and the thread's nominal pitch diameter. mm.
+// Depth of the ISO metric profile, mm (ISO 68-1, with the rounded root of ISO 965-1, R = H/6): a groove of this depth,
+// with the nose of isoMetricNose(), leaves a crest of P/8 and the thread's nominal pitch diameter.
 inline double isoMetricDepth(double pitch) {
   return 17.0 / 24.0 * std::sqrt(3.0) / 2.0 * pitch;
 }
-inline double isoMetricInnerDepth(double pitch) {  // of a nut, with a flat root of P/8
+inline double isoMetricInnerDepth(double pitch) {  // depth of a nut's thread, with a flat root of P/8
   return 5.0 / 16.0 * std::sqrt(3.0) * pitch;
 }
 inline double isoMetricNose(double pitch) {

@@ -11,15 +11,16 @@ namespace handwheel {
 namespace {
 
 constexpr double kSameAngle = 0.01;  // rad
-constexpr double kRounding = 0.01;   // mm, of what is measured
+constexpr double kRounding = 0.01;   // mm, rounding of measurements
 
-// ISO 261, first and second choice, mm.
+// Nominal diameters of ISO 261, first and second choice, mm.
 constexpr std::array kNominal{1.0,  1.1,  1.2,  1.4,  1.6,  1.8,  2.0,  2.2,  2.5,  3.0,  3.5,  4.0,  4.5,
                               5.0,  6.0,  7.0,  8.0,  10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 24.0, 27.0,
                               30.0, 33.0, 36.0, 39.0, 42.0, 45.0, 48.0, 52.0, 56.0, 60.0, 64.0, 68.0, 72.0,
                               76.0, 80.0, 85.0, 90.0, 95.0, 100., 105., 110., 115., 120., 125., 130., 140.};
 
-// How far a crest may be below the nominal diameter: deviation g and 1.6 times the grade 6 (ISO 965-1), mm.
+// Returns the largest distance of a crest below the nominal diameter: deviation g and 1.6 times the grade 6 (ISO
+// 965-1), mm.
 double crestTolerance(double pitch) {
   const double grade6 = 0.18 * std::cbrt(pitch * pitch) - 3.15e-3 / std::sqrt(pitch);
   return 0.015 + 0.011 * pitch + 1.6 * grade6;

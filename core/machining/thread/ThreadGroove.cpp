@@ -10,16 +10,16 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSameBottom = 1e-4;  // mm, of points that are left out of a recorded path
+constexpr double kSameBottom = 1e-4;  // mm; tolerance of points that are left out of a recorded path
 
-// From the middle of the nose, or the tip of a lathe's tool, to the bottom of the groove.
+// Returns the vector from the middle of the nose, or the tip of a lathe's tool, to the bottom of the groove.
 ProfilePoint toBottom(const TurningPass& pass) {
   const double away = pass.side == TurningSide::Bore ? pass.noseRadius : -pass.noseRadius;
   const ProfilePoint centre = pass.tool ? pass.tool->noseCentre() : ProfilePoint(0.0, 0.0);
   return centre + ProfilePoint(away, 0.0);
 }
 
-// The parts of a path that go one way along z, each rising.
+// Returns the parts of a path with one direction along z, each rising.
 std::vector<std::vector<ProfilePoint>> runsOf(const std::vector<ProfilePoint>& path, const ProfilePoint& shift) {
   std::vector<std::vector<ProfilePoint>> runs;
   int direction = 0;
@@ -46,7 +46,7 @@ bool isStraight(const std::vector<ProfilePoint>& line, std::size_t from, std::si
 }
 
 std::vector<ProfilePoint> thinned(const std::vector<ProfilePoint>& line) {
-  constexpr std::size_t kLongest = 256;  // points, so that the search is short
+  constexpr std::size_t kLongest = 256;  // points; keeps the search short
   std::vector<ProfilePoint> kept{line.front()};
   std::size_t from = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -92,7 +92,7 @@ double ThreadGroove::bottomAt(double z) const {
   const ProfilePoint& end = next == m_bottom.end() ? m_bottom.back() : m_bottom.front();
   const double beyond = std::abs(z - end.y()), runOut = kRunOut * m_cut.lead();
   if (beyond > runOut) return m_side == TurningSide::Bore ? 0.0 : std::numeric_limits<double>::infinity();
-  const double rise = m_cut.pitch * beyond / runOut;  // by more than the height of any thread of 60°
+  const double rise = m_cut.pitch * beyond / runOut;  // exceeds the height of any thread of 60°
   return m_side == TurningSide::Bore ? end.x() - rise : end.x() + rise;
 }
 
@@ -129,7 +129,7 @@ bool ThreadGroove::isWithin(const ThreadGroove& other) const {
   const double apart = m_cut.offset - other.m_cut.offset;
   const double shift = apart - m_cut.pitch * std::round(apart / m_cut.pitch), aside = std::abs(shift);
   if (from() - shift < other.from() - aside - kShare || to() - shift > other.to() + aside + kShare) return false;
-  // Moved aside by no more than its flanks lie within those of the other one, all along.
+  // It is within if it is displaced by no more than its flanks lie within those of the other one, all along.
   const double out = m_side == TurningSide::Bore ? -1.0 : 1.0;
   const auto isBelow = [&](double bottom, double z) {
     const double beside = std::clamp(z - shift, other.from(), other.to());

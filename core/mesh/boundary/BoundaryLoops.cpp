@@ -20,11 +20,11 @@ struct ByPosition {
   }
 };
 
-// Cuts a closed chain wherever it comes back to a position, innermost pieces first.
+// Cuts a closed chain wherever it returns to a position, innermost pieces first.
 std::vector<std::vector<HalfEdge>> splitAtPinches(const HalfEdgeMesh& mesh, const std::vector<HalfEdge>& chain) {
   std::vector<std::vector<HalfEdge>> pieces;
   std::vector<HalfEdge> open;
-  std::map<Vec3, std::size_t, ByPosition> at;  // where the open chain leaves each position
+  std::map<Vec3, std::size_t, ByPosition> at;  // index in the open chain of each start position
   for (HalfEdge h : chain) {
     at[mesh.position(mesh.from(h))] = open.size();
     open.push_back(h);

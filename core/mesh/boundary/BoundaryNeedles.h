@@ -9,9 +9,9 @@
 namespace handwheel {
 
 // Finds the needles along boundary loops. A needle is a face with two open edges, one of them shorter than the reach
-// in mm, of nearWeldReach(), and than tolerance::kNearWeldEdge of the other. Without it the opening grows by less than
-// the reach and no vertex moves. With it there is often no patch: the best ones double its third edge or intersect it.
-// O(edges of the loops).
+// (mm, from nearWeldReach()) and than tolerance::kNearWeldEdge times the other. Removing it widens the opening by less
+// than the reach and moves no vertex. If it stays, patches often fail: the best ones double its third edge or intersect
+// it. O(edges of the loops).
 std::vector<Face> findBoundaryNeedles(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, double reach);
 
 }  // namespace handwheel

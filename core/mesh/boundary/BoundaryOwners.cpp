@@ -15,7 +15,7 @@ BoundaryOwners::BoundaryOwners(const HalfEdgeMesh& mesh, const std::vector<Bound
   for (const BoundaryLoop& loop : loops) {
     for (HalfEdge h : loop.halfEdges) {
       m_byFace.emplace(faceKey(mesh, h), loop.id);
-      m_byPlace.emplace(positionKey(mesh, h), loop.id);
+      m_byPosition.emplace(positionKey(mesh, h), loop.id);
     }
   }
 }
@@ -25,7 +25,7 @@ std::set<int> BoundaryOwners::of(const HalfEdgeMesh& mesh, const BoundaryLoop& l
   for (HalfEdge h : loop.halfEdges) {
     if (const auto at = m_byFace.find(faceKey(mesh, h)); at != m_byFace.end()) {
       ids.insert(at->second);
-    } else if (const auto there = m_byPlace.find(positionKey(mesh, h)); there != m_byPlace.end()) {
+    } else if (const auto there = m_byPosition.find(positionKey(mesh, h)); there != m_byPosition.end()) {
       ids.insert(there->second);
     }
   }

@@ -18,12 +18,12 @@ class BoundaryOwners {
  public:
   BoundaryOwners(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops);
 
-  // The loops of the original mesh along which this loop of a later version runs; sorted.
+  // Returns the sorted ids of the original loops along which a loop of a later version runs.
   std::set<int> of(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const;
 
  private:
   std::map<std::pair<Face, Vertex>, int> m_byFace;
-  std::map<EdgeKey, int> m_byPlace;
+  std::map<EdgeKey, int> m_byPosition;
 };
 
 }  // namespace handwheel

@@ -15,13 +15,13 @@ inline constexpr double kBoundaryPickRadius = 12.0;
 
 // A point of a boundary loop.
 struct BoundaryPoint {
-  std::size_t loop = 0;  // in the list
-  HalfEdge at = kNone;   // the open half-edge that leaves it
+  std::size_t loop = 0;  // index in the list
+  HalfEdge at = kNone;   // the open half-edge that starts at the point
 };
 
 // Picks the boundary point that the pick ray passes nearest. It must be within the radius, and the surface must not
-// hide it. Points at the position "without" do not count. The loops are those of the mesh; the hierarchy may be of an
-// older version. O(points of the loops near by).
+// hide it. Points at the position "without" are ignored. The loops must belong to the mesh; the hierarchy may belong to
+// an older version. O(points of the nearby loops).
 std::optional<BoundaryPoint> pickBoundaryPoint(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
                                                const FaceHierarchy& faces, const PickRay& pickRay,
                                                const std::optional<Vec3>& without = {});

@@ -13,9 +13,10 @@ namespace handwheel {
 struct SmoothingOptions {
   static constexpr double kLongestWavelength = 100.0;
 
-  double wavelength = 8.0;  // in edges: shorter waves are removed, longer ones stay; below 2 only the spacing changes
-  bool evenly = true;       // spread the points evenly along the curve
-  NumberType numbers = NumberType::Float64;  // of the file, which must be able to hold the new positions
+  // Number of edges: shorter waves are removed, longer ones stay; below 2 only the spacing changes.
+  double wavelength = 8.0;
+  bool evenly = true;                        // spread the points evenly along the curve
+  NumberType numbers = NumberType::Float64;  // number type of the file; new positions are representable in it
 };
 
 // A vertex with its old and new position.
@@ -27,19 +28,19 @@ struct VertexMove {
 
 // The moves that smooth a boundary loop.
 struct SmoothedBoundary {
-  std::vector<VertexMove> moves;  // of the loop's vertices, those that move
+  std::vector<VertexMove> moves;  // one per loop vertex that moves
   std::size_t held = 0;           // vertices held back so that no face flips and nothing is torn apart
 };
 
 // Smooths a boundary loop by moving its vertices onto a closed smoothing spline (PeriodicSpline.h). An interpolating
 // spline keeps every tooth of a ragged edge; the smoothing one filters waves by their length, and preserves the loop's
-// size and place, where averaging neighbours would shrink it. A small loop keeps its shape: waves of a third of it or
-// longer stay. Where a boundary face would flip, lose its area or intersect another, its corners go less far; points
-// that other fans or seams share stay. near: of this very mesh. O(n log n).
+// size and position, whereas averaging neighbours would shrink it. A small loop keeps its shape: waves longer than a
+// third of it stay. Where a boundary face would flip, lose its area or intersect another, its corners move less; points
+// that other fans or seams share stay. near must be built from this mesh. O(n log n).
 SmoothedBoundary smoothBoundary(const FaceLocator& near, const BoundaryLoop& loop,
                                 const SmoothingOptions& options = {});
 
-// Applies vertex moves if every vertex is at its old position. False, and nothing changed, when one is not.
+// Applies vertex moves if every vertex is at its old position. Otherwise returns false and changes nothing.
 bool moveVertices(HalfEdgeMesh& mesh, const std::vector<VertexMove>& moves);
 
 }  // namespace handwheel

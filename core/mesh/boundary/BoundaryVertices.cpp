@@ -12,8 +12,8 @@
 namespace handwheel {
 namespace {
 
-// How far each vertex on an open boundary may move to another: a share of its longer boundary edge, so that fine detail
-// of a large model does not fall together.
+// Returns the largest distance that each vertex on an open boundary may move to another. It is a share of its longer
+// boundary edge, so that fine detail of a large model does not collapse.
 std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
   std::unordered_map<Vertex, double> reach;
   const double most = nearWeldReach(mesh, nearWeld);
@@ -23,7 +23,7 @@ std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh, double near
     const double length = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
     for (Vertex v : {mesh.from(h), mesh.to(h)}) {
       double& r = reach.try_emplace(v, 0.0).first->second;
-      // The longer edge counts: the shorter one may be what the file tore a vertex into.
+      // The longer edge counts: the shorter one may result from a vertex that the file split.
       r = std::max(r, std::min(most, tolerance::kNearWeldEdge * length));
     }
   }
@@ -56,12 +56,12 @@ BoundaryVertices::BoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<b
   std::erase_if(m_vertices, [&](Vertex v) { return v < without.size() && without[v]; });
 
   std::vector<Vec3> points;
-  std::vector<Triangle> places;
+  std::vector<Triangle> degenerate;
   for (std::uint32_t i = 0; i < m_vertices.size(); ++i) {
     points.push_back(mesh.position(m_vertices[i]));
-    places.push_back({i, i, i});
+    degenerate.push_back({i, i, i});
   }
-  m_places = TriangleHierarchy(points, places);
+  m_positions = TriangleHierarchy(points, degenerate);
 }
 
 VertexPairs nearBoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, double nearWeld,

@@ -16,7 +16,7 @@ struct Shift {
   Vertex from, onto;
 };
 
-// Moves vertices onto others, and pairs the boundaries that come to lie on each other.
+// Moves vertices onto others, and pairs the boundaries that coincide then.
 class Welding {
  public:
   Welding(const FaceLocator& near, std::vector<Shift> shifts)
@@ -42,7 +42,8 @@ class Welding {
     for (const Shift& s : m_shifts) {
       const Vec3 p = m_mesh.position(s.from);
       for (const HalfEdge h : m_near.leaving(p)) {
-        if (m_mesh.from(h) != s.from) return JoinProblem::NonManifoldVertex;  // it would be torn off what it touches
+        if (m_mesh.from(h) != s.from)
+          return JoinProblem::NonManifoldVertex;  // the vertex would be separated from what it touches
         faces.push_back(HalfEdgeMesh::face(h));
       }
     }
@@ -65,7 +66,7 @@ class Welding {
     return isFree ? JoinProblem::None : JoinProblem::Crosses;
   }
 
-  // The half-edges at the places that vertices were moved onto, as they are now.
+  // Returns the current half-edges at the positions that vertices were moved onto.
   std::vector<HalfEdge> around() const {
     std::vector<HalfEdge> all;
     const auto add = [&](Face f) {
@@ -80,7 +81,7 @@ class Welding {
     return all;
   }
 
-  // An edge that was full before is none of ours.
+  // An edge that already had two faces is unrelated.
   JoinProblem pair() {
     const std::vector<HalfEdge> all = around();
     std::map<EdgeKey, std::vector<HalfEdge>> edges;
@@ -97,7 +98,7 @@ class Welding {
     return unite(all);
   }
 
-  // Each fan gets one vertex; at the new places there must not be more of them than before.
+  // Each fan gets one vertex; the number of vertices at the new positions must not grow.
   JoinProblem unite(const std::vector<HalfEdge>& all) {
     for (const HalfEdge h : all) {
       const std::vector<HalfEdge> fan = m_mesh.fan(h);
@@ -124,7 +125,7 @@ class Welding {
   MovedFaces m_moved;
 };
 
-// A boundary edge shrinks to the place of one of its ends.
+// Shrinks a boundary edge to the position of one of its ends.
 BoundaryWeld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
   BoundaryWeld weld;
   const HalfEdgeMesh& mesh = near.mesh();
@@ -138,7 +139,7 @@ BoundaryWeld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
   std::sort(weld.changed.begin(), weld.changed.end());
   for (const Face f : weld.changed) {
     TrianglePoints t = mesh.points(f);
-    if (f == HalfEdgeMesh::face(h)) t.fill(onto);  // it goes
+    if (f == HalfEdgeMesh::face(h)) t.fill(onto);  // the face is removed
     std::replace(t.begin(), t.end(), from, onto);
     if (f != HalfEdgeMesh::face(h) && !mayBecome(mesh.points(f), t)) weld.problem = JoinProblem::FlippedFace;
     moved.faces.push_back(f);
@@ -167,8 +168,8 @@ BoundaryWeld weldBoundary(const FaceLocator& near, const BoundaryPair& ends) {
   // The neighbours that would meet: each with the one on the other side of the other point.
   std::vector<Shift> along = {{mesh.to(ends.a), mesh.from(previousOpen(mesh, ends.b))},
                               {mesh.from(previousOpen(mesh, ends.a)), mesh.to(ends.b)}};
-  const auto way = [&](const Shift& s) { return (mesh.position(s.onto) - mesh.position(s.from)).stableNorm(); };
-  if (way(along[1]) < way(along[0])) std::swap(along[0], along[1]);
+  const auto distance = [&](const Shift& s) { return (mesh.position(s.onto) - mesh.position(s.from)).stableNorm(); };
+  if (distance(along[1]) < distance(along[0])) std::swap(along[0], along[1]);
   for (const Shift& neighbour : along) {
     std::vector<Shift> shifts = {{v, w}};
     if (neighbour.from != neighbour.onto) shifts.push_back(neighbour);

@@ -11,8 +11,8 @@
 namespace handwheel {
 namespace {
 
-// Between 0 for a bad bridge and 1 for equilateral triangles in one plane with their neighbours. The new faces are the
-// last of the mesh.
+// Returns a score between 0 for a bad bridge and 1 for equilateral triangles coplanar with their neighbours. The new
+// faces must be the last of the mesh.
 double score(const HalfEdgeMesh& mesh, std::size_t count) {
   double worst = std::numeric_limits<double>::infinity(), bend = 1.0;
   const auto first = static_cast<Face>(mesh.faceSlots() - count);
@@ -27,8 +27,8 @@ double score(const HalfEdgeMesh& mesh, std::size_t count) {
   return worst * 0.5 * (1.0 + bend);
 }
 
-// The ways to lay two triangles along the line from one point to the other.
-std::vector<std::vector<Triangle>> ways(const HalfEdgeMesh& mesh, const BoundaryPair& ends) {
+// Returns the possible pairs of triangles along the line between the two points.
+std::vector<std::vector<Triangle>> candidatePairs(const HalfEdgeMesh& mesh, const BoundaryPair& ends) {
   const Vertex v = mesh.from(ends.a), w = mesh.from(ends.b);
   const Vertex afterV = mesh.to(ends.a), afterW = mesh.to(ends.b);
   const Vertex beforeV = mesh.from(previousOpen(mesh, ends.a)), beforeW = mesh.from(previousOpen(mesh, ends.b));
@@ -64,19 +64,19 @@ Bridge findBridge(const FaceLocator& near, const BoundaryPair& ends) {
   Bridge best{JoinProblem::SamePoint, {}};
   if (mesh.position(mesh.from(ends.a)) == mesh.position(mesh.from(ends.b))) return best;
   double bestScore = -1.0;
-  for (std::vector<Triangle>& way : ways(mesh, ends)) {
-    std::erase_if(way, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-    if (way.empty()) continue;
+  for (std::vector<Triangle>& pair : candidatePairs(mesh, ends)) {
+    std::erase_if(pair, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+    if (pair.empty()) continue;
     HalfEdgeMesh trial = mesh;
-    const JoinProblem problem = addFaces(trial, way, near);
+    const JoinProblem problem = addFaces(trial, pair, near);
     if (problem != JoinProblem::None) {
       if (best.triangles.empty()) best.problem = problem;
       continue;
     }
-    const double s = score(trial, way.size());
+    const double s = score(trial, pair.size());
     if (s <= bestScore) continue;
     bestScore = s;
-    best = {JoinProblem::None, std::move(way)};
+    best = {JoinProblem::None, std::move(pair)};
   }
   return best;
 }

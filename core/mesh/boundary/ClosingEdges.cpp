@@ -13,7 +13,7 @@
 namespace handwheel {
 namespace {
 
-// Where the vertices of the pairs move to. A chain of pairs moves onto its first vertex.
+// The target positions of the vertices of pairs. A chain of pairs moves onto its first vertex.
 class Goals {
  public:
   Goals(const HalfEdgeMesh& mesh, const VertexPairs& pairs) : m_mesh(mesh) {
@@ -24,7 +24,7 @@ class Goals {
     }
   }
 
-  PointKey placeOf(Vertex v) const {
+  PointKey positionOf(Vertex v) const {
     const auto move = m_moves.find(v);
     return positionKey(m_mesh.position(move == m_moves.end() ? v : move->second.goal));
   }
@@ -51,18 +51,18 @@ class EdgeEnd {
  public:
   void add(const HalfEdgeMesh& mesh, Vertex v) {
     m_vertices.push_back(v);
-    m_places.insert(positionKey(mesh.position(v)));
+    m_positions.insert(positionKey(mesh.position(v)));
   }
 
-  void collect(const Goals& goals, std::set<std::size_t>& pairs, std::vector<PointKey>& places) const {
-    places.insert(places.end(), m_places.begin(), m_places.end());
-    if (m_places.size() < 2) return;
+  void collect(const Goals& goals, std::set<std::size_t>& pairs, std::vector<PointKey>& positions) const {
+    positions.insert(positions.end(), m_positions.begin(), m_positions.end());
+    if (m_positions.size() < 2) return;
     for (const Vertex v : m_vertices) goals.collect(v, pairs);
   }
 
  private:
   std::vector<Vertex> m_vertices;
-  std::set<PointKey> m_places;
+  std::set<PointKey> m_positions;
 };
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPair
   DirectedEdges edges;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     if (!pollProgress(h, mesh.halfEdgeSlots(), progress.part(0.0, 0.7))) return {};
-    if (mesh.isBorder(h)) edges[{goals.placeOf(mesh.from(h)), goals.placeOf(mesh.to(h))}].push_back(h);
+    if (mesh.isBorder(h)) edges[{goals.positionOf(mesh.from(h)), goals.positionOf(mesh.to(h))}].push_back(h);
   }
   std::vector<ClosingEdge> closing;
   std::size_t seen = 0;
@@ -87,7 +87,7 @@ std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPair
     for (const HalfEdge h : backward->second) low.add(mesh, mesh.to(h)), high.add(mesh, mesh.from(h));
     ClosingEdge edge;
     std::set<std::size_t> moved;
-    for (const EdgeEnd& end : {low, high}) end.collect(goals, moved, edge.places);
+    for (const EdgeEnd& end : {low, high}) end.collect(goals, moved, edge.endPositions);
     if (moved.empty()) continue;
     edge.pairs.assign(moved.begin(), moved.end());
     closing.push_back(std::move(edge));
@@ -111,7 +111,7 @@ VertexPairs withPartners(const VertexPairs& chosen, const VertexPairs& pairs, co
   const auto others = [&](const ClosingEdge& edge) {
     return edge.pairs.size() - std::ranges::count_if(edge.pairs, isWanted);
   };
-  std::map<std::size_t, const ClosingEdge*> best;  // of each wanted pair, the edge that takes the fewest others
+  std::map<std::size_t, const ClosingEdge*> best;  // for each wanted pair, the edge that needs the fewest others
   for (const ClosingEdge& edge : edges) {
     for (const std::size_t i : edge.pairs) {
       if (!isWanted(i)) continue;

@@ -10,24 +10,25 @@ namespace handwheel {
 
 // Open edges that become one when near vertices are merged.
 struct ClosingEdge {
-  std::vector<std::size_t> pairs;  // that have to be merged for it, by index, rising
-  std::vector<PointKey> places;    // of the ends of the open edges
+  std::vector<std::size_t> pairs;      // indices of the pairs to merge for it, ascending
+  std::vector<PointKey> endPositions;  // positions of the ends of the open edges
 };
 
-// The edges that close when the second vertex of each pair moves onto the first. A pair that is in none of them only
-// touches (two parts that meet in a vertex, or that were separated there), or is the two ends of a short border edge.
-// Shrinking that edge to a point would move the surface, perhaps across what lies beside it, and join nothing. pairs:
-// as nearBoundaryVertices() returns them. O(n log n) for the border. The result is invalid if cancelled.
+// Finds the edges that close when the second vertex of each pair moves onto the first. A pair in none of them only
+// touches (two parts that meet in a vertex, or that were separated there), or consists of the two ends of a short
+// border edge. Shrinking that edge to a point would move the surface, perhaps across nearby faces, and join nothing.
+// pairs must come from nearBoundaryVertices(). O(n log n) for the border. The result is invalid if cancelled.
 std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPairs& pairs, Progress progress = {});
 
-// The pairs that are in one of these edges.
+// Returns the pairs that one of these edges needs.
 VertexPairs closingPairs(const VertexPairs& pairs, const std::vector<ClosingEdge>& edges);
 
-// These pairs, and with each that closes no edge without others those of one edge that they close together.
+// Extends chosen pairs so that each closes an edge. A pair that closes no edge alone is completed by the other pairs of
+// one of its edges.
 VertexPairs withPartners(const VertexPairs& chosen, const VertexPairs& pairs, const std::vector<ClosingEdge>& edges);
 
-// The edges in connected runs: those that share a pair, each next to one that is before it. What closes only together
-// is in one run.
+// Groups edges that share pairs into connected runs. In a run, each edge after the first is connected with an earlier
+// one. Edges that only close together are in one run.
 std::vector<std::vector<ClosingEdge>> connectedRuns(std::vector<ClosingEdge> edges, std::size_t pairs);
 
 }  // namespace handwheel

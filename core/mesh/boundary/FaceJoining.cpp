@@ -9,14 +9,14 @@
 namespace handwheel {
 namespace {
 
-// The half-edges of the mesh from one position to another.
+// Returns the half-edges of the mesh from one position to another.
 std::vector<HalfEdge> between(const FaceLocator& near, const Vec3& from, const Vec3& to) {
   std::vector<HalfEdge> result = near.leaving(from);
   std::erase_if(result, [&](HalfEdge h) { return near.mesh().position(near.mesh().to(h)) != to; });
   return result;
 }
 
-// One side of a new triangle, and what it is to be paired with.
+// A side of a new triangle with the half-edge to pair it with.
 struct Side {
   Vec3 from, to;
   HalfEdge opposite = static_cast<HalfEdge>(Open::Border);
@@ -51,25 +51,25 @@ class Joining {
   }
 
   JoinProblem findOpposites() {
-    bool isWrongWay = false;
+    bool isInconsistent = false;
     for (std::size_t i = 0; i < m_sides.size(); ++i) {
       Side& side = m_sides[i];
       const auto along = between(m_near, side.from, side.to), against = between(m_near, side.to, side.from);
       std::size_t others = along.size() + against.size();
       if (!against.empty()) side.opposite = against.front();
-      isWrongWay |= !along.empty();
+      isInconsistent |= !along.empty();
       for (std::size_t k = 0; k < m_sides.size(); ++k) {
         if (k == i) continue;
         const bool same = m_sides[k].from == side.from && m_sides[k].to == side.to;
         const bool turned = m_sides[k].from == side.to && m_sides[k].to == side.from;
         if (turned) side.opposite = m_first + static_cast<HalfEdge>(k);
-        isWrongWay |= same;
+        isInconsistent |= same;
         others += same || turned;
       }
       if (others > 1 || (against.size() == 1 && !m_mesh.isBorder(against.front()))) return JoinProblem::NonManifoldEdge;
       if (along.size() == 1 && !m_mesh.isBorder(along.front())) return JoinProblem::NonManifoldEdge;
     }
-    return isWrongWay ? JoinProblem::InconsistentOrientation : JoinProblem::None;
+    return isInconsistent ? JoinProblem::InconsistentOrientation : JoinProblem::None;
   }
 
   JoinProblem checkCrossings() {
@@ -86,7 +86,7 @@ class Joining {
     return JoinProblem::None;
   }
 
-  // An old fan lies in one new fan wholly, so any of its vertices serves for all of it.
+  // Each old fan is completely in one new fan, so any of its vertices represents it.
   JoinProblem join() {
     for (const Triangle& t : m_triangles) m_mesh.addFace(t);
     for (HalfEdge i = 0; i < m_sides.size(); ++i)

@@ -23,9 +23,9 @@ enum class JoinProblem {
 
 // Adds triangles over existing vertices to a mesh and joins their edges. Edges are paired with each other and with the
 // border half-edges at the same positions; where a border was pinched there, the fans that they join become one vertex.
-// The new faces are the last. Nothing changes unless the result is JoinProblem::None: what results is manifold where it
-// was, no edge has a third face, no new vertex is pinched, and no new face meets another in more than what they share.
-// near: of this very mesh. O(faces near by) with a hierarchy.
+// The new faces get the last numbers. Nothing changes unless the result is JoinProblem::None: then the mesh is as
+// manifold as before, no edge has a third face, no new vertex is pinched, and no new face meets another outside of
+// shared edges and vertices. near must be built from this mesh. O(nearby faces) with a hierarchy.
 JoinProblem addFaces(HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const FaceLocator& near);
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-// The loops around one line of sight, which appears at (0, 0).
+// The loops around one line of sight, which is projected to (0, 0).
 class LoopsInSight {
  public:
   LoopsInSight(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FaceHierarchy& faces,
@@ -57,7 +57,7 @@ class LoopsInSight {
     Vec3 point;
   };
 
-  // False for what lies wholly aside of the line of sight.
+  // Returns false for loops completely beside the line of sight.
   bool mayMatter(const BoundaryLoop& loop) const {
     const Vec3 middle = loop.box.center(), r = middle - m_pickRay.ray.origin;
     const double aside = (r - m_plane.forward() * r.dot(m_plane.forward())).norm();
@@ -75,27 +75,27 @@ class LoopsInSight {
     const std::size_t n = loop.halfEdges.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 &a = point(loop, i), &b = point(loop, (i + 1) % n);
-      const auto placeA = m_plane.place(a), placeB = m_plane.place(b);
-      if (!placeA || !placeB) continue;
-      const Vec2 along = *placeB - *placeA;
+      const auto projectedA = m_plane.projected(a), projectedB = m_plane.projected(b);
+      if (!projectedA || !projectedB) continue;
+      const Vec2 along = *projectedB - *projectedA;
       const double squared = along.squaredNorm();
-      const double t = squared > 0.0 ? std::clamp(-placeA->dot(along) / squared, 0.0, 1.0) : 0.0;
+      const double t = squared > 0.0 ? std::clamp(-projectedA->dot(along) / squared, 0.0, 1.0) : 0.0;
       // In perspective the nearer half of an edge appears longer.
       const double nearA = m_pickRay.eye ? m_plane.depth(a) : 1.0, nearB = m_pickRay.eye ? m_plane.depth(b) : 1.0;
       const Vec3 p = a + t * nearA / (t * nearA + (1.0 - t) * nearB) * (b - a);
-      const double apart = (*placeA + t * along).norm() * (m_pickRay.eye ? m_plane.depth(p) : 1.0);
+      const double apart = (*projectedA + t * along).norm() * (m_pickRay.eye ? m_plane.depth(p) : 1.0);
       if (const double pixels = apart / m_pickRay.pixelAt(p); pixels <= kHolePickRadius)
         near.push_back({at, pixels, p});
     }
   }
 
-  // Of the loop as it appears; none when the line of sight does not pass through it.
+  // Returns the projected area of the loop; nothing if the line of sight does not pass through it.
   std::optional<double> areaAround(const BoundaryLoop& loop) const {
     std::vector<Vec2> polygon;
     for (std::size_t i = 0; i < loop.halfEdges.size(); ++i) {
-      const auto place = m_plane.place(point(loop, i));
-      if (!place || !place->allFinite()) return std::nullopt;
-      polygon.push_back(*place);
+      const auto projected = m_plane.projected(point(loop, i));
+      if (!projected || !projected->allFinite()) return std::nullopt;
+      polygon.push_back(*projected);
     }
     if (!PointInPolygonTester(polygon).contains(Vec2::Zero())) return std::nullopt;
     double doubled = 0.0;

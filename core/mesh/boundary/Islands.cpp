@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostCountedLoops = 2000;  // each is compared with each
 
-constexpr double kBulge = 0.25;  // of the hole's width, above and below its points
+constexpr double kBulge = 0.25;  // tolerated height above and below the hole's points, as a share of its width
 
 // The space over and under a hole, within its outline.
 class HoleSpace {
@@ -36,7 +36,7 @@ class HoleSpace {
       const double height = (p - m_centre).dot(m_normal);
       m_low = std::min(m_low, height);
       m_high = std::max(m_high, height);
-      outline.push_back(place(p));
+      outline.push_back(projected(p));
       across.extend(outline.back());
     }
     const double bulge = kBulge * across.diagonal().norm();
@@ -48,11 +48,11 @@ class HoleSpace {
   bool contains(const Vec3& p) const {
     if (!m_outline) return false;
     const double height = (p - m_centre).dot(m_normal);
-    return height >= m_low && height <= m_high && m_outline->contains(place(p));
+    return height >= m_low && height <= m_high && m_outline->contains(projected(p));
   }
 
  private:
-  PointInPolygonTester::Vec2 place(const Vec3& p) const {
+  PointInPolygonTester::Vec2 projected(const Vec3& p) const {
     return {(p - m_centre).dot(m_right), (p - m_centre).dot(m_up)};
   }
 

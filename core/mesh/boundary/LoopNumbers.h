@@ -4,8 +4,8 @@
 
 namespace handwheel {
 
-// Counts boundary loops as people know them: "Hole 3". Holes and outer boundaries of open sheets are counted apart,
-// from 1, in the order of their ids; so a file has the same numbers in the window and on the command line.
+// Assigns the displayed numbers of boundary loops, as in "Hole 3". Holes and outer boundaries of open sheets are
+// counted separately, from 1, in the order of their ids, so the numbers agree in the window and on the command line.
 class LoopNumbers {
  public:
   int peek(bool isSheetBoundary) const { return (isSheetBoundary ? m_sheetBoundaries : m_holes) + 1; }

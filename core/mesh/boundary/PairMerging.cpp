@@ -14,7 +14,7 @@
 namespace handwheel {
 namespace {
 
-// What relink() would make of the edges at some places.
+// The openness that relink() would give the edges at some positions.
 struct Openness {
   std::size_t border = 0;
   std::size_t nonManifold = 0;  // edges, and the half-edges that find no partner there
@@ -37,18 +37,18 @@ class PairMerger {
     }
   }
 
-  // False, and nothing is changed, where that closes nothing, or harms an edge.
+  // Returns false, without a change, if that closes nothing or harms an edge.
   bool merge(std::span<const ClosingEdge> edges) {
     std::set<std::size_t> indices;
     for (const ClosingEdge& edge : edges) indices.insert(edge.pairs.begin(), edge.pairs.end());
-    std::set<PointKey> places;
+    std::set<PointKey> positions;
     std::vector<Move> moves;
     for (const std::size_t i : indices) {
       const auto& [first, second] = m_pairs[i];
-      for (const Vertex v : {first, second}) places.insert(positionKey(m_mesh.position(v)));
+      for (const Vertex v : {first, second}) positions.insert(positionKey(m_mesh.position(v)));
     }
-    const std::set<Face> faces = facesAt(places);
-    const Openness before = openness(faces, places);
+    const std::set<Face> faces = facesAt(positions);
+    const Openness before = openness(faces, positions);
     for (const std::size_t i : indices) {  // the first vertex of a chain is moved before the next follows it
       const auto& [first, second] = m_pairs[i];
       const Vec3 goal = m_mesh.position(first);
@@ -56,7 +56,7 @@ class PairMerger {
       moves.push_back({second, m_mesh.position(second)});
       m_mesh.setPosition(second, goal);
     }
-    if (!openness(faces, places).improvesOn(before)) {
+    if (!openness(faces, positions).improvesOn(before)) {
       for (const Move& move : moves) m_mesh.setPosition(move.vertex, move.from);
       return false;
     }
@@ -72,10 +72,10 @@ class PairMerger {
     Vec3 from;
   };
 
-  std::set<Face> facesAt(const std::set<PointKey>& places) const {
+  std::set<Face> facesAt(const std::set<PointKey>& positions) const {
     std::set<Face> faces;
-    for (const PointKey& place : places) {
-      const std::vector<Face>& at = m_facesAt.at(place);
+    for (const PointKey& position : positions) {
+      const std::vector<Face>& at = m_facesAt.at(position);
       faces.insert(at.begin(), at.end());
     }
     return faces;
@@ -86,15 +86,15 @@ class PairMerger {
     return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
   }
 
-  // Of the edges that have an end at one of these places; faces: all that have a corner there.
-  Openness openness(const std::set<Face>& faces, const std::set<PointKey>& places) const {
+  // Returns the openness of the edges with an end at one of these positions. faces are all faces with a corner there.
+  Openness openness(const std::set<Face>& faces, const std::set<PointKey>& positions) const {
     std::map<EdgeKey, std::pair<int, int>> edges;  // half-edges in each direction
     for (const Face f : faces) {
       if (hasShrunk(f)) continue;
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
         const PointKey from = positionKey(m_mesh.position(m_mesh.from(h)));
         const PointKey to = positionKey(m_mesh.position(m_mesh.to(h)));
-        if (!places.contains(from) && !places.contains(to)) continue;
+        if (!positions.contains(from) && !positions.contains(to)) continue;
         auto& [forward, backward] = edges[from < to ? EdgeKey{from, to} : EdgeKey{to, from}];
         ++(from < to ? forward : backward);
       }
@@ -109,7 +109,7 @@ class PairMerger {
     return open;
   }
 
-  // Notes that the vertex stays where it was moved to.
+  // Records that the vertex keeps its new position.
   void settle(const Move& move) {
     m_moved.push_back(move.vertex);
     std::vector<Face>& left = m_facesAt.at(positionKey(move.from));
@@ -127,7 +127,7 @@ class PairMerger {
   }
 
  public:
-  // Those that merging made an edge or a point of.
+  // Removes the faces that merging reduced to an edge or a point.
   void removeShrunk() {
     for (const Face f : m_gone) m_mesh.removeFace(f);
   }

@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// Merges near vertices wherever that closes open edges. No edge gets more than two faces by it. What closes only
-// together is merged together; a run of edges that must not be closed as a whole is tried by halves. Only the faces at
-// these vertices are looked at, so that O(m log m) suffices for m of them, however many must not be merged. Faces that
-// shrink to an edge are removed. The mesh must be relinked then. pairs: as nearBoundaryVertices() returns them. Returns
-// the vertices that were moved. When cancelled, some may be left.
+// Merges near vertices wherever that closes open edges. No edge gets more than two faces. Edges that only close
+// together are merged together; if a run of edges cannot be closed as a whole, its halves are tried. Only the faces at
+// these vertices are examined: O(m log m) for m of them. Faces that shrink to an edge are removed. The caller must
+// relink the mesh. pairs must come from nearBoundaryVertices(). Returns the vertices that were moved. If cancelled,
+// some pairs may remain.
 std::vector<Vertex> mergeClosingPairs(HalfEdgeMesh& mesh, const VertexPairs& pairs, Progress progress = {});
 
 }  // namespace handwheel

@@ -14,17 +14,17 @@
 namespace handwheel {
 namespace {
 
-constexpr double kNeck = 4.0;               // times as long along the loop as through space, at least
-constexpr double kDetour = 1.6;             // of the way along edges, against the straight line
-constexpr double kFacesPerEdge = 0.55;      // of a region, for each pair of edges around it
-constexpr std::size_t kLoopSamples = 3000;  // of the loop's points
-constexpr std::size_t kMostTries = 200;     // of necks, the narrowest first
-constexpr std::size_t kMostVisits = 4096;   // vertices on the search for one neck
+constexpr double kNeck = 4.0;               // least ratio of the length along the loop to the distance
+constexpr double kDetour = 1.6;             // largest ratio of the path along edges to the straight line
+constexpr double kFacesPerEdge = 0.55;      // faces of a region over the square of the edges around it
+constexpr std::size_t kLoopSamples = 3000;  // number of samples of the loop's points
+constexpr std::size_t kMostTries = 200;     // number of necks, the narrowest first
+constexpr std::size_t kMostVisits = 4096;   // vertices visited in the search for one neck
 
 struct Neck {
-  std::size_t from = 0, to = 0;  // places in the loop; the peninsula is between them, around the end if to < from
+  std::size_t from = 0, to = 0;  // indices in the loop; the peninsula is between them, across the end if to < from
   double apart = 0.0;            // mm
-  double ratio = 0.0;            // of the way along the loop to that
+  double ratio = 0.0;            // length along the loop divided by apart
 };
 
 class Peninsulas {
@@ -42,8 +42,8 @@ class Peninsulas {
       if (progress.cancelled() || tries == kMostTries) break;
       if (m_isTaken[neck.from] || m_isTaken[neck.to]) continue;
       ++tries;
-      const auto way = wayThrough(neck);
-      const auto region = way ? behind(neck, *way) : std::nullopt;
+      const auto path = pathThrough(neck);
+      const auto region = path ? behind(neck, *path) : std::nullopt;
       if (!region) continue;
       all.add(*region);
       for (std::size_t i = neck.from;; i = next(i)) {
@@ -62,7 +62,7 @@ class Peninsulas {
   Vertex vertex(std::size_t i) const { return m_mesh.from(m_loop[i]); }
   std::size_t edgesBetween(const Neck& n) const { return (n.to + size() - n.from) % size(); }
 
-  // From the border into the surface, beside point i: across the edges before and after it.
+  // Returns the direction from the border into the surface at point i, across the edges before and after it.
   Vec3 inward(std::size_t i) const {
     Vec3 sum = Vec3::Zero();
     for (const std::size_t k : {(i + size() - 1) % size(), i}) {
@@ -73,7 +73,7 @@ class Peninsulas {
     return sum;
   }
 
-  // For each point the narrowest neck that starts there, the narrowest of all first.
+  // Returns for each point the narrowest neck that starts there, sorted by narrowness.
   std::vector<Neck> candidates(Progress progress) const {
     const std::size_t stride = (size() + kLoopSamples - 1) / kLoopSamples;
     std::vector<Vec3> in;
@@ -96,12 +96,13 @@ class Peninsulas {
     return necks;
   }
 
-  // The shortest way along edges (Dijkstra), not along the peninsula's own border; as pairs of neighbours, either way.
-  std::optional<std::set<Edge>> wayThrough(const Neck& neck) const {
+  // Finds the shortest path along edges (Dijkstra), not along the peninsula's own border. Returns its edges, each with
+  // the smaller vertex first.
+  std::optional<std::set<Edge>> pathThrough(const Neck& neck) const {
     std::set<HalfEdge> border;
     for (std::size_t i = neck.from; i != neck.to; i = next(i)) border.insert(m_loop[i]);
     struct Reached {
-      double way;
+      double distance;
       Vertex before;
       HalfEdge leaving;
       bool isDone = false;
@@ -110,24 +111,24 @@ class Peninsulas {
     using Waiting = std::pair<double, Vertex>;
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
     const double longest = kDetour * neck.apart;
-    const auto reach = [&](Vertex v, Vertex before, HalfEdge leaving, double way) {
-      if (!(way <= longest)) return;
-      const auto [at, isNew] = reached.try_emplace(v, Reached{way, before, leaving});
-      if (!isNew && at->second.way <= way) return;
-      if (!isNew) at->second = {way, before, leaving};
-      waiting.emplace(way, v);
+    const auto reach = [&](Vertex v, Vertex before, HalfEdge leaving, double distance) {
+      if (!(distance <= longest)) return;
+      const auto [at, isNew] = reached.try_emplace(v, Reached{distance, before, leaving});
+      if (!isNew && at->second.distance <= distance) return;
+      if (!isNew) at->second = {distance, before, leaving};
+      waiting.emplace(distance, v);
     };
     const Vertex start = vertex(neck.from), goal = vertex(neck.to);
     reach(start, start, m_loop[neck.from], 0.0);
     for (std::size_t visits = 0; !waiting.empty() && visits < kMostVisits; ++visits) {
-      const auto [way, v] = waiting.top();
+      const auto [distance, v] = waiting.top();
       waiting.pop();
       if (v == goal) break;
       if (std::exchange(reached.at(v).isDone, true)) continue;
       for (const HalfEdge g : m_mesh.fan(reached.at(v).leaving)) {
         const HalfEdge back = HalfEdgeMesh::previous(g);
-        const auto length = [&, &way = way, &v = v](Vertex to) {
-          return way + (m_mesh.position(to) - m_mesh.position(v)).norm();
+        const auto length = [&, &distance = distance, &v = v](Vertex to) {
+          return distance + (m_mesh.position(to) - m_mesh.position(v)).norm();
         };
         if (!border.contains(g)) reach(m_mesh.to(g), v, HalfEdgeMesh::next(g), length(m_mesh.to(g)));
         if (!m_mesh.hasOpposite(back) && !border.contains(back))
@@ -140,9 +141,9 @@ class Peninsulas {
     return edges;
   }
 
-  // The faces on the peninsula's side of the way; none when it does not cut few off.
-  std::optional<FaceSelection> behind(const Neck& neck, const std::set<Edge>& way) const {
-    const auto around = static_cast<double>(edgesBetween(neck) + way.size());
+  // Returns the faces on the peninsula's side of the path; nothing if there are too many.
+  std::optional<FaceSelection> behind(const Neck& neck, const std::set<Edge>& path) const {
+    const auto around = static_cast<double>(edgesBetween(neck) + path.size());
     const auto most = static_cast<std::size_t>(kFacesPerEdge * around * around) + 4;
     FaceSelection region;
     std::vector<Face> waiting;
@@ -154,7 +155,7 @@ class Peninsulas {
       const Face f = waiting.back();
       waiting.pop_back();
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-        if (!m_mesh.hasOpposite(h) || way.contains(std::minmax(m_mesh.from(h), m_mesh.to(h)))) continue;
+        if (!m_mesh.hasOpposite(h) || path.contains(std::minmax(m_mesh.from(h), m_mesh.to(h)))) continue;
         take(HalfEdgeMesh::face(m_mesh.opposite(h)));
       }
     }

@@ -8,14 +8,14 @@
 namespace handwheel {
 
 // Finds the peninsulas of a hole: border regions connected by a narrow neck. The neck is a path along edges of the
-// surface between two points of the loop. It cuts a peninsula off when
-//  - the loop is at least four times as long between the points as they are apart, measured the shorter way around;
-//  - the path is no longer than 1.6 times the straight line, which starts into the surface at either end and not into
-//    the hole;
-//  - what is behind it has no more than three times the faces that n edges can surround: n²/π√3 equilateral ones, in a
+// surface between two points of the loop. It cuts off a peninsula if
+//  - the shorter part of the loop between the points is at least four times as long as their distance;
+//  - the path is at most 1.6 times as long as the straight line, which at both ends starts on the side of the surface,
+//    not of the hole;
+//  - the region behind it has at most three times as many faces as n edges can surround: n²/π√3 equilateral ones, in a
 //    flat disc.
-// The narrowest necks are taken first, and what one cuts off is not examined again. The result is invalid if cancelled.
-// O(n²) for n points, of which longer loops have a sample of 3,000.
+// The narrowest necks are processed first, and a region that one cuts off is not examined again. The result is invalid
+// if cancelled. O(n²) for n points; longer loops are sampled at 3,000 points.
 FaceSelection findPeninsulas(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, Progress progress = {});
 
 }  // namespace handwheel

@@ -14,24 +14,24 @@ namespace {
 struct Sheet {
   double area = 0.0;
   double volume = 0.0;             // between the shell and the centre of its longest loop
-  Vec3 areaVector = Vec3::Zero();  // the sum of area times normal: that of the loops' patches, whatever they are
+  Vec3 areaVector = Vec3::Zero();  // sum of area times normal, which equals that of any patches of the loops
   std::size_t faces = 0;
   std::size_t loops = 0;
   BoundaryLoop* longest = nullptr;
 
-  // The longest loop's length, squared, in areas of the shell: 4π for a flat disc, 2π for half a sphere.
+  // Squared length of the longest loop over the area of the shell: 4π for a flat disc, 2π for a hemisphere.
   double outline() const { return longest->length * longest->length / area; }
 
-  bool looksOneWay() const { return areaVector.norm() > tolerance::kOneWaySheet * area; }
+  bool facesOneDirection() const { return areaVector.norm() > tolerance::kSheetAreaVector * area; }
 
   bool isRagged() const { return outline() > tolerance::kRaggedOutline; }
 
-  // A disc of which every vertex is on the edge, as a flake of one or two triangles: it has nothing that a patch could
-  // enclose.
+  // Returns true for a disc with all vertices on the edge, such as a flake of one or two triangles. It has nothing that
+  // a patch could enclose.
   bool isAllEdge() const { return loops == 1 && faces + 2 == longest->halfEdges.size(); }
 
-  // A flat disc with the outline's length would be larger than the shell, and closed by a cone from the outline's
-  // centre the shell would hold little: a patch would be its second skin.
+  // Returns true if a flat disc with the outline's length would be larger than the shell, and a cone from the outline's
+  // centre would enclose little volume: a patch would be a second layer.
   bool isThin() const {
     return outline() > 4.0 * std::numbers::pi && std::abs(volume) < tolerance::kSheetVolume * std::pow(area, 1.5);
   }
@@ -70,7 +70,8 @@ void markSheetBoundaries(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& lo
     sheet.faces = shells[i].size();
     measure(mesh, shells[i], sheet);
     if (sheet.area > 0.0)
-      sheet.longest->isSheetBoundary = sheet.looksOneWay() || sheet.isThin() || sheet.isRagged() || sheet.isAllEdge();
+      sheet.longest->isSheetBoundary =
+          sheet.facesOneDirection() || sheet.isThin() || sheet.isRagged() || sheet.isAllEdge();
   }
 }
 

@@ -22,7 +22,7 @@ struct MeshOpenness {
   }
 };
 
-// Links the mesh anew.
+// Relinks the mesh.
 MeshOpenness relinked(HalfEdgeMesh& mesh, Progress progress) {
   const BuildReport report = relink(mesh, progress);
   MeshOpenness o;
@@ -31,12 +31,12 @@ MeshOpenness relinked(HalfEdgeMesh& mesh, Progress progress) {
   return o;
 }
 
-// A mesh, and what is known of it.
+// A mesh with its known properties.
 class Stitcher {
  public:
   explicit Stitcher(HalfEdgeMesh& mesh) : m_mesh(mesh) {}
 
-  // Links the trial anew, and keeps it where it is better.
+  // Relinks the trial, and keeps it if it is better.
   bool keepIfBetter(HalfEdgeMesh trial, Progress progress) {
     if (!m_openness) {
       HalfEdgeMesh unchanged = m_mesh;
@@ -54,22 +54,22 @@ class Stitcher {
   std::optional<MeshOpenness> m_openness;
 };
 
-// What closes once border edges are split at the vertices on them.
+// The edges that close after border edges are split at the vertices on them.
 struct SplitClosing {
   VertexPairs pairs;  // with vertices that only the split mesh has
   VertexPairs near;
   std::vector<ClosingEdge> edges;
 
-  // Of the ends of the edges that have one of these pairs.
-  std::set<PointKey> placesOf(const VertexPairs& chosen) const {
+  // Returns the end positions of the edges that need one of these pairs.
+  std::set<PointKey> endPositionsOf(const VertexPairs& chosen) const {
     const std::set<std::pair<Vertex, Vertex>> wanted(chosen.begin(), chosen.end());
-    std::set<PointKey> places;
+    std::set<PointKey> positions;
     for (const ClosingEdge& edge : edges) {
       const auto isWanted = [&](std::size_t i) { return wanted.contains(near[i]); };
       if (std::any_of(edge.pairs.begin(), edge.pairs.end(), isWanted))
-        places.insert(edge.places.begin(), edge.places.end());
+        positions.insert(edge.endPositions.begin(), edge.endPositions.end());
     }
-    return places;
+    return positions;
   }
 };
 
@@ -127,11 +127,11 @@ std::vector<bool> fixedBut(const HalfEdgeMesh& mesh, const VertexPairs& chosen, 
   const VertexPairs plain = closingPairs(near, edges);
   const std::set<std::pair<Vertex, Vertex>> known(plain.begin(), plain.end());
   if (std::all_of(chosen.begin(), chosen.end(), [&](const auto& pair) { return known.contains(pair); })) return fixed;
-  const std::set<PointKey> places = closingWhenSplit(mesh, nearWeld, progress.part(0.5, 1.0)).placesOf(chosen);
+  const std::set<PointKey> positions = closingWhenSplit(mesh, nearWeld, progress.part(0.5, 1.0)).endPositionsOf(chosen);
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     if (!mesh.isBorder(h)) continue;
     const Vertex from = mesh.from(h), to = mesh.to(h);
-    if (places.contains(positionKey(mesh.position(from))) || places.contains(positionKey(mesh.position(to))))
+    if (positions.contains(positionKey(mesh.position(from))) || positions.contains(positionKey(mesh.position(to))))
       free(from), free(to);  // an edge is split only where both of its ends are free
   }
   return fixed;

@@ -12,15 +12,15 @@
 namespace handwheel {
 namespace {
 
-// Edges are looked along in pieces no longer than this share of the diagonal.
+// Edges are searched in pieces no longer than this share of the diagonal.
 constexpr double kLongestPiece = 1.0 / 32.0;
 
 bool isInSet(const std::vector<bool>& set, Vertex v) {
   return v < set.size() && set[v];
 }
 
-// Splits a border edge at a place: its face (a b c) keeps (a m c), the new face is (m b c). Only what is border and
-// what is not stays true; the mesh must be relinked afterwards.
+// Splits a border edge at a point: its face (a b c) keeps (a m c), the new face is (m b c). Only the distinction
+// between border and inner edges stays valid; the mesh must be relinked afterwards.
 void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
   const HalfEdge hn = HalfEdgeMesh::next(h);
   const Vertex b = mesh.to(h), c = mesh.to(hn);
@@ -52,7 +52,7 @@ std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const Bou
     bestOffset = std::abs(t - 0.5);
     best = p;
   };
-  // In pieces: the box of a long slanting edge would hold much of the model.
+  // The edge is searched in pieces, because the box of a long slanting edge would contain much of the model.
   const auto pieces = static_cast<int>(std::ceil(length / (kLongestPiece * diagonal)));
   for (int i = 0; i < pieces; ++i) {
     const Vec3 begin = a + double(i) / pieces * d, end = a + double(i + 1) / pieces * d;

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// Splits border edges at border vertices that lie on them (T-junctions). That is within this share of the diagonal and
-// tolerance::kNearWeldEdge of the edge. Vertices in "fixed" are ignored; it may be shorter than the number of vertices.
-// The mesh must be relinked then: until then only what is border and what is not is true. Returns the number of splits.
-// When cancelled, some may be left.
+// Splits border edges at border vertices that lie on them (T-junctions). The distance must be within the share nearWeld
+// of the diagonal and within tolerance::kNearWeldEdge times the edge. Vertices in "fixed" are ignored; the list may be
+// shorter than the number of vertices. The caller must relink the mesh: until then, only the distinction between border
+// and inner edges is valid. Returns the number of splits. If cancelled, some may remain.
 std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld);
 
 }  // namespace handwheel

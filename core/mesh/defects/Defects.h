@@ -20,52 +20,53 @@ namespace handwheel {
 struct Component {
   std::size_t faceCount = 0;
   double area = 0.0;        // mm²
-  double volume = 0.0;      // mm³, negative where inside out; means nothing while the component is open
+  double volume = 0.0;      // mm³, negative if inside out; meaningless if the component is open
   bool debris = false;      // far smaller than the largest: a stray flake of the scan
-  std::vector<Face> faces;  // of debris only
+  std::vector<Face> faces;  // filled for debris only
 };
 
-// The defects of a mesh with their places. Self-intersections are searched separately (findSelfIntersections), because
-// that takes longer than the rest together.
+// The defects of a mesh with their locations. Self-intersections are searched separately (findSelfIntersections),
+// because that takes longer than all other checks together.
 struct Defects {
   std::vector<BoundaryLoop> loops;
   std::vector<std::pair<Vertex, Vertex>> nonManifoldEdges;  // end points; one entry per edge, by position
   std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
   // Edges whose two faces cannot be oriented consistently: the surface is non-orientable.
   std::vector<std::pair<Vertex, Vertex>> nonOrientableEdges;
-  // The fewest faces of each part to reverse so that neighbours agree. None as long as relink() makes the mesh.
+  // The smallest set of faces of each part to reverse so that neighbours agree. Empty for meshes made by relink().
   std::vector<Face> inconsistentFaces;
   std::vector<std::vector<Face>> insideOut;             // the faces of each body that is inside out
   std::vector<Face> degenerateFaces;                    // zero area
   std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
-  std::vector<std::pair<Vertex, Vertex>> nearVertices;  // as stitchablePairs()
+  std::vector<std::pair<Vertex, Vertex>> nearVertices;  // result of stitchablePairs()
   std::vector<Component> components;                    // largest area first
-  std::size_t nestedBodies = 0;                         // as findShellFaults()
-  Box box;                                              // of all live faces
+  std::size_t nestedBodies = 0;                         // result of findShellFaults()
+  Box box;                                              // bounding box of all live faces
 
-  // selfIntersectingPairs: absent when not known.
+  // selfIntersectingPairs: absent if unknown.
   MeshState state(std::optional<std::size_t> selfIntersectingPairs) const;
 };
 
-// Finds the connected components of the mesh, largest area first. Empty if cancelled.
+// Finds the connected components of the mesh, largest area first. Returns an empty list if cancelled.
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress = {});
 
 std::size_t countDebris(std::span<const Component> components);
 
-// Finds the inconsistent faces alone, as in Defects. Empty if cancelled.
+// Finds the inconsistent faces alone, as in Defects. Returns an empty list if cancelled.
 std::vector<Face> findInconsistentFaces(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Finds the defects of a mesh. nearWeld: the setting mesh.near_weld, as in RepairOptions. Incomplete if cancelled.
+// Finds the defects of a mesh. nearWeld is the setting mesh.near_weld, as in RepairOptions. The result is incomplete if
+// cancelled.
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
-// A mesh with its defects. Computed by a worker, so that the window need not do so.
+// A mesh with its defects. A worker computes it, so that the window does not block.
 struct InspectedMesh {
   HalfEdgeMesh mesh;
   std::shared_ptr<const Defects> defects;
 };
 InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
-// Finds the pairs of faces that intersect in more than a shared vertex or edge. Empty optional when cancelled.
+// Finds the pairs of faces that intersect in more than a shared vertex or edge. Returns nothing if cancelled.
 std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh,
                                                                         Progress progress = {});
 

@@ -14,7 +14,7 @@
 namespace handwheel {
 namespace {
 
-// Of two triangles over the same three positions: true when they look opposite ways.
+// Returns true if two triangles over the same three positions have opposite orientations.
 bool areOpposite(const Triangle& a, const Triangle& b) {
   const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
   return b[static_cast<std::size_t>((at + 1) % 3)] == a[2];
@@ -32,11 +32,11 @@ Edge edge(const Triangle& sorted, int k) {
   return std::minmax(sorted[k], sorted[(k + 1) % 3]);
 }
 
-// An edge of duplicates: how many groups meet there, and how many faces that have no duplicate.
+// An edge of duplicates with the numbers of its groups and of its faces without duplicates.
 struct Meeting {
   int groups = 0;
   int others = 0;
-  int forward = 0;  // of the others, those that run along it from the lower position, less those that run back
+  int forward = 0;  // number of others that run along it from the lower position, minus those in the reverse direction
   std::uint32_t firstGroup = 0;
 };
 
@@ -66,7 +66,7 @@ std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, con
   return meetings;
 }
 
-// For duplicates that hang together, the edges that would be open or crowded if none, one or two of each group stayed.
+// The numbers of edges of connected duplicates that would not have two faces if none, one or two of each group stayed.
 struct Choice {
   int bad[3] = {0, 0, 0};
   long open = 0;  // edges that one face of each group would leave open
@@ -80,7 +80,7 @@ struct Choice {
       const int n = m.others + keep * m.groups;
       bad[keep] += n != 0 && n != 2;
     }
-    // Two walls that run the same way are those of bodies that lie in one another, and do not continue each other.
+    // Two walls in the same direction belong to overlapping bodies and do not continue each other.
     bad[0] += m.others == 2 && m.forward != 0;
     open += m.others + m.groups == 1;
     bad[2] += m.others != 0;  // the two sides of a plate pair up whatever their number
@@ -100,7 +100,7 @@ struct Choice {
 std::vector<FaceGroup> equalFaces(std::span<const Triangle> triangles, const EdgeTable& edges, Progress progress) {
   std::vector<FaceGroup> groups;
   std::vector<std::pair<std::uint32_t, Face>> above;  // third corners beyond the edge's, with their faces
-  // A triangle is looked for at the edge between its two lowest positions.
+  // A triangle is searched at the edge between its two lowest positions.
   const auto collect = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
     above.clear();
     for (const EdgeTable::Entry& e : run) {

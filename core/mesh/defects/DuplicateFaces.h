@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The orientation of a triangle: whether its corners are an even permutation of ascending ones. Of triangles over the
-// same three positions, those with the same answer look the same way.
+// Returns true if the corners of a triangle are an even permutation of ascending ones. Triangles over the same three
+// positions with the same result have the same orientation.
 inline bool looksUp(const Triangle& t) {
   return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
 }
@@ -20,14 +20,15 @@ struct FaceGroup {
   std::vector<Face> faces;  // ascending
 };
 
-// Finds groups of faces with the same three positions, in order of the positions. edges: of these triangles. O(n). The
-// result is invalid if cancelled.
+// Finds groups of faces with the same three positions, in order of the positions. edges must be built from these
+// triangles. O(n). The result is invalid if cancelled.
 std::vector<FaceGroup> equalFaces(std::span<const Triangle> triangles, const EdgeTable& edges, Progress progress = {});
 
 // Removes faces that have the same three positions as another face. Connected duplicates are treated alike: one of each
-// stays, or none where the surface is closed without them (a wall inside a solid, a flap), or both where they are the
-// two sides of a plate, which is closed as it is. only: of groups with one of these faces; what stays of them is as
-// with all (null). Returns the number removed. Relinks when any was. The mesh is invalid if cancelled.
+// stays, or none if the surface is closed without them (a wall inside a solid, a flap), or both if they are the two
+// sides of a plate, which is already closed. only restricts the removal to groups that contain one of these faces;
+// null: all groups. Returns the number of removed faces. Relinks the mesh if any was removed. The mesh is invalid if
+// cancelled.
 std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress = {}, const FaceSelection* only = nullptr);
 
 }  // namespace handwheel

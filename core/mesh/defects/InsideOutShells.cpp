@@ -20,9 +20,9 @@ struct Shell {
   Box box;
   double volume = 0.0;  // with a fan in each opening
   double area = 0.0;
-  double doubt = 0.0;  // of the volume: what bulges over the openings could hold, and rounding
+  double doubt = 0.0;  // uncertainty of the volume: possible bulges over the openings, and rounding
   bool isOpen = false;
-  // By more than the rounding of a plate without thickness, which has no inside.
+  // Returns true if the volume is negative by more than the rounding of a plate without thickness, which has no inside.
   bool isInsideOut() const { return volume < -doubt; }
 };
 
@@ -58,7 +58,7 @@ Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces, std::vector<boo
   for (Face f : faces) {
     for (const Vec3& p : mesh.points(f)) shell.box.extend(p);
   }
-  const Vec3 origin = shell.box.center();  // far from the world's origin the digits would go
+  const Vec3 origin = shell.box.center();  // keeps the precision far from the world's origin
   for (Face f : faces) {
     if (!mesh.isProper(f)) continue;
     const TrianglePoints p = mesh.points(f);
@@ -73,7 +73,7 @@ Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces, std::vector<boo
   return shell;
 }
 
-// Those that are closed, or so nearly closed that they have an inside.
+// Returns the shells that are closed, or so nearly closed that they have an inside.
 std::vector<Shell> shellsWithInside(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<Shell> shells;
   std::vector<bool> seen(mesh.halfEdgeSlots(), false);
@@ -90,11 +90,11 @@ class Nesting {
   Nesting(const HalfEdgeMesh& mesh, const Progress& progress, std::size_t mostVisits)
       : m_mesh(mesh), m_progress(progress), m_mostVisits(mostVisits) {}
 
-  // False as soon as it is cancelled, or has cost too much: then no answer counts.
+  // Returns false once cancelled or over the limits: then no result is valid.
   bool isSure() const { return m_visits <= m_mostVisits && !m_progress.cancelled(); }
 
-  // How often the outer shell winds around the inner one: 1 inside a body, -1 inside a cavity, 0 outside. By the sum of
-  // the solid angles of its faces at one point of the inner one.
+  // Returns the winding number of the outer shell around the inner one: 1 inside a body, -1 inside a cavity, 0 outside.
+  // Computed as the sum of the solid angles of its faces at one point of the inner shell.
   int turnsAround(const Shell& inner, const Shell& outer) {
     if (!isSure() || &inner == &outer || !outer.box.contains(inner.box)) return 0;
     m_visits += outer.faces.size();

@@ -9,25 +9,25 @@
 
 namespace handwheel {
 
-// Limits of findInsideOutShells() on pairs of shells and visits of faces. They take a second, where a body is full of
-// bubbles.
+// Limits of findInsideOutShells() on pairs of shells and visits of faces. A body full of bubbles reaches them in about
+// a second.
 inline constexpr std::size_t kMostShellPairs = 10'000'000;
 inline constexpr std::size_t kMostShellVisits = 30'000'000;
 
-// Finds the bodies that are inside out. Each is a shell of negative volume that lies in no other one, and all that lies
-// in it, which has to be reversed with it, so that a cavity stays one. An open shell has a volume where that is
-// certain: where it is more than its openings could hold, each with a fan from its centre and a bulge as high as it is
-// wide. One list of faces a body. O(n), and for each shell in whose box a shell that is inside out lies, O(faces of
-// that). None if cancelled, or where that would exceed the limits above.
+// Finds the bodies that are inside out. Each is a shell of negative volume that lies in no other shell, together with
+// all shells inside it, which must be reversed with it so that a cavity stays a cavity. An open shell has a volume only
+// if that is certain: if it exceeds the volume of its openings, each closed by a fan from its centre and a bulge as
+// high as it is wide. The result has one list of faces per body. O(n), plus O(faces) of each inside-out shell for each
+// shell whose box contains it. Returns an empty list if cancelled or if a limit above is exceeded.
 std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Finds the shells that bound nothing of the union: closed ones with material on both sides, as a body inside another.
-// Not a cavity, whose shell looks inward; of what intersects the answer is that of one point. One list of faces a
-// shell. Limits and cost as above.
+// Finds closed shells with material on both sides, such as a body inside another. They bound no part of the union. A
+// cavity, whose shell faces inward, is not one; for intersecting shells a single point decides. The result has one list
+// of faces per shell. Limits and cost as above.
 std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// What both functions above find, for who looks at every mesh. Nested bodies are searched for a tenth of a second at
-// most, and none are found where that is not enough.
+// The results of both functions above, with a time limit for use on every mesh. The search for nested bodies takes at
+// most a tenth of a second; if that does not suffice, none are reported.
 struct ShellFaults {
   std::vector<std::vector<Face>> insideOut;
   std::size_t nestedBodies = 0;

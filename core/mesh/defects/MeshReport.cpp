@@ -35,7 +35,7 @@ void countEdges(const TriangleSoup& soup, MeshReport& report, DisjointSets& shel
     report.boundaryEdges += run.size() == 1;
     report.nonManifoldEdges += run.size() > 2;
     report.inconsistentEdges += (forward > 1) + (backward > 1);
-    report.oriented &= run.size() != 2 || forward == backward;  // of more faces two disagree in any case
+    report.oriented &= run.size() != 2 || forward == backward;  // with more faces, two disagree in any case
     if (run.size() == 2) shells.join(run[0].halfEdge / 3, run[1].halfEdge / 3);
   };
   edges.forEachEdge(count, progress.part(0.7, 0.9));
@@ -44,7 +44,7 @@ void countEdges(const TriangleSoup& soup, MeshReport& report, DisjointSets& shel
   }
 }
 
-// Of the tetrahedra between the triangles and the origin, by shell.
+// Returns the volumes of the tetrahedra between the triangles and the origin, per shell.
 std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells, const Vec3& origin) {
   std::vector<double> volumes(soup.triangles.size(), 0.0);
   for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells
   return volumes;
 }
 
-// What is no defect of the file by itself, or takes longer to find.
+// Counts properties that are no defect of the file by themselves, or take longer to find.
 void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport& report, Progress progress) {
   report.reversedFaces = built.report.reversedFaces.size();
   report.nearVertices = stitchablePairs(built.mesh, tolerance::kNearWeld, progress.part(0.0, 0.5)).size();

@@ -24,7 +24,7 @@ struct LoopReport {
 };
 
 // The statistics of a mesh as shown by "handwheel inspect". Computed from the triangles after welding exactly equal
-// positions: what any other program would see in a file that holds them.
+// positions, as any other program would read them from a file.
 struct MeshReport : MeshState {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
@@ -33,24 +33,25 @@ struct MeshReport : MeshState {
   std::size_t nonManifoldEdges = 0;
   std::size_t nonManifoldVertices = 0;
   std::size_t inconsistentEdges = 0;
-  std::size_t insideOutBodies = 0;  // counted where all edges are consistent
-  // Counted with the self-intersections only.
-  std::size_t reversedFaces = 0;  // that face the other way than most of their neighbours
+  std::size_t insideOutBodies = 0;  // counted only if all edges are consistent
+  // The following are counted only together with the self-intersections.
+  std::size_t reversedFaces = 0;  // faces oriented against most of their neighbours
   std::size_t nearVertices = 0;   // pairs that could close an open edge (stitchablePairs())
-  std::size_t debris = 0;         // pieces
+  std::size_t debris = 0;         // number of pieces
   std::size_t nestedBodies = 0;   // bodies inside others (findNestedBodies())
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
-  std::optional<double> volumeMm3;  // only when closed
+  std::optional<double> volumeMm3;  // present only if closed
   Box box;
 };
 
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops);
 
-// Whether self-intersections are counted.
+// The choice to count self-intersections.
 enum class SelfIntersections { Skip, Count };
 
-// Computes the statistics of a triangle soup. O(n log n); self-intersections cost most of it. Incomplete if cancelled.
+// Computes the statistics of a triangle soup. O(n log n); self-intersections cost most of it. The result is incomplete
+// if cancelled.
 MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress = {});
 
 }  // namespace handwheel

@@ -11,14 +11,16 @@
 namespace handwheel {
 
 // Non-manifold edges, with vertices identified by position. A file holds positions, not vertices: an edge is
-// non-manifold when more than two faces have its two ends by position.
+// non-manifold if more than two faces have its two end positions.
 
-// The fans of faces at one position, by vertex, each as the half-edges that leave it.
+// The fans of faces at one position, by vertex. Each fan is given by the half-edges that start at the vertex.
 using Fans = std::map<Vertex, std::vector<HalfEdge>>;
-// Finds the fans at the end positions of non-manifold edges, by class of position. Incomplete if cancelled.
+// Finds the fans at the end positions of non-manifold edges, by class of position. The result is incomplete if
+// cancelled.
 std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Finds the fans at the positions of these vertices in the same form, where there are several. Incomplete if cancelled.
+// Finds the fans at those positions of these vertices that have several, in the same form. The result is incomplete if
+// cancelled.
 std::map<std::uint32_t, Fans> fansAt(const HalfEdgeMesh& mesh, const std::vector<Vertex>& vertices,
                                      Progress progress = {});
 

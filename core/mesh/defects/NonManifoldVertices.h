@@ -11,12 +11,12 @@
 
 namespace handwheel {
 
-// Finds the vertices whose triangles are not connected through their common edges. Ascending. Triangles with a repeated
-// vertex are ignored. O(n). The result is invalid if cancelled.
+// Finds the vertices whose triangles are not connected through their common edges. The result is ascending. Triangles
+// with a repeated vertex are ignored. O(n). The result is invalid if cancelled.
 std::vector<std::uint32_t> findNonManifoldVertices(std::span<const Triangle> triangles, std::size_t vertexCount,
                                                    Progress progress = {});
 
-// The same for a mesh, as a file stores it: one of the vertices at each such position. Empty if cancelled.
+// Finds one vertex at each non-manifold position of a mesh as a file stores it. Returns an empty list if cancelled.
 std::vector<Vertex> findNonManifoldVertices(const HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

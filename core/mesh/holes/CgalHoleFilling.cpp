@@ -68,7 +68,7 @@ using Surface = CGAL::Surface_mesh<Point>;
 // Ends a call of the library when it is thrown in what the library calls back.
 struct Cancelled : std::exception {};
 
-// Counts what the library does, so that its progress is seen to move and it can be cancelled.
+// Counts the steps of the library, so that it shows progress and can be cancelled.
 class LibraryWork {
  public:
   explicit LibraryWork(Progress progress) : m_progress(progress) {}
@@ -79,7 +79,7 @@ class LibraryWork {
     if (m_steps - m_seen < kSteps) return;
     if (m_progress.cancelled()) throw Cancelled();
     m_progress.spend((m_steps - m_seen) / 4);
-    // How long it will take nobody knows: the fraction moves on and never arrives.
+    // The total is unknown: the fraction grows and never reaches 1.
     m_progress.set(static_cast<double>(m_steps) / static_cast<double>(m_steps + kHalfway));
     m_seen = m_steps;
   }
@@ -88,11 +88,11 @@ class LibraryWork {
   static constexpr std::size_t kSteps = 4096, kHalfway = 10'000'000;
   Progress m_progress;
   std::size_t m_steps = 0;
-  std::size_t m_seen = 0;  // of them, when the progress was last looked at
+  std::size_t m_seen = 0;  // value of m_steps at the last report
 };
 
-constexpr std::size_t kEdgeSteps = 32;  // of an edge that the triangulation looks at,
-constexpr std::size_t kFaceSteps = 2;   // and of a face that is put into a surface
+constexpr std::size_t kEdgeSteps = 32;  // steps for an edge that the triangulation examines
+constexpr std::size_t kFaceSteps = 2;   // steps for a face that is added to a surface
 
 // For the library's triangulation, which calls it back in its loops.
 struct WatchingVisitor : pmp::Hole_filling::Default_visitor {
@@ -153,14 +153,14 @@ std::vector<Corners> triangulate(const HoleContext& hole, Progress progress) {
     triangles = triangulate(hole, false, work);
     if (triangles.empty() && hole.loopSize <= tolerance::kCubicFillEdges) triangles = triangulate(hole, true, work);
   } catch (const std::bad_alloc&) {
-    throw;  // for lack of memory no hole is filled in another way
+    throw;  // no other method helps against lack of memory
   } catch (const std::exception&) {
     triangles.clear();
   }
   return triangles;
 }
 
-// How many triangles refining would make, from the areas and the edge lengths at the corners: an estimate.
+// Estimates the number of triangles after refinement from the areas and the edge lengths at the corners.
 double expectedTriangles(const HoleContext& hole, const Patch& patch, double density) {
   double n = 0.0;
   for (const Triangle& t : patch.triangles) {
@@ -190,7 +190,7 @@ bool hasHugeFan(const HoleContext& hole) {
   return std::any_of(faces.begin(), faces.end(), [](int n) { return n > tolerance::kLibraryFanFaces; });
 }
 
-constexpr double kRefinePart = 0.5;  // of the progress, where the patch is bent afterwards
+constexpr double kRefinePart = 0.5;  // share of the progress if the patch is bent afterwards
 
 struct Assembled {
   Surface surface;
@@ -318,7 +318,7 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, st
     patch->bridges = start.bridges;
     return patch;
   } catch (const std::bad_alloc&) {
-    throw;  // for lack of memory no hole is filled in another way
+    throw;  // no other method helps against lack of memory
   } catch (const std::exception&) {
     return std::nullopt;
   }

@@ -12,15 +12,16 @@
 
 namespace handwheel {
 
-// Triangulates a hole with CGAL, by dihedral angle and area. First with the edges of the Delaunay tetrahedrisation,
-// O(n log n) (Zou et al. 2013); where that finds none, over all triangulations, O(n³) (Liepa 2003), for at most
-// tolerance::kCubicFillEdges edges. No new vertices. None beyond tolerance::kLibraryFillEdges, and when cancelled.
+// Triangulates a hole with CGAL, by dihedral angle and area. The first search uses the edges of the Delaunay
+// tetrahedrisation, O(n log n) (Zou et al. 2013); if it fails, the second covers all triangulations, O(n³) (Liepa
+// 2003), for at most tolerance::kCubicFillEdges edges. No vertices are added. Returns nothing beyond
+// tolerance::kLibraryFillEdges edges or if cancelled.
 std::optional<Patch> triangulateMinimal(const HoleContext& hole, Progress progress = {});
 
-// Refines a patch to the density around the hole, and optionally fairs it. Refined after Liepa 2003, with density as
-// its factor alpha, or as far as tolerance::kPatchVertices go; with a continuity, bent so that it continues the ring
-// (fair()). None when a vertex of the ring has more than tolerance::kLibraryFanFaces faces or the library refuses, and
-// when cancelled.
+// Refines a patch to the density around the hole, and optionally fairs it. The refinement follows Liepa 2003, with
+// density as its factor alpha, up to tolerance::kPatchVertices vertices; with a continuity, fair() bends the patch so
+// that it continues the ring. Returns nothing if a vertex of the ring has more than tolerance::kLibraryFanFaces faces,
+// if the library refuses, or if cancelled.
 std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, std::optional<Continuity> bent,
                                  double density = tolerance::kPatchDensity, Progress progress = {});
 

@@ -98,7 +98,7 @@ class CreaseFiller {
     }
   }
 
-  // Which faces of the ring are side by side, and which are behind the loop's edges; not across a crease.
+  // Finds the adjacent faces of the ring, and those behind the loop's edges; not across a crease.
   void findNeighbours() {
     const auto n = static_cast<std::uint32_t>(m_hole.loopSize);
     m_neighbours.resize(m_hole.ring.size());
@@ -117,7 +117,7 @@ class CreaseFiller {
     });
   }
 
-  // A piece as a hole by itself, with the curves in its loop; number: of each of its points in the patch.
+  // A piece as a separate hole, with the curves in its loop. number maps its points to those of the patch.
   struct Piece {
     HoleContext hole;
     std::vector<std::uint32_t> number;
@@ -161,7 +161,7 @@ class CreaseFiller {
     return piece;
   }
 
-  // Behind a crease the piece sees itself mirrored, as if it went on.
+  // Behind a crease the piece is mirrored, as if it continued.
   void addApexes(Piece& piece) const {
     HoleContext& hole = piece.hole;
     Vec3 middle = Vec3::Zero();
@@ -200,7 +200,8 @@ class CreaseFiller {
     for (const Vec3& p : piece.hole.points) piece.hole.ringBox.extend(p);
   }
 
-  // Between points of one curve that are no neighbours: on a straight crease only slivers have such edges.
+  // Returns the edges between points of one curve that are not adjacent: on a straight crease only slivers have such
+  // edges.
   std::vector<Edge> chordsOfCurves(const Piece& piece) const {
     std::vector<Edge> chords;
     const auto n = static_cast<std::uint32_t>(piece.number.size());

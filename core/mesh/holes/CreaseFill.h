@@ -13,9 +13,9 @@
 namespace handwheel {
 
 // Fills a hole so that the creases ending at it continue through it. The pieces between the creases (Creases.h, above
-// tolerance::kCreaseAngle) are filled one by one, each refined and faired by what is around it on its own side, and the
-// creases stay sharp. None when no two ends belong together or a piece cannot be filled. density and continuity: as in
-// FillOptions.
+// tolerance::kCreaseAngle) are filled one by one, each refined and faired to the surface on its own side, and the
+// creases stay sharp. Returns nothing if no two crease ends match or a piece cannot be filled. density and continuity
+// have the meaning of FillOptions.
 std::optional<Patch> fillAlongCreases(const HoleContext& hole, const Obstacles& obstacles, double density,
                                       Continuity continuity = Continuity::Tangent, Progress progress = {});
 

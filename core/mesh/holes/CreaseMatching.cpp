@@ -16,12 +16,13 @@ namespace {
 constexpr std::size_t kMostEnds = 64;  // a surface with more of them is rough
 constexpr double kAim = 0.5;           // 60° between an end's direction and the straight line to the other;
 constexpr double kSureAim = 0.82;      // 35°: no corner of a box comes so near
-constexpr double kMeeting = 0.15;      // how far creases pass each other at a corner, in their way to it
+// Largest distance of creases from their common corner, relative to their distance to it.
+constexpr double kMeeting = 0.15;
 
 struct Match {
   double cost;
   std::vector<std::size_t> ends;
-  Vec3 point = Vec3::Zero();  // where three meet
+  Vec3 point = Vec3::Zero();  // common point of three creases
   bool operator<(const Match& other) const { return cost < other.cost; }
 };
 
@@ -32,7 +33,7 @@ std::optional<double> costOf(const HoleContext& hole, const CreaseEnd& a, const 
   return (1.0 - aimA) + (1.0 - aimB) + std::abs(a.angle - b.angle) / M_PI;
 }
 
-// How many pieces a curve of this length has where points have this distance.
+// Returns the number of pieces of a curve of this length if points have this distance.
 double piecesOf(const HoleContext& hole, double length, double spacing, double density) {
   const double pieces = std::round(length / spacing * density / tolerance::kPatchDensity);
   return std::min(pieces, static_cast<double>(tolerance::kPatchVerticesPerEdge) * static_cast<double>(hole.loopSize));
@@ -45,7 +46,7 @@ std::vector<Vec3> curveBetween(const HoleContext& hole, const CreaseEnd& a, cons
   const Vec3 &p = hole.points[a.chain[0]], &q = hole.points[b.chain[0]];
   const Vec3 line = (q - p).stableNormalized();
   const double chord = (q - p).norm();
-  const double cosine = 0.5 * (a.direction.dot(line) - b.direction.dot(line));  // of the mean angle
+  const double cosine = 0.5 * (a.direction.dot(line) - b.direction.dot(line));  // cosine of the mean angle
   const double length = chord / (0.5 + 0.5 * cosine);
   const Vec3 u = length * a.direction, v = -length * b.direction;
   const double spacing = 0.5 * (hole.edgeLength[a.chain[0]] + hole.edgeLength[b.chain[0]]);
@@ -58,7 +59,7 @@ std::vector<Vec3> curveBetween(const HoleContext& hole, const CreaseEnd& a, cons
   return curve;
 }
 
-// The point nearest to the lines in which three ends go on.
+// Returns the point nearest to the lines that continue three ends.
 std::optional<Match> meetingOf(const HoleContext& hole, const std::vector<CreaseEnd>& ends,
                                const std::vector<std::size_t>& three) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -74,8 +75,8 @@ std::optional<Match> meetingOf(const HoleContext& hole, const std::vector<Crease
   if (!solver.isInvertible()) return std::nullopt;
   Match match{0.0, three, origin + solver.solve(right)};
   for (std::size_t i : three) {
-    const Vec3 way = match.point - hole.points[ends[i].chain[0]];
-    const double ahead = way.dot(ends[i].direction), aside = (way - ahead * ends[i].direction).norm();
+    const Vec3 displacement = match.point - hole.points[ends[i].chain[0]];
+    const double ahead = displacement.dot(ends[i].direction), aside = (displacement - ahead * ends[i].direction).norm();
     if (!(ahead > 0.0) || !(aside < kMeeting * ahead)) return std::nullopt;
     match.cost += aside / ahead;
   }
@@ -123,16 +124,17 @@ class Matching {
     }
   }
 
-  // Where two creases end at one point of the loop, that is a corner of the part: a third may come to it.
-  void addWaysToCorners() {
+  // Two creases that end at one point of the loop mark a corner of the part: a third may lead to it.
+  void addCreasesToCorners() {
     std::vector<Match> matches;
     for (std::size_t a = 0; a < m_ends.size(); ++a) {
       for (std::size_t b = a + 1; b < m_ends.size(); ++b) {
         if (m_ends[a].chain[0] != m_ends[b].chain[0]) continue;
         const Vec3& corner = m_hole.points[m_ends[a].chain[0]];
         for (std::size_t c = 0; c < m_ends.size(); ++c) {
-          const Vec3 way = corner - m_hole.points[m_ends[c].chain[0]];
-          const double ahead = way.dot(m_ends[c].direction), aside = (way - ahead * m_ends[c].direction).norm();
+          const Vec3 displacement = corner - m_hole.points[m_ends[c].chain[0]];
+          const double ahead = displacement.dot(m_ends[c].direction),
+                       aside = (displacement - ahead * m_ends[c].direction).norm();
           if (ahead > 0.0 && aside < kMeeting * ahead) matches.push_back({aside / ahead, {c, a}, corner});
         }
       }
@@ -156,7 +158,7 @@ class Matching {
       const std::size_t count = match.ends.size();
       for (std::size_t k = count == 2 ? 1 : 0; k < count; ++k) {
         const HoleBridge s{m_ends[match.ends[(k + count - 1) % count]].chain[0], m_ends[match.ends[k]].chain[0]};
-        // Two of three that meet may be neighbours: nothing is cut there.
+        // Two of three creases that meet may be adjacent: nothing is cut there.
         const bool isEdge = (s.a + 1) % m_hole.loopSize == s.b || (s.b + 1) % m_hole.loopSize == s.a;
         if (count == 2 || !isEdge) more.push_back(s);
       }
@@ -191,7 +193,7 @@ Creases matchCreases(const HoleContext& hole, const std::vector<CreaseEnd>& ends
   Matching matching(hole, ends, density);
   matching.addPairs(kSureAim);
   matching.addCorners();
-  matching.addWaysToCorners();
+  matching.addCreasesToCorners();
   matching.addPairs(kAim);
   return matching.creases();
 }

@@ -13,7 +13,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kSeen = 4;           // points of a crease that say where it goes
+constexpr std::size_t kSeen = 4;           // points of a crease that determine its direction
 constexpr std::size_t kAlongLoop = 8;      // edges of the loop that may belong to the crease
 constexpr double kTurnInSurface = 0.5;     // cosine: the most that a crease turns at a vertex, 60°
 constexpr double kTurnAlongLoop = 0.9659;  // 15°: half of the smallest angle that a good triangle has
@@ -22,8 +22,8 @@ Vec3 normalOf(const HoleContext& hole, const Triangle& t) {
   return unitNormal({hole.points[t[0]], hole.points[t[1]], hole.points[t[2]]});
 }
 
-// Where the points of a crease lead: the tangent of the parabola through the first three (Bessel's end condition), or
-// of the line through two.
+// Returns the direction of a crease at its end: the tangent of the parabola through the first three points (Bessel's
+// end condition), or of the line through two.
 Vec3 directionOf(const HoleContext& hole, const std::vector<std::uint32_t>& chain) {
   const Vec3 u = hole.points[chain[0]] - hole.points[chain[1]];
   if (chain.size() < 3) return u.stableNormalized();
@@ -85,7 +85,7 @@ class CreaseSearch {
     return end;
   }
 
-  // Follows the loop for as long as it goes where the crease does: there one side of the crease is missing.
+  // Follows the loop while it continues the crease: there one side of the crease is missing.
   CreaseEnd alongLoop(CreaseEnd end) const {
     const auto n = static_cast<std::uint32_t>(m_hole.loopSize);
     for (std::size_t i = 0; i < kAlongLoop; ++i) {

@@ -64,7 +64,7 @@ class EarClipper {
   struct Node {
     std::uint32_t previous = 0;
     std::uint32_t next = 0;
-    Vec3 normal = Vec3::Zero();  // of the face behind the edge from this node to the next
+    Vec3 normal = Vec3::Zero();  // normal of the face behind the edge from this node to the next
     int version = 0;             // grows when the ear changes; -1 once cut
   };
   struct Candidate {
@@ -93,8 +93,8 @@ class EarClipper {
     const double before = normal.dot(m_nodes[m_nodes[i].previous].normal), after = normal.dot(m_nodes[i].normal);
     const double bend = 1.0 - 0.5 * (before + after);
     const double lid = m_weights.lid * normal.dot(m_outward);
-    // Turned over: an ear at a reflex corner. Only when nothing else is left. The faces it joins cannot tell where they
-    // stand upright around the hole, as round a cut.
+    // A flipped ear is at a reflex corner and is used only as a last resort. The faces it joins cannot decide that
+    // where they are perpendicular to the hole, as around a cut.
     const bool isTurned = m_weights.lid > 0.0 ? before + after + lid < 0.0 : before < 0.0 && after < 0.0;
     const double folded = isTurned ? kFolded : 0.0;
     return m_weights.length * newEdge / m_meanEdge + m_weights.angles * (largest - third) / (M_PI - third) +
@@ -142,11 +142,11 @@ class EarClipper {
   Vec3 m_outward;
   const Obstacles& m_obstacles;
   EarWeights m_weights;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;  // that exist already
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;  // edges that already exist
   std::vector<Node> m_nodes;
   std::priority_queue<Candidate> m_heap;
-  std::vector<Triangle> m_triangles;  // the ears cut so far,
-  IncrementalHierarchy m_cutOff;      // and where they are
+  std::vector<Triangle> m_triangles;  // the ears cut so far
+  IncrementalHierarchy m_cutOff;      // hierarchy of these ears
   double m_meanEdge = 0.0;
 };
 

@@ -15,7 +15,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Index = Eigen::Index;
 
-// No angle counts as sharper than this cotangent, 0.06°: needles must not drown the rest.
+// Largest cotangent of an angle, 0.06°, so that needles do not dominate.
 constexpr double kSharpest = 1e3;
 
 struct CornerShape {
@@ -27,7 +27,7 @@ struct CornerShape {
 // section 3.3.
 CornerShape shapeOf(const std::vector<Vec3>& points, const Triangle& t) {
   CornerShape shape;
-  std::array<double, 3> squares{};  // of the edge from corner k to the next
+  std::array<double, 3> squares{};  // squared length of the edge from corner k to the next
   double area = 0.0;
   int obtuse = -1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +48,7 @@ CornerShape shapeOf(const std::vector<Vec3>& points, const Triangle& t) {
   return shape;
 }
 
-// The given ones and what shares a triangle with them.
+// Returns the given vertices and those that share a triangle with them.
 std::vector<bool> grown(const std::vector<bool>& some, const std::vector<Triangle>& triangles) {
   std::vector<bool> more = some;
   for (const Triangle& t : triangles) {
@@ -58,7 +58,7 @@ std::vector<bool> grown(const std::vector<bool>& some, const std::vector<Triangl
   return more;
 }
 
-// Of a quadratic energy: normal · x = right where it is least.
+// The equations of the minimum of a quadratic energy: normal · x = right.
 struct Equations {
   Matrix normal;
   Eigen::MatrixX3d right;
@@ -74,7 +74,7 @@ class Energy {
     for (const Triangle& t : triangles) m_shapes.push_back(shapeOf(points, t));
   }
 
-  // The free points where the energy is least, one to a row; none when there is no single such place.
+  // Returns the free points of least energy, one per row; nothing if the minimum is not unique.
   std::optional<Eigen::MatrixX3d> least(Continuity continuity, Progress progress) {
     const Equations equations = equationsFor(continuity);
     progress.set(0.2);
@@ -95,7 +95,7 @@ class Energy {
   Index columnOf(std::size_t i) const { return m_column[i]; }
 
  private:
-  // Of lengths in sizes of the whole.
+  // Largest accepted rounding error of lengths, relative to the size of the whole.
   static constexpr double kLostDigits = 1e-7;
 
   // Calls use(t, a, b, w) for the edges of each triangle, with half the cotangent of the angle across: the weights of
@@ -108,7 +108,7 @@ class Energy {
     }
   }
 
-  // What rounding makes of a solution that is known: all ones. The sixth power of (size / edge) stands in it.
+  // Returns the rounding error of a known solution, all ones. It grows with the sixth power of (size / edge).
   static double magnification(const Matrix& normal, const Eigen::SimplicialLDLT<Matrix>& factor) {
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(normal.cols());
     return (factor.solve(normal * ones) - ones).cwiseAbs().maxCoeff();
@@ -203,10 +203,10 @@ class Energy {
   const std::vector<Vec3>& m_points;
   const std::vector<Triangle>& m_triangles;
   const std::vector<bool>& m_isFree;
-  std::vector<CornerShape> m_shapes;  // of the triangles
-  std::vector<Index> m_column;        // of each free point
+  std::vector<CornerShape> m_shapes;  // per triangle
+  std::vector<Index> m_column;        // per free point
   Index m_columns = 0;
-  std::vector<Index> m_row;  // of each vertex whose Laplacian counts
+  std::vector<Index> m_row;  // per vertex whose Laplacian counts
   Index m_rows = 0;
   std::vector<double> m_area;
   Matrix m_free;             // Δ · √area of the free points,

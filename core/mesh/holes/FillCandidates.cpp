@@ -12,11 +12,11 @@
 namespace handwheel {
 namespace {
 
-// One ear clipping may get stuck where another does not: a spread of weights for flat loops and for loops that wind
-// through space, after the user's own, with and without a lid.
+// Weights of ear clipping after the user's own, with and without a lid, for flat loops and for loops that wind through
+// space. One may get stuck where another does not.
 constexpr EarWeights kEarWeights[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
 
-constexpr double kChordPart = 0.5;  // of the progress: the search for the chords that cut a loop into pieces
+constexpr double kChordPart = 0.5;  // share of the progress for the search for bridges that divide a loop
 
 bool isOptimal(FillMethod method) {
   return method == FillMethod::Area || method == FillMethod::Dihedral;
@@ -52,10 +52,10 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
     const bool isAdded = m == options.method || (m == FillMethod::Fair && options.method == FillMethod::Crease);
     if (!isAdded) add(m);
   }
-  // Least bend is what the choice among these goes by, but it takes long.
+  // The least bend decides among these, but takes long.
   if (hole.loopSize <= tolerance::kOptimalFillEdges && options.method != FillMethod::Dihedral)
     add(FillMethod::Dihedral);
-  if (hole.loopSize == 3) return;  // whatever the weights, there is one ear
+  if (hole.loopSize == 3) return;  // there is one ear for all weights
   for (std::size_t i = 0; i < std::size(kEarWeights); ++i) {
     m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i, m_progress); });
   }
@@ -103,7 +103,7 @@ void FillCandidates::add(FillMethod method) {
   }
 }
 
-// The wanted one, and what takes its place where it swells too far or cannot be computed.
+// Returns the wanted continuity, then its substitute if the patch bulges too far or cannot be computed.
 std::vector<Continuity> FillCandidates::continuities() const {
   if (m_options.continuity != Continuity::Curvature) return {m_options.continuity};
   return {Continuity::Curvature, Continuity::Tangent};

@@ -14,13 +14,13 @@ namespace handwheel {
 // The candidate patches for a hole, in order of preference. Each is made only on demand.
 class FillCandidates {
  public:
-  // All must outlive it.
+  // All arguments must outlive the object.
   FillCandidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options);
   FillCandidates(const FillCandidates&) = delete;
   FillCandidates& operator=(const FillCandidates&) = delete;
 
   std::size_t size() const { return m_makers.size(); }
-  // The first so many are of the chosen method, the others what may take its place.
+  // The number of candidates of the chosen method, which come first; the others are substitutes.
   std::size_t ownCount() const { return m_own; }
   std::optional<Patch> make(std::size_t i, Progress progress) {
     m_progress = progress;
@@ -28,10 +28,10 @@ class FillCandidates {
   }
 
  private:
-  static constexpr std::size_t kBalanced = 2;  // ways of ear clipping that are tried first
+  static constexpr std::size_t kBalanced = 2;  // number of weightings of ear clipping that are tried first
   using Made = std::optional<Patch>;
 
-  // A triangulation of the loop's points alone; each is made once.
+  // A triangulation of the loop's points alone, made on the first request.
   class Start {
    public:
     explicit Start(std::function<Made()> maker) : m_maker(std::move(maker)) {}
@@ -53,11 +53,11 @@ class FillCandidates {
   const HoleContext& m_hole;
   const Obstacles& m_obstacles;
   const FillOptions& m_options;
-  Progress m_progress;  // of the one that is being made
+  Progress m_progress;  // progress of the current candidate
   std::size_t m_pieceEdges;
-  bool m_isCut;                                      // into pieces
-  std::optional<std::vector<HoleBridge>> m_bridges;  // once needed
-  std::vector<Start> m_starts;                       // for refining, the best first
+  bool m_isCut;                                      // the loop is divided into pieces
+  std::optional<std::vector<HoleBridge>> m_bridges;  // set on the first use
+  std::vector<Start> m_starts;                       // initial triangulations for refinement, the best first
   std::vector<std::function<Made()>> m_makers;
   std::size_t m_own = 0;
 };

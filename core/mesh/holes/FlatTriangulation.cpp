@@ -30,7 +30,8 @@ Vec3 vectorArea(const HoleContext& hole) {
   return sum;
 }
 
-// The loop as seen against the normal, counter-clockwise. False where it crosses or touches itself there.
+// Adds the loop as seen against the normal, counter-clockwise. Returns false if its projection crosses or touches
+// itself.
 bool insertLoop(const HoleContext& hole, const Vec3& normal, Planar& planar, Progress progress) {
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u), origin = hole.points.front();
   std::vector<Planar::Vertex_handle> vertices;
@@ -46,7 +47,7 @@ bool insertLoop(const HoleContext& hole, const Vec3& normal, Planar& planar, Pro
     if (!pollProgress(i, vertices.size(), progress)) return false;
     const Planar::Vertex_handle a = vertices[i], b = vertices[(i + 1) % vertices.size()];
     planar.insert_constraint(a, b);
-    // A point on the way would have become an end of the edge.
+    // A point on the segment would have become an end of the edge.
     Planar::Face_handle face;
     int side = 0;
     if (!planar.is_edge(a, b, face, side)) return false;

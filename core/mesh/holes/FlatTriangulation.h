@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// Triangulates a hole in the least-squares plane of its loop by constrained Delaunay triangulation (CGAL). No new
-// vertices, so that the patch is flat where the loop is, and elsewhere leans only as far as the loop leaves the plane.
-// None where the loop crosses itself as seen along the normal of the plane, and when cancelled. O(n log n).
+// Triangulates a hole in the least-squares plane of its loop by constrained Delaunay triangulation (CGAL). No vertices
+// are added, so the patch is flat if the loop is, and otherwise leaves the plane only as far as the loop does. Returns
+// nothing if the projection of the loop onto the plane crosses itself, or if cancelled. O(n log n).
 std::optional<Patch> triangulateFlat(const HoleContext& hole, Progress progress = {});
 
 }  // namespace handwheel

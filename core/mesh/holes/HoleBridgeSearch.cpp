@@ -11,7 +11,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr std::size_t kPieceSamples = 256;  // of a piece's points, tried against each other
+constexpr std::size_t kPieceSamples = 256;  // number of sampled points of a piece, all pairs of which are tried
 // A piece whose lid (HoleContext::outward) is at least this long is seen from above: there no bridge may leave it.
 constexpr double kFlatLid = 0.7;
 
@@ -29,8 +29,8 @@ struct HoleBridgeSearch::Ranked {
 struct HoleBridgeSearch::Piece {
   std::vector<std::uint32_t> numbers;
   std::vector<Vec3> points;
-  std::vector<double> along;  // the way from the first point; one more for the whole
-  std::vector<Vec2> flat;     // seen from outside; none when it is not to be seen as a whole
+  std::vector<double> along;  // distance along the border from the first point; one more entry for the total
+  std::vector<Vec2> flat;     // projection seen from outside; empty if the piece has none
 
   Piece(const HoleContext& hole, const std::vector<std::uint32_t>& piece) : numbers(piece), along{0.0} {
     HoleContext own;
@@ -48,16 +48,16 @@ struct HoleBridgeSearch::Piece {
   std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
   std::size_t previous(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
 
-  // The length of a bridge for the border that it cuts off; infinite when too few edges are on one side.
+  // Returns the length of a bridge relative to the border that it cuts off; infinite if too few edges are on one side.
   double ratio(std::size_t a, std::size_t b) const {
     const std::size_t inside = b - a, least = std::max<std::size_t>(2, size() / 4);
     if (inside < least || size() - inside < least) return std::numeric_limits<double>::infinity();
-    const double way = along[b] - along[a];
-    return (points[b] - points[a]).norm() / std::min(way, along.back() - way);
+    const double border = along[b] - along[a];
+    return (points[b] - points[a]).norm() / std::min(border, along.back() - border);
   }
 
-  // Seen from outside a hole runs clockwise, so its inside is on the right. True where the way from point a to point b
-  // starts between the edges at a.
+  // Returns true if the line from point a to point b starts between the edges at a. Seen from outside a hole runs
+  // clockwise, so its inside is on the right.
   bool startsInside(std::size_t a, std::size_t b) const {
     const Vec2 &p = flat[a], &before = flat[previous(a)], &after = flat[next(a)], &q = flat[b];
     if (turn(before, p, after) < 0.0) return turn(p, after, q) < 0.0 && turn(p, q, before) < 0.0;
@@ -81,7 +81,7 @@ HoleBridgeSearch::HoleBridgeSearch(const HoleContext& hole, const Obstacles& obs
 std::optional<HoleBridge> HoleBridgeSearch::best(const std::vector<std::uint32_t>& numbers, Progress progress) const {
   const Piece piece(m_hole, numbers);
   const std::size_t stride = (piece.size() + kPieceSamples - 1) / kPieceSamples;
-  // Each sample with the best partner, so that not all of them fail at the same obstacle.
+  // Each sample is paired with its best partner, so that not all of them fail at the same obstacle.
   std::vector<Ranked> ranked;
   for (std::size_t a = 0; a < piece.size(); a += stride) {
     Ranked best{std::numeric_limits<double>::infinity(), {}};
@@ -100,7 +100,7 @@ std::optional<HoleBridge> HoleBridgeSearch::best(const std::vector<std::uint32_t
   return std::nullopt;
 }
 
-// The best of the points between the samples around a bridge.
+// Returns the best bridge between points near the ends of a rough one.
 HoleBridge HoleBridgeSearch::improved(const Piece& piece, const Ranked& rough, std::size_t stride) const {
   const auto [from, to] = rough.bridge;
   Ranked best = rough;
@@ -124,8 +124,8 @@ bool HoleBridgeSearch::isFree(const Piece& piece, const HoleBridge& s) const {
   return hasFreeSide(piece, s.a, s.b) && hasFreeSide(piece, s.b, s.a);
 }
 
-// True when a triangle over the bridge and one of the edges that follow it from a is clear of the surface: one of them
-// is likely in the patch.
+// Returns true if a triangle over the bridge and one of the adjacent edges at a does not intersect the surface: one of
+// them is probably in the patch.
 bool HoleBridgeSearch::hasFreeSide(const Piece& piece, std::size_t a, std::size_t b) const {
   for (std::size_t c : {piece.next(a), piece.previous(b)}) {
     const TrianglePoints t{piece.points[b], piece.points[c], piece.points[a]};

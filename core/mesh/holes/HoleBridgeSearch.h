@@ -15,13 +15,13 @@ namespace handwheel {
 // Searches for the best bridge that divides a piece of a loop.
 class HoleBridgeSearch {
  public:
-  // Both must outlive it.
+  // Both arguments must outlive the object.
   HoleBridgeSearch(const HoleContext& hole, const Obstacles& obstacles);
 
-  // The free bridge with the least length relative to the shorter part of the border that it cuts off, at least a
-  // quarter of the piece's edges on either side. piece: numbers of loop points, in the loop's order; the bridge: places
-  // in it. None when none of the likely ones is free, and if cancelled. Examines some 2^15 pairs of points, however
-  // many there are.
+  // Returns the unobstructed bridge with the least length relative to the shorter part of the border that it cuts off,
+  // at least a quarter of the piece's edges on either side. piece holds indices of loop points, in the loop's order;
+  // the bridge holds indices in the piece. Returns nothing if all examined bridges are obstructed, or if cancelled.
+  // Examines some 2^15 pairs of points, however many there are.
   std::optional<HoleBridge> best(const std::vector<std::uint32_t>& piece, Progress progress = {}) const;
 
  private:
@@ -33,7 +33,7 @@ class HoleBridgeSearch {
 
   const HoleContext& m_hole;
   const Obstacles& m_obstacles;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;  // of the surface, among the loop's points
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;  // edges of the surface between loop points
 };
 
 }  // namespace handwheel

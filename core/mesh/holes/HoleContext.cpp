@@ -60,7 +60,7 @@ HoleContext holeContext(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
     const HalfEdge h = loop.halfEdges[i];
     const HalfEdge before = loop.halfEdges[(i + loop.halfEdges.size() - 1) % loop.halfEdges.size()];
     number[mesh.from(h)] = i;
-    number[mesh.to(before)] = i;  // another vertex at the same place where the loop is pinched
+    number[mesh.to(before)] = i;  // another vertex at the same position if the loop is pinched
     context.points.push_back(mesh.position(mesh.from(h)));
     context.apexes.push_back(mesh.position(mesh.from(HalfEdgeMesh::previous(h))));
 

@@ -10,17 +10,18 @@
 
 namespace handwheel {
 
-// A hole and the faces around it, with indices of their own. Points 0…n-1 are the loop's, in its order.
+// A hole and the faces around it, with indices of their own. Points 0…n-1 are those of the loop, in its order.
 struct HoleContext {
   std::size_t loopSize = 0;
   std::vector<Vec3> points;
   std::vector<Triangle> ring;      // three rings of faces around the hole
   std::vector<Vec3> apexes;        // per loop edge (i, i+1): the third corner of its face
-  std::vector<double> edgeLength;  // per loop point: mean length of the edges that leave it
-  Box ringBox;                     // of loop and ring
+  std::vector<double> edgeLength;  // per loop point: mean length of its edges
+  Box ringBox;                     // bounding box of loop and ring
 
   std::vector<Vec3> loop() const { return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize)}; }
-  // The outward direction of the loop: a unit vector for a flat convex loop, shorter the more the loop bends or folds.
+  // Returns the outward direction of the loop: a unit vector for a flat convex loop, shorter if the loop bends or
+  // folds.
   Vec3 outward() const;
 };
 

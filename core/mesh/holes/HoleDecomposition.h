@@ -13,25 +13,25 @@
 namespace handwheel {
 
 // Finds bridges that divide a boundary loop into pieces of at most pieceEdges edges. They are short relative to the
-// border that they separate (He 2008, section 4.1.4), never leave fewer than a quarter of the edges on one side, and
-// run neither along an edge of the surface nor through it. Across a slot they connect its two sides. A piece that no
-// bridge can divide stays long. At least 4 edges a piece. O(n) memory; time about n per bridge beside the obstacle
-// queries. If cancelled, those found so far.
+// border that they separate (He 2008, section 4.1.4), leave at least a quarter of the edges on each side, and run
+// neither along an edge of the surface nor through it. Across a slot they connect its two sides. A piece that no bridge
+// can divide stays long. Each piece has at least 4 edges. O(n) memory; time about n per bridge beside the obstacle
+// queries. If cancelled, returns those found so far.
 std::vector<HoleBridge> proposeHoleBridges(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
                                            Progress progress = {});
 
 // The indices of a piece's points, in the loop's order: a step to the next index follows the loop, any other a bridge.
 using HolePiece = std::vector<std::uint32_t>;
 
-// Splits a loop into pieces along bridges. None when a bridge is not between two different points that are no
-// neighbours, occurs twice, or crosses another. O(n + s²) for s bridges.
+// Splits a loop into pieces along bridges. Returns nothing if a bridge joins equal or neighbouring points, occurs
+// twice, or crosses another. O(n + s²) for s bridges.
 std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<HoleBridge>& bridges);
 
-// The context of a piece as a hole by itself. The apex behind a bridge is the middle point of the loop on the other
-// side.
+// Returns the context of a piece as a separate hole. The apex behind a bridge is the middle point of the loop on the
+// other side.
 HoleContext contextOf(const HoleContext& hole, const HolePiece& piece);
 
-// Joins the patches of the pieces into the patch of the whole loop. The triangulations have no new points.
+// Joins the patches of the pieces into the patch of the whole loop. The patches must have no added points.
 Patch joined(const HoleContext& hole, const std::vector<HolePiece>& pieces, const std::vector<Patch>& patches);
 
 }  // namespace handwheel

@@ -19,12 +19,12 @@ namespace {
 constexpr std::size_t kCandidateEffort = 10;
 constexpr std::size_t kJudgeEffort = 4;
 
-// Of a longer loop the first patch is taken that fits, for a user waits for it.
+// For longer loops, the first acceptable patch is taken, because the user is waiting.
 constexpr std::size_t kComparedEdges = 500;
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
 
-// True when the triangles make a surface whose only border is the loop, run the other way.
+// Returns true if the triangles form a surface whose only border is the reversed loop.
 bool closesLoop(const Patch& patch) {
   if (patch.triangles.empty()) return false;
   const auto n = static_cast<std::uint32_t>(patch.loopSize);
@@ -53,10 +53,10 @@ Box grown(const Box& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
 }
 
-// How far a patch may rise over its loop, in diagonals of the loop's box, when it continues the faces around: over a
-// round flat loop a spherical cap of half-angle a, whose border leans by a, rises by sin a · tan(a / 2), and the
-// diagonal is 2√2 sin a. None where the faces stand too steep to tell a cap from a cut: there a flat lid is as likely
-// to be right.
+// Returns the height over its loop, in diagonals of the loop's box, of a patch that continues the faces around it: over
+// a round flat loop a spherical cap of half-angle a, whose border leans by a, rises by sin a · tan(a / 2), and the
+// diagonal is 2√2 sin a. Returns nothing if the faces are too steep to distinguish a cap from a cut: then a flat lid is
+// equally likely.
 double capHeight(const HoleContext& hole) {
   const std::size_t n = hole.loopSize;
   const Vec3 outward = hole.outward().stableNormalized();
@@ -69,8 +69,8 @@ double capHeight(const HoleContext& hole) {
   return std::tan(0.5 * std::acos(std::min(1.0, cosine))) / (2.0 * M_SQRT2);
 }
 
-// A patch may bulge, but not out of all proportion to its hole; and out of the model only as far as a cap would that
-// continues the surroundings.
+// A patch may bulge in proportion to its hole, and out of the model only as far as a cap that continues the
+// surroundings.
 bool swells(const HoleContext& hole, const Patch& patch, const Box& model) {
   Box loop;
   for (const Vec3& p : hole.loop()) loop.extend(p);
@@ -82,7 +82,7 @@ bool swells(const HoleContext& hole, const Patch& patch, const Box& model) {
                      [&](const Vec3& p) { return !largest.contains(p) || (!part.contains(p) && !cap.contains(p)); });
 }
 
-// True when a diagonal of the patch joins two loop points that the surface joins already.
+// Returns true if a diagonal of the patch joins two loop points that an edge of the surface already joins.
 bool doublesAnEdge(const Patch& patch, const Edges& existing) {
   const auto n = static_cast<std::uint32_t>(patch.loopSize);
   for (const Triangle& t : patch.triangles) {
@@ -106,7 +106,7 @@ struct HoleFiller::State {
     for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
       if (!patch.points[i].allFinite()) return FillFailure::NoPatch;
       patch.points[i] = rounded(patch.points[i], options.numbers);
-      // Equal positions would be one vertex in the file; the intersection test takes them for shared corners.
+      // Equal positions would be one vertex in the file; the intersection test treats them as shared corners.
       if (obstacles.hasVertexAt(patch.points[i])) return FillFailure::SelfIntersecting;
     }
     if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
@@ -139,7 +139,7 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   FillAttempt best;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
-    // The first that are made are the slowest: they cut the loop into pieces.
+    // The first candidates are the slowest: they cut the loop into pieces.
     const double begin = i > 0 ? 0.5 + 0.5 * double(i) / double(candidates.size()) : 0.0;
     const Progress span = progress.part(begin, 0.5 + 0.5 * double(i + 1) / double(candidates.size()));
     std::optional<Patch> patch = candidates.make(i, span.part(0.0, 0.7));
@@ -154,7 +154,7 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
       continue;
     }
     if (i < candidates.ownCount() || hole.loopSize > kComparedEdges) return {failure, std::move(*patch)};
-    // What takes the place of the chosen method is that which bends least.
+    // Among the substitutes of the chosen method, the one that bends least is taken.
     const double bend = statisticsOf(m_state->mesh, loop, *patch).largestBend;
     if (bend < leastBend) best = {failure, std::move(*patch)};
     leastBend = std::min(leastBend, bend);

@@ -20,37 +20,38 @@ namespace handwheel {
 enum class FillFailure {
   None,
   Cancelled,
-  SheetBoundary,      // the outer edge of an open sheet: left open unless requested
-  WasSheetBoundary,   // the same of a sheet that the repair changed, so that it looks like a hole now
-  KeptOpen,           // the user wants it open
-  TooLong,            // more edges than the user allows
-  NoPatch,            // no method found a triangulation
-  SelfIntersecting,   // every patch would intersect or touch the part
-  Bulging,            // every patch would bulge far out of the hole
-  NarrowTriangles,    // any of the last three, with triangles along the hole that may be why: findBoundaryNeedles()
-  TooMuchEffort,      // abandoned: closing it takes more than a repair of such a mesh may (Effort)
-  SheetIntersecting,  // of the outer edge of a sheet: however thin, its body would intersect the part
-  SheetTooThin,       // the same: the numbers of the file cannot show its thickness
-  SheetKeptOpen,      // the same: the user wants an edge of the sheet open, and a body has none
+  SheetBoundary,     // outer edge of an open sheet: left open unless requested
+  WasSheetBoundary,  // outer edge of a sheet that looks like a hole after changes by the repair
+  KeptOpen,          // the user wants it open
+  TooLong,           // more edges than the user allows
+  NoPatch,           // no method found a triangulation
+  SelfIntersecting,  // every patch would intersect or touch the part
+  Bulging,           // every patch would bulge far out of the hole
+  NarrowTriangles,   // one of the last three, perhaps caused by narrow triangles along the hole (findBoundaryNeedles())
+  TooMuchEffort,     // abandoned: closing it exceeds the effort limit of the repair (Effort)
+  SheetIntersecting,  // outer edge of a sheet whose body would intersect the part, however thin
+  SheetTooThin,       // outer edge of a sheet: the number type of the file cannot represent its thickness
+  SheetKeptOpen,      // outer edge of a sheet that has an edge the user wants open; a body has none
 };
 
 // Options of hole filling.
 struct FillOptions {
   FillMethod method = FillMethod::Fair;
-  bool tryOthers = true;  // when the chosen method gives no acceptable patch
+  bool tryOthers = true;  // try other methods if the chosen one gives no acceptable patch
   bool mayCross = false;  // accept patches that intersect or touch the part; the caller removes the intersections
   NumberType numbers = NumberType::Float64;
-  double density = tolerance::kPatchDensity;  // of Fair and Refined; the setting mesh.patch_density
-  // Of Fair and Crease: the setting mesh.fill_continuity. Where no patch with curvature continuity is acceptable, one
-  // with tangent continuity is tried.
+  double density = tolerance::kPatchDensity;  // for Fair and Refined; the setting mesh.patch_density
+  // Continuity of Fair and Crease: the setting mesh.fill_continuity. If no patch with curvature continuity is
+  // acceptable, one with tangent continuity is tried.
   Continuity continuity = Continuity::Tangent;
-  EarWeights ears = {};  // of Ear
-  // A loop of more edges is cut into pieces of no more, each triangulated by itself: the setting mesh.piece_edges.
+  EarWeights ears = {};  // for Ear
+  // The most edges of a piece: longer loops are cut into pieces that are triangulated separately. The setting
+  // mesh.piece_edges.
   std::size_t pieceEdges = tolerance::kPieceEdges;
-  // The bridges along which it is cut, or a shorter one too; they are edges of the patch unless it is refined. Empty:
-  // those of HoleFiller::proposeHoleBridges(). With bridges that are invalid or cross (splitHole()) there is no patch.
+  // The bridges along which a loop of any length is cut; they are edges of the patch unless it is refined. Empty: those
+  // of HoleFiller::proposeHoleBridges(). Invalid or crossing bridges (splitHole()) give no patch.
   std::vector<HoleBridge> bridges = {};
-  // Corners of loops that are to stay open: no sheet with one is thickened, no folded region with one is removed.
+  // Corners of loops that stay open: a sheet with one is not thickened, a folded region with one is not removed.
   std::set<PointKey> keptCorners = {};
 };
 
@@ -70,11 +71,11 @@ class HoleFiller {
   HoleFiller(const HoleFiller&) = delete;
   HoleFiller& operator=(const HoleFiller&) = delete;
 
-  // A patch that closes the loop without intersecting the part, itself or an accepted patch. The loop must be open
-  // still.
+  // Returns a patch that closes the loop without intersecting the part, itself or an accepted patch. The loop must
+  // still be open.
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
-  // The bridges along which propose() would cut the loop into pieces; none when it is short enough.
+  // Returns the bridges along which propose() would cut the loop into pieces; none if it is short enough.
   std::vector<HoleBridge> proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
                                              Progress progress = {}) const;
 
@@ -82,7 +83,7 @@ class HoleFiller {
   // the pinch become one.
   void accept(const BoundaryLoop& loop, const Patch& patch);
 
-  // The mesh with the accepted patches.
+  // Returns the mesh with the accepted patches.
   const HalfEdgeMesh& mesh() const;
 
  private:

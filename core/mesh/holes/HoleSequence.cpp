@@ -34,7 +34,7 @@ class HoleSequence {
     m_mesh = filler.mesh();
   }
 
-  // What to do in a second run: none when no patch that bulges is near a loop that others block.
+  // Returns the tasks of a second run; none if no bulging patch is near a loop that others obstruct.
   std::vector<Task> secondThoughts() const {
     std::vector<Task> tasks(m_loops.size(), Task::Keep);
     bool any = false;

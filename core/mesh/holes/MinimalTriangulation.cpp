@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// What a diagonal's square costs beside the areas: enough to choose among equal ones, far above their rounding.
+// The cost of a diagonal's square relative to areas: enough to choose among equal ones, far above their rounding.
 constexpr double kDiagonalCost = 1e-9;
 // Angles count as equal within this step of (1 - cos) / 2, or rounding would choose among those of a flat hole.
 constexpr double kBendStep = 1e-9;
@@ -33,7 +33,7 @@ class Programme {
         m_bends(criterion == Criterion::Dihedral),
         m_best(m_n * m_n),
         m_middle(m_n * m_n, kNone) {
-    // Of size 1 at the origin, so that no digits are lost.
+    // The points are scaled to size 1 at the origin, so that no digits are lost.
     Box box;
     for (std::size_t i = 0; i < m_n; ++i) box.extend(hole.points[i]);
     const double size = std::max(box.diagonal().norm(), std::numeric_limits<double>::min());
@@ -77,14 +77,14 @@ class Programme {
   }
 
  private:
-  // What belongs to the edge between points a and b is kept twice, so that both ends have a row of theirs.
+  // A table of values per edge between points a and b. Each value is stored twice, so that both ends have a row.
   template <class T>
   void both(std::vector<T>& table, std::size_t a, std::size_t b, const T& value) const {
     table[a * m_n + b] = table[b * m_n + a] = value;
   }
 
   void choose(std::size_t i, std::size_t k) {
-    if (m_best[i * m_n + k].area == kInfinity) return;  // an edge that there is
+    if (m_best[i * m_n + k].area == kInfinity) return;  // the edge already exists
     const bool isLast = i == 0 && k + 1 == m_n;
     const Vec3 u = m_points[i] - m_points[k];
     const Vec3 behind = m_bends && isLast ? m_normals[m_n - 1] : Vec3::Zero();
@@ -113,7 +113,7 @@ class Programme {
     if (m_bends && !isLast) both(m_normals, i, k, leastNormal);
   }
 
-  // Without area; looked at exactly only where it may be.
+  // Returns true if a triangle has no area. The exact test is made only in doubt.
   bool isFlat(std::size_t i, std::size_t m, std::size_t k, double doubled, const Vec3& u, const Vec3& v) const {
     if (doubled > tolerance::kLeastSine * u.norm() * v.norm()) return false;
     return !(doubled > 0.0) || isDegenerate({m_hole.points[i], m_hole.points[m], m_hole.points[k]});
@@ -123,9 +123,9 @@ class Programme {
   std::size_t m_n;
   bool m_bends;
   std::vector<Vec3> m_points;
-  std::vector<Cost> m_best;             // of the part of the loop between two points
+  std::vector<Cost> m_best;             // cost of the part of the loop between two points
   std::vector<std::uint32_t> m_middle;  // the third corner of the triangle that closes it
-  std::vector<Vec3> m_normals;          // of that triangle, or of the face behind an edge of the loop
+  std::vector<Vec3> m_normals;          // normal of that triangle, or of the face behind an edge of the loop
 };
 
 }  // namespace

@@ -15,16 +15,16 @@ namespace handwheel {
 // The criteria of an optimal triangulation.
 enum class Criterion {
   Area,      // the least area (Barequet and Sharir, "Filling gaps in the boundary of a polyhedron", 1995)
-  Dihedral,  // the least largest angle between neighbours, those around the hole included; then the least area
+  Dihedral,  // the smallest maximum angle between neighbours, including those around the hole; then the least area
              // (Liepa, "Filling holes in meshes", 2003)
 };
 
-// Computes the optimal triangulation of a loop's points by dynamic programming. Over all triangulations without new
-// points; where many are equal, as in flat holes, one with short diagonals. The best by Dihedral is that of Liepa's
-// algorithm, which settles each part before it sees what lies beyond. Triangles without area and edges among the taken
-// ones (sorted pairs of loop points, as Obstacles::edgesAmong() gives) are left out. None beyond
-// tolerance::kOptimalFillEdges, when there is none, and if cancelled. O(n³) time, O(n²) memory: about 20 ms for 300
-// edges. Polls the cancel flag n times.
+// Computes the optimal triangulation of a loop's points by dynamic programming. All triangulations without added points
+// are considered; if several are equal, as in flat holes, one with short diagonals is chosen. The optimum by Dihedral
+// is that of Liepa's algorithm, which decides each part independently of its surroundings. Triangles without area and
+// the taken edges (sorted pairs of loop points from Obstacles::edgesAmong()) are excluded. Returns nothing beyond
+// tolerance::kOptimalFillEdges edges, if no triangulation exists, or if cancelled. O(n³) time, O(n²) memory: about 20
+// ms for 300 edges. Polls the cancel flag n times.
 std::optional<Patch> triangulateOptimal(const HoleContext& hole, Criterion criterion,
                                         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& taken = {},
                                         Progress progress = {});

@@ -13,7 +13,7 @@ namespace {
 
 TriangleHierarchy hierarchyOf(const HalfEdgeMesh& mesh, Progress progress) {
   TriangleSoup soup = mesh.compact().soup;
-  // Faces without area cannot be crossed and are not judged.
+  // Faces without area cannot be crossed and are ignored.
   std::size_t kept = 0;
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     if (!pollProgress(f, soup.triangles.size(), progress)) return {};
@@ -24,14 +24,14 @@ TriangleHierarchy hierarchyOf(const HalfEdgeMesh& mesh, Progress progress) {
   return {soup.points, soup.triangles, progress};
 }
 
-// Between two looks at the cancel flag: many flat triangles around one vertex take long, each.
+// Tests between two polls of the cancel flag: each of many flat triangles around one vertex takes long.
 constexpr std::size_t kTrianglesPerPoll = 256;
 
 }  // namespace
 
 Obstacles::Obstacles(const HalfEdgeMesh& mesh, Progress progress) : m_hierarchy(hierarchyOf(mesh, progress)) {}
 
-// Visits triangles near the box until the visit returns false; false when it did.
+// Visits triangles near the box until the visit returns false. Returns false if it did.
 template <class Visit>
 bool Obstacles::forEachNear(const Box& box, Visit visit) const {
   return m_hierarchy.forEachInBox(box, [&](std::uint32_t i) { return visit(m_hierarchy.corners(i)); }) &&
@@ -75,7 +75,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> Obstacles::edgesAmong(const
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Triangle& t : triangles) {
     for (int k = 0; k < 3; ++k) {
-      // The loop's points come first, so a class's representative is one of them where there is one.
+      // The loop's points come first, so a class with a loop point is represented by it.
       const std::uint32_t a = classes.representative[classes.classOf[t[k]]];
       const std::uint32_t b = classes.representative[classes.classOf[t[(k + 1) % 3]]];
       if (a < points.size() && b < points.size()) edges.emplace_back(std::minmax(a, b));

@@ -12,22 +12,23 @@
 
 namespace handwheel {
 
-// The surface that a patch must not intersect or touch. A mesh, and the patches added since its hierarchy was built.
+// The surface that a patch must not intersect or touch. It consists of a mesh and the patches added since its hierarchy
+// was built.
 class Obstacles {
  public:
   // The result is invalid if cancelled.
   explicit Obstacles(const HalfEdgeMesh& mesh, Progress progress = {});
 
-  Box bounds() const { return m_hierarchy.bounds(); }  // of the mesh
+  Box bounds() const { return m_hierarchy.bounds(); }  // bounding box of the mesh
   bool hits(const TrianglePoints& t) const;
-  // True when one triangle of the patch hits the surface, or two triangles of it each other. The result is invalid if
-  // cancelled.
+  // Returns true if a triangle of the patch intersects the surface, or two of its triangles intersect each other. The
+  // result is invalid if cancelled.
   bool hits(const Patch& patch, Progress progress = {}) const;
-  // True when the surface has a vertex at exactly this position.
+  // Returns true if the surface has a vertex at exactly this position.
   bool hasVertexAt(const Vec3& p) const;
   void add(const Patch& patch);
 
-  // Edges of the surface that join two of these points, as pairs of their indices (smaller first), sorted.
+  // Returns the edges of the surface that join two of these points, as sorted pairs of their indices (smaller first).
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edgesAmong(const std::vector<Vec3>& points) const;
 
  private:
@@ -38,7 +39,7 @@ class Obstacles {
   IncrementalHierarchy m_patches;
 };
 
-// The positions of a patch's triangle.
+// Returns the corner positions of a patch's triangle.
 inline TrianglePoints corners(const Patch& patch, const Triangle& t) {
   return {patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]};
 }

@@ -16,28 +16,29 @@ enum class FillMethod {
   Minimal,         // CGAL's triangulation by dihedral angle and area, no new vertices
   Area,            // the triangulation of least area, no new vertices
   Dihedral,        // the triangulation whose largest bend is least, then of least area, no new vertices
-  Crease,          // as Fair, with the creases that end at the hole continued through it
+  Crease,          // like Fair, with the creases that end at the hole continued through it
   Flat,            // triangulated in the best plane of the loop, no new vertices (triangulateFlat())
-  Cone,            // triangles to one point before or behind the loop; only a repair does this
-  ThickenedSheet,  // its sheet was thickened (thickenSheet()); only a repair does this
+  Cone,            // triangles to one point in front of or behind the loop; only a repair does this
+  ThickenedSheet,  // its sheet was thickened (thickenSheets()); only a repair does this
   Stitched,        // the borders were stitched together; only a repair does this
   Removed,         // cleaning removed every face around the hole; only a repair does this
 };
 
-// A bridge across a hole: an edge between two points of its loop. They are given by their indices in it.
+// A bridge across a hole: an edge between two points of its loop, given by their indices.
 struct HoleBridge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   bool operator==(const HoleBridge&) const = default;
 };
 
-// A triangulated patch that closes a boundary loop. Its points are the loop's (in the loop's order), then new ones.
+// A triangulated patch that closes a boundary loop. Its points are those of the loop, in its order, followed by added
+// ones.
 struct Patch {
   std::size_t loopSize = 0;
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   FillMethod method = FillMethod::Fair;
-  std::vector<HoleBridge> bridges = {};  // along which the loop was cut into pieces
+  std::vector<HoleBridge> bridges = {};  // the bridges along which the loop was cut into pieces
 };
 
 }  // namespace handwheel

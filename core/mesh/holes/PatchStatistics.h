@@ -11,26 +11,26 @@ namespace handwheel {
 // Statistics to compare patches for the same hole.
 struct PatchStatistics {
   std::size_t triangles = 0;
-  double area = 0.0;         // mm²
-  double largestBend = 0.0;  // radian: between the normals on the two sides of an edge, 0 for flat; the edges of the
-                             // loop, with the faces of the mesh beyond, are among them
-  double meanBend = 0.0;     // radian: RMS over the edges, longer ones counting for more
+  double area = 0.0;  // mm²
+  // Largest angle between adjacent normals, radian, 0 if flat; includes the edges of the loop.
+  double largestBend = 0.0;
+  double meanBend = 0.0;  // radian: RMS over the edges, weighted by length
 };
 
-// Computes the statistics of a patch that closes a loop of a mesh. Edges at triangles without area are left out.
-// O(n log n).
+// Computes the statistics of a patch that closes a loop of a mesh. Edges of triangles without area are left out. O(n
+// log n).
 PatchStatistics statisticsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch);
 
-// How a patch compares with the surface around its hole.
+// The shape of a patch compared with the surface around its hole.
 struct PatchComparison {
-  double bend = 0.0;        // radian: the largest of the patch, the edges of the loop included
-  double bendAround = 0.0;  // and that of three rings of faces around
-  double rise = 0.0;        // mm: how far the patch leaves the range of heights of loop and rings over the loop's plane
-  double size = 0.0;        // mm: the diagonal of the loop's box; 0: not compared
+  double bend = 0.0;        // radian: largest bend of the patch, including the edges of the loop
+  double bendAround = 0.0;  // radian: largest bend of three rings of faces around it
+  double rise = 0.0;        // mm: excess of the patch over the height range of loop and rings above the loop's plane
+  double size = 0.0;        // mm: diagonal of the loop's box; 0: not compared
 
   bool isKnown() const { return size > 0.0; }
 
-  // More than any surface would that continues its surroundings: a person should look at it.
+  // Return true if the patch exceeds any continuation of its surroundings, so that the user should check it.
   bool bendsMore() const { return bend > bendAround + tolerance::kNoticeableBend; }
   bool risesMore() const { return rise > tolerance::kNoticeableRise * size; }
 };

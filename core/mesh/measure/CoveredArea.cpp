@@ -29,7 +29,7 @@ std::vector<SweepEdge> edgesFromBelow(const std::vector<std::vector<Point>>& cur
     for (const Point& p : curve) box.extend(p);
   }
   if (box.isEmpty()) return {};
-  const Point origin = box.center();  // so that curves far away lose no digits
+  const Point origin = box.center();  // keeps the precision of curves far away
   std::vector<SweepEdge> edges;
   for (const auto& curve : curves) {
     for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -55,7 +55,7 @@ class Strips {
  public:
   explicit Strips(const std::vector<SweepEdge>& edges) : m_edges(edges) {}
 
-  // The edges that cross the strip above a height; to be asked from below upwards.
+  // The edges that cross the strip above a height. Queries must have ascending heights.
   const std::vector<const SweepEdge*>& at(double height) {
     std::erase_if(m_active, [height](const SweepEdge* e) { return e->high.y() <= height; });
     for (; m_next < m_edges.size() && m_edges[m_next].low.y() <= height; ++m_next) {
@@ -87,7 +87,7 @@ std::vector<double> heightsOf(const std::vector<SweepEdge>& edges, const Progres
   return heights;
 }
 
-// How much of a level line is covered.
+// Returns the covered length of a horizontal line.
 double coveredLength(const std::vector<const SweepEdge*>& active, double height,
                      std::vector<std::pair<double, int>>& row) {
   row.clear();

@@ -22,14 +22,14 @@ namespace handwheel {
 namespace {
 
 constexpr double kLargestMeasured = 1e60;  // areas times squares, and their sums, stay finite
-constexpr std::size_t kBlock = 256;        // queries between two looks at the cancel flag
+constexpr std::size_t kBlock = 256;        // queries between two polls of the cancel flag
 
 struct Measured {
   double distance = 0.0;
   double weight = 0.0;  // mm²
 };
 
-// Calls work(i) for each i < n, on all threads of the arena. False when cancelled.
+// Calls work(i) for each i < n, on all threads of the arena. Returns false if cancelled.
 template <class Work>
 bool forAll(std::size_t n, const Progress& progress, Work work) {
   std::atomic<std::size_t> done{0};
@@ -85,7 +85,7 @@ class Spread {
   std::vector<double> m_areaUpTo;  // and with each face
 };
 
-// A third of the area around each vertex of the surface; NaN for the other vertices. Where nothing has an area, 1.
+// Returns a third of the area around each vertex of the surface; NaN for the other vertices, 1 if no face has an area.
 std::vector<double> vertexWeights(const SurfaceDistance& surface, double area, const Progress& progress) {
   std::vector<double> weights(surface.mesh().vertexSlots(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < surface.faces().size(); ++i) {
@@ -100,7 +100,7 @@ std::vector<double> vertexWeights(const SurfaceDistance& surface, double area, c
   return weights;
 }
 
-// One surface's distances from another.
+// The distances of one surface from another.
 class Measurement {
  public:
   Measurement(const SurfaceDistance& of, const SurfaceDistance& to, const DeviationOptions& options, Progress progress)
@@ -145,15 +145,15 @@ class Measurement {
     return true;
   }
 
-  // Places are counted through: vertex slots, then samples.
-  void offer(double distance, std::size_t place) {
-    if (distance < m_lowest.first) m_lowest = {distance, place};
-    if (distance > m_highest.first) m_highest = {distance, place};
+  // Indices count vertex slots first, then samples.
+  void offer(double distance, std::size_t index) {
+    if (distance < m_lowest.first) m_lowest = {distance, index};
+    if (distance > m_highest.first) m_highest = {distance, index};
   }
 
-  DeviationPlace at(std::size_t place) const {
+  DeviationExtremum at(std::size_t index) const {
     const std::size_t slots = m_result.atVertex.size();
-    const Vec3 p = place < slots ? m_of.mesh().position(static_cast<Vertex>(place)) : m_spread.point(place - slots);
+    const Vec3 p = index < slots ? m_of.mesh().position(static_cast<Vertex>(index)) : m_spread.point(index - slots);
     const auto nearest = m_to.from(p);
     return {nearest->distance, p, nearest->point};
   }
@@ -182,7 +182,7 @@ class Measurement {
   }
 
   // Weighted medians by halving (Bleich and Overton, "A linear-time algorithm for the weighted median problem", 1983):
-  // no step takes longer than one look at all, where a sort of them would not hear of a cancel in time.
+  // no step takes longer than one pass, whereas a sort would not notice a cancel in time.
   void takePercentiles(double total, const Progress& progress) {
     for (Measured& m : m_measured) m.distance = std::abs(m.distance);
     const auto isLess = [](const Measured& a, const Measured& b) { return a.distance < b.distance; };
@@ -211,7 +211,7 @@ class Measurement {
   const SurfaceDistance& m_to;
   std::size_t m_bins;
   Spread m_spread;
-  std::vector<Measured> m_measured;  // what the figures are taken over
+  std::vector<Measured> m_measured;  // values from which the statistics are computed
   std::pair<double, std::size_t> m_lowest{std::numeric_limits<double>::infinity(), 0};
   std::pair<double, std::size_t> m_highest{-std::numeric_limits<double>::infinity(), 0};
   SurfaceDeviation m_result;

@@ -17,58 +17,58 @@ inline constexpr std::size_t kMaxDeviationBins = 10'000;
 
 // Options of deviation().
 struct DeviationOptions {
-  // Sample points on each surface, besides its vertices, equally many on equal areas; 0: vertices only.
+  // Number of uniformly distributed sample points on each surface besides its vertices; 0: vertices only.
   std::size_t samples = 200'000;
-  std::size_t bins = 50;  // of the histogram, at least 1
+  std::size_t bins = 50;  // number of bins of the histogram, at least 1
 };
 
-// A point with its distance from the other surface.
-struct DeviationPlace {
-  double distance = 0.0;  // mm, with its sign
-  Vec3 place = Vec3::Zero();
-  Vec3 nearest = Vec3::Zero();  // on the other surface
+// A point with an extreme distance from the other surface.
+struct DeviationExtremum {
+  double distance = 0.0;  // mm, signed
+  Vec3 position = Vec3::Zero();
+  Vec3 nearest = Vec3::Zero();  // nearest point of the other surface
 };
 
 inline constexpr std::array<double, 4> kDeviationPercentiles{50.0, 90.0, 95.0, 99.0};
 
 // The deviation of one surface from another. Lengths in mm, the sign as in SurfaceDistance. Mean, RMS, percentiles and
-// histogram count equal areas equally: they are taken over the samples, or, without any, over the vertices, each with a
-// third of the area around it. The extremes are those of samples and vertices, so the true ones may lie beyond them by
-// no more than the distance to the next sample.
+// histogram are weighted by area: they are computed from the samples, or, without any, from the vertices, each with a
+// third of the area around it. The extremes are those of samples and vertices, so the true ones may exceed them by at
+// most the distance to the next sample.
 struct SurfaceDeviation {
-  std::vector<double> atVertex;  // per vertex slot; NaN where no face of the surface has the vertex
-  std::size_t vertices = 0;      // measured
+  std::vector<double> atVertex;  // per vertex slot; NaN if no face of the surface has the vertex
+  std::size_t vertices = 0;      // number of measured vertices
   std::size_t samples = 0;
   double area = 0.0;  // mm²
   double mean = 0.0;
   double meanAbsolute = 0.0;
   double rms = 0.0;
-  DeviationPlace lowest, highest;
-  std::array<double, kDeviationPercentiles.size()> percentiles{};  // of the absolute distance
+  DeviationExtremum lowest, highest;
+  std::array<double, kDeviationPercentiles.size()> percentiles{};  // percentiles of the absolute distance
   std::vector<double> histogram;  // shares of the area in equal bins from lowest to highest; their sum is 1
 
-  const DeviationPlace& farthest() const { return -lowest.distance > highest.distance ? lowest : highest; }
+  const DeviationExtremum& farthest() const { return -lowest.distance > highest.distance ? lowest : highest; }
 };
 
-// The deviation between a mesh and a scan, either way.
+// The deviation between a mesh and a scan, in both directions.
 struct Deviation {
-  SurfaceDeviation ofMesh;  // from the scan
-  SurfaceDeviation ofScan;  // from the mesh
-  // The largest distance found either way: a lower bound of the Hausdorff distance.
+  SurfaceDeviation ofMesh;  // deviation of the mesh from the scan
+  SurfaceDeviation ofScan;  // deviation of the scan from the mesh
+  // Returns the largest distance found in both directions, a lower bound of the Hausdorff distance.
   double hausdorff() const;
 };
 
-// Compares a mesh with the scan that it came from, or any two meshes. The result is the same for any number of threads.
+// Compares a mesh with the scan it was made from, or any two meshes. The result is the same for any number of threads.
 // O((v + s) log n) on ordinary surfaces. Errors: NoTriangles, ValueOutOfRange (a coordinate beyond 1e60), Cancelled.
 Result<Deviation> deviation(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, const DeviationOptions& options = {},
                             Progress progress = {});
-// The largest distance found between two surfaces, either way, mm: at all vertices, and at about twice as many samples
-// as the second has faces, up to a number at which more hardly change it. None where one has no triangles, or if
-// cancelled.
+// Returns the largest distance found between two surfaces in both directions, mm. It is measured at all vertices and at
+// about twice as many samples as the second surface has faces, up to a limit beyond which more samples hardly change
+// it. Returns nothing if a surface has no triangles, or if cancelled.
 std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, Progress progress = {});
 
-// Compares two surfaces, for callers that measure more distances from them. Errors: as above, and Cancelled where the
-// construction of a surface was.
+// Compares two surfaces, for callers that measure more distances from them. Errors: as above, and Cancelled if the
+// construction of a surface was cancelled.
 Result<Deviation> deviation(const SurfaceDistance& mesh, const SurfaceDistance& scan,
                             const DeviationOptions& options = {}, Progress progress = {});
 

@@ -39,7 +39,7 @@ FidelitySetting fillMethodSetting() {
   setChoices(s,
              {translatable("Fidelity", "ear"), translatable("Fidelity", "minimal"), translatable("Fidelity", "refined"),
               translatable("Fidelity", "fair"), translatable("Fidelity", "area"), translatable("Fidelity", "dihedral"),
-              translatable("Fidelity", "ridge"), translatable("Fidelity", "flat")});  // as kMethods
+              translatable("Fidelity", "ridge"), translatable("Fidelity", "flat")});  // in the order of kMethods
   s.standard = 3.0;
   s.presets = {3.0, 3.0, 3.0};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
@@ -54,7 +54,7 @@ FidelitySetting fillContinuitySetting() {
   s.id = "mesh.fill_continuity";
   s.label = translatable("Fidelity", "Continuity of fair patches with their surroundings");
   setChoices(s, {translatable("Fidelity", "position"), translatable("Fidelity", "tangent"),
-                 translatable("Fidelity", "curvature")});  // as Continuity
+                 translatable("Fidelity", "curvature")});  // in the order of Continuity
   s.standard = static_cast<double>(FillOptions().continuity);
   s.presets = {1.0, 1.0, 2.0};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),

@@ -15,7 +15,7 @@ namespace handwheel {
 
 namespace {
 
-// A cut face by the half-edges at which the curve comes in and leaves.
+// A cut face, given by the half-edges at which the curve enters and leaves.
 struct CutFace {
   HalfEdge in;   // from above to below
   HalfEdge out;  // from below to above
@@ -31,7 +31,7 @@ class Cut {
       if (!pollProgress(f, m_mesh.faceSlots(), progress.part(0.0, 0.5))) return {};
       addFace(f);
     }
-    // Where the surface ends, a curve begins; what is left then goes round.
+    // Open curves start where the surface ends; the remaining ones are closed.
     for (const bool isOpen : {true, false}) {
       for (std::size_t i = 0; i < m_cut.size(); ++i) {
         if (!m_cut[i].isTaken && (!isOpen || !isCut(m_cut[i].in))) follow(i);
@@ -60,7 +60,7 @@ class Cut {
     m_cut.push_back(cut);
   }
 
-  // Whether the curve goes on beyond a half-edge of a cut face.
+  // Returns true if the curve continues beyond a half-edge of a cut face.
   bool isCut(HalfEdge h) const {
     return m_mesh.hasOpposite(h) && m_index.contains(HalfEdgeMesh::face(m_mesh.opposite(h)));
   }
@@ -93,7 +93,7 @@ class Cut {
 
   void measure(SectionCurve curve) {
     const std::vector<Vec3>& p = curve.points;
-    if (m_section.curves.empty()) m_origin = p[0];  // so that curves far away lose no digits
+    if (m_section.curves.empty()) m_origin = p[0];  // keeps the precision of curves far away
     for (std::size_t i = 0; i < p.size(); ++i) {
       if (i + 1 == p.size() && !curve.closed) break;
       m_section.length += (p[(i + 1) % p.size()] - p[i]).stableNorm();  // squares may overflow
@@ -111,7 +111,7 @@ class Cut {
   const double m_offset;
   const PlaneAxes m_axes = axesOfPlane(m_normal);
   std::vector<CutFace> m_cut;
-  std::unordered_map<Face, std::size_t> m_index;  // of cut faces
+  std::unordered_map<Face, std::size_t> m_index;  // index of each cut face
   Section m_section;
   Vec3 m_origin = Vec3::Zero();
   std::vector<std::vector<Eigen::Vector2d>> m_closed;  // in the plane

@@ -10,12 +10,12 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kMostSkipped = 1000;  // of those, in one place
-constexpr double kFree = 0.99;      // of the radius
+constexpr int kMostSkipped = 1000;  // largest number of faces that a ray passes
+constexpr double kFree = 0.99;      // share of the radius without surface
 constexpr int kMostShrinks = 64;
 
-// Where a ray from a face is out of all bodies again; where it never is, as among pieces that are open, out of the
-// first.
+// Returns the point where a ray from a face leaves all bodies; if it never does, as among open pieces, the point where
+// it leaves the first.
 std::optional<Vec3> wallBehind(const FaceHierarchy& faces, Face own, const Vec3& p, const Vec3& inwards) {
   const double step = tolerance::kPastFace * faces.bounds().diagonal().norm();
   Ray ray{p, inwards};
@@ -34,13 +34,13 @@ std::optional<Vec3> wallBehind(const FaceHierarchy& faces, Face own, const Vec3&
   return first;
 }
 
-// within: the share of the radius from which on the ball is free.
+// within is the share of the radius at which the ball counts as free.
 double ballRadius(const FaceHierarchy& faces, const Vec3& p, const Vec3& normal, double within, double radius) {
   for (int i = 0; i < kMostShrinks; ++i) {
     const Vec3 centre = p - radius * normal;
     const auto nearest = faces.nearest(centre);
     if (!nearest || (*nearest - centre).norm() >= within * radius) return radius;
-    // Of the balls that touch at p, the one that has the nearest point on it.
+    // The next ball touches at p and passes through the nearest point.
     const Vec3 to = p - *nearest;
     const double smaller = to.squaredNorm() / (2.0 * to.dot(normal));
     if (!(smaller > 0.0 && smaller < radius)) return radius;

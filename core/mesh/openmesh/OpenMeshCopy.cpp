@@ -43,7 +43,7 @@ bool sameBits(const Vec3& a, const Vec3& b) {
   });
 }
 
-// The corners in the order in which most are what they were.
+// Returns the corners in the order in which most of them are unchanged.
 Triangle likeBefore(const Triangle& corners, const Triangle& before) {
   Triangle best = corners;
   int most = -1;
@@ -94,7 +94,8 @@ bool OpenMeshCopy::link(const HalfEdgeMesh& mesh, std::span<const Triangle> tria
     m_surface.set_next_halfedge_handle(handleOf[first + 2], handleOf[first]);
     m_surface.set_halfedge_handle(face, handleOf[first]);
   }
-  // The rims: beyond an open half-edge runs one without a face, which its end leaves by, as OpenMesh wants it.
+  // At rims, each open half-edge gets an opposite without a face, from which its end vertex starts, as OpenMesh
+  // requires.
   for (std::size_t i = 0; i < m_faceOf.size(); ++i) {
     if (!pollProgress(i, triangles.size(), progress.part(0.5, 1.0))) return false;
     for (HalfEdge h = 3 * m_faceOf[i]; h < 3 * m_faceOf[i] + 3; ++h) {

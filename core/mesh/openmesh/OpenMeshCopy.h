@@ -9,8 +9,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <span>
 
-// Converts meshes to OpenMesh and back. This is the only place where that is done. Included by sources only, never by
-// headers, so that nothing else sees its types (docs/adr/0028-openmesh.md).
+// Converts meshes to OpenMesh and back. All conversions are here. Included by sources only, never by headers, so that
+// nothing else sees the types of OpenMesh (docs/adr/0028-openmesh.md).
 namespace handwheel {
 
 struct OpenMeshTraits : OpenMesh::DefaultTraits {
@@ -23,8 +23,8 @@ struct OpenMeshTraits : OpenMesh::DefaultTraits {
 };
 
 // A mesh of OpenMesh whose algorithms can be cancelled. They report no progress, but all their loops that do more than
-// set a number call one of the functions below. These poll the cancel flag, count as effort, and throw Cancelled.
-// The mesh must not be used afterwards.
+// assign a number call one of the functions below. These poll the cancel flag, count effort, and throw Cancelled. The
+// mesh must not be used after that.
 class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
   using Base = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
@@ -42,7 +42,7 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     Base::set_point(v, p);
   }
-  // Loops over what is selected or tagged.
+  // Called in loops over selected or tagged elements.
   template <class Handle>
   decltype(auto) status(Handle h) {
     countCall();
@@ -53,7 +53,7 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     return Base::status(h);
   }
-  // Loops over edges.
+  // Called in loops over edges.
   using Base::halfedge_handle;
   HalfedgeHandle halfedge_handle(EdgeHandle e, unsigned int side) const {
     countCall();
@@ -63,12 +63,12 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     return Base::halfedge_handle(e, side);
   }
-  // Loops that split edges and faces.
+  // Called in loops that split edges and faces.
   HalfedgeHandle new_edge(VertexHandle from, VertexHandle to) {
     countCall();
     return Base::new_edge(from, to);
   }
-  // The smoother computes normals, which only the components that are not used here need.
+  // Skip the smoother's computation of normals, which only unused components need.
   void update_face_normals() {}
   void update_vertex_normals() {}
 
@@ -86,14 +86,13 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
 // A copy of a mesh for OpenMesh. Faces and vertices have the order of the live ones of the mesh.
 class OpenMeshCopy {
  public:
-  // Makes the copy, in O(faces). A refusal is found before anything is built. To be called once; the copy is of no use
-  // when it was refused or cancelled.
+  // Copies a mesh in O(faces). A refusal is found before anything is built. Must be called only once; the copy is
+  // invalid if it was refused or cancelled.
   OpenMeshRefusal take(const HalfEdgeMesh& mesh, Progress progress = {});
 
-  // Brings what has become of the copy back into the mesh that it was taken of, in O(faces). What is left keeps its
-  // number, and a face the order of its corners as far as it has the same ones; new faces and vertices come after the
-  // last slot, and vertices that no face has are left out. A cancel changes nothing: false is returned, or, where the
-  // surface polls, Cancelled thrown.
+  // Writes the changed copy back into the original mesh, in O(faces). Remaining elements keep their numbers, and faces
+  // the order of their unchanged corners; new faces and vertices follow the last slot, and vertices without faces are
+  // left out. If cancelled, nothing changes: the function returns false, or throws Cancelled where the surface polls.
   bool bringBack(HalfEdgeMesh& mesh, Progress progress = {}) const;
 
   OpenMeshSurface& surface() { return m_surface; }
@@ -101,7 +100,8 @@ class OpenMeshCopy {
   Face faceOf(std::size_t i) const { return m_faceOf[i]; }
   Vertex vertexOf(std::size_t i) const { return m_vertexOf[i]; }
   std::size_t takenVertices() const { return m_vertexOf.size(); }
-  // Whether more than two faces meet at an open edge. To be kept up by whoever merges edges.
+  // Returns true if more than two faces meet at an open edge. Algorithms that merge edges must update this with
+  // setSeam().
   bool isSeam(OpenMesh::EdgeHandle e) const { return m_surface.property(m_isSeam, e); }
   void setSeam(OpenMesh::EdgeHandle e) { m_surface.property(m_isSeam, e) = true; }
   bool hasSeams() const { return m_hasSeams; }
@@ -113,8 +113,8 @@ class OpenMeshCopy {
   OpenMeshSurface m_surface;
   OpenMesh::EPropHandleT<bool> m_isSeam;
   bool m_hasSeams = false;
-  std::vector<Face> m_faceOf;      // by the numbers of OpenMesh
-  std::vector<Vertex> m_vertexOf;  // the same
+  std::vector<Face> m_faceOf;      // indexed by face numbers of OpenMesh
+  std::vector<Vertex> m_vertexOf;  // indexed by vertex numbers of OpenMesh
 };
 
 inline OpenMesh::Vec3d openMeshPoint(const Vec3& p) {

@@ -4,15 +4,15 @@
 
 namespace handwheel {
 
-// Reasons why an algorithm of OpenMesh does not take a mesh. Its edges have two vertices of their own, as ours need
-// not.
+// Reasons why an algorithm of OpenMesh does not accept a mesh. OpenMesh requires that the two vertices of an edge
+// identify it, unlike HalfEdgeMesh.
 enum class OpenMeshRefusal {
   None,
   Degenerate,  // a face with a repeated vertex
-  DoubleEdge,  // two edges between the same two vertices, as on a surface with one side only
+  DoubleEdge,  // two edges between the same two vertices, as on a one-sided surface
   BackToBack,  // two faces with the same three edges
   Seam,        // more than two faces meet at an edge: a scheme that moves its vertices would tear it
-  Hub,         // a vertex with so many faces that time and memory would go with the square of them
+  Hub,         // a vertex with so many faces that time and memory, quadratic in their number, would be excessive
 };
 
 }  // namespace handwheel

@@ -29,8 +29,8 @@ HalfEdge longestEdge(const HalfEdgeMesh& mesh, Face f) {
   return longest;
 }
 
-// Flips needles that have a neighbour at their longest edge. They may lie side by side: flipping one can free those
-// around it, which are then looked at again.
+// Flips needles that have a neighbour at their longest edge. They may be adjacent: flipping one can free those around
+// it, which are then examined again.
 void flipAway(HalfEdgeMesh& mesh, const std::vector<Face>& needles) {
   const FaceSelection chosen(needles);
   std::vector<Face> waiting(needles.rbegin(), needles.rend());
@@ -49,7 +49,7 @@ void flipAway(HalfEdgeMesh& mesh, const std::vector<Face>& needles) {
   }
 }
 
-// Those of these degenerate faces that are chosen, or hang together with a chosen one.
+// Returns those of these degenerate faces that are chosen, or connected with a chosen one.
 std::vector<Face> connectedWith(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, const FaceSelection& chosen) {
   const FaceSelection all(faces);
   FaceSelection found;
@@ -68,7 +68,7 @@ std::vector<Face> connectedWith(const HalfEdgeMesh& mesh, const std::vector<Face
   return found.faces();
 }
 
-// A face that shares each of its edges with nobody or with more than one other, and some with each.
+// Returns true if each edge of a face is open or shared with several others, and both cases occur.
 bool hangsLoose(const std::array<int, 3>& facesAtEdge) {
   const auto free = std::count(facesAtEdge.begin(), facesAtEdge.end(), 1);
   const auto joined = std::count(facesAtEdge.begin(), facesAtEdge.end(), 2);
@@ -110,7 +110,7 @@ std::size_t removeFlaps(HalfEdgeMesh& mesh, Progress progress) {
     for (const EdgeTable::Entry& e : run) facesAtEdge[e.halfEdge / 3][e.halfEdge % 3] = static_cast<int>(run.size());
   };
   edges.forEachEdge(countFaces, progress.part(0.4, 0.5));
-  // A book of nothing but loose leaves is a part of its own.
+  // A group that consists only of such leaves is a separate part.
   std::vector<bool> onSurface(mesh.faceSlots(), false);
   const auto findSurface = [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     const auto isLoose = [&](const EdgeTable::Entry& e) { return hangsLoose(facesAtEdge[e.halfEdge / 3]); };

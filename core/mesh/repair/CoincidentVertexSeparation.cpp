@@ -34,22 +34,22 @@ void partFans(FanSeparator& separator, const HalfEdgeMesh& mesh, Fans& fans, con
   }
 }
 
-// Where to separate: everywhere, or at these positions.
-using Places = std::set<PointKey>;
+// The positions to separate; empty: all positions.
+using Positions = std::set<PointKey>;
 
-bool isMeant(const HalfEdgeMesh& mesh, HalfEdge h, const Places& only) {
+bool isMeant(const HalfEdgeMesh& mesh, HalfEdge h, const Positions& only) {
   const auto isIn = [&](Vertex v) { return only.contains(positionKey(mesh.position(v))); };
   return only.empty() || (isIn(mesh.from(h)) && isIn(mesh.to(h)));
 }
 
 // Edges between vertices that have one fan each: the same fan passes twice. An edge whose face was split waits for the
 // next pass, because its half-edge may have moved into the new face.
-void partEdges(FanSeparator& separator, const HalfEdgeMesh& mesh, const Places& only, std::vector<Vertex>& added,
+void partEdges(FanSeparator& separator, const HalfEdgeMesh& mesh, const Positions& only, std::vector<Vertex>& added,
                Progress progress) {
   for (bool again = true; again;) {
     again = false;
     std::unordered_set<Face> split;
-    for (HalfEdge h : surplusEdges(mesh, progress.part(0.0, 0.0))) {  // nobody knows how many passes it takes
+    for (HalfEdge h : surplusEdges(mesh, progress.part(0.0, 0.0))) {  // the number of passes is unknown
       if (progress.cancelled()) return;
       const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(mesh.opposite(h));
       if (split.contains(f) || split.contains(g) || !isMeant(mesh, h, only)) continue;
@@ -63,8 +63,8 @@ void partEdges(FanSeparator& separator, const HalfEdgeMesh& mesh, const Places& 
 }
 
 void partAll(FanSeparator& separator, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& found,
-             const Places& only, const SeparationLimits& limits, std::vector<Vertex>& moved, Progress progress) {
-  // What cannot move at first may once its neighbours along the edge have.
+             const Positions& only, const SeparationLimits& limits, std::vector<Vertex>& moved, Progress progress) {
+  // A vertex that cannot move at first may do so after its neighbours along the edge have moved.
   for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
     before = moved.size();
     for (auto& [c, fans] : found) {
@@ -80,7 +80,7 @@ void partAll(FanSeparator& separator, const HalfEdgeMesh& mesh, std::map<std::ui
 std::vector<Vertex> separateCoincidentVertices(HalfEdgeMesh& mesh, NumberType numbers, Progress progress,
                                                const std::function<std::size_t()>& spareCrossings,
                                                const std::vector<Vertex>& at, const SeparationLimits& limits) {
-  Places only;
+  Positions only;
   for (const Vertex v : at) only.insert(positionKey(mesh.position(v)));
   const auto fans = [&](Progress now) { return at.empty() ? nonManifoldFans(mesh, now) : fansAt(mesh, at, now); };
   std::map<std::uint32_t, Fans> found = fans(progress.part(0.0, 0.5));

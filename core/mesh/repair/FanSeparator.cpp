@@ -13,8 +13,7 @@
 namespace handwheel {
 namespace {
 
-// Steps tried, in units of the last place at the vertex; 2^14 of single precision is 1e-3 of the coordinate, too
-// visible.
+// Tried steps, in ulps at the vertex; 2^14 of single precision is 1e-3 of the coordinate, too visible.
 constexpr int kSmallestStep = 1;
 constexpr int kLargestStep = 1 << 9;
 
@@ -25,9 +24,9 @@ double unitInTheLastPlace(const Vec3& p, NumberType numbers) {
   return static_cast<double>(std::nextafter(f, std::numeric_limits<float>::max())) - static_cast<double>(f);
 }
 
-// What takes as long as one step of Effort.
+// Numbers of operations that take as long as one step of Effort.
 constexpr std::size_t kBoxesPerStep = 256;
-constexpr std::size_t kTestsPerStep = 8;  // of two triangles
+constexpr std::size_t kTestsPerStep = 8;  // tests of two triangles
 
 std::vector<Face> facesOf(const std::vector<HalfEdge>& fan) {
   std::vector<Face> faces;
@@ -81,7 +80,8 @@ Vertex FanSeparator::separateEdge(HalfEdge h) {
   return kNone;
 }
 
-// What may meet these faces while a corner of them moves by so much, mm, along each axis. Not all once cancelled.
+// Finds the faces that may meet these while a corner moves by the given distance, mm, along each axis. Incomplete once
+// cancelled.
 FanSeparator::Surroundings FanSeparator::surroundings(std::vector<Face> faces, double move) {
   Surroundings around{std::move(faces), {}};
   m_seenIn.resize(m_mesh.faceSlots(), 0);
@@ -98,7 +98,7 @@ FanSeparator::Surroundings FanSeparator::surroundings(std::vector<Face> faces, d
       const TrianglePoints points = m_mesh.points(other);
       if (!isDegenerate(points)) around.near.push_back({other, boxOf(points)});
     };
-    // The hierarchy holds the places before anything was moved, and split faces whole.
+    // The hierarchy has the original positions, and split faces as a whole.
     const Box box = boxOf(m_mesh.points(f));
     const Vec3 slack = Vec3::Constant(m_reach + move);
     m_hierarchy.forEachInBox(Box(box.min() - slack, box.max() + slack), [&](std::uint32_t i) {
@@ -118,7 +118,7 @@ void FanSeparator::spend(std::size_t tests, std::size_t boxes) {
   m_uncounted %= kBoxesPerStep;
 }
 
-// At least, along each axis.
+// Returns an upper bound of the move along each axis.
 double FanSeparator::longestMove(const std::vector<HalfEdge>& fan) const {
   return 2.0 * kLargestStep * unitInTheLastPlace(m_mesh.position(m_mesh.from(fan.front())), m_numbers);
 }
@@ -134,7 +134,7 @@ bool FanSeparator::separate(const std::vector<HalfEdge>& fan, const Surroundings
   const Vertex v = m_mesh.from(fan.front());
   const Vec3 home = m_mesh.position(v);
   const double unit = unitInTheLastPlace(home, m_numbers);
-  const std::vector<Vec3> directions = waysOut(fan);
+  const std::vector<Vec3> directions = separatingDirections(fan);
   std::size_t fewest = allowed + m_spare + 1;
   Vec3 best = home;
   for (int step = kSmallestStep; step <= kLargestStep && fewest > allowed; step *= 2) {
@@ -159,9 +159,9 @@ bool FanSeparator::separate(const std::vector<HalfEdge>& fan, const Surroundings
   return true;
 }
 
-// Into the solid, out of it, and towards and away from the middle of the fan; scaled so that the largest component
-// is 1.
-std::vector<Vec3> FanSeparator::waysOut(const std::vector<HalfEdge>& fan) const {
+// Returns directions into the solid, out of it, and towards and away from the middle of the fan, scaled so that the
+// largest component is 1.
+std::vector<Vec3> FanSeparator::separatingDirections(const std::vector<HalfEdge>& fan) const {
   const Vec3 home = m_mesh.position(m_mesh.from(fan.front()));
   Vec3 normal = Vec3::Zero(), middle = Vec3::Zero();
   for (HalfEdge h : fan) {
@@ -169,20 +169,20 @@ std::vector<Vec3> FanSeparator::waysOut(const std::vector<HalfEdge>& fan) const 
     normal += (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
     middle += ((p[0] + p[1] + p[2]) / 3.0 - home).stableNormalized();
   }
-  std::vector<Vec3> ways;
+  std::vector<Vec3> result;
   const Vec3 n = normal.stableNormalized(), m = middle.stableNormalized();
   for (const Vec3& d : {Vec3(-n), m, Vec3(m - n), n, Vec3(m + n), Vec3(-m), Vec3(-m - n), Vec3(n - m)}) {
     const double largest = d.cwiseAbs().maxCoeff();
-    if (largest > 1e-6) ways.push_back(d / largest);
+    if (largest > 1e-6) result.push_back(d / largest);
   }
-  return ways;
+  return result;
 }
 
 bool FanSeparator::hasFlatFace(const std::vector<Face>& faces) const {
   return std::any_of(faces.begin(), faces.end(), [&](Face f) { return isDegenerate(m_mesh.points(f)); });
 }
 
-// Pairs in which one of the faces takes part, counted up to so many. Too few once cancelled.
+// Counts the intersecting pairs with one of the faces, up to a limit. Too few once cancelled.
 std::size_t FanSeparator::intersections(const Surroundings& around, std::size_t most) {
   std::vector<std::pair<Box, TrianglePoints>> ours;
   for (const Face f : around.faces) {

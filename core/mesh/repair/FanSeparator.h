@@ -12,22 +12,22 @@
 
 namespace handwheel {
 
-// Moves the vertices of single fans off positions that others have, too. By the smallest step that the number type can
-// represent and that makes no new self-intersection, to a position that no other vertex has. Works on a mesh whose
-// other vertices stay. Of no use once cancelled.
+// Moves the vertices of single fans away from positions that other vertices share. Each takes the smallest step that
+// the number type can represent and that makes no new self-intersection, to a position that no other vertex has. All
+// other vertices must stay. Invalid once cancelled.
 class FanSeparator {
  public:
-  // watched: while vertices are moved. O(n log n).
+  // progress is used during construction, watched while vertices are moved. O(n log n).
   FanSeparator(HalfEdgeMesh& mesh, NumberType numbers, Progress progress, Progress watched);
 
-  // Moves the fan's vertex off its position; false when every step would harm.
+  // Moves the fan's vertex away from its position. Returns false if every step would do harm.
   bool separate(const std::vector<HalfEdge>& fan);
 
-  // So many crossings may now be made in all.
+  // Sets the total number of crossings that may be made from now on.
   void mayCross(std::size_t n) { m_spare = n; }
 
-  // Gives an edge that another pair of faces has too a vertex of its own in the middle. The new vertex; kNone, and
-  // nothing changed, when that would harm.
+  // Inserts a separate vertex in the middle of an edge that another pair of faces shares. Returns the new vertex, or
+  // kNone without a change if that would do harm.
   Vertex separateEdge(HalfEdge h);
 
  private:
@@ -35,7 +35,7 @@ class FanSeparator {
     Face face;
     Box box;
   };
-  // Faces, and what else may meet one of them.
+  // Faces with all faces that may meet one of them.
   struct Surroundings {
     std::vector<Face> faces;
     std::vector<Near> near;
@@ -49,23 +49,23 @@ class FanSeparator {
   double longestMove(const std::vector<HalfEdge>& fan) const;
   void addHalf(Face of, Face half);
   bool separate(const std::vector<HalfEdge>& fan, const Surroundings& around, std::size_t allowed);
-  std::vector<Vec3> waysOut(const std::vector<HalfEdge>& fan) const;
+  std::vector<Vec3> separatingDirections(const std::vector<HalfEdge>& fan) const;
   bool hasFlatFace(const std::vector<Face>& faces) const;
   std::size_t intersections(const Surroundings& around, std::size_t most = ~std::size_t{0});
 
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
   Progress m_watched;
-  std::vector<Face> m_faces;  // of the hierarchy's triangles
+  std::vector<Face> m_faces;  // face of each triangle in the hierarchy
   TriangleHierarchy m_hierarchy;
-  std::unordered_map<Face, std::vector<Face>> m_halves;    // what was split off a face of the hierarchy
-  std::unordered_map<Face, Face> m_whole;                  // the reverse
-  std::unordered_set<PointKey, PositionHash> m_positions;  // that the file will hold
-  std::vector<std::uint32_t> m_seenIn;                     // by face: the last search that came upon it
+  std::unordered_map<Face, std::vector<Face>> m_halves;    // faces split off a face of the hierarchy
+  std::unordered_map<Face, Face> m_whole;                  // reverse of m_halves
+  std::unordered_set<PointKey, PositionHash> m_positions;  // positions that the file will hold
+  std::vector<std::uint32_t> m_seenIn;                     // per face: the last search that found it
   std::uint32_t m_search = 0;
-  std::size_t m_uncounted = 0;  // boxes
+  std::size_t m_uncounted = 0;  // boxes not yet counted as effort
   std::size_t m_spare = 0;
-  double m_reach = 0.0;  // no vertex is farther from where the hierarchy has it
+  double m_reach = 0.0;  // largest distance of a vertex from its position in the hierarchy
 };
 
 }  // namespace handwheel

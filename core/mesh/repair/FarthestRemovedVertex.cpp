@@ -25,7 +25,7 @@ std::vector<bool> usedVertices(const HalfEdgeMesh& mesh, const Progress& progres
   return used;
 }
 
-// The vertices of "before" that are gone and not within a distance of one that is left, without those of debris.
+// Returns the removed vertices of "before" that are not within a distance of a remaining one, without those of debris.
 std::vector<Vertex> goneVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, double distance,
                                  const Progress& progress) {
   const std::vector<bool> are = usedVertices(after, progress.part(0.0, 0.25));

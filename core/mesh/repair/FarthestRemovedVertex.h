@@ -9,16 +9,16 @@
 
 namespace handwheel {
 
-// The vertex of an earlier surface that sticks out farthest from a later one.
+// The vertex of an earlier surface that is farthest outside a later one.
 struct FarthestRemovedVertex {
-  double distance = 0.0;      // mm, from the later surface
-  Vec3 place = Vec3::Zero();  // of the vertex
+  double distance = 0.0;  // mm, to the later surface
+  Vec3 position = Vec3::Zero();
 };
 
-// What a change took away from the outside: of the vertices of "before" that "after" does not have, the one farthest
-// outside of its surface. Vertices inside, as those of walls that a union removes, and debris of "before" do not count;
-// the sign is that of SurfaceDistance. None below tolerance::kRemovedPart, where "after" has no surface, or if
-// cancelled. O(n), and O(n log n) where a vertex is gone with all around it.
+// Finds the vertex of "before", missing in "after", that is farthest outside the surface of "after". It shows what a
+// change removed from the outside. Vertices inside, such as those of walls that a union removes, and debris of "before"
+// do not count; the sign is that of SurfaceDistance. Returns nothing below tolerance::kRemovedPart, if "after" has no
+// surface, or if cancelled. O(n), or O(n log n) if a vertex is missing with all its surroundings.
 std::optional<FarthestRemovedVertex> farthestRemovedVertex(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                                            Progress progress = {});
 

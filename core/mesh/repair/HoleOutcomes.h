@@ -10,27 +10,27 @@
 
 namespace handwheel {
 
-// Tracks the outcome of a repair for each boundary loop of the input. A repair changes, cuts and closes what was one
-// loop at first; a loop in several pieces has the worst outcome of them.
+// Tracks the outcome of a repair for each boundary loop of the input. A repair may change, divide and close a loop; a
+// loop in several pieces has their worst outcome.
 class HoleOutcomes {
  public:
   explicit HoleOutcomes(const HalfEdgeMesh& input, Progress progress = {})
       : m_loops(findBoundaryLoops(input, progress)), m_owners(input, m_loops) {}
 
   const std::vector<BoundaryLoop>& inputLoops() const { return m_loops; }
-  // The input loops along which a loop of the current mesh runs; none for one that the repair opened.
+  // Returns the input loops along which a loop of the current mesh runs; none if the repair opened it.
   std::set<int> ownersOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const { return m_owners.of(mesh, loop); }
 
   void record(LoopResult result, const std::set<int>& owners);
-  // Records loops as closed, whatever was recorded before.
+  // Records loops as closed and overrides their recorded outcomes.
   void replace(const LoopResult& result, const std::set<int>& owners);
 
-  // Why a loop is left open; None for one that ought to be closed.
+  // Returns the reason why a loop is left open; None for a loop that should be closed.
   using ReasonToLeave = std::function<FillFailure(const BoundaryLoop&, const std::set<int>& owners)>;
-  // The results of all loops, by id, then of those that the repair opened; what is open in the mesh counts as open,
-  // whatever was tried before.
+  // Returns the results of all loops, by id, then of those that the repair opened. A loop that is open in the mesh
+  // counts as open, regardless of recorded outcomes.
   std::vector<LoopResult> conclude(const HalfEdgeMesh& mesh, const ReasonToLeave& reasonToLeave, Progress progress);
-  // The loops of that mesh, with the input loops along which they run.
+  // An open loop of the concluded mesh, with the input loops along which it runs.
   struct Left {
     OpenLoop loop;
     std::set<int> owners;

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Cuts and filled holes change the shape of a sheet, which may look like none any more. What was its outer edge stays
-// one.
+// Cuts and filled holes change the shape of a sheet, which may no longer look like one. Its former outer edge still
+// counts as such.
 bool LoopReasons::isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
   const auto was = [&](int id) { return m_inputLoops[static_cast<std::size_t>(id)].isSheetBoundary; };
   return loop.isSheetBoundary || std::any_of(owners.begin(), owners.end(), was);
@@ -54,7 +54,8 @@ FillFailure LoopReasons::atLast(const BoundaryLoop& loop, const std::set<int>& o
   return std::any_of(owners.begin(), owners.end(), isKept) ? FillFailure::SheetKeptOpen : FillFailure::None;
 }
 
-// Why such a loop stays open. id: of the input, kLaidOpen for another. known: of the last patch that was proposed.
+// Returns the reason why such a loop stays open. id is that of the input, or kLaidOpen for another loop. known is the
+// failure of the last proposed patch.
 FillFailure LoopReasons::ofFailure(int id, FillFailure known, bool isSpent) const {
   const auto sheet = m_sheetFailures.find(id);
   if (sheet != m_sheetFailures.end() && id != kLaidOpen) return sheet->second;

@@ -6,25 +6,25 @@
 
 namespace handwheel {
 
-// Why a repair leaves boundary loops open. By its options before, and by what was tried in vain afterwards. Loops are
-// named by those of the input along which they run, their owners.
+// The reasons why a repair leaves boundary loops open. They follow from its options beforehand, and from failed
+// attempts afterwards. Loops are identified by the input loops along which they run, their owners.
 class LoopReasons {
  public:
-  // Both outlive it.
+  // Both arguments must outlive the object.
   LoopReasons(const RepairOptions& options, const std::vector<BoundaryLoop>& inputLoops)
       : m_options(options), m_inputLoops(inputLoops) {}
 
-  // None for a loop that is to be filled.
+  // Returns the reason known in advance; None for a loop to fill.
   FillFailure beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners) const;
-  // Whether a loop with that reason is to be closed, by a patch or by a back.
+  // Returns true if a loop with that reason should be closed, by a patch or by thickening its sheet.
   bool mayClose(FillFailure beforeTrying) const;
 
-  // What was tried is noted anew in each round.
+  // Forgets the failed attempts, which are noted anew in each round.
   void forget();
   void noteCutShort(const std::set<int>& owners);
   void noteSheet(const std::set<int>& owners, FillFailure failure);
 
-  // Reports all loops with their outcomes and reasons. mesh: the result. isSpent: no effort is left.
+  // Reports all loops with their outcomes and reasons. mesh is the result; isSpent means that no effort is left.
   void conclude(HoleOutcomes& outcomes, const HalfEdgeMesh& mesh, bool isSpent, RepairReport& report,
                 Progress progress) const;
 
@@ -37,8 +37,9 @@ class LoopReasons {
 
   const RepairOptions& m_options;
   const std::vector<BoundaryLoop>& m_inputLoops;
-  std::set<int> m_cutShort;  // loops of the input, or kLaidOpen for any other, of which a trial was cut short at last
-  std::map<int, FillFailure> m_sheetFailures;  // of the same, the outer edges of sheets that were not thickened at last
+  std::set<int> m_cutShort;  // input loops, or kLaidOpen for any other, whose last trial was cut short
+  // Same keys; outer edges of sheets that were not thickened in the last round.
+  std::map<int, FillFailure> m_sheetFailures;
 };
 
 }  // namespace handwheel

@@ -23,19 +23,19 @@ std::size_t countReversedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& a
   return reversed;
 }
 
-std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> places,
+std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> positions,
                                      Progress progress) {
   for (Vertex v = 0; v < before.vertexSlots(); ++v) {
-    if (after.position(v) != before.position(v)) places.push_back(before.position(v));
+    if (after.position(v) != before.position(v)) positions.push_back(before.position(v));
   }
-  if (places.empty()) return {};
-  std::vector<Vec3> points = places;
+  if (positions.empty()) return {};
+  std::vector<Vec3> points = positions;
   for (Vertex v = 0; v < before.vertexSlots(); ++v) points.push_back(before.position(v));
   const PointClasses classes = classifyPoints(points, progress);
   if (progress.cancelled()) return {};
   std::vector<Vertex> vertices;
   for (Vertex v = 0; v < before.vertexSlots(); ++v) {
-    if (classes.representative[classes.classOf[places.size() + v]] < places.size()) vertices.push_back(v);
+    if (classes.representative[classes.classOf[positions.size() + v]] < positions.size()) vertices.push_back(v);
   }
   return vertices;
 }

@@ -11,11 +11,12 @@ namespace handwheel {
 
 // Differences between two versions of a mesh, by the indices of the earlier one. Both are invalid if cancelled.
 
-// How many faces run the other way over the same three positions. O(n).
+// Counts the faces whose orientation over the same three positions is reversed. O(n).
 std::size_t countReversedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress = {});
 
-// The vertices that are elsewhere now, and all at these places, sorted. O(n log n), or O(n) where there are none.
-std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> places,
+// Returns the vertices whose position changed, and all vertices at the given positions, sorted. O(n log n), or O(n) if
+// there are none.
+std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> positions,
                                      Progress progress = {});
 
 }  // namespace handwheel

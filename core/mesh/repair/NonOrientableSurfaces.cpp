@@ -21,11 +21,11 @@
 namespace handwheel {
 namespace {
 
-constexpr double kSlit = 0.1;      // of the way to the middle of the faces on one side
-constexpr int kSmallerSlits = 10;  // by halves
+constexpr double kSlit = 0.1;      // share of the distance to the middle of the faces on one side
+constexpr int kSmallerSlits = 10;  // number of halvings
 constexpr std::size_t kMostLoops = 64;
 
-// The mesh as a file shows it, or those faces of it; faces beyond the slots have been added to them.
+// Returns the mesh as a file stores it, or only the given faces; faces beyond their slots were added to them.
 struct Welded {
   Welded(const HalfEdgeMesh& mesh, const FaceSelection* only, std::size_t slots, Progress progress)
       : byPosition(trianglesOf(mesh, only, slots, progress.part(0.0, 0.6))),
@@ -51,7 +51,7 @@ struct Welded {
   std::vector<Vec3> points;
 };
 
-// Cuts along one way.
+// Cuts along one cycle.
 class LoopCutter {
  public:
   LoopCutter(HalfEdgeMesh& mesh, const Welded& welded, const OrientationReversingCycle& loop, NumberType numbers)
@@ -64,7 +64,7 @@ class LoopCutter {
     }
   }
 
-  // False, and nothing changed, where a side finds no room. Adds the vertices on either side of the cut.
+  // Returns false, without a change, if a side cannot be moved. Adds the vertices on both sides of the cut.
   bool cut(std::vector<Vertex>& vertices) {
     HalfEdgeMesh result = m_mesh;
     std::vector<Vertex> found;
@@ -87,14 +87,14 @@ class LoopCutter {
   }
 
  private:
-  using Side = std::vector<std::uint32_t>;  // corners around a point that hang together
+  using Side = std::vector<std::uint32_t>;  // connected corners around a point
 
   std::uint32_t from(std::uint32_t c) const { return m_triangles[c / 3][c % 3]; }
   std::uint32_t to(std::uint32_t c) const { return m_triangles[c / 3][(c % 3 + 1) % 3]; }
   std::uint32_t before(std::uint32_t c) const { return m_triangles[c / 3][(c % 3 + 2) % 3]; }
   static std::pair<std::uint32_t, std::uint32_t> key(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
 
-  // What hangs together over edges with two faces; across the cut as well, or not.
+  // Groups the corners that are connected through edges with two faces, optionally across the cut too.
   std::vector<Side> grouped(const std::vector<std::uint32_t>& corners, bool acrossCut) const {
     std::map<std::uint32_t, std::vector<std::size_t>> byEdge;  // by the point at the other end
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -129,18 +129,18 @@ class LoopCutter {
     return sum;
   }
 
-  // Gives the side a vertex of its own, some way into its faces.
+  // Gives the side a separate vertex, moved a short distance into its faces.
   bool move(HalfEdgeMesh& mesh, const Side& side) const {
-    const Vec3 place = mesh.position(mesh.from(side.front()));
+    const Vec3 position = mesh.position(mesh.from(side.front()));
     Vec3 middle = Vec3::Zero();
     for (const std::uint32_t c : side) {
       const TrianglePoints p = mesh.points(c / 3);
-      middle += ((p[0] - place) + (p[1] - place) + (p[2] - place)) / (3.0 * static_cast<double>(side.size()));
+      middle += ((p[0] - position) + (p[1] - position) + (p[2] - position)) / (3.0 * static_cast<double>(side.size()));
     }
     double step = kSlit;
     for (int i = 0; i < kSmallerSlits; ++i, step *= 0.5) {
-      const Vec3 moved = rounded(Vec3(place + step * middle), m_numbers);
-      if (moved == place || !mayStandAt(mesh, side, moved)) continue;
+      const Vec3 moved = rounded(Vec3(position + step * middle), m_numbers);
+      if (moved == position || !mayStandAt(mesh, side, moved)) continue;
       const Vertex v = mesh.addVertex(moved);
       for (const std::uint32_t c : side) mesh.setCorner(c, v);
       return true;
@@ -161,10 +161,10 @@ class LoopCutter {
   const std::vector<Triangle>& m_triangles;
   const NumberType m_numbers;
   std::set<std::pair<std::uint32_t, std::uint32_t>> m_cut;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> m_corners;  // around each point of the way
+  std::map<std::uint32_t, std::vector<std::uint32_t>> m_corners;  // corners around each point of the cycle
 };
 
-// The loops that are nothing but cut.
+// Returns the loops that consist only of cut edges.
 std::vector<BoundaryLoop> slitsOf(const HalfEdgeMesh& mesh, const std::vector<Vertex>& cut, Progress progress) {
   const auto isCut = [&](const Vec3& p) {
     return std::any_of(cut.begin(), cut.end(), [&](Vertex v) { return mesh.position(v) == p; });

@@ -20,23 +20,23 @@
 namespace handwheel {
 namespace {
 
-struct Way {
+struct Attempt {
   FillMethod method;
-  double height = 0.0;  // of a cone, in the loop's shortest edges; towards the outside
+  double height = 0.0;  // outward height of a cone in the loop's shortest edges
 };
-// From the best shape to the least that may do.
-constexpr Way kWays[] = {{FillMethod::Fair},        {FillMethod::Refined},    {FillMethod::Minimal},
-                         {FillMethod::Ear},         {FillMethod::Cone, -0.1}, {FillMethod::Cone, 0.1},
-                         {FillMethod::Cone, -0.01}, {FillMethod::Cone, 0.01}, {FillMethod::ThickenedSheet}};
+// Ordered from the best to the least acceptable shape.
+constexpr Attempt kAttempts[] = {{FillMethod::Fair},        {FillMethod::Refined},    {FillMethod::Minimal},
+                                 {FillMethod::Ear},         {FillMethod::Cone, -0.1}, {FillMethod::Cone, 0.1},
+                                 {FillMethod::Cone, -0.01}, {FillMethod::Cone, 0.01}, {FillMethod::ThickenedSheet}};
 // A cone over a longer loop would be a spike.
 constexpr std::size_t kConeEdges = 16;
-// ThickenedSheet is only a sheet that is hardly more than its edge.
+// Only sheets with few faces for their edge are thickened.
 constexpr std::size_t kThickenedFacesPerEdge = 4;
-// How often the box of a trial is made larger, where what crosses reaches out of it, before all of the mesh is taken;
+// Number of enlargements of a trial's box, if crossing faces extend beyond it, before the whole mesh is used.
 constexpr int kNearbyRounds = 4;
-// and how many faces are looked at for it in the time that one takes in a trial.
+// Number of faces scanned for the box in the time that one face takes in a trial.
 constexpr std::size_t kScanWork = 20;
-// The share that one trial may take of the effort that is left: however many go wrong, there is some for the others.
+// The divisor of the remaining effort that limits one trial, so that failed trials leave effort for the others.
 constexpr std::size_t kTrialShare = 4;
 // The same for thickening sheets, which is done before the trial of the result: it takes several passes over the mesh.
 constexpr std::size_t kThickeningShare = 2;
@@ -72,9 +72,9 @@ class Closer {
   ObstructedClosings run() {
     std::vector<std::size_t> left(m_holes.size());
     std::iota(left.begin(), left.end(), std::size_t{0});
-    for (const Way& way : kWays) {
-      m_way = way;
-      m_options.method = way.method;
+    for (const Attempt& attempt : kAttempts) {
+      m_attempt = attempt;
+      m_options.method = attempt.method;
       m_proposals.clear();
       close(left);
       std::erase_if(left, [&](std::size_t i) { return m_result.holes[i].closed; });
@@ -85,14 +85,14 @@ class Closer {
   }
 
  private:
-  // What would close a loop of the mesh as it is: a patch, or a back to its sheet.
+  // A possible closing of a loop of the current mesh: a patch, or a back of its sheet.
   struct Proposal {
     std::size_t hole;
     BoundaryLoop loop;
     std::optional<Patch> patch;
   };
 
-  // How a trial ended. Done: there is nothing more to try with these holes.
+  // The result of a trial. Done: no further trials with these holes are needed.
   enum class Trial { Done, Rejected, CutShort };
 
   void close(std::span<const std::size_t> some) {
@@ -134,7 +134,8 @@ class Closer {
     return trial;
   }
 
-  // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
+  // Does the same with the faces near the holes only. Returns nothing if that does not save much work, or no patches
+  // are tried.
   std::optional<Trial> tryNearby(std::span<const std::size_t> some) {
     std::vector<const Proposal*> chosen;
     std::vector<PatchAtLoop> patches;
@@ -163,7 +164,7 @@ class Closer {
     return std::nullopt;
   }
 
-  // By a patch in the mesh as it is.
+  // Records that the patch of a proposal closes a hole of the current mesh.
   void closeBy(const Proposal& p, ObstructedClosing& hole) const {
     const PatchComparison shape = compared(m_mesh, p.loop, *p.patch);
     const PatchComparison worst = hole.closed && hole.shape.bend > shape.bend ? hole.shape : shape;
@@ -180,7 +181,7 @@ class Closer {
     m_proposals.clear();
   }
 
-  // For all that is left, with the mesh as it is and the method.
+  // Makes proposals for all remaining holes with the current mesh and method.
   void propose() {
     const HoleFiller filler(m_mesh, m_progress);
     for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, m_progress)) {
@@ -191,9 +192,9 @@ class Closer {
         if (mayBack(hole, loop)) m_proposals.push_back({hole, loop, {}});
         continue;
       }
-      if (m_way.method == FillMethod::Cone) {
+      if (m_attempt.method == FillMethod::Cone) {
         if (loop.halfEdges.size() <= kConeEdges)
-          m_proposals.push_back({hole, loop, conePatch(m_mesh, loop, m_way.height, m_options.numbers)});
+          m_proposals.push_back({hole, loop, conePatch(m_mesh, loop, m_attempt.height, m_options.numbers)});
         continue;
       }
       FillAttempt attempt = filler.propose(loop, m_options, m_progress);
@@ -210,16 +211,16 @@ class Closer {
     return kNobody;
   }
 
-  // Backs are tried once, and for what is no sheet last. They close all loops of the sheet.
+  // Backs are tried once, and last for surfaces that are no sheets. They close all loops of the sheet.
   bool mayBack(std::size_t hole, const BoundaryLoop& loop) const {
     const bool isSheet = m_holes[hole].back;
-    if (isSheet && m_options.method != kWays[0].method) return false;
+    if (isSheet && m_options.method != kAttempts[0].method) return false;
     const std::vector<Face> faces = sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front()));
     if (!isSheet && faces.size() > kThickenedFacesPerEdge * loop.halfEdges.size()) return false;
     return !hasCornerAmong(m_mesh, faces, m_options.keptCorners);
   }
 
-  // Returns the thickness that was reached; none where it took too much effort.
+  // Returns the reached thickness; nothing if it took too much effort.
   std::optional<SheetThickness> thicken(HalfEdgeMesh& mesh, const std::vector<const Proposal*>& backs,
                                         std::vector<Face>& newFaces, std::vector<ObstructedClosing>& closings) {
     WorkBudget effort = m_progress.share(m_effort.left() / kThickeningShare);
@@ -238,7 +239,7 @@ class Closer {
     return made.thickness;
   }
 
-  // hasBacks: then the surface is to touch itself at no more vertices than before, too.
+  // With hasBacks, the surface must also touch itself at no more vertices than before.
   Trial keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
                     const std::vector<ObstructedClosing>& closings, bool hasBacks) {
     if (!areFinite(changed, newFaces)) return Trial::Rejected;
@@ -250,7 +251,7 @@ class Closer {
     if (report.intersectionsAfter > m_crossings) return rejected();
     std::optional<std::vector<Vec3>> separated;
     if (hasBacks) {
-      if (!m_touching) m_touching = touchingPlaces(m_mesh, now);
+      if (!m_touching) m_touching = touchingPositions(m_mesh, now);
       const auto firstNew = static_cast<Vertex>(m_before.vertexSlots());
       separated =
           separateNewTouchings(changed, *m_touching, m_options.numbers, {&m_options.keptCorners, firstNew}, now);
@@ -281,11 +282,11 @@ class Closer {
   WorkBudget m_effort;
   Progress m_progress;
   ObstructedClosings m_result;
-  std::size_t m_crossings;  // of the mesh, as the file will show it
+  std::size_t m_crossings;  // number in the mesh as the file will store it
   std::size_t m_badEdges;
-  Way m_way = kWays[0];
+  Attempt m_attempt = kAttempts[0];
   std::vector<Proposal> m_proposals;
-  std::optional<std::set<PointKey>> m_touching;  // places of the mesh, once they are asked for
+  std::optional<std::set<PointKey>> m_touching;  // positions in the mesh; set on the first use
 };
 
 }  // namespace

@@ -12,15 +12,15 @@ namespace handwheel {
 namespace {
 
 constexpr double kLongestMitre = 2.0;  // at a corner of three planes at right angles it is √3
-// Of the squared cosines between normals and a direction, the mean from which on the planes determine the offset there:
-// two that meet at 37°. Less is the noise of a smooth surface.
+// Least mean of the squared cosines between normals and a direction at which the planes determine the offset there:
+// that of two planes that meet at 37°. Less is the noise of a smooth surface.
 constexpr double kLeastSpread = 0.1;
 
-// Below this the direction is hardly behind the planes; what a file rounds would be on their other side.
+// Below this margin the direction is hardly behind the planes; rounding by the file could exceed it.
 constexpr double kLeastMargin = 1e-3;
-// Each step comes nearer to the origin; so many are never taken but for rounding.
+// Each step comes nearer to the origin; only rounding can cause this many.
 constexpr int kMostSimplexSteps = 200;
-// Of squared lengths of at most 1, the rounding of their computation.
+// Rounding error of squared lengths of at most 1.
 constexpr double kRounding = 1e-14;
 
 // Up to four points, without memory of their own: this is asked for each division of a fan.
@@ -31,8 +31,8 @@ struct Simplex {
   void add(const Vec3& p) { points[size++] = p; }
 };
 
-// The point nearest to the origin of the affine hull of some points; none where it is not within their convex hull, or
-// where fewer points have the same affine hull.
+// Returns the point nearest to the origin of the affine hull of some points; nothing if it is not within their convex
+// hull, or if fewer points have the same affine hull.
 std::optional<Vec3> nearestWithin(const Simplex& simplex) {
   using Edges = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
   using Shares = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
@@ -47,7 +47,7 @@ std::optional<Vec3> nearestWithin(const Simplex& simplex) {
   return Vec3(p + edges * shares);
 }
 
-// The same for the convex hull of the points; those that it does not depend on are removed.
+// Returns the same for the convex hull of the points, and removes those that it does not depend on.
 Vec3 nearestOfSimplex(Simplex& simplex) {
   Vec3 nearest = simplex.points.front();
   Simplex best;

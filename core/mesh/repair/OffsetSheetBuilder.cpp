@@ -8,10 +8,10 @@
 namespace handwheel {
 namespace {
 
-// The offset is a 256th of the thickness at last: nearer than that, single precision shows hardly any.
+// The smallest offset is a 256th of the thickness: less is hardly visible in single precision.
 constexpr int kMostOffsetHalvings = 8;
-// Below this share of what was asked for, a body counts as thinner. Where more than three planes meet, no offset has
-// all of them at the same distance, and on a smooth sheet they differ by less.
+// Below this share of the requested thickness, a body counts as thinner. If more than three planes meet, no offset has
+// all of them at the same distance; on a smooth sheet the difference is smaller.
 constexpr double kThin = 0.9;
 
 }  // namespace
@@ -48,7 +48,7 @@ bool OffsetSheetBuilder::halve(Vertex v) {
   if (offset.halvings == kMostOffsetHalvings) return false;
   ++offset.halvings;
   offset.depth *= 0.5;
-  m_mesh.setPosition(v, place(offset));
+  m_mesh.setPosition(v, positionOf(offset));
   return true;
 }
 
@@ -101,7 +101,7 @@ OffsetSheetBuilder::Corner OffsetSheetBuilder::cornerOf(HalfEdge h) const {
   return corner;
 }
 
-// Else a back would be the sheet itself.
+// Returns false if rounding would make a back coincide with the sheet.
 bool OffsetSheetBuilder::hasRoom() const {
   return std::all_of(m_corners.begin(), m_corners.end(), [&](const auto& entry) {
     const Vec3& p = m_mesh.position(entry.first);
@@ -113,17 +113,17 @@ bool OffsetSheetBuilder::hasRoom() const {
   });
 }
 
-Vec3 OffsetSheetBuilder::place(const SheetOffset& offset) const {
+Vec3 OffsetSheetBuilder::positionOf(const SheetOffset& offset) const {
   return rounded(Vec3(offset.from + offset.depth * offset.direction), m_numbers);
 }
 
 Vertex OffsetSheetBuilder::behind(const SheetOffset& offset) {
-  const Vertex v = m_mesh.addVertex(place(offset));
+  const Vertex v = m_mesh.addVertex(positionOf(offset));
   m_offsets.emplace(v, offset);
   return v;
 }
 
-// The vertex behind that of a face.
+// Returns the vertex behind a vertex of a face.
 Vertex OffsetSheetBuilder::back(Vertex v, Face f) {
   Corner& c = m_corners.at(v);
   if (c.stays()) return v;
@@ -133,7 +133,7 @@ Vertex OffsetSheetBuilder::back(Vertex v, Face f) {
   return c.backs[k];
 }
 
-// The vertex behind the middle of an edge whose ends both stay; kNone for other edges.
+// Returns the vertex behind the middle of an edge whose ends both stay; kNone for other edges.
 Vertex OffsetSheetBuilder::middle(HalfEdge h) {
   if (!m_mesh.hasOpposite(h) || !m_corners.at(m_mesh.from(h)).stays() || !m_corners.at(m_mesh.to(h)).stays())
     return kNone;
@@ -180,7 +180,7 @@ void OffsetSheetBuilder::cover(Face f) {
   }
 }
 
-// A face none of whose edges is split: one whose corners all stay would lie on its back.
+// Covers a face without split edges: one whose corners all stay would coincide with its back.
 void OffsetSheetBuilder::coverWhole(Face f, const std::array<Vertex, 3>& v) {
   if (v != m_mesh.triangle(f)) {
     m_facePairs.emplace_back(add(v[0], v[1], v[2]), f);
@@ -191,7 +191,7 @@ void OffsetSheetBuilder::coverWhole(Face f, const std::array<Vertex, 3>& v) {
   for (int k = 0; k < 3; ++k) add(v[k], v[(k + 1) % 3], c);
 }
 
-// The side faces behind the open edges of a face.
+// Adds the side faces behind the open edges of a face.
 void OffsetSheetBuilder::addSides(Face f) {
   for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
     if (m_mesh.hasOpposite(h)) continue;
@@ -201,7 +201,7 @@ void OffsetSheetBuilder::addSides(Face f) {
   }
 }
 
-// Between the parts of a divided back, behind the edges that divide it.
+// Adds the faces between the parts of a divided back, behind the edges that divide it.
 void OffsetSheetBuilder::closeGaps(Face f) {
   for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
     if (!m_mesh.hasOpposite(h) || m_mesh.opposite(h) < h) continue;

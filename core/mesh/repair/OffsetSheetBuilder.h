@@ -10,36 +10,37 @@
 
 namespace handwheel {
 
-// The vertex behind one of a sheet.
+// The offset that defines the vertex behind a point of a sheet.
 struct SheetOffset {
   Vec3 from;
-  Vec3 direction;  // as of offsetBehind()
-  double depth;    // times the direction
-  double reach;    // mm behind the nearest plane of its faces for each mm of depth, at most 1
-  Vertex front;    // of which it is the back; kNone behind the middle of an edge or face
+  Vec3 direction;  // result of offsetBehind()
+  double depth;    // factor of the direction
+  double reach;    // distance behind the nearest plane of its faces per depth, at most 1
+  Vertex front;    // vertex in front of it; kNone behind the middle of an edge or face
   bool isOnOutline;
   int halvings = 0;
 };
 
-// Builds the backs of thickened sheets and the side faces along their outlines. For thickenSheets().
+// Builds the backs of thickened sheets and the side faces along their outlines. Used by thickenSheets().
 class OffsetSheetBuilder {
  public:
   // kept: vertices without an offset.
   OffsetSheetBuilder(HalfEdgeMesh& mesh, NumberType numbers, const std::unordered_set<Vertex>& kept)
       : m_mesh(mesh), m_numbers(numbers), m_kept(kept) {}
 
-  // False, without a change, where the numbers of the file cannot show the thickness.
+  // Adds the back of a sheet. Returns false, without a change, if the number type of the file cannot represent the
+  // thickness.
   bool add(const OpenSheet& sheet);
 
   const std::vector<Face>& faces() const { return m_faces; }
-  // Pairs of a back and its face in the sheet. Side faces, faces of a split back and those between the parts of a
-  // divided one are in no pair: no face is in front of them. Where one is turned over it intersects others.
+  // Returns the pairs of a back face and its face in the sheet. Side faces, faces of a split back and those between the
+  // parts of a divided one are in no pair: no face is in front of them. If such a face flips, it intersects others.
   const std::vector<std::pair<Face, Face>>& facePairs() const { return m_facePairs; }
-  // Null for a vertex of a sheet.
+  // Returns the offset of a back vertex; null for a vertex of a sheet.
   const SheetOffset* offsetOf(Vertex v) const;
-  // Halves the depth of a vertex behind a sheet; false where that was done too often.
+  // Halves the depth of a vertex behind a sheet. Returns false if that was done too often.
   bool halve(Vertex v);
-  // Of the faces that are still live.
+  // Returns the reached thickness of the faces that are still live.
   SheetThickness reached() const;
 
  private:
@@ -47,7 +48,7 @@ class OffsetSheetBuilder {
     std::vector<HalfEdge> fan;
     bool isOpen = false;
     VertexOffsets behind;
-    std::array<double, 2> reaches{1.0, 1.0};  // of the offsets
+    std::array<double, 2> reaches{1.0, 1.0};  // SheetOffset::reach of each offset
     std::array<Vertex, 2> backs{kNone, kNone};
 
     bool stays() const { return behind.offsets.empty(); }
@@ -56,7 +57,7 @@ class OffsetSheetBuilder {
 
   Corner cornerOf(HalfEdge h) const;
   bool hasRoom() const;
-  Vec3 place(const SheetOffset& offset) const;
+  Vec3 positionOf(const SheetOffset& offset) const;
   Vertex behind(const SheetOffset& offset);
   Vertex back(Vertex v, Face f);
   Vertex middle(HalfEdge h);
@@ -69,16 +70,16 @@ class OffsetSheetBuilder {
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
   const std::unordered_set<Vertex>& m_kept;
-  double m_thickness = 0.0;                         // of the sheet that is added
-  std::size_t m_vertices = 0, m_sharpVertices = 0;  // of all sheets; without an offset
-  std::unordered_map<Vertex, Corner> m_corners;     // of that sheet
-  std::unordered_map<HalfEdge, Vertex> m_middles;   // the same; by the smaller half-edge
+  double m_thickness = 0.0;                         // thickness of the current sheet
+  std::size_t m_vertices = 0, m_sharpVertices = 0;  // numbers over all sheets: all vertices; those without an offset
+  std::unordered_map<Vertex, Corner> m_corners;     // corners of the current sheet
+  std::unordered_map<HalfEdge, Vertex> m_middles;   // middles of edges of the current sheet, by the smaller half-edge
   std::unordered_map<Vertex, SheetOffset> m_offsets;
   std::vector<std::pair<Face, Face>> m_facePairs;
   std::vector<Face> m_faces;
 };
 
-// The normal of a face; zero where it is degenerate.
+// Returns the unit normal of a face; zero if it is degenerate.
 Vec3 unitNormal(const HalfEdgeMesh& mesh, Face f);
 
 }  // namespace handwheel

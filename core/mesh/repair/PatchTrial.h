@@ -10,30 +10,30 @@
 
 namespace handwheel {
 
-// A patch for a loop of a mesh. Both outlive it.
+// A patch for a loop of a mesh. Both must outlive the object.
 struct PatchAtLoop {
   const BoundaryLoop* loop;
   const Patch* patch;
 };
 
-// Patches put into a part of a mesh, with a verdict on them.
+// The result of inserting patches into a part of a mesh.
 struct PatchTrial {
-  bool isOutside = false;  // the part does not hold the loops as they are
+  bool isOutside = false;  // the part does not contain the loops completely
   bool isSound = false;
-  Box reach;  // of what intersects the patches, and of what was changed
+  Box reach;  // bounding box of all faces that intersect the patches or changed
   HalfEdgeMesh changed;
   std::size_t cutFaces = 0;
   std::size_t fewerCrossings = 0;
   std::size_t fewerBadEdges = 0;
 };
 
-// Inserts patches into a part of a mesh, although they may intersect it, and cuts where they do
-// (removeSelfIntersections()). Sound is what has no more self-intersections than the part, and fewer edges without two
-// faces. mesh: of which that is a part. Not sound if cancelled.
+// Inserts patches into a part of a mesh and cuts where they intersect it (removeSelfIntersections()). The trial is
+// sound if it has no more self-intersections than the part, and fewer edges without two faces. mesh is the whole mesh.
+// Not sound if cancelled.
 PatchTrial tryPatches(const Submesh& part, const HalfEdgeMesh& mesh, std::span<const PatchAtLoop> patches,
                       NumberType numbers, const Progress& progress);
 
-// False where numbers at the end of their range overflowed.
+// Returns true if the faces have finite coordinates, so that no number overflowed.
 bool areFinite(const HalfEdgeMesh& mesh, std::span<const Face> faces);
 
 }  // namespace handwheel

@@ -42,13 +42,13 @@ double millisecondsSince(Clock::time_point start) {
 constexpr int kHardRounds = 4;
 // Most repairs need two rounds, of which the last finds nothing to do.
 constexpr int kMostRounds = 8;
-// Of the progress, what all rounds take; and of that, what is left for the others when one is done.
+// Share of the progress for all rounds, and the share of the remainder that each round leaves for the others.
 constexpr double kRounds = 0.95;
 constexpr double kRestOfRounds = 0.2;
 
 class Repairer {
  public:
-  // progress: of finding the loops.
+  // progress is that of finding the loops.
   Repairer(const HalfEdgeMesh& input, const RepairOptions& options, Progress progress)
       : m_input(input),
         m_mesh(input),
@@ -58,13 +58,13 @@ class Repairer {
         m_efforts(input) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       const FillFailure reason = reasonToLeave(loop, {loop.id});
-      // What folds around a hole is replaced although a sheet that nobody marked is part of it.
+      // A folded region around a hole is replaced even if it contains part of an unmarked sheet.
       if (m_reasons.mayClose(reason) || reason == FillFailure::SheetBoundary) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
     }
   }
 
-  // Until a round finds nothing more to do: another repair() of the result would find nothing either.
+  // Repeats rounds until one changes nothing, so that another repair() of the result would change nothing either.
   RepairReport run(Progress progress) {
     double from = 0.0;
     if (const std::vector<Face> turned = inconsistentFaces(progress); !turned.empty())
@@ -73,7 +73,7 @@ class Repairer {
       const double to = 1.0 - kRestOfRounds * (1.0 - from);
       const HalfEdgeMesh before = m_mesh;
       if (m_round > 0)
-        relink(m_mesh, progress.part(kRounds * from, kRounds * from));  // as it would be read from a file
+        relink(m_mesh, progress.part(kRounds * from, kRounds * from));  // the mesh is linked as if read from a file
       repairOnce(progress.part(kRounds * from, kRounds * to));
       from = to;
       if (MeshDelta::isEmptyBetween(before, m_mesh)) break;
@@ -124,14 +124,14 @@ class Repairer {
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
   }
 
-  // Only where some half-edges are seams.
+  // Needed only if some half-edges are seams.
   std::vector<Face> inconsistentFaces(const Progress& progress) const {
     for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h)
       if (m_mesh.isSeam(h)) return findInconsistentFaces(m_mesh, progress.part(0.0, 0.0));
     return {};
   }
 
-  // False when there was nothing to part.
+  // Returns false if there was nothing to separate.
   bool part(Progress progress) {
     const HalfEdgeMesh before = m_mesh;
     const auto spareCrossings = [&] {
@@ -143,13 +143,14 @@ class Repairer {
                 before, progress);
   }
 
-  // What is left of it: parts that touch in a vertex without harm to an edge.
+  // Separates parts that touch in a vertex without harm to an edge.
   void separateTouching(Progress progress) {
     const HalfEdgeMesh before = m_mesh;
     note(separateTouchingVertices(m_mesh, m_options.fill.numbers, progress, spared()), before, progress);
   }
 
-  // What stays open stays where it is; what the repair made moves rather than what there was.
+  // Returns limits that keep open loops in position, and move vertices of the repair in preference to those of the
+  // input.
   SeparationLimits spared() const { return {&m_options.fill.keptCorners, static_cast<Vertex>(m_input.vertexSlots())}; }
 
   bool note(const std::vector<Vertex>& separated, const HalfEdgeMesh& before, const Progress& progress) {
@@ -161,7 +162,7 @@ class Repairer {
     return !separated.empty();
   }
 
-  // The vertices of loops that the user wants open.
+  // Returns the vertices of loops that the user wants open.
   std::vector<bool> keptVertices() const {
     std::vector<bool> kept(m_mesh.vertexSlots(), false);
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
@@ -218,7 +219,7 @@ class Repairer {
     }
   }
 
-  // What is cut and parted may leave slits, which the next round closes. What touches is parted, whatever else may be.
+  // Cuts and separations may leave slits, which the next round closes. Touching vertices are separated in any case.
   void closeHard(Progress progress) {
     const Progress now = progress.measuredBy(m_efforts.hard);
     for (int round = 0; round < kHardRounds; ++round) {
@@ -228,7 +229,7 @@ class Repairer {
     }
   }
 
-  // False when nothing was closed.
+  // Returns false if nothing was closed.
   bool closeHardOnce(Progress progress) {
     std::vector<ObstructedHole> holes;
     std::vector<std::set<int>> owners;
@@ -268,7 +269,7 @@ class Repairer {
     return any;
   }
 
-  // Loose leftovers of cuts too.
+  // Loose remnants of cuts are removed too.
   void replaceFolded(Progress progress) {
     std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.05));
     std::erase_if(loops, [&](const BoundaryLoop& loop) {
@@ -282,7 +283,7 @@ class Repairer {
     if (replaced > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_efforts.separation));
   }
 
-  // Of solids that overlap and have whole faces in common: while both are closed it is known what is inside.
+  // Cuts solids that overlap and have whole faces in common. The inside is known only while both are closed.
   void cutAtDuplicates(const Progress& progress) {
     const PositionTriangles byPosition(m_mesh, progress.part(0.0, 0.1));
     if (progress.cancelled()) return;
@@ -296,7 +297,7 @@ class Repairer {
     const Progress now = progress.within(effort);
     // A round that was cut short stays so unless a later one leaves nothing to cut.
     const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
-    const double united = m_options.uniteSolids ? 0.5 : 0.0;  // of the progress
+    const double united = m_options.uniteSolids ? 0.5 : 0.0;  // share of the progress
     if (m_options.uniteSolids)
       m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now.part(0.0, united));
     const auto pairs = findSelfIntersections(m_mesh, now.part(united, united + 0.3));
@@ -321,12 +322,12 @@ class Repairer {
 
   const HalfEdgeMesh m_input;
   HalfEdgeMesh m_mesh;
-  RepairOptions m_options;  // with the corners of what stays open
+  RepairOptions m_options;  // includes the corners of loops that stay open
   HoleOutcomes m_results;
   LoopReasons m_reasons{m_options, m_results.inputLoops()};
   int m_round = 0;
   double m_thickness;                 // mm
-  std::vector<Vec3> m_modifiedHomes;  // where vertices were before they were moved
+  std::vector<Vec3> m_modifiedHomes;  // original positions of moved vertices
   RepairEfforts m_efforts;
   RepairReport m_report;
 };

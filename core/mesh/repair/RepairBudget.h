@@ -12,32 +12,32 @@
 
 namespace handwheel {
 
-// The effort limit for the repair of a mesh of this many faces. In steps of Effort.
+// Returns the effort limit for the repair of a mesh of this many faces. The unit is steps of Effort.
 inline std::size_t repairBudget(std::size_t faces) {
   const double n = static_cast<double>(faces) + 2.0;
   return std::max(tolerance::kLeastRepairBudget, static_cast<std::size_t>(tolerance::kRepairBudget * n * std::log2(n)));
 }
 
-// What one kind of work on such a mesh may take: a share of that, but no more than a fixed number of steps and those
-// that passes over all of the mesh take.
+// Returns the effort limit for one kind of work on such a mesh. It is a share of the whole limit, but at most a fixed
+// number of steps plus those of passes over the whole mesh.
 inline std::size_t repairBudget(std::size_t faces, double share, std::size_t fixed) {
   return std::min(static_cast<std::size_t>(share * static_cast<double>(repairBudget(faces))),
                   fixed + tolerance::kPassBudget * faces);
 }
 
-// What one repair may take.
+// The effort limits of one repair.
 struct RepairEfforts {
   explicit RepairEfforts(const HalfEdgeMesh& input);
 
-  // What one kind of work may take: as repairBudget(), but less where exact tests are slow. Those take the square of
-  // what coordinates have more bits than those of parts have.
+  // Returns the effort limit for one kind of work, as repairBudget(), but less if exact tests are slow. Their time
+  // grows with the square of the ratio between the bits of the coordinates and those of ordinary parts.
   std::size_t most(double share, std::size_t fixed) const;
 
   std::size_t faces;
   double slowness;
   WorkBudget fill;
   WorkBudget close;
-  WorkBudget hard, separation, tangle;  // shares of that for closing, each its own
+  WorkBudget hard, separation, tangle;  // separate shares of the budget for closing
 };
 
 }  // namespace handwheel

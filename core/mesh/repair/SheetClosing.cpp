@@ -44,10 +44,10 @@ SheetTrial thickenAt(HalfEdgeMesh& mesh, std::span<const LoopOfSheet> loops, dou
   return trial;
 }
 
-std::set<PointKey> touchingPlaces(const HalfEdgeMesh& mesh, Progress progress) {
-  std::set<PointKey> places;
-  for (const Vertex v : findNonManifoldVertices(mesh, progress)) places.insert(positionKey(mesh.position(v)));
-  return places;
+std::set<PointKey> touchingPositions(const HalfEdgeMesh& mesh, Progress progress) {
+  std::set<PointKey> positions;
+  for (const Vertex v : findNonManifoldVertices(mesh, progress)) positions.insert(positionKey(mesh.position(v)));
+  return positions;
 }
 
 std::optional<std::vector<Vec3>> separateNewTouchings(HalfEdgeMesh& mesh, const std::set<PointKey>& known,
@@ -67,8 +67,8 @@ std::optional<std::vector<Vec3>> separateNewTouchings(HalfEdgeMesh& mesh, const 
   return homes;
 }
 
-bool hasCornerAmong(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet, const std::set<PointKey>& places) {
-  return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, places); });
+bool hasCornerAmong(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet, const std::set<PointKey>& positions) {
+  return std::any_of(sheet.begin(), sheet.end(), [&](Face f) { return hasCornerAt(mesh, f, positions); });
 }
 
 void countSheets(const HalfEdgeMesh& before, std::span<const ObstructedHole> holes,

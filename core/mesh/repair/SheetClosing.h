@@ -7,37 +7,38 @@
 
 namespace handwheel {
 
-// One boundary loop of a sheet that is to be thickened.
+// A boundary loop of a sheet to thicken.
 struct LoopOfSheet {
-  HalfEdge at = kNone;    // of the loop
-  bool isWanted = false;  // else the sheet gets no more than a share of its shortest edge: a flake is no needle then
+  HalfEdge at = kNone;  // a half-edge of the loop
+  // False: the thickness is limited to a share of the shortest edge, so that flakes become no needles.
+  bool isWanted = false;
 };
 
 // The result of thickenAt().
 struct SheetTrial {
-  std::vector<Face> faces;        // the new ones
-  SheetThickness thickness;       // that was reached
-  std::vector<bool> isThickened;  // for each loop
+  std::vector<Face> faces;        // the added faces
+  SheetThickness thickness;       // the reached thickness
+  std::vector<bool> isThickened;  // per loop
 };
 
-// Thickens the sheets that have these loops, each once, and links the mesh anew. thickness: mm.
+// Thickens the sheets that have these loops, each once, and relinks the mesh. thickness: mm.
 SheetTrial thickenAt(HalfEdgeMesh& mesh, std::span<const LoopOfSheet> loops, double thickness, NumberType numbers,
                      Progress progress);
 
-// The places at which faces touch without a common edge.
-std::set<PointKey> touchingPlaces(const HalfEdgeMesh& mesh, Progress progress);
+// Finds the positions at which faces touch without a common edge.
+std::set<PointKey> touchingPositions(const HalfEdgeMesh& mesh, Progress progress);
 
-// Separates the vertices at which faces touch without a common edge, except at known places. Returns where the vertices
-// were that it moved; none where such a vertex remains. The mesh is linked anew if it is changed. O(n log n).
+// Separates the vertices at which faces touch without a common edge, except at known positions. Returns the former
+// positions of the moved vertices, or nothing if such a vertex remains. Relinks the mesh if it changes. O(n log n).
 std::optional<std::vector<Vec3>> separateNewTouchings(HalfEdgeMesh& mesh, const std::set<PointKey>& known,
                                                       NumberType numbers, const SeparationLimits& limits,
                                                       Progress progress);
 
-// Whether a face of the sheet has a corner at one of these places.
-bool hasCornerAmong(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet, const std::set<PointKey>& places);
+// Returns true if a face of the sheet has a corner at one of these positions.
+bool hasCornerAmong(const HalfEdgeMesh& mesh, const std::vector<Face>& sheet, const std::set<PointKey>& positions);
 
-// Counts what became of the sheets that were to be thickened, and notes why not for each of their holes. before: the
-// mesh in which the holes were found. A sheet with several outer edges has the outcome of the first.
+// Counts the outcomes of the sheets to thicken, and records the failures of their holes. before is the mesh in which
+// the holes were found. A sheet with several outer edges has the outcome of the first.
 void countSheets(const HalfEdgeMesh& before, std::span<const ObstructedHole> holes,
                  const std::set<PointKey>& keptCorners, ObstructedClosings& closings);
 

@@ -19,12 +19,12 @@
 namespace handwheel {
 namespace {
 
-// How often the mesh is searched for intersections, after which some vertices come nearer to their sheet.
+// Number of searches for intersections, each followed by moving some vertices nearer to their sheet.
 constexpr int kMostSearches = 12;
-// How often the sheets are thickened anew, with a sharp outline where no side faces can stand.
+// Number of new attempts to thicken the sheets, with a sharp outline where no side faces are possible.
 constexpr int kMostAttempts = 3;
 
-// The vertices at which open edges meet others, so that side faces there would lie on each other.
+// Returns the vertices at which open edges meet others, so that side faces there would coincide.
 std::unordered_set<Vertex> pinchedVertices(const HalfEdgeMesh& mesh) {
   std::map<PointKey, Vertex> first;
   std::unordered_set<Vertex> pinched;
@@ -42,7 +42,7 @@ std::unordered_set<Vertex> pinchedVertices(const HalfEdgeMesh& mesh) {
   return pinched;
 }
 
-// Brings the backs of sheets nearer to them where they intersect anything.
+// Moves the backs of sheets nearer to the sheets where they intersect a face.
 class BackWithdrawal {
  public:
   BackWithdrawal(HalfEdgeMesh& mesh, OffsetSheetBuilder& backs, NumberType numbers)
@@ -52,9 +52,9 @@ class BackWithdrawal {
         m_added(backs.faces().begin(), backs.faces().end()),
         m_frontOf(backs.facePairs().begin(), backs.facePairs().end()) {}
 
-  // Halves the offset wherever a new face intersects anything or is turned over, until none is. Where a face is so
-  // small that its back lies on it all the same, neither is needed. Returns the vertices of outlines from which side
-  // faces still intersect something.
+  // Halves the offset wherever a new face intersects a face or flips, until none does. If a face is so small that its
+  // back coincides with it, both are removed. Returns the vertices of outlines from which side faces still intersect
+  // others.
   std::unordered_set<Vertex> run(Progress progress) {
     unfold();
     std::set<Vertex> crossing = crossingVertices(progress);
@@ -70,7 +70,7 @@ class BackWithdrawal {
   }
 
  private:
-  // The back of another face may lie on a face, too: without its front that one's own back would be alone.
+  // The back of another face may coincide with a face too: without its front, the face's own back would be isolated.
   bool isFaceWithItsBack(Face a, Face b) const {
     const auto found = m_frontOf.find(m_added.contains(a) ? a : b);
     return found != m_frontOf.end() && found->second == (found->first == a ? b : a);
@@ -84,7 +84,7 @@ class BackWithdrawal {
     return sorted(a) == sorted(b);
   }
 
-  // The vertices behind sheets of the faces that intersect any; pairs of a face and its back in one place are removed.
+  // Returns the back vertices of all faces that intersect others. Pairs of a face and a coincident back are removed.
   std::set<Vertex> crossingVertices(Progress progress) {
     std::set<Vertex> crossing;
     for (const auto& [a, b] : selfIntersectingPairs(m_mesh, m_numbers, progress)) {
@@ -104,12 +104,12 @@ class BackWithdrawal {
       if (m_backs.offsetOf(v)) vertices.insert(v);
   }
 
-  // False when none could be.
+  // Returns false if none could be halved.
   bool halve(const std::set<Vertex>& vertices) {
     return std::count_if(vertices.begin(), vertices.end(), [&](Vertex v) { return m_backs.halve(v); }) > 0;
   }
 
-  // A back that is turned over shows that the sheet bends more than the offset allows.
+  // A flipped back shows that the sheet bends more than the offset allows.
   void unfold() {
     std::set<Vertex> turned;
     do {

@@ -10,59 +10,59 @@
 
 namespace handwheel {
 
-// The thickness of thickened sheets, mm. It differs from vertex to vertex; 0 where an outline or fold stays sharp.
+// The thickness of thickened sheets, mm. It differs between vertices and is 0 where an outline or fold stays sharp.
 struct SheetThickness {
   double least = 0.0;
   double largest = 0.0;          // 0: nothing was thickened
-  std::size_t vertices = 0;      // of the sheets
-  std::size_t thinVertices = 0;  // at which the body is thinner than asked for
+  std::size_t vertices = 0;      // number of vertices of the sheets
+  std::size_t thinVertices = 0;  // vertices at which the body is thinner than requested
 
   void extend(const SheetThickness& other);
 };
 
-// What became of the sheets that were to be thickened.
+// The outcomes of the sheets to thicken.
 struct SheetOutcomes {
   std::size_t thickened = 0;
-  std::map<FillFailure, std::size_t> left;  // open, by the reason
-  std::map<Vertex, FillFailure> leftLoops;  // the loops of these by keyOf(), each with the reason
-  SheetThickness thickness;                 // of the thickened ones
+  std::map<FillFailure, std::size_t> left;  // number of sheets left open, by the reason
+  std::map<Vertex, FillFailure> leftLoops;  // loops of these sheets by keyOf(), with the reason
+  SheetThickness thickness;                 // thickness of the thickened sheets
 
   std::size_t leftCount() const;
-  // Adds the outcomes of a later attempt at those that are left.
+  // Adds the outcomes of a later attempt at the remaining sheets.
   void extend(const SheetOutcomes& later);
 };
 
 // A sheet to thicken.
 struct OpenSheet {
-  std::vector<Face> faces;  // live and proper, without a paired edge to any other face
+  std::vector<Face> faces;  // live and proper faces, without paired edges to other faces
   double thickness = 0.0;   // mm
 };
 
 // The result of thickenSheets().
 struct ThickenedSheets {
-  std::vector<Face> faces;        // the new ones
-  SheetThickness thickness;       // that was reached
-  std::vector<bool> isThickened;  // for each sheet; false where the numbers of the file cannot show the thickness
+  std::vector<Face> faces;        // the added faces
+  SheetThickness thickness;       // the reached thickness
+  std::vector<bool> isThickened;  // per sheet; false if the number type of the file cannot represent the thickness
 };
 
-// Thickens open sheets into thin bodies by an offset copy of each, behind the side that its normals point to.
-// The faces stay as they are. A copy with reversed orientation is offset by the thickness (offsetBehind()), and a strip
-// of side faces joins the outlines of both. Where new faces intersect any other, or are turned over, their vertices
-// come nearer to the sheet by halves, a few times; a face whose back lies on it then is removed with it. A vertex has
-// no offset where that does not help at an outline, where outlines touch, or in a fold behind which no way leads: there
-// both sides meet in a sharp edge, and edges and faces without an offset at any vertex get one in their middle. The new
-// faces may still intersect others where the sheet is folded, or where others intersect or touch it. Leaves the mesh to
-// be linked anew (relink()). O(n log n) for the mesh, as often as an offset is halved.
+// Thickens open sheets into thin bodies by an offset copy on the back of each. The faces stay as they are. A copy with
+// reversed orientation is offset by the thickness (offsetBehind()), opposite to the normals, and a strip of side faces
+// joins the outlines of both. If new faces intersect others or flip, the offsets of their vertices are halved, a few
+// times; a face whose back then coincides with it is removed together with its back. A vertex gets no offset at an
+// outline where halving does not help, where outlines touch, or in a fold without a direction behind it: there both
+// sides meet in a sharp edge, and edges and faces without an offset at any vertex get one in their middle. The new
+// faces may still intersect others where the sheet is folded, or where others intersect or touch it. The caller must
+// relink the mesh (relink()). O(n log n) for the mesh, for each halving of offsets.
 ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> sheets, NumberType numbers,
                               Progress progress = {});
 
-// The thickness of thickened sheets where nobody names one, mm: a share of the diagonal of the mesh's box.
+// Returns the default thickness of thickened sheets, mm: a share of the diagonal of the mesh's box.
 double defaultSheetThickness(const Box& box);
 double defaultSheetThickness(const HalfEdgeMesh& mesh);  // O(n)
 
-// The thickness that a person is offered for sheets with outlines in these boxes, mm: a hundredth of the diagonal of
-// the largest, to one digit in a unit of so many mm. No less than some tenfold of what separates near vertices of the
-// part; the default without outlines of a finite size.
+// Returns the thickness proposed to the user for sheets with outlines in these boxes, mm. It is a hundredth of the
+// diagonal of the largest box, rounded to one digit in a unit of the given size (mm), and at least about ten times the
+// distance of near vertices of the part. Returns the default if no outline has a finite size.
 double proposedSheetThickness(std::span<const Box> outlines, const Box& part, double unit);
 
 // Finds all faces connected with this one through paired edges, this one first.

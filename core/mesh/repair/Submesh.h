@@ -9,30 +9,30 @@
 
 namespace handwheel {
 
-// The faces of a mesh that reach into a box, as a mesh. It is changed within the box, checked by itself, and put back.
-// What happens within the box meets no face that is not in it: self-intersections and the faces of edges are counted
-// there as in the whole, but for what is the same before and after.
+// The faces of a mesh that reach into a box, as a separate mesh. It is changed within the box, checked separately, and
+// written back. Changes within the box affect no face outside the submesh: self-intersections and the faces of edges
+// are counted as in the whole mesh, except for those that do not change.
 class Submesh {
  public:
-  // O(faces of the whole).
+  // O(faces of the whole mesh).
   Submesh(const HalfEdgeMesh& whole, const Box& box);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   std::size_t faceCount() const { return m_faceOf.size(); }
-  // The half-edge of the submesh along one of the whole; kNone where it is not in it.
+  // Returns the half-edge of the submesh for one of the whole mesh; kNone if it is not in the submesh.
   HalfEdge halfEdgeOf(const HalfEdgeMesh& whole, HalfEdge h) const;
 
-  // The box in which a changed version differs from the submesh, before and after. Faces of the submesh keep their
-  // numbers in it, and new ones follow.
+  // Returns the box of all differences between a changed version and the submesh. Faces of the submesh keep their
+  // numbers in the changed version, and added ones follow.
   Box changesIn(const HalfEdgeMesh& changed) const;
-  // Replaces the submesh by a changed version. The changes must be within the box. The whole is to be relinked
-  // (relink()).
+  // Replaces the submesh by a changed version. The changes must be within the box. The caller must relink the whole
+  // mesh (relink()).
   void writeBack(HalfEdgeMesh& whole, const HalfEdgeMesh& changed) const;
 
  private:
   HalfEdgeMesh m_mesh;
-  std::vector<Face> m_faceOf;      // in the whole; rising
-  std::vector<Vertex> m_vertexOf;  // the same
+  std::vector<Face> m_faceOf;      // numbers in the whole mesh, ascending
+  std::vector<Vertex> m_vertexOf;  // numbers in the whole mesh, ascending
 };
 
 }  // namespace handwheel

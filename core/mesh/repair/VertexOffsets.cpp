@@ -7,15 +7,15 @@
 namespace handwheel {
 namespace {
 
-// Of the n² divisions of such a fan each asks for two directions; with 24 that takes some milliseconds.
+// Each of the n² divisions of such a fan needs two directions; with 24 faces that takes some milliseconds.
 constexpr std::size_t kMostDividedFaces = 24;
-constexpr double kLeastGap = 1e-3;  // of the triangles between the parts, as the margin of widestBehind()
+constexpr double kLeastGap = 1e-3;  // least gap of the triangles between the parts, like the margin of widestBehind()
 
 double volumeOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   return a.dot(b.cross(c));
 }
 
-// The direction behind a part of a fan, closed by the plane through its first edge and its end.
+// Returns the direction behind a part of a fan, closed by the plane through its first edge and its end.
 DirectionBehind behindPart(const std::vector<FanFace>& fan, std::size_t begin, std::size_t end) {
   std::vector<Vec3> normals;
   for (std::size_t i = begin; i != end; i = (i + 1) % fan.size()) normals.push_back(fan[i].face.normal);
@@ -38,7 +38,7 @@ VertexOffsets vertexOffsets(const std::vector<FanFace>& fan, bool isClosed) {
       const DirectionBehind first = behindPart(fan, begin, end);
       if (first.margin <= most) continue;
       const DirectionBehind second = behindPart(fan, end, begin);
-      // The triangles between both parts are not turned over.
+      // The triangles between both parts must not flip.
       const double gap = std::min(volumeOf(second.direction, first.direction, fan[begin].edge),
                                   volumeOf(first.direction, second.direction, fan[end].edge));
       if (gap < kLeastGap || std::min(second.margin, gap) <= most) continue;

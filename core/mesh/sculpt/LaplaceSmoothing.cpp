@@ -11,8 +11,8 @@ namespace {
 
 using JacobiSmoother = OpenMesh::Smoother::JacobiLaplaceSmootherT<OpenMeshSurface>;
 
-// Half-edges that leave the vertices that may move, in the order of the copy; selects these in it. As its normals are
-// not used, the smoother of OpenMesh moves everything where nothing is selected.
+// Selects the movable vertices in the copy, and returns half-edges that start at them, in the order of the copy. The
+// smoother of OpenMesh moves all vertices if none is selected.
 std::vector<HalfEdge> selectPart(OpenMeshCopy& copy, const HalfEdgeMesh& mesh, const FaceSelection& part) {
   std::vector<HalfEdge> leaving(mesh.vertexSlots(), kNone);
   std::vector<bool> isHeld(mesh.vertexSlots(), false);

@@ -11,20 +11,20 @@ namespace handwheel {
 
 // Options of smoothByLaplace().
 struct LaplaceSmoothing {
-  bool isBending = false;  // minimises the change of curvature, not the area: flattens less
-  int passes = 10;         // each goes half of the way
+  bool isBending = false;  // minimise the change of curvature instead of the area: flattens less
+  int passes = 10;         // each pass moves vertices halfway
   NumberType numbers = NumberType::Float64;
   Progress progress = {};
 };
 
 struct LaplaceSmoothed {
-  OpenMeshRefusal refusal = OpenMeshRefusal::None;  // then nothing has moved
+  OpenMeshRefusal refusal = OpenMeshRefusal::None;  // nothing moves if refused
   MovedVertices moved;
 };
 
-// Smooths a part of a surface by OpenMesh's Jacobi-Laplace smoother, with equal weights for all neighbours. It takes
-// sharp edges for noise, unlike smoothNoise(). Only vertices all of whose faces are in the part move, and none of open
-// edges; bending, none beside them either. Nothing moves when cancelled. O(faces of the mesh).
+// Smooths a part of a surface by OpenMesh's Jacobi-Laplace smoother, with equal weights for all neighbours. It treats
+// sharp edges as noise, unlike smoothNoise(). Only vertices whose faces are all in the part move, except those of open
+// edges and, with isBending, their neighbours. Nothing moves if cancelled. O(faces of the mesh).
 LaplaceSmoothed smoothByLaplace(HalfEdgeMesh& mesh, const FaceSelection& part, const LaplaceSmoothing& options = {});
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 namespace handwheel {
 namespace {
 
-// x, y and normal from a tangent and a normal that need not be of unit length nor at right angles.
+// Returns the axes x, y and normal from a tangent and a normal that need not have unit length or be perpendicular.
 Eigen::Matrix3d frameOf(const Vec3& tangent, const Vec3& normal) {
   const Vec3 n = normal.stableNormalized();
   Vec3 t = tangent - n * n.dot(tangent);
@@ -20,7 +20,7 @@ Eigen::Matrix3d frameOf(const Vec3& tangent, const Vec3& normal) {
   return frame;
 }
 
-// A power of two by which numbers of this size become those around 1.
+// Returns the power of two that scales numbers of this size to about 1.
 double scaleOf(const Vec3& v) {
   int exponent = 0;
   std::frexp(v.cwiseAbs().maxCoeff(), &exponent);
@@ -45,8 +45,8 @@ std::span<const Vertex> LoopStencils::sources(std::size_t i) const {
   return std::span(m_sources).subspan(m_stencils[i].first, m_stencils[i].count);
 }
 
-// Sums of differences, so that nothing is lost far from the origin.
-Vec3 LoopStencils::place(const HalfEdgeMesh& coarse, std::size_t i) const {
+// Sums of differences keep the precision far from the origin.
+Vec3 LoopStencils::position(const HalfEdgeMesh& coarse, std::size_t i) const {
   const std::span<const Vertex> s = sources(i);
   const Vec3& p = coarse.position(s[0]);
   const auto off = [&](std::size_t k) { return Vec3(coarse.position(s[k]) - p); };

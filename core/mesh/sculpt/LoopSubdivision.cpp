@@ -25,7 +25,7 @@ class PatchSplitter {
     m_step.firstAdded = {static_cast<Vertex>(mesh.vertexSlots()), static_cast<Face>(mesh.faceSlots())};
   }
 
-  // With the diagonals that were chosen in the finer mesh, its positions, and the slots of what was added.
+  // Repeats a subdivision with the diagonals of the finer mesh, its positions, and its added slots.
   void repeat(const HalfEdgeMesh& fine, FirstSlots firstAdded) {
     m_fine = &fine;
     m_step.firstAdded = firstAdded;
@@ -45,7 +45,7 @@ class PatchSplitter {
   }
 
  private:
-  // By face of the patch and corner from which the edge runs.
+  // The sides by face of the patch and corner from which the edge starts.
   struct Sides {
     std::array<HalfEdge, 3> first{kNone, kNone, kNone};   // the half-edge of a part along the beginning of the edge,
     std::array<HalfEdge, 3> second{kNone, kNone, kNone};  // along its end; where it has no point, first is all of it
@@ -60,7 +60,7 @@ class PatchSplitter {
     return m_before.hasOpposite(h) && indexOf(HalfEdgeMesh::face(m_before.opposite(h))) < m_faces.size();
   }
 
-  // Dead slots for what is added, where there are none yet.
+  // Adds missing dead slots for the added elements.
   SubdivisionFailure makeRoom() {
     std::size_t inside = 0;
     for (const Face f : m_faces) {
@@ -78,7 +78,7 @@ class PatchSplitter {
     return SubdivisionFailure::None;
   }
 
-  // Whether the finer mesh has slots for so many more, and nothing is in them yet.
+  // Returns true if the finer mesh has empty slots for so many more elements.
   bool fitsFiner(std::size_t faces, std::size_t vertices) const {
     const auto [vertex, face] = m_step.firstAdded;
     if (m_before.vertexSlots() > m_fine->vertexSlots() || m_before.faceSlots() > m_fine->faceSlots()) return false;
@@ -90,7 +90,7 @@ class PatchSplitter {
     return true;
   }
 
-  // In the middle of each edge inside, and where Loop wants them.
+  // Adds points in the middle of each inner edge, and computes Loop's positions.
   void addPoints() {
     m_sides.resize(m_faces.size());
     const auto at = [&](Vertex v) -> const Vec3& { return m_before.position(v); };
@@ -109,7 +109,7 @@ class PatchSplitter {
     }
   }
 
-  // All stencils, with half-edges of the mesh as it was; they become those of the finer one when it is there.
+  // Makes all stencils with half-edges of the coarse mesh, which are replaced by those of the finer one later.
   void placePoints() {
     std::vector<std::pair<Vertex, HalfEdge>> corners;
     for (const Face f : m_faces) {
@@ -124,30 +124,31 @@ class PatchSplitter {
       sources.assign(1, corners[i].first);
       if (isFree)
         for (const HalfEdge h : fan) sources.push_back(m_before.to(h));
-      m_places.add(isFree ? LoopStencils::Kind::Inner : LoopStencils::Kind::Fixed, corners[i].second, sources);
+      m_stencils.add(isFree ? LoopStencils::Kind::Inner : LoopStencils::Kind::Fixed, corners[i].second, sources);
     }
-    m_corners = m_places.size();
+    m_corners = m_stencils.size();
     for (const HalfEdge h : m_edgeOf) {
       const auto apex = [&](HalfEdge g) { return m_before.from(HalfEdgeMesh::previous(g)); };
       const std::array<Vertex, 4> ends = {m_before.from(h), m_before.to(h), apex(h), apex(m_before.opposite(h))};
-      m_places.add(LoopStencils::Kind::Edge, h, ends);
+      m_stencils.add(LoopStencils::Kind::Edge, h, ends);
     }
-    for (std::size_t e = 0; e < m_edgeOf.size(); ++e) m_edgePlace.push_back(m_places.place(m_before, m_corners + e));
+    for (std::size_t e = 0; e < m_edgeOf.size(); ++e)
+      m_edgePosition.push_back(m_stencils.position(m_before, m_corners + e));
   }
 
   void split(std::size_t i) {
     const Face f = m_faces[i];
     std::array<Vertex, 6> points{};
-    std::array<Vec3, 6> places;
+    std::array<Vec3, 6> positions;
     std::array<bool, 3> hasPoint{};
     for (std::size_t k = 0; k < 3; ++k) {
       points[k] = m_before.triangle(f)[k];
       points[3 + k] = m_sides[i].point[k];
       hasPoint[k] = points[3 + k] != kNone;
-      places[k] = m_before.position(points[k]);
-      if (hasPoint[k]) places[3 + k] = m_edgePlace[points[3 + k] - m_step.firstAdded.vertex];
+      positions[k] = m_before.position(points[k]);
+      if (hasPoint[k]) positions[3 + k] = m_edgePosition[points[3 + k] - m_step.firstAdded.vertex];
     }
-    const auto length = [&](std::size_t p, std::size_t q) { return (places[p] - places[q]).squaredNorm(); };
+    const auto length = [&](std::size_t p, std::size_t q) { return (positions[p] - positions[q]).squaredNorm(); };
     const TriangleSplit parts = splitOf(hasPoint, [&](std::size_t p, std::size_t q, std::size_t r, std::size_t s) {
       return m_fine ? m_fine->triangle(f)[2] == points[q] : length(p, q) <= length(r, s);
     });
@@ -194,23 +195,23 @@ class PatchSplitter {
       return;
     }
     std::vector<VertexGoal> moves;
-    for (std::size_t s = 0; s < m_places.size(); ++s) {
-      const HalfEdge old = m_places.leaving(s);
+    for (std::size_t s = 0; s < m_stencils.size(); ++s) {
+      const HalfEdge old = m_stencils.leaving(s);
       const Sides& sides = m_sides[indexOf(HalfEdgeMesh::face(old))];
       // At a corner the part along the beginning of an edge leaves it; at a point, the part along the end.
-      m_places.setLeaving(s, s < m_corners ? sides.first[old % 3] : sides.second[old % 3]);
-      const Vertex v = m_mesh.from(m_places.leaving(s));
+      m_stencils.setLeaving(s, s < m_corners ? sides.first[old % 3] : sides.second[old % 3]);
+      const Vertex v = m_mesh.from(m_stencils.leaving(s));
       if (m_fine) {
         m_mesh.setPosition(v, m_fine->position(v));
-      } else if (!m_places.isFixed(s)) {
-        moves.push_back({m_places.leaving(s), m_places.place(m_before, s)});
+      } else if (!m_stencils.isFixed(s)) {
+        moves.push_back({m_stencils.leaving(s), m_stencils.position(m_before, s)});
       }
     }
-    m_step.stencils = std::move(m_places);
+    m_step.stencils = std::move(m_stencils);
     m_step.heldBack = moveTowards(m_mesh, moves, m_limits.numbers).heldBack;
   }
 
-  // Whether a part has no area though its parent has: the middles of its edges were rounded onto one another.
+  // Returns true if a part has no area though its parent has: the middles of its edges were rounded to equal positions.
   bool hasFlattened() const {
     const auto isFlat = [&](Face part, Face parent) {
       return unitNormal(m_mesh.points(part)).isZero(0.0) && !unitNormal(m_before.points(parent)).isZero(0.0);
@@ -225,12 +226,12 @@ class PatchSplitter {
   HalfEdgeMesh& m_mesh;
   const HalfEdgeMesh m_before;
   const SubdivisionLimits m_limits;
-  const HalfEdgeMesh* m_fine = nullptr;  // to be arrived at
-  std::vector<Face> m_faces;             // of the patch, in rising order
+  const HalfEdgeMesh* m_fine = nullptr;  // the mesh to reproduce
+  std::vector<Face> m_faces;             // faces of the patch, ascending
   std::vector<Sides> m_sides;
-  std::vector<HalfEdge> m_edgeOf;  // of each new point: the edge before
-  std::vector<Vec3> m_edgePlace;   // and Loop's place
-  LoopStencils m_places;
+  std::vector<HalfEdge> m_edgeOf;    // per added point: its coarse edge
+  std::vector<Vec3> m_edgePosition;  // per added point: Loop's position
+  LoopStencils m_stencils;
   std::size_t m_corners = 0;  // stencils of old vertices; those of new points follow
   SubdivisionStep m_step;
 };

@@ -12,8 +12,8 @@
 namespace handwheel {
 namespace {
 
-// Around a vertex with more faces than these, only those beside one another look at each other: so time stays in
-// proportion to the faces.
+// Around a vertex with more faces than this, only adjacent faces are compared, so that the time stays proportional to
+// the faces.
 constexpr std::size_t kLargestSmoothedFan = 32;
 
 class NoiseFilter {
@@ -34,7 +34,7 @@ class NoiseFilter {
     }
   }
 
-  // False when cancelled.
+  // Returns false if cancelled.
   bool run() {
     for (int pass = 0; pass < m_options.normalPasses; ++pass) {
       if (!pollProgress(pass, m_options.normalPasses, 0.0, 0.6)) return false;
@@ -50,7 +50,7 @@ class NoiseFilter {
   std::vector<VertexGoal> moves() const {
     std::vector<VertexGoal> moves;
     for (const Corner& c : m_vertices)
-      if (c.isFree) moves.push_back({c.leaving, m_origin + c.place});
+      if (c.isFree) moves.push_back({c.leaving, m_origin + c.position});
     return moves;
   }
 
@@ -63,9 +63,9 @@ class NoiseFilter {
   };
   struct Corner {
     HalfEdge leaving;
-    Vec3 place;  // from the origin, so that nothing is lost far away
+    Vec3 position;  // relative to m_origin, to keep the precision far from the origin
     bool isFree;
-    std::vector<std::uint32_t> faces;  // around it, of those that are looked at
+    std::vector<std::uint32_t> faces;  // examined faces around it
   };
 
   void addCorner(HalfEdge h, const BrushReach& reach, std::unordered_map<Vertex, std::uint32_t>& seen) {
@@ -88,7 +88,7 @@ class NoiseFilter {
   }
 
   TrianglePoints points(const Piece& f) const {
-    return {m_vertices[f.corners[0]].place, m_vertices[f.corners[1]].place, m_vertices[f.corners[2]].place};
+    return {m_vertices[f.corners[0]].position, m_vertices[f.corners[1]].position, m_vertices[f.corners[2]].position};
   }
   static Vec3 middle(const TrianglePoints& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
@@ -144,11 +144,11 @@ class NoiseFilter {
       if (!c.isFree) continue;
       for (const std::uint32_t f : c.faces) {
         const Vec3& n = m_faces[f].normal;
-        steps[v] += n * n.dot(middle(points(m_faces[f])) - c.place);
+        steps[v] += n * n.dot(middle(points(m_faces[f])) - c.position);
       }
       steps[v] /= static_cast<double>(c.faces.size());
     }
-    for (std::size_t v = 0; v < m_vertices.size(); ++v) m_vertices[v].place += steps[v];
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) m_vertices[v].position += steps[v];
   }
 
   const HalfEdgeMesh& m_mesh;

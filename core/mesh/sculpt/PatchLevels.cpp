@@ -22,13 +22,13 @@ std::vector<VertexGoal> followingMoves(const LoopStencils& stencils, const HalfE
         std::all_of(sources.begin(), sources.end(), [&](Vertex v) { return before.position(v) == after.position(v); });
     if (isSame) continue;
     const Vec3& p = fine.position(fine.from(stencils.leaving(i)));
-    const Vec3 detail = stencils.frame(before, i).transpose() * (p - stencils.place(before, i));
-    moves.push_back({stencils.leaving(i), stencils.place(after, i) + stencils.frame(after, i) * detail});
+    const Vec3 detail = stencils.frame(before, i).transpose() * (p - stencils.position(before, i));
+    moves.push_back({stencils.leaving(i), stencils.position(after, i) + stencils.frame(after, i) * detail});
   }
   return moves;
 }
 
-// Whether a face is one of the patch, or shares an edge with one.
+// Returns true if a face belongs to the patch, or shares an edge with one of its faces.
 bool isAtPatch(const HalfEdgeMesh& mesh, const FaceSelection& patch, Face f) {
   if (f >= mesh.faceSlots()) return false;
   if (patch.contains(f)) return true;
@@ -37,14 +37,14 @@ bool isAtPatch(const HalfEdgeMesh& mesh, const FaceSelection& patch, Face f) {
   return false;
 }
 
-// As many slots as another mesh has. A new vertex stands where its own does.
+// Adds dead slots up to the numbers of another mesh. Added vertices get the positions of that mesh.
 void addDeadSlots(HalfEdgeMesh& mesh, const HalfEdgeMesh& upTo) {
   while (mesh.vertexSlots() < upTo.vertexSlots())
     mesh.addVertex(upTo.position(static_cast<Vertex>(mesh.vertexSlots())));
   while (mesh.faceSlots() < upTo.faceSlots()) mesh.addFace({kNone, kNone, kNone});
 }
 
-// Takes off what the step to the finer mesh added at its end, so that a level is as it was when an edit is undone.
+// Removes the slots that the step to the finer mesh added at its end, so that undoing an edit restores a level.
 void truncateBefore(const SubdivisionStep& step, const HalfEdgeMesh& fine, HalfEdgeMesh& mesh) {
   const auto [vertex, face] = step.firstAdded;
   const std::size_t faces = step.parent.size(), vertices = faces / 2;  // a vertex adds a part to two faces

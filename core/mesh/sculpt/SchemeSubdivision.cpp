@@ -17,8 +17,8 @@ namespace {
 
 namespace Uniform = OpenMesh::Subdivider::Uniform;
 
-// Attached to a surface while it lives. A scheme that is still attached when it ends, as after a cancel, would call its
-// cleanup() from the destructor of its base, where that is pure virtual.
+// Attaches a scheme to a surface during its lifetime. A scheme still attached at its destruction, as after a cancel,
+// would call cleanup() from the destructor of its base, where it is pure virtual.
 template <class Scheme>
 class Attached {
  public:
@@ -37,7 +37,7 @@ void subdivideBy(Scheme& scheme, OpenMeshSurface& surface, int times, const Prog
   const Attached<Scheme> attached(scheme, surface);
   double before = 0.0;
   for (int i = 0; i < times; ++i) {
-    // As many as there will be, for √3 more: to grow, all that is there would be copied, without a poll.
+    // Reserves the final size, for √3 more: growing would copy all elements without a poll.
     const std::size_t edges = surface.n_edges(), faces = surface.n_faces();
     surface.reserve(surface.n_vertices() + edges, 2 * edges + 3 * faces, 4 * faces);
     scheme(std::size_t{1});
@@ -76,20 +76,20 @@ void subdivideSurface(OpenMeshSurface& surface, const SchemeSubdivision& subdivi
   }
 }
 
-// By the numbers of the file. False where these cannot tell the ends of an edge apart that were apart, or hold a point.
+// Rounds to the number type of the file. Returns false if the ends of an edge become equal, or a point is out of range.
 bool roundPoints(OpenMeshSurface& surface, NumberType numbers) {
-  std::vector<Vec3> places(surface.n_vertices());
+  std::vector<Vec3> positions(surface.n_vertices());
   for (const auto v : surface.vertices()) {
     const Vec3 exact = pointOf(surface.point(v));
-    const Vec3 place = rounded(exact, numbers);
-    if (!place.allFinite()) return false;
-    places[std::size_t(v.idx())] = place;
-    surface.set_point(v, openMeshPoint(place));
+    const Vec3 position = rounded(exact, numbers);
+    if (!position.allFinite()) return false;
+    positions[std::size_t(v.idx())] = position;
+    surface.set_point(v, openMeshPoint(position));
   }
   for (const auto e : surface.edges()) {
     const auto h = surface.halfedge_handle(e, 0);
     const auto from = surface.from_vertex_handle(h), to = surface.to_vertex_handle(h);
-    if (places[std::size_t(from.idx())] == places[std::size_t(to.idx())]) return false;
+    if (positions[std::size_t(from.idx())] == positions[std::size_t(to.idx())]) return false;
   }
   return true;
 }
@@ -117,7 +117,7 @@ Parts partsOf(const Triangle& v, const Triangle& m) {
   return {{m[k], v[l], m[l]}, {v[k], m[k], m[l]}, {v[k], m[l], v[o]}};
 }
 
-// Replaces a face by its parts without those that rounding made an edge of.
+// Replaces a face by its parts, without those that rounding collapsed to an edge.
 void replace(HalfEdgeMesh& mesh, Face f, Parts parts) {
   std::erase_if(parts, [&](const Triangle& t) {
     const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
@@ -128,8 +128,8 @@ void replace(HalfEdgeMesh& mesh, Face f, Parts parts) {
   for (std::size_t i = 1; i < parts.size(); ++i) mesh.addFace(parts[i]);
 }
 
-// Gives every edge a vertex in its middle, and every face the three that are then at its corners. An edge between
-// neighbouring numbers has no middle and stays whole; its faces are split to it. Too fine where all edges are so.
+// Inserts a vertex in the middle of every edge and splits every face accordingly. An edge between neighbouring numbers
+// has no middle and stays unsplit; its faces are split to match. Too fine if all edges are so short.
 SubdivisionFailure splitAtMiddles(HalfEdgeMesh& mesh, NumberType numbers, const Progress& progress) {
   const auto faces = static_cast<Face>(mesh.faceSlots());
   const std::size_t vertices = mesh.vertexSlots();

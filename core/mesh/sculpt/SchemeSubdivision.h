@@ -7,15 +7,15 @@
 
 namespace handwheel {
 
-// Subdivision schemes for whole meshes. All but the last are those of OpenMesh.
+// Subdivision schemes for whole meshes. All except the last are those of OpenMesh.
 enum class SubdivisionScheme {
-  Loop,       // approximates; C2 but for irregular vertices; a face becomes four
-  Sqrt3,      // approximates; a face becomes three (Kobbelt, 2000)
-  Butterfly,  // interpolates: the vertices stay; a face becomes four (Zorin, Schröder, Sweldens, 1996)
-  Midpoint,   // splits edges in their middle: the surface stays, but for the rounding of the file; a face becomes four
+  Loop,       // approximating; C2 except at irregular vertices; a face becomes four
+  Sqrt3,      // approximating; a face becomes three (Kobbelt, 2000)
+  Butterfly,  // interpolating: the vertices stay; a face becomes four (Zorin, Schröder, Sweldens, 1996)
+  Midpoint,   // splits edges at their midpoints: the surface stays, except for rounding; a face becomes four
 };
 
-// Which scheme, and how often.
+// A subdivision scheme and the number of its applications.
 struct SchemeSubdivision {
   SubdivisionScheme scheme = SubdivisionScheme::Loop;
   int times = 1;
@@ -29,12 +29,12 @@ struct SchemeOutcome {
 
 inline constexpr std::size_t kMostButterflyNeighbours = 1000;
 
-// The number of faces that one becomes.
+// Returns the number of faces that one face becomes.
 std::size_t facesOfOne(SubdivisionScheme scheme);
 
-// Subdivides a whole mesh. Open edges get points, too, so a part of a mesh cannot be subdivided: its outline would part
-// from its surroundings. Faces keep their number for one of their parts, and vertices theirs. An outcome that is not
-// done leaves the mesh as it was. O(n log n) for the faces afterwards. Butterfly takes no vertex with more than
+// Subdivides a whole mesh. Open edges get points too, so a part of a mesh cannot be subdivided: its outline would
+// separate from its surroundings. Vertices keep their numbers, and faces for one of their parts. A failure or refusal
+// leaves the mesh unchanged. O(n log n) for the number of resulting faces. Butterfly refuses vertices with more than
 // kMostButterflyNeighbours.
 SchemeOutcome subdivideAll(HalfEdgeMesh& mesh, const SchemeSubdivision& subdivision,
                            const SubdivisionLimits& limits = {});

@@ -16,7 +16,8 @@
 namespace handwheel {
 namespace {
 
-// Taubin's λ and μ, for a pass band up to 1/λ + 1/μ = 0.01: waves of some 60 edges. A wider one lets what passes grow.
+// Taubin's λ and μ, for a pass band up to 1/λ + 1/μ = 0.01: waves of some 60 edges. A wider one amplifies the passed
+// waves.
 constexpr double kShrinking = 0.5;
 constexpr double kGrowing = 1.0 / (0.01 - 1.0 / kShrinking);
 
@@ -25,7 +26,7 @@ double weightAt(double squaredDistance, double radius) {
   return s > 0.0 ? s * s : 0.0;
 }
 
-// Weighted by the angles at the vertex; not of unit length, zero where there is none.
+// Returns the normal weighted by the angles at the vertex, not normalised; zero if there is none.
 Vec3 normalAround(const HalfEdgeMesh& mesh, HalfEdge leaving) {
   Vec3 sum = Vec3::Zero();
   for (const HalfEdge h : mesh.fan(leaving)) {
@@ -36,7 +37,7 @@ Vec3 normalAround(const HalfEdgeMesh& mesh, HalfEdge leaving) {
   return sum;
 }
 
-// The vertices next to the one that a half-edge leaves; of one at the border, those along it.
+// Finds the neighbours of the start vertex of a half-edge; for a vertex at the border, only those along it.
 void neighboursOf(const HalfEdgeMesh& mesh, HalfEdge leaving, std::vector<Vertex>& neighbours) {
   const std::vector<HalfEdge> fan = mesh.fan(leaving);
   const Vertex last = mesh.from(HalfEdgeMesh::previous(fan.back()));
@@ -45,8 +46,8 @@ void neighboursOf(const HalfEdgeMesh& mesh, HalfEdge leaving, std::vector<Vertex
   for (const HalfEdge h : fan) neighbours.push_back(mesh.to(h));
 }
 
-// How far it is over edges from each vertex under a brush to the next that stays (Dijkstra, 1959).
-class WaysToHeld {
+// Distances along edges from each vertex under a brush to the nearest vertex that stays (Dijkstra, 1959).
+class DistancesToHeld {
  public:
   bool isNew(Vertex v) const { return !m_reached.contains(v); }
   void add(Vertex v, HalfEdge leaving, bool isFree) {
@@ -57,42 +58,42 @@ class WaysToHeld {
 
   void measure(const HalfEdgeMesh& mesh) {
     while (!m_queue.empty()) {
-      const auto [way, v] = m_queue.top();
+      const auto [distance, v] = m_queue.top();
       m_queue.pop();
       const Reached& here = m_reached.at(v);
-      if (way > here.way) continue;
+      if (distance > here.distance) continue;
       for (const HalfEdge h : mesh.fan(here.leaving)) {
         for (const Vertex n : {mesh.to(h), mesh.from(HalfEdgeMesh::previous(h))}) {
           const auto it = m_reached.find(n);
           if (it == m_reached.end()) continue;
-          const double over = way + (mesh.position(n) - mesh.position(v)).norm();
-          if (!(over < it->second.way)) continue;
-          it->second.way = over;
+          const double over = distance + (mesh.position(n) - mesh.position(v)).norm();
+          if (!(over < it->second.distance)) continue;
+          it->second.distance = over;
           m_queue.emplace(over, n);
         }
       }
     }
   }
-  double from(Vertex v) const { return m_reached.at(v).way; }
+  double from(Vertex v) const { return m_reached.at(v).distance; }
 
  private:
   struct Reached {
     HalfEdge leaving;
-    double way;
+    double distance;
   };
   using Entry = std::pair<double, Vertex>;
   std::unordered_map<Vertex, Reached> m_reached;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_queue;
 };
 
-void fadeTowardsHeld(const HalfEdgeMesh& mesh, const WaysToHeld& ways, BrushArea& area) {
+void fadeTowardsHeld(const HalfEdgeMesh& mesh, const DistancesToHeld& distances, BrushArea& area) {
   const auto middle =
       std::max_element(area.vertices.begin(), area.vertices.end(),
                        [](const BrushArea::Held& a, const BrushArea::Held& b) { return a.weight < b.weight; });
   if (middle == area.vertices.end()) return;
-  const double whole = ways.from(mesh.from(middle->leaving));
+  const double whole = distances.from(mesh.from(middle->leaving));
   for (BrushArea::Held& held : area.vertices) {
-    const double x = std::min(1.0, ways.from(mesh.from(held.leaving)) / whole);
+    const double x = std::min(1.0, distances.from(mesh.from(held.leaving)) / whole);
     if (x < 1.0) held.weight *= x * x * (3.0 - 2.0 * x);
   }
 }
@@ -112,20 +113,20 @@ BrushArea brushArea(const HalfEdgeMesh& mesh, Face seed, const Vec3& centre, dou
   if (!(radius > 0.0) || !centre.allFinite() || seed >= mesh.faceSlots() || !mesh.isProper(seed)) return area;
   std::unordered_set<Face> seen{seed};
   std::vector<Face> waiting{seed};
-  WaysToHeld ways;
+  DistancesToHeld distances;
   while (!waiting.empty()) {
     const Face f = waiting.back();
     waiting.pop_back();
     const auto [p, q, r] = mesh.points(f);
-    // Seen from the centre, so that nothing is lost far from the origin.
+    // Coordinates are relative to the centre, to keep the precision far from the origin.
     const Vec3 nearest = closestOnTriangle(Vec3::Zero(), p - centre, q - centre, r - centre);
     if (f != seed && nearest.squaredNorm() > radius * radius) continue;
     area.faces.push_back(f);
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
       const double weight = weightAt((mesh.position(mesh.from(h)) - centre).squaredNorm(), radius);
-      if (weight > 0.0 && ways.isNew(mesh.from(h))) {
+      if (weight > 0.0 && distances.isNew(mesh.from(h))) {
         const bool isFree = isFreeToMove(mesh, mesh.fan(h), reach);
-        ways.add(mesh.from(h), h, isFree);
+        distances.add(mesh.from(h), h, isFree);
         if (isFree) area.vertices.push_back({h, weight});
       }
       if (!mesh.hasOpposite(h)) continue;
@@ -133,16 +134,16 @@ BrushArea brushArea(const HalfEdgeMesh& mesh, Face seed, const Vec3& centre, dou
       if (seen.insert(neighbour).second) waiting.push_back(neighbour);
     }
   }
-  if (!ways.anyHeld()) return area;
-  ways.measure(mesh);
-  fadeTowardsHeld(mesh, ways, area);
+  if (!distances.anyHeld()) return area;
+  distances.measure(mesh);
+  fadeTowardsHeld(mesh, distances, area);
   return area;
 }
 
-std::vector<VertexGoal> dragged(const HalfEdgeMesh& mesh, const BrushArea& area, const Vec3& way) {
+std::vector<VertexGoal> dragged(const HalfEdgeMesh& mesh, const BrushArea& area, const Vec3& displacement) {
   std::vector<VertexGoal> moves;
   for (const auto& [leaving, weight] : area.vertices)
-    moves.push_back({leaving, mesh.position(mesh.from(leaving)) + weight * way});
+    moves.push_back({leaving, mesh.position(mesh.from(leaving)) + weight * displacement});
   return moves;
 }
 
@@ -155,7 +156,7 @@ std::vector<VertexGoal> inflated(const HalfEdgeMesh& mesh, const BrushArea& area
   return moves;
 }
 
-// The plane through the weighted mean of the faces' middles, across the mean of their normals; by area.
+// The plane through the mean of the faces' middles, perpendicular to the mean of their normals; both weighted by area.
 std::vector<VertexGoal> flattened(const HalfEdgeMesh& mesh, const BrushArea& area, double strength) {
   Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
   double sum = 0.0;

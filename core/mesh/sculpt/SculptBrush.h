@@ -7,28 +7,29 @@
 
 namespace handwheel {
 
-// The part of a surface under a spherical brush. It is what is connected with the centre within the ball.
+// The part of a surface under a spherical brush. It is connected with the centre inside the ball.
 struct BrushArea {
   struct Held {
     HalfEdge leaving;
-    // (1 - (d/r)²)², d from the centre: 1 there, and with zero slope there and at the rim. Towards vertices that stay
-    // it falls to 0, with zero slope at both ends: 3 x² - 2 x³, x the distance over edges to the next of them as a
-    // share of that from the centre.
+    // (1 - (d/r)²)² with the distance d from the centre: 1 at the centre, with zero slope there and at the rim. Towards
+    // vertices that stay it falls to 0, with zero slope at both ends: 3 x² - 2 x³, where x is the distance along edges
+    // to the nearest of them as a share of that from the centre.
     double weight;
   };
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;         // mm
-  std::vector<Face> faces;     // that meet the ball
-  std::vector<Held> vertices;  // in the ball, and free to move
+  std::vector<Face> faces;     // faces that meet the ball
+  std::vector<Held> vertices;  // movable vertices in the ball
 };
 
-// Which vertices a brush may move. Never those at a seam, since others are at the same place.
+// The restriction of the vertices that a brush may move. Vertices at a seam never move, since others share their
+// position.
 struct BrushReach {
-  const FaceSelection* patch = nullptr;  // only vertices all of whose faces are in it; null: any
-  bool movesBorder = false;              // also those at the border of the surface
+  const FaceSelection* patch = nullptr;  // only vertices whose faces are all in the patch move; null: no restriction
+  bool movesBorder = false;              // vertices at the border of the surface move too
 };
 
-// Whether a brush may move a vertex. fan: of the vertex.
+// Returns true if a brush may move a vertex. fan is that of the vertex.
 bool isFreeToMove(const HalfEdgeMesh& mesh, std::span<const HalfEdge> fan, const BrushReach& reach);
 
 // Computes the area of a brush around a centre on or near a face. O(faces under the brush).
@@ -38,12 +39,13 @@ BrushArea brushArea(const HalfEdgeMesh& mesh, Face seed, const Vec3& centre, dou
 // The functions below compute the vertex goals of one brush stroke, for moveTowards(). strength: 0…1.
 
 // Drags vertices by the same vector, less towards the rim.
-std::vector<VertexGoal> dragged(const HalfEdgeMesh& mesh, const BrushArea& area, const Vec3& way);
-// Moves vertices outwards along the normal by a distance (mm). Inwards where it is negative; at a border not along it.
+std::vector<VertexGoal> dragged(const HalfEdgeMesh& mesh, const BrushArea& area, const Vec3& displacement);
+// Moves vertices outwards along the normal by a distance (mm). Negative distances move inwards. Vertices at a border do
+// not move along it.
 std::vector<VertexGoal> inflated(const HalfEdgeMesh& mesh, const BrushArea& area, double distance);
-// Moves vertices towards the plane that fits the area. Away from it where strength is negative.
+// Moves vertices towards the plane that fits the area, or away from it if strength is negative.
 std::vector<VertexGoal> flattened(const HalfEdgeMesh& mesh, const BrushArea& area, double strength);
-// Smooths vertices by one pass of Taubin's low-pass filter. It does not shrink what is larger than some edges (Taubin,
+// Smooths vertices by one pass of Taubin's low-pass filter. It does not shrink features larger than some edges (Taubin,
 // "A signal processing approach to fair surface design", 1995), with the reciprocals of the edges' lengths as weights.
 // At a border a vertex follows its neighbours on the border only.
 std::vector<VertexGoal> smoothed(const HalfEdgeMesh& mesh, const BrushArea& area, double strength);

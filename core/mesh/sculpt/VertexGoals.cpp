@@ -20,13 +20,13 @@ constexpr int kMoveHalvings = 8;
 
 struct FaceShape {
   Vec3 normal;
-  double height;  // over the longest side, as a share of it
+  double height;  // height over the longest side divided by its length
 };
 
 FaceShape faceShape(const TrianglePoints& t) {
   const Vec3 a = t[1] - t[0], b = t[2] - t[0];
   const double longest = std::max({a.stableNorm(), b.stableNorm(), (t[2] - t[1]).stableNorm()});
-  // Divided first: squares of huge or tiny lengths are none.
+  // Dividing first avoids overflow and underflow of squares.
   return {unitNormal(t), longest > 0.0 ? Vec3(a / longest).cross(b / longest).norm() : 0.0};
 }
 
@@ -35,7 +35,7 @@ class LimitedMove {
   LimitedMove(const HalfEdgeMesh& mesh, std::span<const VertexGoal> moves, NumberType numbers)
       : m_mesh(mesh), m_numbers(numbers), m_moving(moves.begin(), moves.end()), m_share(moves.size(), 1.0) {}
 
-  // False when cancelled.
+  // Returns false if cancelled.
   bool prepare(const Progress& progress) {
     FaceSelection around;
     std::unordered_map<Vertex, std::uint32_t> moveOf;
@@ -59,7 +59,7 @@ class LimitedMove {
     return true;
   }
 
-  // False when cancelled.
+  // Returns false if cancelled.
   bool limit(const Progress& progress) {
     std::vector<std::uint32_t> suspects(m_faces.size());
     for (std::uint32_t f = 0; f < suspects.size(); ++f) suspects[f] = f;
@@ -84,12 +84,12 @@ class LimitedMove {
 
   MovedVertices write(HalfEdgeMesh& mesh) {
     MovedVertices result{std::move(m_faces), 0};
-    std::vector<Vec3> places;
-    for (std::uint32_t i = 0; i < m_moving.size(); ++i) places.push_back(place(i));
+    std::vector<Vec3> positions;
+    for (std::uint32_t i = 0; i < m_moving.size(); ++i) positions.push_back(position(i));
     for (std::uint32_t i = 0; i < m_moving.size(); ++i) {
       const Vertex v = mesh.from(m_moving[i].leaving);
       result.heldBack += m_share[i] < 1.0;
-      if (places[i] != mesh.position(v)) mesh.setPosition(v, places[i]);
+      if (positions[i] != mesh.position(v)) mesh.setPosition(v, positions[i]);
     }
     return result;
   }
@@ -104,12 +104,12 @@ class LimitedMove {
     return static_cast<std::uint32_t>(std::lower_bound(m_faces.begin(), m_faces.end(), f) - m_faces.begin());
   }
 
-  Vec3 place(std::uint32_t i) const {
+  Vec3 position(std::uint32_t i) const {
     const Vec3 from = m_mesh.position(m_mesh.from(m_moving[i].leaving));
     const Vec3& to = m_moving[i].to;
     if (m_share[i] == 0.0 || !to.allFinite() || to == from) return from;
-    const Vec3 place = rounded(m_share[i] == 1.0 ? to : Vec3(from + m_share[i] * (to - from)), m_numbers);
-    return place.allFinite() ? place : from;
+    const Vec3 position = rounded(m_share[i] == 1.0 ? to : Vec3(from + m_share[i] * (to - from)), m_numbers);
+    return position.allFinite() ? position : from;
   }
 
   bool isGood(std::uint32_t f) const {
@@ -117,13 +117,13 @@ class LimitedMove {
     bool isMoved = false;
     for (std::size_t k = 0; k < 3; ++k) {
       if (m_corners[f][k] == kNone) continue;
-      const Vec3 to = place(m_corners[f][k]);
+      const Vec3 to = position(m_corners[f][k]);
       isMoved = isMoved || to != points[k];
       points[k] = to;
     }
     if (!isMoved) return true;
     const FaceShape after = faceShape(points), &before = m_before[f];
-    if (before.normal.isZero(0.0)) return true;  // it had no side to begin with
+    if (before.normal.isZero(0.0)) return true;  // it had no orientation before
     return after.normal.dot(before.normal) > kSameSide &&
            after.height >= std::min(tolerance::kNeedle, 0.5 * before.height);
   }
@@ -131,9 +131,9 @@ class LimitedMove {
   const HalfEdgeMesh& m_mesh;
   const NumberType m_numbers;
   const std::vector<VertexGoal> m_moving;
-  std::vector<double> m_share;  // of the way, for each move
+  std::vector<double> m_share;  // share of the displacement, per move
   std::vector<Face> m_faces;
-  std::vector<std::array<std::uint32_t, 3>> m_corners;  // of each face: which move; kNone: it stands still
+  std::vector<std::array<std::uint32_t, 3>> m_corners;  // per face: the moves of its corners; kNone: the corner stays
   std::vector<FaceShape> m_before;
 };
 

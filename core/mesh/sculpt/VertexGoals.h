@@ -10,7 +10,8 @@
 
 namespace handwheel {
 
-// A vertex and its target position. It is named by a half-edge that leaves it, from which its faces are found.
+// A vertex and its target position. The vertex is given by a half-edge that starts there, from which its faces are
+// found.
 struct VertexGoal {
   HalfEdge leaving;
   Vec3 to;  // mm
@@ -18,14 +19,14 @@ struct VertexGoal {
 
 // The result of moveTowards().
 struct MovedVertices {
-  std::vector<Face> faces;   // around the vertices that were to move, in rising order
+  std::vector<Face> faces;   // faces around the vertices with goals, ascending
   std::size_t heldBack = 0;  // vertices that did not reach their goal
 };
 
 // Moves vertices towards their goals, as far as no face becomes invalid. No face flips, loses its area or becomes a
-// needle by it: the vertices of a face that would go half of the way, then half of that, at last nowhere. Positions are
-// rounded to the numbers of the file. A vertex whose goal is not finite or equals its position stays, bit for bit. Each
-// vertex is named once. Nothing moves when cancelled. O(faces around them), and a bit for each face slot.
+// needle: otherwise its vertices move half of the distance, then half of that, and finally stay. Positions are rounded
+// to the number type of the file. A vertex whose goal is not finite or equals its position stays, bit for bit. Each
+// vertex must occur only once. Nothing moves if cancelled. O(faces around them), and a bit for each face slot.
 MovedVertices moveTowards(HalfEdgeMesh& mesh, std::span<const VertexGoal> moves,
                           NumberType numbers = NumberType::Float64, Progress progress = {});
 

@@ -16,9 +16,9 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kFacesPerBlock = 64;
-constexpr std::size_t kMostParts = 20'000'000;  // some 20 s of one processor,
-constexpr std::size_t kMostPartsOfFace = 64;    // and on average of larger meshes
-constexpr int kMostCuts = 16;                   // of a face: parts of 1 / 65,536 of its length
+constexpr std::size_t kMostParts = 20'000'000;  // some 20 s of one processor
+constexpr std::size_t kMostPartsOfFace = 64;    // average limit for larger meshes
+constexpr int kMostCuts = 16;                   // subdivision depth of a face: parts of 1 / 65,536 of its length
 constexpr std::size_t kPartsPerLook = 1024;
 
 class Proof {
@@ -40,7 +40,7 @@ class Proof {
   }
   Within result() const { return m_isRefuted ? Within::No : m_isGivenUp ? Within::Unknown : Within::Yes; }
 
-  // looked: parts since the last poll, of this face and of those before.
+  // looked counts the parts since the last poll, of this face and of previous ones.
   void take(const TrianglePoints& face, std::size_t& looked) {
     struct Part {
       TrianglePoints corners;
@@ -88,17 +88,17 @@ class Proof {
     return farthest <= m_distance || distance + reach <= m_distance ? Judgement::Near : Judgement::Unclear;
   }
 
-  void refute(const Vec3& place) {
+  void refute(const Vec3& position) {
     m_isRefuted = true;
     if (!m_isForAll) return;
     const std::scoped_lock lock(m_mutex);
-    m_beyond.push_back(place);
+    m_beyond.push_back(position);
   }
 
   const TriangleHierarchy& m_of;
   std::size_t m_mostParts;
   double m_distance;
-  double m_near;  // so that small parts end: what they spare is no less than their size
+  double m_near;  // tolerance that ends the subdivision: it is no less than the size of small parts
   bool m_isForAll;
   const Progress& m_progress;
   std::atomic<std::size_t> m_parts{0};

@@ -6,23 +6,23 @@
 
 namespace handwheel {
 
-// The answers of liesWithin().
+// The results of liesWithin().
 enum class Within {
-  Yes,      // proven for every point of the surface, between the samples too
-  No,       // a point is farther
-  Unknown,  // too near to call within the steps allowed, or cancelled
+  Yes,      // proven for every point of the surface, including those between the samples
+  No,       // a point is farther away
+  Unknown,  // not decided within the allowed number of steps, or cancelled
 };
 
-// The relative resolution of distances: where a point is nearer than the limit by less than this share, No may be
-// answered all the same, never Yes where one is farther.
+// The relative resolution of distances. No may be returned if all points are nearer than the limit but one by less than
+// this share; Yes is never returned if one is farther.
 inline constexpr double kBoundSlack = 0.01;
 
-// Whether every point of one surface is within a distance of the other. The distance is in mm, above zero. Triangles
-// are cut into four until all three corners of a part are within it of one and the same triangle of the other surface,
-// to which the distance is a convex function, or until the part is smaller than the margin at its middle (after Tang,
-// Lee, Kim, "Interactive Hausdorff distance computation for general polygonal models", 2009). On all threads of the
-// arena; the time grows as the length of the other's edges over the distance. beyond: when given, all faces are
-// examined, and it gets a place that is farther for each face that has one; sorted.
+// Tests if every point of one surface is within a distance of the other. The distance is in mm, above zero. Triangles
+// are cut into four until all three corners of a part are within that distance of the same triangle of the other
+// surface, to which the distance is a convex function, or until the part is smaller than the margin at its middle
+// (after Tang, Lee, Kim, "Interactive Hausdorff distance computation for general polygonal models", 2009). Runs on all
+// threads of the arena; the time grows with the edge length of the other surface divided by the distance. If beyond is
+// given, all faces are examined, and it receives a farther point for each face that has one, sorted.
 Within liesWithin(const SurfaceDistance& surface, const SurfaceDistance& of, double distance, Progress progress = {},
                   std::vector<Vec3>* beyond = nullptr);
 

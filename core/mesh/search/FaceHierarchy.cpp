@@ -38,7 +38,7 @@ bool FaceHierarchy::isHidden(const Vec3& p, const std::optional<Vec3>& eye, cons
                              Face own) const {
   if (bounds().isEmpty()) return false;
   Ray ray;
-  // From before the whole model: further off than anything in it is from p.
+  // Starts in front of the whole model, farther away than any of its points is from p.
   const double reach = (bounds().max() - p).cwiseAbs().cwiseMax((p - bounds().min()).cwiseAbs()).norm();
   ray.origin = eye ? *eye : Vec3(p - reach * direction.stableNormalized());
   ray.direction = p - ray.origin;

@@ -17,34 +17,34 @@ class FaceHierarchy {
   explicit FaceHierarchy(const HalfEdgeMesh& mesh);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
-  const Box& bounds() const { return m_hierarchy.bounds(); }  // of all live faces with finite corners
+  const Box& bounds() const { return m_hierarchy.bounds(); }  // box of all live faces with finite corners
 
   struct Hit {
     Face face;
     Vec3 point;
-    double distance;  // in lengths of the direction
+    double distance;  // multiple of the direction's length
   };
-  // The first face that the ray meets, from either side; none for a ray that is not usable.
+  // Returns the first face that the ray meets, from either side; nothing for a ray that is not usable.
   std::optional<Hit> firstHit(const Ray& ray) const;
 
   // Calls visit(face) for each face whose box meets the box (boundaries included), and perhaps for some just outside,
-  // until it returns false. Returns false when a visit did.
+  // until it returns false. Returns false if a visit did.
   bool forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const;
 
-  // The point of the surface nearest to p; none without faces.
+  // Returns the point of the surface nearest to p; nothing without faces.
   std::optional<Vec3> nearest(const Vec3& p) const;
 
-  // The unit normal of the face nearest to p; zero when there is none or it has no area.
+  // Returns the unit normal of the face nearest to p; zero if there is none or it has no area.
   Vec3 normalNear(const Vec3& p) const;
 
-  // Whether something lies before p, by more than this (mm), as seen from the eye or, without one, from outside the
-  // model along the direction. A face that p is known to lie on does not count.
+  // Returns true if the surface is more than "by" (mm) in front of p. It is seen from the eye or, without one, from
+  // outside the model along the direction. The face "own", on which p lies, is ignored.
   bool isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by = 0.0,
                 Face own = kNone) const;
 
  private:
   HalfEdgeMesh m_mesh;
-  std::vector<Face> m_faceOf;  // of each triangle in the hierarchy
+  std::vector<Face> m_faceOf;  // face of each triangle in the hierarchy
   TriangleHierarchy m_hierarchy;
 };
 

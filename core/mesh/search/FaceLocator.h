@@ -14,23 +14,23 @@ namespace handwheel {
 // A spatial search structure for the live faces of a mesh version. Faces without finite corners are never found.
 class FaceLocator {
  public:
-  // For queries within a box; without a hierarchy: O(n) to build, O(faces in the box) a query.
+  // Creates a locator for queries within a box, without a hierarchy: O(n) to build, O(faces in the box) per query.
   FaceLocator(const HalfEdgeMesh& mesh, const Box& within);
-  // By a hierarchy of this or of an older version: what changed since is tested face by face.
+  // Creates a locator with a hierarchy of this or an older version: faces changed since are tested one by one.
   FaceLocator(const HalfEdgeMesh& mesh, std::shared_ptr<const FaceHierarchy> older);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
 
   // Calls visit(face) for each face whose box meets the box (boundaries included) until it returns false. Returns false
-  // when a visit did.
+  // if a visit did.
   bool forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const;
-  // Half-edges of proper faces that leave this position, whatever their vertex is.
+  // Returns the half-edges of proper faces that start at this position, from any of its vertices.
   std::vector<HalfEdge> leaving(const Vec3& p) const;
 
  private:
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const FaceHierarchy> m_older;
-  std::unordered_set<Face> m_listed;  // not found by the hierarchy
+  std::unordered_set<Face> m_listed;  // faces missing in the hierarchy
 };
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 namespace handwheel {
 namespace {
 
-// So that cell numbers fit: a cell is not smaller than this share of its coordinates.
+// Least size of a cell as a share of its coordinates, so that cell numbers fit.
 constexpr int kSmallestShare = -40;
 
 }  // namespace
@@ -26,7 +26,7 @@ int FaceOctree::levelOf(const Box& box) {
 }
 
 FaceOctree::Cell FaceOctree::cellOf(const Vec3& p, int level) {
-  // A box that is asked for may reach beyond all cells of a fine level.
+  // A query box may extend beyond all cells of a fine level.
   constexpr double kMost = 0x1p62;
   Cell cell{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -63,7 +63,7 @@ void FaceOctree::raiseTo(int level) {
   }
 }
 
-// Marks a new cell in those that it is a part of.
+// Marks a new cell in its ancestors.
 void FaceOctree::tellAbove(int level, Cell cell) {
   bool isNew = true;
   for (const int top = m_levels.rbegin()->first; isNew && level < top; ++level) {
@@ -79,8 +79,8 @@ void FaceOctree::add(Face f, const Box& box) {
   const int level = levelOf(box);
   raiseTo(level);
   const Cell cell = cellOf(box.min(), level);
-  const auto [place, isNew] = m_levels[level].try_emplace(cell);
-  place->second.faces.push_back(f);
+  const auto [entry, isNew] = m_levels[level].try_emplace(cell);
+  entry->second.faces.push_back(f);
   if (isNew) tellAbove(level, cell);
 }
 
@@ -92,9 +92,9 @@ void FaceOctree::remove(Face f, const Box& box) {
   auto found = cells->second.find(cell);
   if (found == cells->second.end()) return;
   std::vector<Face>& faces = found->second.faces;
-  const auto place = std::find(faces.begin(), faces.end(), f);
-  if (place == faces.end()) return;
-  *place = faces.back();
+  const auto entry = std::find(faces.begin(), faces.end(), f);
+  if (entry == faces.end()) return;
+  *entry = faces.back();
   faces.pop_back();
   while (found->second.faces.empty() && found->second.children == 0) {
     cells->second.erase(found);

@@ -12,17 +12,17 @@
 
 namespace handwheel {
 
-// A loose octree of face boxes, with insertion and removal. There is a level for each power of two in size: a box lies
-// in the level whose cells are just larger than it is, in the cell of its lowest corner, and so reaches into the next
-// cell at most (Ulrich, "Loose octrees", 2000). Cells without faces in or below them are not there.
+// A loose octree of face boxes, with insertion and removal. There is a level for each power of two in size: a box is
+// stored in the level whose cells are just larger than the box, in the cell of its lowest corner, so it extends at most
+// into the next cell (Ulrich, "Loose octrees", 2000). Cells without faces in or below them are not stored.
 class FaceOctree {
  public:
-  // Boxes are finite; one that is removed is the one that was added.
+  // Boxes must be finite. A face must be removed with the box it was added with.
   void add(Face f, const Box& box);
   void remove(Face f, const Box& box);
 
   // Calls visit(face) once for each face near the box, at least for those whose boxes meet it, until it returns false.
-  // Returns false when a visit did.
+  // Returns false if a visit did.
   template <class Visit>
   bool forEachNear(const Box& box, Visit visit) const {
     if (m_levels.empty()) return true;
@@ -51,8 +51,8 @@ class FaceOctree {
     }
   };
   struct Node {
-    std::vector<Face> faces;    // that lie in its level
-    std::uint8_t children = 0;  // a bit for each of its eight parts that is there
+    std::vector<Face> faces;    // faces of its level
+    std::uint8_t children = 0;  // a bit for each of its eight parts that exists
   };
   using Cells = std::unordered_map<Cell, Node, Hash>;
   using Levels = std::map<int, Cells>;
@@ -75,12 +75,12 @@ class FaceOctree {
     }
   };
 
-  // One search, from the largest cells down.
+  // A search from the largest cells down.
   template <class Visit>
   struct Walk {
     const Box& box;
     Visit& visit;
-    std::vector<Range> ranges;  // of the levels from the top, as far down as the search has come
+    std::vector<Range> ranges;  // per level from the top, as far as the search has descended
 
     bool down(Levels::const_iterator level, std::size_t depth, const Cell& cell, const Node& node) {
       for (const Face f : node.faces)
@@ -100,7 +100,7 @@ class FaceOctree {
 
   static int levelOf(const Box& box);
   static Cell cellOf(const Vec3& p, int level);
-  // The cells of a level in which faces near the box can begin.
+  // Returns the cells of a level that can contain the lowest corner of a face near the box.
   static Range rangeOf(const Box& box, int level);
   static Cell wholeOf(const Cell& part);
   static Cell partOf(const Cell& whole, unsigned child);
@@ -109,8 +109,7 @@ class FaceOctree {
   void raiseTo(int level);
   void tellAbove(int level, Cell cell);
 
-  // By the exponent of the size of their cells. The cells that are parts of others are there in all levels up to the
-  // largest.
+  // The levels by the exponent of their cell size. The ancestors of each cell exist in all levels up to the largest.
   Levels m_levels;
 };
 

@@ -23,7 +23,7 @@ class IncrementalHierarchy {
   void add(const TrianglePoints& t);
 
   // Calls visit(corners) for each triangle whose box meets the box (boundaries included) until it returns false.
-  // Returns false when a visit did.
+  // Returns false if a visit did.
   template <class Visit>
   bool forEachInBox(const Box& box, Visit visit) const {
     for (const TriangleHierarchy& level : m_levels) {

@@ -17,7 +17,7 @@ bool isAmong(const std::vector<Face>& sorted, Face f) {
   return std::binary_search(sorted.begin(), sorted.end(), f);
 }
 
-// The pairs of a mesh with at least one of these faces, sorted.
+// Returns the pairs of a mesh with at least one of these faces, sorted.
 std::optional<std::vector<FacePair>> crossingsOf(const HalfEdgeMesh& mesh, const std::vector<Face>& faces,
                                                  Progress progress) {
   Box around;

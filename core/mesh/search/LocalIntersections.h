@@ -13,18 +13,19 @@ namespace handwheel {
 
 // The effect of a mesh change on the self-intersecting pairs of faces.
 struct IntersectionsChange {
-  std::vector<Face> touched;                   // by the change; rising
-  std::vector<std::pair<Face, Face>> present;  // pairs, afterwards, with at least one of them
-  std::size_t fresh = 0;                       // of these, how many the change made
+  std::vector<Face> touched;                   // faces touched by the change, ascending
+  std::vector<std::pair<Face, Face>> present;  // pairs after the change with at least one touched face
+  std::size_t fresh = 0;                       // number of these pairs that the change made
 };
 
-// Finds the self-intersections that a change of a mesh made. Searches near the touched faces only. A pair with new
-// faces does not count as made by the change where it replaced faces that intersected before, as when an intersecting
-// patch is subdivided. Empty when cancelled. O(faces + k log k) for k faces in the box around the touched ones.
+// Finds the self-intersections that a change of a mesh made. Searches near the touched faces only. A pair with added
+// faces does not count as made by the change if it replaces faces that intersected before, for example after an
+// intersecting patch is subdivided. Returns nothing if cancelled. O(faces + k log k) for k faces in the box around the
+// touched ones.
 std::optional<IntersectionsChange> intersectionsChange(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                                        Progress progress = {});
 
-// Computes the intersecting pairs after a change from those before, as findSelfIntersections() gives them.
+// Computes the intersecting pairs after a change from those before, which findSelfIntersections() found.
 std::vector<std::pair<Face, Face>> intersectionsAfter(const IntersectionsChange& change,
                                                       const std::vector<std::pair<Face, Face>>& pairs);
 

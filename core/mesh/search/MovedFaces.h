@@ -11,20 +11,20 @@ namespace handwheel {
 
 // Faces of a mesh with the shapes that a move would give them.
 struct MovedFaces {
-  std::vector<Face> faces;             // rising
-  std::vector<TrianglePoints> shapes;  // of each
+  std::vector<Face> faces;             // ascending
+  std::vector<TrianglePoints> shapes;  // one per face
 };
 
-// The slimness of a triangle: twice its area over its longest side squared. 0 without area, 0.87 equilateral.
+// Returns the slimness of a triangle: twice its area over its longest side squared. 0 without area, 0.87 equilateral.
 double slimness(const TrianglePoints& t);
 
-// Whether a face may change to a new shape. It may neither turn by 90° or more, nor lose its area, nor become much
-// slimmer unless it stays well shaped. A face that had no area may take any shape.
+// Returns true if a face may change to a new shape. It may neither turn by 90° or more, nor lose its area, nor become
+// much slimmer unless it stays well shaped. A face that had no area may take any shape.
 bool mayBecome(const TrianglePoints& before, const TrianglePoints& after);
 
-// Visits each moved face that would newly intersect another one, moved or not. That is in more than what they share,
-// and not so now. Calls visit(index) until it returns false; returns false when a visit did. An index may come more
-// than once. Faces without area are not judged. near: of the mesh before the move.
+// Visits each moved face that would newly intersect another one, moved or not. Shared edges and vertices, and pairs
+// that already intersect, do not count. Calls visit(index) until it returns false; returns false if a visit did. An
+// index may occur more than once. Faces without area are ignored. near must be built from the mesh before the move.
 bool forEachNewCrossing(const FaceLocator& near, const MovedFaces& moved,
                         const std::function<bool(std::size_t)>& visit);
 

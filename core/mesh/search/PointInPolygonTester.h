@@ -14,15 +14,16 @@ class PointInPolygonTester {
  public:
   using Vec2 = Eigen::Vector2d;
 
-  // The coordinates are finite.
+  // The coordinates must be finite.
   explicit PointInPolygonTester(std::span<const Vec2> corners);
 
-  // By the even-odd rule; of the points on an edge, those count that lie to its left or below it. O(edges of a row).
+  // Returns true if the polygon contains p by the even-odd rule. A point on an edge is inside if the polygon is to its
+  // right or above it. O(edges of a row).
   bool contains(const Vec2& p) const;
 
  private:
   struct Edge {
-    Vec2 low, high;  // by y
+    Vec2 low, high;  // ends with the lower and the higher y
   };
   std::size_t row(double y) const;
 
@@ -30,7 +31,7 @@ class PointInPolygonTester {
   double m_high = 0.0;
   double m_rowsPerUnit = 0.0;
   std::vector<Edge> m_edges;           // row by row; an edge is listed in each row that it passes
-  std::vector<std::uint32_t> m_first;  // by row, and one more
+  std::vector<std::uint32_t> m_first;  // first edge per row, with an end entry
 };
 
 }  // namespace handwheel

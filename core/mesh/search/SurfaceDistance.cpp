@@ -17,7 +17,7 @@ bool isFinite(const TrianglePoints& t) {
   return t[0].allFinite() && t[1].allFinite() && t[2].allFinite();
 }
 
-// Of no use once cancelled.
+// The result is invalid once cancelled.
 std::vector<Face> surfaceFaces(const HalfEdgeMesh& mesh, const Progress& progress) {
   std::vector<Face> solid, flat;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
@@ -77,7 +77,7 @@ Vec3 SurfaceDistance::normalAt(Face f, const Vec3& p, const Vec3& nearest) const
   }
   const Vec3 normal = unitNormal(t);
   for (std::uint32_t k = 0; k < 3; ++k) {
-    // The very point that closestOnTriangle() gives where it is on an edge.
+    // Exactly the point that closestOnTriangle() returns if it is on an edge.
     const HalfEdge h = 3 * f + k;
     if (!m_mesh.hasOpposite(h) || closestOnSegment(p, t[k], t[(k + 1) % 3]) != nearest) continue;
     return normal + unitNormal(m_mesh.points(HalfEdgeMesh::face(m_mesh.opposite(h))));

@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// Computes signed distances of points from the surface of a mesh. Faces without area and faces whose corners are not
-// finite are no part of it, except that, where no face has an area, those without are the surface. Immutable; read on
-// any thread. Coordinates below 1e150.
+// Computes signed distances of points from the surface of a mesh. Faces without area and faces with corners that are
+// not finite are excluded; if no face has an area, those without area form the surface. Immutable; may be read on any
+// thread. Coordinates must be below 1e150.
 class SurfaceDistance {
  public:
   // O(n log n), on all threads of the arena. Empty once cancelled.
@@ -25,13 +25,13 @@ class SurfaceDistance {
 
   struct Nearest {
     Vec3 point = Vec3::Zero();
-    // mm; below zero on the side that faces look away from: of a closed surface that faces outward, inside. Decided by
-    // the normal of the face, or the angle-weighted one of the edge or vertex, on which the point lies: right for every
-    // closed surface that does not pass through itself (Bærentzen and Aanæs, "Signed distance computation using the
-    // angle weighted pseudonormal", 2005). Beyond the border of an open one the sign means little.
+    // mm; negative behind the faces, that is, inside a closed surface that is oriented outwards. The sign is decided by
+    // the normal of the face, or the angle-weighted one of the edge or vertex, on which the point lies: correct for
+    // every closed surface without self-intersections (Bærentzen and Aanæs, "Signed distance computation using the
+    // angle weighted pseudonormal", 2005). Beyond the border of an open surface the sign is not meaningful.
     double distance = 0.0;
   };
-  // None when the surface is empty or p is not finite.
+  // Returns nothing if the surface is empty or p is not finite.
   std::optional<Nearest> from(const Vec3& p) const;
 
  private:
@@ -39,7 +39,7 @@ class SurfaceDistance {
 
   HalfEdgeMesh m_mesh;
   std::vector<Face> m_faces;
-  std::vector<Vec3> m_normals;  // angle-weighted, per vertex slot, of any length
+  std::vector<Vec3> m_normals;  // angle-weighted, per vertex slot, not normalised
   TriangleHierarchy m_hierarchy;
 };
 

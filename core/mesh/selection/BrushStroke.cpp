@@ -13,9 +13,9 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kPainted = 0x80000000u;
-// Of the way between two events: to half a radius, as long as that is not finer than this, ...
+// Largest number of halvings of the path between two events to parts of half a radius.
 constexpr int kMostHalvings = 10;
-// ... and further where the surface turns away from the viewer, or ends.
+// Number of further halvings if the surface turns away from the viewer, or ends.
 constexpr int kSteepHalvings = 4;
 
 // Squared distance between the segments from a to b and from p to q: at the feet of their common perpendicular when
@@ -51,32 +51,32 @@ std::span<const Face> BrushStroke::moveTo(const Touch& touch) {
   if (!touch.ray.isUsable()) return {};
   const Met hit = m_faces->firstHit(touch.ray);
   if (m_touch) {
-    paintBetween(*m_touch, m_place, touch, hit, halvings(*m_touch, touch));
+    paintBetween(*m_touch, m_lastHit, touch, hit, halvings(*m_touch, touch));
   } else if (hit) {
     paintAlong({&*hit, 1}, touch.radius);
   }
   m_touch = touch;
-  m_place = hit;
+  m_lastHit = hit;
   return m_new;
 }
 
-// How often the way between the rays must be halved until its parts are no longer than half the radius, where the
-// surface is: at what was met, else in the middle of the model.
+// Returns the number of halvings of the path between the rays until its parts are at most half the radius. The path is
+// measured at the depth of the last hit, else of the middle of the model.
 int BrushStroke::halvings(const Touch& from, const Touch& to) const {
-  const Vec3 place = m_place ? m_place->point : Vec3(m_faces->bounds().center());
+  const Vec3 reference = m_lastHit ? m_lastHit->point : Vec3(m_faces->bounds().center());
   const auto at = [&](const Ray& ray) {
-    return Vec3(ray.origin + std::max(0.0, (place - ray.origin).dot(ray.direction)) * ray.direction);
+    return Vec3(ray.origin + std::max(0.0, (reference - ray.origin).dot(ray.direction)) * ray.direction);
   };
   const double parts = (at(from.ray) - at(to.ray)).norm() / (0.5 * std::min(from.radius, to.radius));
   if (!(parts > 1.0)) return 0;
   return static_cast<int>(std::min(std::ceil(std::log2(parts)), static_cast<double>(kMostHalvings)));
 }
 
-// depth: how often the way may be halved still; less than nothing where the surface asks for more.
+// depth is the remaining number of halvings; negative for additional ones that the surface needs.
 void BrushStroke::paintBetween(const Touch& from, const Met& a, const Touch& to, const Met& b, int depth) {
   const double radius = std::min(from.radius, to.radius);
-  const double way = a && b ? (a->point - b->point).norm() : 0.0;
-  const bool isSteep = a.has_value() != b.has_value() || way > radius;
+  const double distance = a && b ? (a->point - b->point).norm() : 0.0;
+  const bool isSteep = a.has_value() != b.has_value() || distance > radius;
   if (depth > 0 || (isSteep && depth > -kSteepHalvings)) {
     const Touch middle = between(from, to);
     const Met hit = middle.ray.isUsable() ? m_faces->firstHit(middle.ray) : std::nullopt;
@@ -84,15 +84,15 @@ void BrushStroke::paintBetween(const Touch& from, const Met& a, const Touch& to,
     paintBetween(middle, hit, to, b, depth - 1);
     return;
   }
-  if (a && b && way <= 2.0 * radius) {
+  if (a && b && distance <= 2.0 * radius) {
     paintAlong(std::array{*a, *b}, to.radius);
-  } else if (b) {  // from one surface to another behind it; the place before has been painted
+  } else if (b) {  // from one surface to another behind it; the previous hit is already painted
     paintAlong({&*b, 1}, to.radius);
   }
 }
 
-// The faces that meet the ball on its straight way between the ends, and hang together with one of them in there: such
-// a face is entered over an edge that meets the capsule, too.
+// Paints the faces that meet the ball on the straight path between the ends and are connected with one of the ends
+// inside this capsule: such a face is entered over an edge that meets the capsule too.
 void BrushStroke::paintAlong(std::span<const FaceHierarchy::Hit> ends, double radius) {
   const HalfEdgeMesh& mesh = m_faces->mesh();
   ++m_capsule;
@@ -103,7 +103,7 @@ void BrushStroke::paintAlong(std::span<const FaceHierarchy::Hit> ends, double ra
     m_waiting.push_back(f);
   };
   for (const FaceHierarchy::Hit& end : ends) meet(end.face);
-  // Seen from one end, so that nothing is lost far from the origin.
+  // Coordinates are relative to one end, to keep the precision far from the origin.
   const Vec3 origin = ends.front().point, axis = ends.back().point - origin;
   while (!m_waiting.empty()) {
     const Face f = m_waiting.back();

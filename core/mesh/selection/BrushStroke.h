@@ -9,24 +9,24 @@
 
 namespace handwheel {
 
-// A brush stroke: a ball moved over the surface that paints faces. Only what is connected with the place under the
-// pointer inside the ball is painted, so the far side of a thin wall is not. Between two events the ball follows the
-// surface along the path of the pointer, without gaps.
+// A brush stroke: a ball moved over the surface that paints faces. Only faces connected inside the ball with the point
+// under the pointer are painted, so the far side of a thin wall is not. Between two events the ball follows the surface
+// along the path of the pointer, without gaps.
 class BrushStroke {
  public:
   explicit BrushStroke(std::shared_ptr<const FaceHierarchy> faces);
 
   struct Touch {
     Ray ray;
-    double radius = 0.0;  // mm, of the ball
+    double radius = 0.0;  // radius of the ball, mm
   };
-  // Paints at the next place of the pointer and on the way there. Returns the newly painted faces, in a list that the
-  // next call overwrites. O(faces met), plus O(log n) for each half radius of the way.
+  // Paints along the path to the next pointer position. Returns the newly painted faces, in a list that the next call
+  // overwrites. O(faces met), plus O(log n) for each half radius of the path.
   std::span<const Face> moveTo(const Touch& touch);
 
   const FaceHierarchy& faces() const { return *m_faces; }
-  // Where the pointer met the surface last.
-  const std::optional<FaceHierarchy::Hit>& place() const { return m_place; }
+  // Returns the last hit of the pointer on the surface.
+  const std::optional<FaceHierarchy::Hit>& lastHit() const { return m_lastHit; }
 
  private:
   using Met = std::optional<FaceHierarchy::Hit>;
@@ -36,8 +36,8 @@ class BrushStroke {
 
   std::shared_ptr<const FaceHierarchy> m_faces;
   std::optional<Touch> m_touch;
-  Met m_place;
-  // By face: kPainted, and the number of the last capsule that met it.
+  Met m_lastHit;
+  // Per face: kPainted, and the number of the last capsule that met it.
   std::vector<std::uint32_t> m_marks;
   std::uint32_t m_capsule = 0;
   std::vector<Face> m_new;

@@ -28,7 +28,7 @@ std::pair<ConvexPiece, ConvexPiece> dividedAt(const ConvexPiece& piece, Eigen::I
   return {below, above};
 }
 
-// Adds what of a piece is outside a box. False: all of it, and the piece is added as it is.
+// Adds the parts of a piece outside a box. Returns false if the whole piece is outside and was added as it is.
 bool addOutside(const ConvexPiece& piece, const Box& box, std::vector<ConvexPiece>& outside) {
   const std::size_t before = outside.size();
   ConvexPiece inside = piece;

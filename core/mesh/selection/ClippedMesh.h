@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// A mesh with what lies inside some boxes cut away, for the display. Faces that reach into one are replaced by
-// pieces, which have vertices and numbers of their own and no neighbours; the others keep their numbers. Boxes do not
-// overlap but at their sides. O(log n) for each box beside the faces that meet it.
+// Cuts away the inside of boxes from a mesh, for display. Faces that reach into a box are replaced by pieces, which
+// have vertices and numbers of their own and no neighbours; the others keep their numbers. Boxes may only touch at
+// their sides. O(log n) for each box beside the faces that meet it.
 PreviewMesh clippedMesh(const FaceHierarchy& faces, std::span<const Box> boxes);
 
 }  // namespace handwheel

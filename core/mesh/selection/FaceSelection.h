@@ -15,7 +15,7 @@
 
 namespace handwheel {
 
-// A set of faces of a mesh. It has one bit to a face slot, in pages that copies share, so a copy is cheap; union,
+// A set of faces of a mesh. It has one bit per face slot, in pages that copies share, so a copy is cheap; union,
 // difference and comparison take O(slots / 64), less where pages are shared. Faces keep their numbers, so a selection
 // outlives edits of the mesh; dropDead() removes the faces that an edit removed.
 class FaceSelection {
@@ -28,36 +28,36 @@ class FaceSelection {
     for (const Face f : faces) add(f);
   }
 
-  // The faces below slotCount for which isIn(face) holds. O(slotCount).
+  // Returns the faces below slotCount for which isIn(face) is true. O(slotCount).
   template <class Predicate>
   static FaceSelection where(std::size_t slotCount, Predicate isIn);
-  // All live faces.
+  // Returns all live faces.
   static FaceSelection all(const HalfEdgeMesh& mesh);
-  // The live faces that are not in it.
+  // Returns the live faces that are not in the selection.
   FaceSelection inverted(const HalfEdgeMesh& mesh) const;
 
   std::size_t count() const { return m_count; }
   bool empty() const { return m_count == 0; }
   bool contains(Face f) const { return (word(f / kBits) >> f % kBits & 1) != 0; }
 
-  // True when that changed something. f must not be kNone.
+  // Return true if the selection changes. f must not be kNone.
   bool add(Face f) { return set(f, true); }
   bool remove(Face f) { return contains(f) && set(f, false); }
   void add(const FaceSelection& other);
   void remove(const FaceSelection& other);
-  // Takes out the faces that are no longer in the mesh. O(slots / 64 + count).
+  // Removes the faces that are no longer in the mesh. O(slots / 64 + count).
   void dropDead(const HalfEdgeMesh& mesh);
 
-  // Calls visit(face) for each face, in rising order.
+  // Calls visit(face) for each face, in ascending order.
   template <class Visit>
   void forEach(Visit visit) const {
     for (std::size_t i = 0; i < m_words.size(); ++i) forEachBit(i, m_words[i], visit);
   }
   std::vector<Face> faces() const;
-  // Those of the given count of numbers from first on; both multiples of 64.
+  // Returns the selected faces with numbers from first to first + count - 1; both multiples of 64.
   std::vector<Face> facesIn(Face first, Face count) const;
-  // Which ranges of so many numbers (a multiple of 64) have faces that are in one of the two only, in rising order:
-  // what must be drawn anew. Range i begins at the face i · count.
+  // Returns the ranges of "count" numbers (a multiple of 64) with faces that are in only one of the two selections, in
+  // ascending order. They must be redrawn. Range i starts at the face i · count.
   std::vector<std::size_t> differingRanges(const FaceSelection& other, Face count) const;
 
   bool operator==(const FaceSelection& other) const;
@@ -70,7 +70,7 @@ class FaceSelection {
   void setWord(std::size_t i, Word value);
   bool set(Face f, bool isIn);
 
-  // Calls visit(i) for each word that may differ from that of the other.
+  // Calls visit(i) for each word that may differ from that of the other selection.
   template <class Visit>
   void forEachUnsharedWord(const FaceSelection& other, Visit visit) const {
     constexpr std::size_t kPage = PagedArray<Word>::kPageSize;
@@ -91,8 +91,8 @@ class FaceSelection {
   std::size_t m_count = 0;
 };
 
-// Removes the selected live faces and relinks the mesh (relink()). Returns the number removed. The mesh is invalid if
-// cancelled. O(n).
+// Removes the selected live faces and relinks the mesh (relink()). Returns the number of removed faces. The mesh is
+// invalid if cancelled. O(n).
 std::size_t removeFaces(HalfEdgeMesh& mesh, const FaceSelection& faces, Progress progress = {});
 
 template <class Predicate>

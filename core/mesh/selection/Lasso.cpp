@@ -14,10 +14,10 @@
 namespace handwheel {
 namespace {
 
-// Vertices or faces looked at between two looks at the cancel flag.
+// Vertices or faces examined between two polls of the cancel flag.
 constexpr std::size_t kChunk = 4096;
 
-// Calls visit(i) for all i < n, in parallel. False when cancelled.
+// Calls visit(i) for all i < n, in parallel. Returns false if cancelled.
 template <class Visit>
 bool forEachIndex(std::size_t n, const Progress& progress, Visit visit) {
   std::atomic<std::size_t> done = 0;
@@ -32,14 +32,14 @@ bool forEachIndex(std::size_t n, const Progress& progress, Visit visit) {
   return !progress.cancelled();
 }
 
-// In the middle of what the lasso encloses, so that every ray has a place on the plane across it.
+// Returns a direction in the middle of the lasso, so that every ray meets the plane perpendicular to it.
 Vec3 forwardOf(const std::vector<Ray>& rays) {
   Vec3 sum = Vec3::Zero();
   for (const Ray& ray : rays) sum += ray.direction.stableNormalized();
   return sum;
 }
 
-// Whether a face shows its front to the viewer, and its centre.
+// Tests if a face has its front and its centre visible to the viewer.
 class Visibility {
  public:
   Visibility(const FaceHierarchy& faces, const std::optional<Vec3>& eye, const Vec3& forward)
@@ -69,9 +69,9 @@ std::optional<FaceSelection> facesInLasso(const FaceHierarchy& faces, const Lass
   const PickRayPlane plane(lasso.eye, rays.front().origin, forward);
   std::vector<PickRayPlane::Vec2> corners;
   for (const Ray& ray : rays) {
-    const auto place = plane.place(ray);
-    if (!place || !place->allFinite()) return FaceSelection();
-    corners.push_back(*place);
+    const auto projected = plane.projected(ray);
+    if (!projected || !projected->allFinite()) return FaceSelection();
+    corners.push_back(*projected);
   }
   const PointInPolygonTester polygon(corners);
 
@@ -81,8 +81,8 @@ std::optional<FaceSelection> facesInLasso(const FaceHierarchy& faces, const Lass
   const Visibility isVisible(faces, lasso.eye, plane.forward());
   const bool done = forEachIndex(inside.size(), progress.part(0.0, 0.1),
                                  [&](std::size_t v) {
-                                   const auto place = plane.place(mesh.position(static_cast<Vertex>(v)));
-                                   inside[v] = place && polygon.contains(*place);
+                                   const auto projected = plane.projected(mesh.position(static_cast<Vertex>(v)));
+                                   inside[v] = projected && polygon.contains(*projected);
                                  }) &&
                     forEachIndex(selected.size(), progress.part(0.1, 1.0), [&](std::size_t i) {
                       const auto f = static_cast<Face>(i);

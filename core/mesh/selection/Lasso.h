@@ -12,15 +12,15 @@ namespace handwheel {
 
 // A closed selection curve, drawn with a pointer.
 struct Lasso {
-  std::vector<Ray> rays;    // of the pointer; those that are not usable do not count
-  std::optional<Vec3> eye;  // of all of them; none under parallel projection
-  bool through = false;     // also what faces away or is hidden
+  std::vector<Ray> rays;    // rays of the pointer; unusable ones are ignored
+  std::optional<Vec3> eye;  // common eye of all rays; none under parallel projection
+  bool through = false;     // include back-facing and hidden faces
 };
 
-// Finds the faces whose three corners all appear inside a lasso. Where it crosses itself, by the even-odd rule. Unless
-// it goes through, only those that show their front and whose centre is not hidden; a face without area has no back.
-// Nothing for fewer than three rays, or rays that no viewer sees at once. Empty optional when cancelled. O(n) on all
-// threads of the arena, and a ray for each face that does not face away.
+// Finds the faces whose three corners are all projected inside a lasso. The even-odd rule applies if it crosses itself.
+// Unless Lasso::through is set, only front-facing faces with a visible centre are selected; a face without area has no
+// back. The selection is empty for fewer than three rays, or rays that are not all in front of one viewer. Returns
+// nothing if cancelled. O(n) on all threads of the arena, and a ray for each face that does not face away.
 std::optional<FaceSelection> facesInLasso(const FaceHierarchy& faces, const Lasso& lasso, Progress progress = {});
 
 }  // namespace handwheel

@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// A mesh shown in place of the document's mesh while a tool works.
+// A mesh shown instead of the document's mesh while a tool works.
 struct PreviewMesh {
   HalfEdgeMesh mesh;
-  FaceSelection touched;  // the faces that look different, those that one of the two does not have included
+  FaceSelection touched;  // faces that look different, including those that exist in only one of the two meshes
 };
 
 }  // namespace handwheel

@@ -9,17 +9,17 @@
 namespace handwheel {
 namespace {
 
-// A face from which growing goes on, with the normal that stands for it there.
+// A face from which growing continues, with its representative normal.
 struct Front {
   Face face;
   Vec3 normal;
 };
 
-// crosses(front, neighbour) gives the normal that stands for the neighbour, or none where growing stops.
+// crosses(front, neighbour) returns the representative normal of the neighbour, or nothing if growing stops there.
 template <class Crosses>
 std::optional<FaceSelection> grow(const HalfEdgeMesh& mesh, std::vector<Front> fronts, const GrowthLimit& limit,
                                   Crosses crosses) {
-  constexpr std::size_t kLook = 0xfff;  // how often the cancel flag is read: every 4096 faces
+  constexpr std::size_t kLook = 0xfff;  // mask for reading the cancel flag every 4096 faces
   FaceSelection result;
   std::erase_if(fronts, [&](const Front& front) { return !result.add(front.face); });
   for (std::size_t done = 0; !fronts.empty() && result.count() < limit.faces; ++done) {
@@ -46,9 +46,9 @@ std::vector<Front> frontsOf(const HalfEdgeMesh& mesh, std::span<const Face> seed
   return fronts;
 }
 
-// Calls visit(face) for the faces around each vertex at which faces inside and outside of the selection meet. Around a
-// vertex one comes from any face to any other over edges, so each such vertex is the end of an edge that has a face on
-// either side of the outline.
+// Calls visit(face) for the faces around each vertex at which faces inside and outside of the selection meet. All faces
+// around a vertex are connected over edges, so each such vertex is the end of an edge with faces on both sides of the
+// outline.
 template <class Visit>
 void visitOutline(const HalfEdgeMesh& mesh, const FaceSelection& faces, Visit visit) {
   std::vector<bool> seen(mesh.vertexSlots(), false);

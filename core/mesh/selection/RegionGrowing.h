@@ -11,22 +11,22 @@
 
 namespace handwheel {
 
-// Selection of faces by region growing. Faces are neighbours where their half-edges are paired: a face without extent,
-// a seam and another part that only touches stay outside. Dead seeds are ignored. O(result).
+// Selection of faces by region growing. Faces are neighbours if they have paired half-edges: faces with a repeated
+// vertex, seams and parts that only touch are not crossed. Dead seeds are ignored. O(result).
 
 // Limits of region growing.
 struct GrowthLimit {
-  std::size_t faces = std::numeric_limits<std::size_t>::max();  // this many are enough
-  Progress progress = {};                                       // cancelled: no result
+  std::size_t faces = std::numeric_limits<std::size_t>::max();  // growing stops at this number
+  Progress progress = {};                                       // no result if cancelled
 };
 
 // Selects all faces connected with the seeds.
 std::optional<FaceSelection> connectedFaces(const HalfEdgeMesh& mesh, std::span<const Face> seeds,
                                             const GrowthLimit& limit = {});
 
-// Selects the faces reached from the seeds without crossing sharp edges. At the edges crossed the normals differ by at
+// Selects the faces reached from the seeds without crossing sharp edges. At the crossed edges the normals differ by at
 // most this angle (radian). A face without area has no normal; it takes that of the face from which it was reached, so
-// that a needle neither stops growing over a flat place nor carries it around a corner.
+// that a needle neither stops growing over a flat region nor carries it around a corner.
 std::optional<FaceSelection> facesWithinAngle(const HalfEdgeMesh& mesh, std::span<const Face> seeds, double angle,
                                               const GrowthLimit& limit = {});
 

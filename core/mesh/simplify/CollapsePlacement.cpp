@@ -13,10 +13,10 @@
 namespace handwheel {
 namespace {
 
-constexpr double kPull = 1e-6;        // towards the middle of the edge, where the planes leave the place open
-constexpr double kShortFirst = 1e-8;  // where nothing changes the surface, the shortest edge goes first
+constexpr double kPull = 1e-6;        // weight of the edge's middle if the planes leave the position undetermined
+constexpr double kShortFirst = 1e-8;  // if no collapse changes the surface, the shortest edge is first
 
-// The sum of the planes around an edge, relative to its middle.
+// Sum of the quadrics around an edge, relative to its middle.
 class PlaneSum {
  public:
   PlaneSum(const HalfEdgeMesh& mesh, const VertexConstraints& holds, const Vec3& origin)
@@ -37,7 +37,7 @@ class PlaneSum {
   }
 
  private:
-  // Where there are too many faces, of the first: such an edge does not shrink anyway.
+  // Only the first faces are added if there are too many: such an edge does not collapse anyway.
   void addFan(HalfEdge h, Face except, Face exceptToo) {
     std::size_t n = 0;
     forEachInFan(m_mesh, h, [&](HalfEdge g) {
@@ -46,7 +46,7 @@ class PlaneSum {
     });
   }
 
-  // With the planes of its open or sharp edges at the corner from which g leaves.
+  // Adds the face of g with the planes of its open or sharp edges at the start of g.
   void addFace(HalfEdge g) {
     const TrianglePoints t = m_mesh.points(HalfEdgeMesh::face(g));
     const Vec3 n = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
@@ -57,7 +57,7 @@ class PlaneSum {
     addSharpEdge(HalfEdgeMesh::previous(g));
   }
 
-  // Only where it is open or a crease. It weighs as much as a square face on it.
+  // Adds the plane of an edge if it is open or a crease. Its weight is that of a square face on the edge.
   void addSharpEdge(HalfEdge h) {
     if (m_mesh.hasOpposite(h) && !m_holds.isCrease(h)) return;
     const Vec3 normal = unitNormal(m_mesh.points(HalfEdgeMesh::face(h)));

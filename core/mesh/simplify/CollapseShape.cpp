@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kFlipCosine = 0.2;  // between a face's normals before and after
 constexpr double kNeedle = 0.01;     // area as a share of an equilateral triangle's with the same sum of squares
-constexpr double kThinner = 0.9;     // as a share of the thinnest before: where all are needles they may shear a little
+constexpr double kThinner = 0.9;     // share of the thinnest before: needles may shear a little
 
 Vec3 areaNormal(const TrianglePoints& t) {
   return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
-// 1 for an equilateral triangle, 0 for one without area.
+// Returns the shape quality: 1 for an equilateral triangle, 0 for one without area.
 double roundnessOf(const TrianglePoints& t) {
   const double squares = (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
   return squares > 0.0 ? 4.0 * std::sqrt(3.0) * areaNormal(t).norm() / squares : 0.0;

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Whether the faces around an edge keep their shape when it collapses. No face turns over, loses its area, or becomes a
-// needle much thinner than those that were there. In both lists a face has the same index, and the corner that moves
-// comes first.
+// Returns true if the faces around an edge keep their shape when it collapses. No face may flip, lose its area, or
+// become a needle much thinner than those before. In both lists a face has the same index, and the moving corner comes
+// first.
 bool keepsShape(std::span<const TrianglePoints> before, std::span<const TrianglePoints> after);
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-// Of the error asked for: with how much the first try is made, and each further one as a share of the one before.
+// Share of the error limit used in the first try, and that of each further try relative to the previous one.
 constexpr double kFirstShare = 0.95, kNextShare = 0.95;
 constexpr int kTries = 6;
 
@@ -26,18 +26,18 @@ std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
   return removed;
 }
 
-// Twice as dense as the original's faces.
+// Returns options with twice as many samples as the original has faces.
 DeviationOptions measuring(const HalfEdgeMesh& original) {
   return {.samples = std::clamp<std::size_t>(2 * original.faceSlots(), 20'000, kMaxDeviationSamples), .bins = 1};
 }
 
-// Empty once cancelled, and where there is nothing to measure.
+// Returns nothing once cancelled, or if there is nothing to measure.
 std::optional<double> distanceWithin(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, const Progress& progress) {
   const auto measured = deviation(mesh, original, measuring(original), progress);
   return measured ? std::optional(measured->hausdorff()) : std::nullopt;
 }
 
-// Whether each is within the error of the other, and where not.
+// Tests if each surface is within the error of the other, and collects the points where not.
 Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error, std::vector<Vec3>& beyond,
                 const Progress& progress) {
   std::vector<Vec3> beyondOther;
@@ -48,10 +48,10 @@ Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error
   return other == Within::Yes ? one : other;
 }
 
-// The vertices of the faces of the surface that come as near to these places. Of no use once cancelled.
-void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& places, double reach,
+// Collects the vertices of the faces within reach of these positions. The result is invalid once cancelled.
+void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& positions, double reach,
                      std::vector<Vertex>& vertices, const Progress& progress) {
-  for (const Vec3& p : places) {
+  for (const Vec3& p : positions) {
     if (progress.cancelled()) return;
     const Box box(p - Vec3::Constant(reach), p + Vec3::Constant(reach));
     surface.hierarchy().forEachInBox(box, [&](std::uint32_t triangle) {
@@ -63,8 +63,8 @@ void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& pl
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-// Where a try is found to be too far between the points that each collapse was checked at, the next one leaves the
-// surface as it was, and looks at more points elsewhere. Of no use once cancelled.
+// If a try exceeds the error between the points at which each collapse was checked, the next one does not change the
+// surface there, and checks more points elsewhere. The result is invalid once cancelled.
 void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, DecimationReport& report,
                     const Progress& progress) {
   const HalfEdgeMesh original = mesh;

@@ -12,55 +12,54 @@ namespace handwheel {
 
 // The methods of mesh decimation.
 enum class DecimationMethod {
-  Bounded,  // ours: with every option
-  // OpenMesh's: a vertex goes to one beside it, so those that stay do not move. It bounds no distance and
-  // looks at no other faces, so error must be none and avoidIntersections false.
+  Bounded,  // Handwheel's own method, with every option
+  // OpenMesh's method: a vertex collapses into a neighbour, so remaining vertices do not move. It bounds no distance
+  // and considers no other faces, so error must be empty and avoidIntersections false.
   Quadric,
 };
 
 // Options of decimate().
 struct DecimationOptions {
-  // Stop at this number of faces, or when no more can be removed. 0: as few as the error allows.
+  // Target number of faces; decimation also stops if no more can be removed. 0: as few as the error allows.
   std::size_t faces = 0;
-  // mm, above zero; how far the result may be from the original, and the original from the result. Every collapse is
-  // checked: the new faces, at points about as dense as the original's vertices, and all points of the original that
-  // lie nearest to them, its vertices and some on each face. Then the whole is verified (liesWithin()) and, where that
-  // fails, made again with a smaller error, and with nothing changed near the failure; where that does not help,
-  // nothing is removed.
+  // mm, above zero; the largest distance between the result and the original, in both directions. Every collapse is
+  // checked at points of the new faces, about as dense as the original's vertices, and at all points of the original
+  // that are nearest to them, its vertices and some on each face. The final result is verified (liesWithin()) and, if
+  // that fails, made again with a smaller error and without changes near the failure; if that does not help, nothing is
+  // removed.
   std::optional<double> error = std::nullopt;
-  bool keepBorders = false;  // no vertex of an open edge is moved or removed
-  // No vertex of an edge with at least this angle between its faces' normals (radian) leaves it: along it vertices may
-  // be removed, and where it ends or branches they stay.
+  bool keepBorders = false;  // vertices of open edges are neither moved nor removed
+  // Smallest angle between the normals at an edge (radian) that makes it a crease. Vertices stay on their crease: they
+  // may be removed along it, and stay where it ends or branches.
   std::optional<double> creaseAngle = std::nullopt;
-  // No pair of faces meets in more than a shared vertex or edge that did not before. Existing self-intersections stay
-  // as they are.
+  // Forbids new pairs of faces that meet in more than a shared vertex or edge. Existing self-intersections stay.
   bool avoidIntersections = false;
   DecimationMethod method = DecimationMethod::Bounded;
-  // Measure the distance that is reached where no error is given, too, which takes about as long as reading the file.
+  // Measure the resulting distance even without an error limit, which takes about as long as reading the file.
   bool measureDistance = false;
 };
 
 // The report of a decimation.
 struct DecimationReport {
-  std::size_t facesBefore = 0;  // live
+  std::size_t facesBefore = 0;  // live faces
   std::size_t facesAfter = 0;
   std::size_t removedDegenerate = 0;  // faces with a repeated vertex
-  // In mm, either way, as deviation() found it; none unless an error was given or it was to be measured. And whether it
-  // is proven that no point is farther than the error: not where none was given, or the proof would have taken too long
-  // (an error far smaller than the faces).
+  // Distance measured by deviation() in both directions, mm; absent unless an error limit or measureDistance was set.
+  // isProven is true if it is proven that no point is farther than the error limit; false without a limit, or if the
+  // proof would take too long (an error far smaller than the faces).
   std::optional<double> largestDistance;
   bool isProven = false;
-  OpenMeshRefusal refusal = OpenMeshRefusal::None;  // of Quadric; then the mesh is unchanged
+  OpenMeshRefusal refusal = OpenMeshRefusal::None;  // refusal of Quadric, which leaves the mesh unchanged
   bool cancelled = false;
 };
 
-// Simplifies a mesh by edge collapses, the least change of the surface first. By quadrics (Garland and Heckbert, 1997).
-// The topology stays: parts, handles and holes; no face flips. The quadrics are those of the faces around an edge as
-// they are, not sums over all that was there before: on scans the result is nearer to the original (Lindstrom and Turk,
-// "Fast and memory efficient polygonal simplification", 1998). Vertices at seams and at positions that several vertices
-// share stay. Face and vertex numbers that remain mean what they did before, though vertices move. The mesh is valid
-// afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. By Quadric, the quadrics are
-// sums (docs/adr/0028-openmesh.md); all else holds.
+// Simplifies a mesh by edge collapses, the least change of the surface first. Changes are measured by quadrics (Garland
+// and Heckbert, 1997). The topology (parts, handles and holes) stays, and no face flips. The quadrics are those of the
+// current faces around an edge, not accumulated over former ones: on scans the result is nearer to the original
+// (Lindstrom and Turk, "Fast and memory efficient polygonal simplification", 1998). Vertices at seams and at positions
+// that several vertices share stay. Remaining faces and vertices keep their numbers, though vertices move. The mesh is
+// valid afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. With Quadric, the
+// quadrics are accumulated (docs/adr/0028-openmesh.md); all else holds.
 DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress = {});
 
 }  // namespace handwheel

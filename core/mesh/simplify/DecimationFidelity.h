@@ -8,12 +8,13 @@
 
 namespace handwheel {
 
-// mesh.decimation_method: DecimationOptions::method. Presets follow from resources/fidelity, as in MeshFidelity.h.
+// Returns the setting mesh.decimation_method, for DecimationOptions::method. Presets follow from resources/fidelity.
 inline FidelitySetting decimationMethodSetting() {
   FidelitySetting s;
   s.id = "mesh.decimation_method";
   s.label = translatable("Fidelity", "Method of reducing triangles");
-  setChoices(s, {translatable("Fidelity", "bounded"), translatable("Fidelity", "quadric")});  // as DecimationMethod
+  setChoices(s, {translatable("Fidelity", "bounded"),
+                 translatable("Fidelity", "quadric")});  // in the order of DecimationMethod
   s.standard = static_cast<double>(DecimationOptions().method);
   s.budget = FidelityBudget::Wait;
   s.presets = {0.0, 0.0, 0.0};

@@ -113,9 +113,10 @@ void Decimator::collapse(HalfEdge h, const Vec3& p) {
 bool Decimator::drain(const Progress& progress) {
   const double toGo = static_cast<double>(m_faces - std::min(m_faces, m_options.faces)), start = double(m_faces);
   double reported = 0.0;
-  std::size_t longest = 1;  // of the queue: where an error is the limit, most of the time goes into what is refused
+  // Largest size of the queue: with an error limit, most of the time goes into refused collapses.
+  std::size_t longest = 1;
   for (std::size_t i = 0; !m_queue.empty() && m_faces > m_options.faces; ++i) {
-    if (progress.cancelled()) return false;  // each time: to check one may take milliseconds
+    if (progress.cancelled()) return false;  // polled each time, because one check may take milliseconds
     if (i % kEdgesPerReport == 0) {
       longest = std::max(longest, m_queue.size());
       const double gone = (start - static_cast<double>(m_faces)) / toGo;
@@ -127,12 +128,12 @@ bool Decimator::drain(const Progress& progress) {
     m_queue.pop();
     if (!m_mesh.isLive(HalfEdgeMesh::face(c.edge))) continue;
     if (m_stamp[m_mesh.from(c.edge)] != c.fromStamp || m_stamp[m_mesh.to(c.edge)] != c.toStamp) continue;
-    // The faces around its ends may have changed since: then it queues again.
+    // If the faces around its ends have changed since, the edge is queued again.
     const auto placing = collapsePlacement(m_mesh, m_holds, c.edge);
     if (placing && placing->cost > c.cost) {
       m_queue.push({placing->cost, c.edge, c.fromStamp, c.toStamp});
-    } else if (placing && isAllowed(c.edge, placing->place)) {
-      collapse(c.edge, placing->place);
+    } else if (placing && isAllowed(c.edge, placing->position)) {
+      collapse(c.edge, placing->position);
     }
   }
   return true;
@@ -140,7 +141,7 @@ bool Decimator::drain(const Progress& progress) {
 
 bool Decimator::run(const Progress& progress) {
   if (!prepare(progress.part(0.0, 0.05))) return false;
-  // Edges that were refused are tried again once their surroundings have changed, as long as that brings something.
+  // Refused edges are tried again after their surroundings have changed, as long as that succeeds.
   double from = 0.05;
   std::size_t before = 0;
   do {

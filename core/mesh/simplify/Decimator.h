@@ -12,12 +12,12 @@
 
 namespace handwheel {
 
-// Collapses edges of a mesh, the cheapest first, as decimate() describes. To be run once.
+// Collapses edges of a mesh, the cheapest first, as decimate() describes. run() may be called once.
 class Decimator {
  public:
   struct Limits {
-    ErrorTracker* error = nullptr;       // where one is asked for
-    std::span<const Vertex> fixed = {};  // stay where they are
+    ErrorTracker* error = nullptr;       // null: no error limit
+    std::span<const Vertex> fixed = {};  // vertices that stay
   };
   Decimator(HalfEdgeMesh& mesh, const DecimationOptions& options, const Limits& limits, const Progress& progress)
       : m_mesh(mesh),
@@ -28,7 +28,7 @@ class Decimator {
     for (const Vertex v : limits.fixed) m_holds.fix(v);
   }
 
-  // False when cancelled.
+  // Returns false if cancelled.
   bool run(const Progress& progress);
 
  private:
@@ -36,14 +36,15 @@ class Decimator {
     double cost;
     HalfEdge edge;
     std::uint32_t fromStamp, toStamp;
-    // For std::priority_queue, whose top is the largest.
+    // Reversed order, for std::priority_queue, whose top is the largest.
     bool operator<(const Candidate& other) const { return cost != other.cost ? cost > other.cost : edge > other.edge; }
   };
 
-  // What a collapse does to the faces around the edge.
+  // The effect of a collapse on the faces around the edge.
   struct Star {
-    std::vector<Face> faces;                    // of all: first those that stay, in the same order, then those that go
-    std::vector<TrianglePoints> before, after;  // of those that stay; the corner that moves comes first
+    // All faces: first those that stay, in the order of the lists below, then those that are removed.
+    std::vector<Face> faces;
+    std::vector<TrianglePoints> before, after;  // shapes of those that stay; the moving corner comes first
   };
 
   bool prepare(const Progress& progress);
@@ -60,12 +61,12 @@ class Decimator {
   HalfEdgeMesh& m_mesh;
   const DecimationOptions& m_options;
   ErrorTracker* m_error;
-  std::size_t m_faces;                 // live
-  std::vector<std::uint32_t> m_stamp;  // per vertex: grows when its edges change
+  std::size_t m_faces;                 // number of live faces
+  std::vector<std::uint32_t> m_stamp;  // per vertex: incremented when its edges change
   VertexConstraints m_holds;
-  std::vector<std::uint32_t> m_inStar;  // per face: the number of the last star that it was in
+  std::vector<std::uint32_t> m_inStar;  // per face: number of the last star that contained it
   std::uint32_t m_stars = 0;
-  FaceOctree m_octree;  // of the live faces, where intersections matter
+  FaceOctree m_octree;  // live faces, if intersections are avoided
   std::priority_queue<Candidate> m_queue;
   Star m_star;
 };

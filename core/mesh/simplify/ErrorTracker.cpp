@@ -46,7 +46,7 @@ void ErrorTracker::assign(Face f, const Vec3& p) {
   m_points.push_back(p);
 }
 
-// The middle; where a face is longer than others, points on it that are as dense as the vertices elsewhere.
+// Assigns the middle of a face; for larger faces, points as dense as the vertices elsewhere.
 void ErrorTracker::assignInner(Face f, const TrianglePoints& t) {
   const int steps = static_cast<int>(std::min(kMostEdgeSteps, std::ceil(longestEdge(t) / m_spacing)));
   if (steps <= 2) return assign(f, (t[0] + t[1] + t[2]) / 3.0);
@@ -90,7 +90,7 @@ bool ErrorTracker::allows(std::span<const Face> old, std::span<const TrianglePoi
   for (const Face f : old) {
     for (std::uint32_t point = m_head[f], last = kNone; point != kNone; last = std::exchange(point, m_next[point])) {
       if (isAssignedNear(point, replacements)) continue;
-      // It comes first from now on: it is likely to be too far from the next replacements, too.
+      // The point is tested first from now on, because it is probably too far from the next replacements too.
       if (last != kNone) m_next[last] = std::exchange(m_next[point], std::exchange(m_head[f], point));
       return false;
     }

@@ -12,19 +12,20 @@
 namespace handwheel {
 
 // Tracks the distance between a surface being simplified and the original. Points of the original, its vertices and
-// some on each face, are assigned to the face of the present surface that they were found nearest to among those that
-// replaced their last.
+// some on each face, are assigned to faces of the current surface: when a face is replaced, each of its points is
+// assigned to the nearest of the replacements.
 class ErrorTracker {
  public:
-  // Invalid if cancelled. error: mm. density: of the sample points, in that of the original's vertices; above 0.
+  // Invalid if cancelled. error: mm. density: density of the sample points relative to the original's vertices; above
+  // 0.
   ErrorTracker(const HalfEdgeMesh& original, double error, int density, Progress progress);
 
-  // Whether the faces "old" may be replaced by "replacements": the latter lie, at points on them, within the error of
-  // the original, and the points assigned to the former within it of the latter. The first corner of a replacement is
-  // the new one; the edge opposite to it was there before.
+  // Returns true if the faces "old" may be replaced by "replacements". Points on the replacements must be within the
+  // error of the original, and the points assigned to the old faces within the error of the replacements. The first
+  // corner of a replacement is the new one; the edge opposite to it existed before.
   bool allows(std::span<const Face> old, std::span<const TrianglePoints> replacements);
 
-  // After the same call of allows(): replacement i has become the face named.
+  // Reassigns points after a call of allows() with the same old faces: replacement i has become face by[i].
   void replace(std::span<const Face> old, std::span<const Face> by);
 
  private:
@@ -35,17 +36,17 @@ class ErrorTracker {
 
   SurfaceDistance m_original;
   double m_error;
-  double m_spacing = 0.0;             // of points, mm
-  std::vector<Vec3> m_points;         // of the original's surface
+  double m_spacing = 0.0;             // distance of sample points, mm
+  std::vector<Vec3> m_points;         // points on the original's surface
   std::vector<std::uint32_t> m_head;  // per face: the first point assigned to it
-  std::vector<std::uint32_t> m_next;  // per point
+  std::vector<std::uint32_t> m_next;  // per point: the next point assigned to the same face
 
   struct Assigned {
     std::uint32_t point;
     std::uint32_t replacement;
   };
-  std::vector<Assigned> m_moves;  // of the last allows()
-  std::vector<Box> m_boxes;       // of its replacements
+  std::vector<Assigned> m_moves;  // assignments of the last allows()
+  std::vector<Box> m_boxes;       // boxes of its replacements
 };
 
 }  // namespace handwheel

@@ -6,15 +6,15 @@
 
 namespace handwheel {
 
-// A quadric error metric: a weighted sum of squared distances from planes. It is a function of the place relative to an
-// origin that its owner keeps near: far from it, differences of large numbers would lose the result (Garland and
-// Heckbert, "Surface simplification using quadric error metrics", 1997).
+// A quadric error metric: a weighted sum of squared distances from planes. It is a function of the position relative to
+// a nearby origin that its owner keeps: far from the origin, differences of large numbers would lose all precision
+// (Garland and Heckbert, "Surface simplification using quadric error metrics", 1997).
 struct Quadric {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Vec3 b = Vec3::Zero();
   double c = 0.0;
 
-  // The plane through a point relative to the origin; unit normal.
+  // Returns the quadric of the plane through a point relative to the origin; the normal must have unit length.
   static Quadric ofPlane(const Vec3& point, const Vec3& normal, double weight) {
     const double offset = -normal.dot(point);
     return {weight * normal * normal.transpose(), weight * offset * normal, weight * offset * offset};
@@ -27,13 +27,13 @@ struct Quadric {
     return *this;
   }
 
-  // The same function about another origin, which lies at "by" from this one.
+  // Returns the same function relative to another origin, at "by" from this one.
   Quadric movedTo(const Vec3& by) const { return {a, b + a * by, c + 2.0 * b.dot(by) + by.dot(a * by)}; }
 
   double at(const Vec3& p) const { return p.dot(a * p) + 2.0 * b.dot(p) + c; }
 
-  // Where it is least; where that is a line or a plane, near "wanted". pull: the weight of the distance from "wanted",
-  // as a share of the trace.
+  // Returns the position of the minimum; if that is a line or a plane, near "wanted". pull is the weight of the
+  // distance from "wanted", as a share of the trace.
   Vec3 leastNear(const Vec3& wanted, double pull) const {
     const double weight = pull * a.trace();
     if (!(weight > 0.0)) return wanted;

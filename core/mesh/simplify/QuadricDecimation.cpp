@@ -20,8 +20,8 @@ using QuadricModule = OpenMesh::Decimater::ModQuadricT<OpenMeshSurface>;
 
 constexpr std::size_t kCollapsesPerReport = 256;
 
-// On flat faces rounding takes the error below zero, which the decimater takes for "not allowed": the cheapest
-// collapses would never come. Errors are of the unit box, so rounding is far from its -1.
+// On flat faces rounding makes the error negative, which the decimater treats as "not allowed": the cheapest collapses
+// would never be made. Errors are of the unit box, so rounding is far from its -1.
 class RoundedQuadrics : public QuadricModule {
  public:
   using QuadricModule::QuadricModule;
@@ -32,7 +32,7 @@ class RoundedQuadrics : public QuadricModule {
   }
 };
 
-// What OpenMesh does not look at: shapes, creases that would become one, seams; and it reports the progress.
+// Checks that OpenMesh lacks: shapes, creases that would become one, seams. Also reports the progress.
 class CollapseGuard : public OpenMeshModule {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<CollapseGuard>;
@@ -50,7 +50,7 @@ class CollapseGuard : public OpenMeshModule {
     return isAllowed ? float(LEGAL_COLLAPSE) : float(ILLEGAL_COLLAPSE);
   }
 
-  // Of the two edges that become one, either may be left.
+  // Either of the two edges that become one may remain.
   void preprocess_collapse(const CollapseInfo& c) override {
     m_left = marksOf(c.v0vl, c.vlv1);
     m_right = marksOf(c.vrv0, c.v1vr);
@@ -84,20 +84,20 @@ class CollapseGuard : public OpenMeshModule {
     if (marks.isSeam) m_copy->setSeam(edge);
   }
 
-  const Vec3& placeOf(OpenMesh::VertexHandle v) const {
+  const Vec3& positionOf(OpenMesh::VertexHandle v) const {
     return m_original->position(m_copy->vertexOf(std::size_t(v.idx())));
   }
 
-  // By the coordinates of the mesh, not by those of the copy.
+  // Returns the position in the mesh, not in the copy.
   bool keepsShapes(const CollapseInfo& c) {
     m_before.clear();
     m_after.clear();
-    const Vec3 &from = placeOf(c.v0), &to = placeOf(c.v1);
+    const Vec3 &from = positionOf(c.v0), &to = positionOf(c.v1);
     for (auto h = mesh().voh_iter(c.v0); h.is_valid(); ++h) {
       const auto face = mesh().face_handle(*h);
       if (!face.is_valid() || face == c.fl || face == c.fr) continue;
-      const Vec3& second = placeOf(mesh().to_vertex_handle(*h));
-      const Vec3& third = placeOf(mesh().to_vertex_handle(mesh().next_halfedge_handle(*h)));
+      const Vec3& second = positionOf(mesh().to_vertex_handle(*h));
+      const Vec3& third = positionOf(mesh().to_vertex_handle(mesh().next_halfedge_handle(*h)));
       m_before.push_back({from, second, third});
       m_after.push_back({to, second, third});
     }

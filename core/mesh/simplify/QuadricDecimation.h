@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// Simplifies a mesh by OpenMesh's decimater and quadrics (Garland and Heckbert, 1997). What decimate() does by
+// Simplifies a mesh by OpenMesh's decimater and quadrics (Garland and Heckbert, 1997). decimate() calls it for
 // DecimationMethod::Quadric. The mesh must have no degenerate faces; if cancelled or refused, it is unchanged. Vertices
-// with more faces than kMostFacesOfCollapse stay, as its time for one goes with the square of them.
+// with more than kMostFacesOfCollapse faces stay, because the time for a vertex is quadratic in its faces.
 OpenMeshRefusal decimateByQuadrics(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress = {});
 inline constexpr unsigned kMostFacesOfCollapse = 256;
 

@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-// One of the two that the face of h leaves is a crease and becomes one edge with the other: then all of it is.
+// If one of the two remaining edges of the face of h is a crease, the edge that both become is a crease.
 void mergeBehind(const HalfEdgeMesh& mesh, HalfEdge h, std::vector<std::uint8_t>& crease) {
   const HalfEdge one = HalfEdgeMesh::next(h), two = HalfEdgeMesh::previous(h);
   if (!mesh.hasOpposite(one) || !mesh.hasOpposite(two)) return;
@@ -25,7 +25,7 @@ VertexConstraints::VertexConstraints(const HalfEdgeMesh& mesh, bool keepBorders,
                                      Progress progress)
     : m_hold(mesh.vertexSlots(), VertexConstraint::Free), m_isUsed(mesh.vertexSlots(), false) {
   if (!holdOpenEdges(mesh, keepBorders, progress.part(0.0, 0.3))) return;
-  holdSharedPlaces(mesh, progress.part(0.3, 0.6));
+  holdSharedPositions(mesh, progress.part(0.3, 0.6));
   if (creaseAngle && !progress.cancelled()) holdCreases(mesh, *creaseAngle, progress.part(0.6, 1.0));
   m_isUsed = {};
 }
@@ -42,7 +42,7 @@ bool VertexConstraints::holdOpenEdges(const HalfEdgeMesh& mesh, bool keepBorders
   return true;
 }
 
-void VertexConstraints::holdSharedPlaces(const HalfEdgeMesh& mesh, const Progress& progress) {
+void VertexConstraints::holdSharedPositions(const HalfEdgeMesh& mesh, const Progress& progress) {
   std::vector<Vec3> points;
   std::vector<Vertex> vertexOf;
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {

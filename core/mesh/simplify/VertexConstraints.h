@@ -13,34 +13,34 @@ namespace handwheel {
 // The constraints on a vertex during simplification, in order of strength.
 enum class VertexConstraint : std::uint8_t {
   Free,
-  Crease,  // stays on the two sharp edges that it is on
+  Crease,  // stays on its two sharp edges
   Fixed,
 };
 
-// The vertices that must stay in place while edges of a mesh collapse. These are vertices at seams, at positions that
-// several vertices share, and, as asked for, at borders and creases.
+// The constraints of vertices while edges of a mesh collapse. They apply to vertices at seams, at positions that
+// several vertices share, and, if requested, at borders and creases.
 class VertexConstraints {
  public:
-  // creaseAngle: between the normals of two faces, from which on their edge is a crease (radian). Invalid if cancelled.
+  // creaseAngle is the smallest angle between the normals at a crease (radian). Invalid if cancelled.
   VertexConstraints(const HalfEdgeMesh& mesh, bool keepBorders, std::optional<double> creaseAngle, Progress progress);
 
   void fix(Vertex v) { m_hold[v] = VertexConstraint::Fixed; }
   VertexConstraint of(Vertex v) const { return m_hold[v]; }
   bool isCrease(HalfEdge h) const { return !m_crease.empty() && m_crease[h]; }
 
-  // Whether two creases would become one if the edge collapsed.
+  // Returns true if two creases would become one when the edge collapses.
   bool mergesCreases(const HalfEdgeMesh& mesh, HalfEdge h) const;
-  // To be called before collapseEdge().
+  // Must be called before collapseEdge().
   void beforeCollapse(const HalfEdgeMesh& mesh, HalfEdge h);
 
  private:
   bool holdOpenEdges(const HalfEdgeMesh& mesh, bool keepBorders, const Progress& progress);
-  void holdSharedPlaces(const HalfEdgeMesh& mesh, const Progress& progress);
+  void holdSharedPositions(const HalfEdgeMesh& mesh, const Progress& progress);
   void holdCreases(const HalfEdgeMesh& mesh, double angle, const Progress& progress);
 
   std::vector<VertexConstraint> m_hold;  // per vertex
-  std::vector<bool> m_isUsed;            // per vertex; while it is made
-  std::vector<std::uint8_t> m_crease;    // per half-edge; empty where creases do not matter
+  std::vector<bool> m_isUsed;            // per vertex; during construction
+  std::vector<std::uint8_t> m_crease;    // per half-edge; empty if creases are not kept
 };
 
 }  // namespace handwheel

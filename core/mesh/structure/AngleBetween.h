@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The angle between two vectors, 0…π (radian). Exact to the last digits also near its ends. Vectors of any length; 0
-// where one is zero.
+// Returns the angle between two vectors, 0…π (radian). Accurate to the last digits also near 0 and π. Vectors may have
+// any length; 0 if one is zero.
 inline double angleBetween(const Vec3& a, const Vec3& b) {
   const Vec3 u = a.stableNormalized(), v = b.stableNormalized();
   return std::atan2(u.cross(v).norm(), u.dot(v));

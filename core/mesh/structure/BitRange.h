@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// The positions of the highest and the lowest bit of numbers. As powers of two.
+// The positions of the highest and the lowest bit of numbers, as exponents of two.
 struct BitRange {
   int high = std::numeric_limits<int>::min(), low = std::numeric_limits<int>::max();
 
@@ -27,8 +27,8 @@ struct BitRange {
   int bits() const { return high > low ? high - low : 0; }
 };
 
-// The number of bits of the vertex coordinates as integers of one scale. The time of exact arithmetic grows with the
-// square of this.
+// Returns the number of bits of the vertex coordinates as integers of one scale. The time of exact arithmetic grows
+// with its square.
 inline int bitsOf(const HalfEdgeMesh& mesh) {
   BitRange range;
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {

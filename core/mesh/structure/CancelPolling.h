@@ -9,16 +9,17 @@
 
 namespace handwheel {
 
-// Steps of a loop between two polls of the cancel flag. A few milliseconds where a step is a face or a line of text.
+// Steps of a loop between two polls of the cancel flag. They take a few milliseconds if a step is a face or a line of
+// text.
 inline constexpr std::size_t kIterationsPerPoll = std::size_t{1} << 16;
-// The same where each step searches, which takes up to a few microseconds.
+// The same for steps that search, which take up to a few microseconds each.
 inline constexpr std::size_t kSearchesPerPoll = std::size_t{1} << 12;
 
-// The Effort that all steps between two polls count as.
+// The Effort counted for all steps between two polls.
 inline constexpr std::size_t kEffortPerPoll = 1024;
 
-// Reports the progress of a loop and polls the cancel flag. Called before step i of n; acts every iterationsPerPoll
-// steps and counts the steps that follow. False when cancelled.
+// Reports the progress of a loop and polls the cancel flag. Must be called before step i of n; acts every
+// iterationsPerPoll steps and counts the steps that follow. Returns false if cancelled.
 inline bool pollProgress(std::size_t i, std::size_t n, const Progress& progress,
                          std::size_t iterationsPerPoll = kIterationsPerPoll) {
   if (i % iterationsPerPoll != 0) return true;

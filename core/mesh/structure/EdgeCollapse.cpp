@@ -35,15 +35,15 @@ Vertex apex(const HalfEdgeMesh& mesh, HalfEdge h) {
   return mesh.from(HalfEdgeMesh::previous(h));
 }
 
-// Whether the two edges that the face of h leaves behind can become one: they exist at all, and what is behind them is
-// not one face folded on another.
+// Returns true if the two remaining edges of the face of h can become one: at least one has a neighbour, and their
+// neighbours are not folded onto each other.
 bool canClose(const HalfEdgeMesh& mesh, HalfEdge h) {
   const HalfEdge one = HalfEdgeMesh::next(h), two = HalfEdgeMesh::previous(h);
   if (!mesh.hasOpposite(one) || !mesh.hasOpposite(two)) return mesh.hasOpposite(one) || mesh.hasOpposite(two);
   return apex(mesh, mesh.opposite(one)) != apex(mesh, mesh.opposite(two));
 }
 
-// What was behind the two edges becomes the one behind the other; a seam stays a seam.
+// Makes the neighbours at the two edges opposite to each other; a seam stays a seam.
 void close(HalfEdgeMesh& mesh, HalfEdge h) {
   const HalfEdge one = HalfEdgeMesh::next(h), two = HalfEdgeMesh::previous(h);
   const bool hasOne = mesh.hasOpposite(one), hasTwo = mesh.hasOpposite(two);
@@ -71,7 +71,7 @@ HalfEdge collapseEdge(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
   const Vertex a = mesh.from(h);
   const HalfEdge o = mesh.opposite(h);
   const bool isInner = mesh.hasOpposite(h);
-  // What leaves the vertex afterwards: behind one of the two edges of the first face.
+  // A half-edge that starts at the vertex afterwards is opposite to one of the two edges of the first face.
   const HalfEdge one = HalfEdgeMesh::next(h), two = HalfEdgeMesh::previous(h);
   const HalfEdge leaving = mesh.hasOpposite(two) ? mesh.opposite(two) : HalfEdgeMesh::next(mesh.opposite(one));
   forEachInFan(mesh, one, [&](HalfEdge g) {

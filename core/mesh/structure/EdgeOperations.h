@@ -6,12 +6,12 @@
 
 namespace handwheel {
 
-// Flips an edge: replaces it by the other diagonal of its two faces. False, and nothing changed, when there is no
+// Flips an edge: replaces it by the other diagonal of its two faces. Returns false, without a change, if there is no
 // second face, a new face would have no area, or the diagonal exists already.
 bool flipEdge(HalfEdgeMesh& mesh, HalfEdge h);
 
-// Splits an edge with two faces by a new vertex; each face becomes two. The second halves are the two last faces, that
-// of h first. Returns a half-edge that leaves the new vertex.
+// Splits an edge with two faces by a new vertex; each face becomes two. The second halves are the last two faces, that
+// of h first. Returns a half-edge that starts at the new vertex.
 HalfEdge splitEdge(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p);
 
 }  // namespace handwheel

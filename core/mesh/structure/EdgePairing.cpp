@@ -32,7 +32,7 @@ std::vector<Spoke> spokesByAngle(std::span<const EdgeTable::Entry> run, std::uin
     const Vec3 d = points[t[(e.halfEdge + 2) % 3]] - origin;
     spokes.push_back({e.halfEdge, t[e.halfEdge % 3] == low, std::atan2(d.dot(y), d.dot(x))});
   }
-  // Of spokes at the same angle the one that ends a wedge comes before the one that begins the next.
+  // At the same angle, the spoke that ends a wedge comes before the one that begins the next.
   std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
     if (a.angle != b.angle) return a.angle < b.angle;
     return a.forward != b.forward ? a.forward : a.halfEdge < b.halfEdge;

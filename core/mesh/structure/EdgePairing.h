@@ -8,15 +8,15 @@
 
 namespace handwheel {
 
-// Which half-edges pairEdges() has joined.
+// The half-edges that pairEdges() joined.
 struct PairedEdges {
   std::vector<std::uint32_t> opposite;  // per half-edge: the paired one, or a value of Open
   std::size_t nonManifoldEdges = 0;
-  std::size_t seams = 0;  // half-edges on edges of two or more that found no partner
+  std::size_t seams = 0;  // half-edges without a partner on edges of two or more
 };
 
-// Pairs the half-edges of every edge. Where more than two triangles meet, those that bound the same solid wedge become
-// neighbours, so that solids that touch along an edge are separated there. Triangles must be oriented already. The
+// Pairs the half-edges of every edge. If more than two triangles meet, those that bound the same solid wedge become
+// neighbours, so that solids that touch along an edge are separated there. Triangles must already be oriented. The
 // result is invalid if cancelled.
 PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points,
                       Progress progress = {});

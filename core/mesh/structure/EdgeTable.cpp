@@ -11,7 +11,7 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCoun
   if (!fill(triangles, vertexCount, progress)) m_starts.clear();
 }
 
-// False when cancelled.
+// Returns false if cancelled.
 bool EdgeTable::fill(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress) {
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     if (!pollProgress(f, triangles.size(), progress.part(0.0, 0.2))) return false;

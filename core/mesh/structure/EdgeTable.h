@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// The undirected edges of a triangle list, with their half-edges. These are the half-edges (3 · triangle + corner) that
-// run along an edge either way. Triangles with a repeated vertex are left out. Built in O(n) by bucketing half-edges at
-// their smaller vertex.
+// The undirected edges of a triangle list, with their half-edges. These are the half-edges (3 · triangle + corner)
+// along an edge in both directions. Triangles with a repeated vertex are left out. Built in O(n) by bucketing
+// half-edges at their smaller vertex.
 class EdgeTable {
  public:
   struct Entry {

@@ -6,17 +6,17 @@
 
 namespace handwheel {
 
-// The components of a mesh, or pieces: faces connected through shared vertex positions. A face with a repeated vertex
-// joins nothing. Every count of pieces is theirs.
+// The components of a mesh, also called pieces: faces connected through shared vertex positions. A face with a repeated
+// vertex connects nothing. All counts of pieces use this definition.
 class FaceComponents {
  public:
   // The result is invalid if cancelled.
   FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, Progress progress = {});
-  // The same for triangles over welded points.
+  // Finds the components of triangles over welded points.
   FaceComponents(const std::vector<Triangle>& triangles, std::size_t points, Progress progress = {});
 
   std::size_t count() const { return m_count; }
-  // The component of a live face, in order of the first face.
+  // Returns the component of a live face. Components are numbered in order of their first face.
   std::uint32_t of(Face f) const { return m_of[f]; }
 
  private:

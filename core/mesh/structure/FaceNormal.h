@@ -8,11 +8,12 @@
 
 namespace handwheel {
 
-// The unit normal of a triangle. It is on the side from which the corners run counter-clockwise; zero for a triangle
-// without area, or so thin that rounding would choose the direction. Corners of any finite size.
+// Returns the unit normal of a triangle. It points to the side from which the corners run counter-clockwise; it is zero
+// for a triangle without area, or so thin that rounding would determine the direction. Corners may have any finite
+// size.
 inline Vec3 unitNormal(const TrianglePoints& t) {
-  // Scaled first, so that the products neither overflow nor vanish. Halves, because the difference of two finite
-  // numbers may not be finite.
+  // The edges are scaled first, so that the products neither overflow nor vanish. Halves are used because the
+  // difference of two finite numbers may not be finite.
   Vec3 a = 0.5 * t[1] - 0.5 * t[0], b = 0.5 * t[2] - 0.5 * t[0];
   const double size = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
   if (!(size > 0.0)) return Vec3::Zero();
@@ -20,7 +21,8 @@ inline Vec3 unitNormal(const TrianglePoints& t) {
   b /= size;
   const Vec3 normal = a.cross(b);
   const double length = normal.norm();
-  constexpr double kRelativeRounding = 0x1p-50;  // of the products above, as a share of those of the lengths
+  // Rounding of the products above relative to the products of the lengths.
+  constexpr double kRelativeRounding = 0x1p-50;
   return length > kRelativeRounding * a.norm() * b.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 

@@ -15,19 +15,17 @@ using HalfEdge = std::uint32_t;
 
 // The kinds of half-edges without an opposite.
 enum class Open : std::uint32_t {
-  Border = kNone,    // nothing: the surface ends here
-  Seam = kNone - 1,  // further faces that could not be paired: the edge has more than two faces in the file, or the
-                     // surface is non-orientable (Möbius strip). No hole by itself, but the loop of one may run along
-                     // it.
+  Border = kNone,    // no face: the surface ends here
+  Seam = kNone - 1,  // unpaired faces: the edge has more than two faces in the file, or the surface is non-orientable
+                     // (Möbius strip). Not a hole by itself, but the loop of a hole may run along it.
 };
 
 // An oriented manifold triangle mesh as a half-edge structure. Every vertex has one fan of faces and every edge at most
 // two. It is the directed edge structure of Campagna, Kobbelt, Seidel, "Directed Edges" (1998): half-edge h belongs to
 // face h / 3, runs from corner h % 3 to the next, and stores its opposite. All three arrays are paged and shared
-// between copies, so a copy is a cheap snapshot and two versions are compared page by page (MeshDelta).
-//
-// Faces and vertices keep their numbers for life: removed ones leave a dead slot. A face with a repeated vertex is kept
-// but joins nothing: its half-edges have no opposite and are not border.
+// between copies, so a copy is a cheap snapshot and two versions are compared page by page (MeshDelta). Faces and
+// vertices never change their numbers: removed ones leave a dead slot. A face with a repeated vertex is kept but
+// connects nothing: its half-edges have no opposite and are not border.
 class HalfEdgeMesh {
  public:
   std::size_t vertexSlots() const { return m_positions.size(); }
@@ -37,7 +35,7 @@ class HalfEdgeMesh {
   const Vec3& position(Vertex v) const { return m_positions[v]; }
   const Triangle& triangle(Face f) const { return m_faces[f].corners; }
   bool isLive(Face f) const { return m_faces[f].isLive(); }
-  // True when all three corners differ: the face takes part in the surface.
+  // Returns true if all three corners differ, so that the face is part of the surface.
   bool isProper(Face f) const;
 
   static Face face(HalfEdge h) { return h / 3; }
@@ -45,19 +43,19 @@ class HalfEdgeMesh {
   static HalfEdge previous(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
   Vertex from(HalfEdge h) const { return m_faces[h / 3].corners[h % 3]; }
   Vertex to(HalfEdge h) const { return from(next(h)); }
-  // The half-edge of the neighbour, or a value of Open.
+  // Returns the half-edge of the neighbour, or a value of Open.
   HalfEdge opposite(HalfEdge h) const { return m_faces[h / 3].opposites[h % 3]; }
   bool hasOpposite(HalfEdge h) const { return opposite(h) < static_cast<std::uint32_t>(Open::Seam); }
   bool isBorder(HalfEdge h) const;
   bool isSeam(HalfEdge h) const;
 
-  // The next open half-edge along the rim, walking around the end vertex of h. h must be open and proper.
+  // Returns the next open half-edge along the rim, walking around the end vertex of h. h must be open and proper.
   HalfEdge nextOpen(HalfEdge h) const;
 
-  // The half-edges that leave the same fan of faces as h, counter-clockwise, from the open one where there is one.
-  // h must be proper.
+  // Returns the half-edges that start at the vertex of h in its fan of faces, counter-clockwise, from the open one if
+  // there is one. h must be proper.
   std::vector<HalfEdge> fan(HalfEdge h) const;
-  // Calls visit with each of them, without allocating.
+  // Calls visit with each half-edge of fan(h), without allocating memory.
   template <class Visit>
   void visitFan(HalfEdge h, Visit visit) const;
   TrianglePoints points(Face f) const;
@@ -71,15 +69,15 @@ class HalfEdgeMesh {
   };
   Compact compact() const;
 
-  // Low-level changes. They keep nothing consistent: the caller does, or relink() (MeshBuilder.h). Each run of changes
-  // ends with a mesh that validate() (MeshValidator.h) accepts.
+  // Low-level changes. The caller must restore consistency, or call relink() (MeshBuilder.h). A sequence of changes
+  // must end with a mesh that validate() (MeshValidator.h) accepts.
   Vertex addVertex(const Vec3& p);
   void setPosition(Vertex v, const Vec3& p) { m_positions.set(v, p); }
   Face addFace(const Triangle& corners);
-  // A face with its neighbours, or a dead slot: as a file holds them.
+  // Adds a face with its neighbours, or a dead slot, as read from a file.
   Face addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites);
-  void removeFace(Face f);  // neighbours become border
-  // Removes the slots from these numbers on; there must be at least so many.
+  void removeFace(Face f);  // the edges of its neighbours become border
+  // Removes the slots from these numbers on. The mesh must have at least as many slots.
   void truncate(std::size_t vertexSlots, std::size_t faceSlots);
   void setCorner(HalfEdge h, Vertex v);
   void setTriangle(Face f, const Triangle& corners);

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The bounding box of all live faces. O(n).
+// Returns the bounding box of all live faces. O(n).
 inline Box boundsOf(const HalfEdgeMesh& mesh) {
   Box box;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
@@ -16,7 +16,7 @@ inline Box boundsOf(const HalfEdgeMesh& mesh) {
   return box;
 }
 
-// The diagonal of the bounding box of all live faces. 0 for a mesh without faces.
+// Returns the diagonal of the bounding box of all live faces, 0 for a mesh without faces.
 inline double diagonalOf(const HalfEdgeMesh& mesh) {
   const Box box = boundsOf(mesh);
   return box.isEmpty() ? 0.0 : box.diagonal().norm();

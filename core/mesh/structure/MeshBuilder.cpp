@@ -91,7 +91,7 @@ class FanVertices {
   std::vector<bool> m_seen;
 };
 
-// Turns triangles over where neighbours disagree, in the mesh and in the list over positions.
+// Reverses triangles where neighbours disagree, in the mesh and in the list over positions.
 std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, const EdgeTable& edges,
                          Progress progress) {
   const std::vector<bool> turn = trianglesToReverse(edges, triangles, progress);
@@ -108,7 +108,7 @@ std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, c
 
 enum class Directions { Agreeing, AsGiven };
 
-// Once cancelled it stops halfway.
+// The result is incomplete once cancelled.
 BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<const Vec3> points, Directions directions,
                  Progress progress) {
   BuildReport report;
@@ -134,7 +134,7 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!pollProgress(f, triangles.size(), progress.part(0.7, 0.8))) return report;
     if (!mesh.isLive(f)) continue;
-    // A face that welding made degenerate joins nothing; its corners show it.
+    // A face that welding made degenerate connects nothing, as its corners show.
     if (hasRepeatedVertex(triangles[f])) mesh.setTriangle(f, triangles[f]);
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) mesh.setOpposite(h, paired.opposite[h]);
   }

@@ -19,7 +19,7 @@ struct BuildReport {
   std::size_t unpairedHalfEdges = 0;  // half-edges left as Open::Seam
 };
 
-// A mesh with the report of its building.
+// A mesh with its build report.
 struct BuiltMesh {
   HalfEdgeMesh mesh;
   BuildReport report;
@@ -28,16 +28,16 @@ struct BuiltMesh {
 // Builds a half-edge mesh from a triangle soup. Welds exactly equal positions, reverses faces so that neighbours agree
 // (the fewest in each part), pairs the faces at edges with more than two by the solid wedge between them, and gives
 // every fan of faces a vertex of its own. Face i of the mesh is triangle i of the soup: none is dropped, none is added.
-// Empty if cancelled.
+// The mesh is empty if cancelled.
 BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress = {});
 
-// Rebuilds the connectivity of a mesh in place after its faces changed. As buildMesh(), pairs everything anew by
-// position. Face and vertex numbers stay; where a position has more fans than vertices, vertices are added. If
-// cancelled, the mesh is unchanged.
+// Rebuilds the connectivity of a mesh in place after its faces changed. Like buildMesh(), pairs all edges anew by
+// position. Face and vertex numbers stay; if a position has more fans than vertices, vertices are added. If cancelled,
+// the mesh is unchanged.
 BuildReport relink(HalfEdgeMesh& mesh, Progress progress = {});
 
-// Reverses single faces, whatever their neighbours are, and pairs everything anew as relink() does, but turns nothing
-// back: an edge at which neighbours disagree becomes a seam. If cancelled, the mesh is unchanged.
+// Reverses single faces regardless of their neighbours and pairs all edges anew. Unlike relink(), it does not restore
+// consistent orientation: an edge at which neighbours disagree becomes a seam. If cancelled, the mesh is unchanged.
 void reverseFaces(HalfEdgeMesh& mesh, std::span<const Face> faces, Progress progress = {});
 
 }  // namespace handwheel

@@ -8,7 +8,8 @@ namespace handwheel {
 
 namespace {
 
-// Where the run that begins at this slot ends: at its length, at the end of its page, or where both versions end.
+// Returns the end of the run that starts at this slot: after its length, or at the end of its page or of the common
+// slots.
 std::size_t endOfRun(std::size_t first, std::size_t runSlots, std::size_t common) {
   constexpr std::size_t page = PagedArray<Vec3>::kPageSize;
   return std::min({first + runSlots, (first / page + 1) * page, common});

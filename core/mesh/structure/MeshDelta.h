@@ -12,12 +12,13 @@ namespace handwheel {
 // proportion to the pages that the change touched.
 class MeshDelta {
  public:
-  // Slots are kept in runs of this many, from the first of a page on: a run is kept whole when one of its slots
+  // The number of slots per run. Runs start at the first slot of a page; a run is stored completely if one of its slots
   // differs. Single slots take the least memory, longer runs less time. The setting document.undo_granularity.
   static constexpr std::size_t kRunSlots = 1;
   static MeshDelta between(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::size_t runSlots = kRunSlots);
 
-  // Whether two versions are the same, slot for slot. Stops at the first difference. O(pages + equal pages not shared).
+  // Returns true if two versions are equal, slot for slot. Stops at the first difference. O(pages + equal pages not
+  // shared).
   static bool isEmptyBetween(const HalfEdgeMesh& before, const HalfEdgeMesh& after);
 
   // Turns "before" into "after" and this delta into its own inverse, so that applying it again undoes it.
@@ -25,7 +26,8 @@ class MeshDelta {
 
   bool isEmpty() const { return m_isEmpty; }
   std::size_t bytes() const;
-  // Faces whose appearance the next swap() of this mesh will change; for redrawing only them. May list a face twice.
+  // Returns the faces whose appearance the next swap() of this mesh will change, to redraw only them. A face may be
+  // listed twice.
   std::vector<Face> touchedFaces(const HalfEdgeMesh& mesh) const;
 
  private:
@@ -34,7 +36,7 @@ class MeshDelta {
     std::size_t size = 0;               // number of slots after the swap
     std::size_t runSlots = 1;           // the last run of a page, or before the smaller size, may be shorter
     std::vector<std::uint32_t> starts;  // first slot of each run, ascending; all below both sizes
-    std::vector<T> values;              // of the runs, one after the other
+    std::vector<T> values;              // values of the runs, one after the other
     std::vector<T> tail;                // slots beyond the smaller size
 
     // Calls visit(slot, value) for each slot of the runs.

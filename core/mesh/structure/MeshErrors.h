@@ -7,6 +7,6 @@
 // The codes of errors of meshes.
 namespace handwheel::MeshError {
 
-extern const ErrorDescription NoTriangles;  // nothing but points or curves, or nothing at all
+extern const ErrorDescription NoTriangles;  // only points or curves, or nothing at all
 
 }  // namespace handwheel::MeshError

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// Checks every invariant of the half-edge mesh. Returns the first that is broken, or an empty string. For meshes from
-// files, and for tests. If cancelled, it says so. O(n).
+// Checks every invariant of the half-edge mesh. Returns the first violated one, or an empty string. Used for meshes
+// from files, and in tests. If cancelled, the returned string says so. O(n).
 //  - corners of live faces are vertices in range with finite positions; dead faces have no neighbours;
-//  - opposites are mutual, run the other way along the same two vertices, and join proper live faces;
+//  - opposites are mutual, have the same two vertices in reverse order, and join proper live faces;
 //  - a vertex has exactly one fan of proper faces.
 std::string validate(const HalfEdgeMesh& mesh, Progress progress = {});
 

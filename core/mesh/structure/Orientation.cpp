@@ -5,7 +5,7 @@
 namespace handwheel {
 namespace {
 
-// What is behind each half-edge on an edge of exactly two triangles; kNone elsewhere.
+// Returns the other half-edge on each edge of exactly two triangles; kNone for other edges.
 std::vector<std::uint32_t> neighbours(const EdgeTable& edges, std::size_t triangleCount, Progress progress) {
   std::vector<std::uint32_t> other(3 * triangleCount, kNone);
   const auto join = [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {

@@ -14,8 +14,8 @@ namespace handwheel {
 std::vector<bool> trianglesToReverse(const EdgeTable& edges, std::span<const Triangle> triangles,
                                      Progress progress = {});
 
-// The half-edge along the same edge after its triangle is reversed. The triangle (a, b, c) becomes (a, c, b), as
-// reversed() returns it.
+// Returns the half-edge along the same edge after its triangle is reversed. The triangle (a, b, c) becomes (a, c, b),
+// the result of reversed().
 inline std::uint32_t reversedHalfEdge(std::uint32_t h) {
   return h - h % 3 + (2 - h % 3);
 }

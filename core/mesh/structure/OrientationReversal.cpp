@@ -12,14 +12,14 @@ namespace {
 
 using Run = std::span<const EdgeTable::Entry>;
 
-// Whether two triangles on an edge disagree after the turns.
+// Returns true if two triangles on an edge disagree after the reversals.
 bool disagree(std::span<const Triangle> triangles, const std::vector<bool>& turn, std::uint32_t g, std::uint32_t h) {
-  const bool isSameWay = triangles[g / 3][g % 3] == triangles[h / 3][h % 3];
-  return isSameWay == (turn[g / 3] == turn[h / 3]);
+  const bool isSameDirection = triangles[g / 3][g % 3] == triangles[h / 3][h % 3];
+  return isSameDirection == (turn[g / 3] == turn[h / 3]);
 }
 
-// The surface from corner to corner: what hangs together around a point, a fan, is one node; each edge with one
-// or two triangles joins the fans at its ends. An edge is odd where left becomes right along it.
+// A graph of the surface: each fan of connected triangles around a point is a node; each edge with one or two triangles
+// connects the fans at its ends. An edge is odd if left becomes right along it.
 class FanGraph {
  public:
   FanGraph(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points, Progress progress)
@@ -32,10 +32,10 @@ class FanGraph {
       });
     };
     forEachInner([&](std::uint32_t g, std::uint32_t h) {
-      const bool isOdd = disagree(triangles, turn, g, h), isSameWay = from(g) == from(h);
+      const bool isOdd = disagree(triangles, turn, g, h), isSameDirection = from(g) == from(h);
       const std::uint32_t a = h, b = h - h % 3 + (h % 3 + 1) % 3;
-      join(g, isSameWay ? a : b, isOdd);
-      join(g - g % 3 + (g % 3 + 1) % 3, isSameWay ? b : a, isOdd);
+      join(g, isSameDirection ? a : b, isOdd);
+      join(g - g % 3 + (g % 3 + 1) % 3, isSameDirection ? b : a, isOdd);
     });
     if (progress.cancelled()) return;
     collect(edges, points);
@@ -51,7 +51,7 @@ class FanGraph {
   std::span<const Step> steps(std::uint32_t fan) const {
     return std::span(m_steps).subspan(m_starts[fan], m_starts[fan + 1] - m_starts[fan]);
   }
-  // Fans from which an odd edge leads away; each odd edge has one of them.
+  // Returns fans such that each odd edge has one of its ends among them.
   const std::vector<std::uint32_t>& sources() const { return m_sources; }
   std::size_t size() const { return m_root.size(); }
 
@@ -104,13 +104,13 @@ class FanGraph {
   std::vector<std::uint32_t> m_sources;
 };
 
-// Ways from a fan to its mirror image. Node 2 · fan + side.
+// Search for paths from a fan to its mirror image. Nodes are 2 · fan + side.
 class MirrorSearch {
  public:
   explicit MirrorSearch(const FanGraph& graph)
       : m_graph(graph), m_distance(2 * graph.size(), kFar), m_by(2 * graph.size()) {}
 
-  // The shortest below the limit.
+  // Returns the shortest path below the limit.
   std::optional<OrientationReversingCycle> from(std::uint32_t fan, double limit, Progress progress) {
     for (const std::uint32_t node : m_reached) m_distance[node] = kFar;
     m_reached.clear();
@@ -120,7 +120,7 @@ class MirrorSearch {
       const auto [distance, node] = open.top();
       open.pop();
       if (distance > m_distance[node]) continue;
-      if (node == 2 * fan + 1) return way(fan, distance);
+      if (node == 2 * fan + 1) return cycleOf(fan, distance);
       for (const FanGraph::Step& step : m_graph.steps(node / 2)) {
         const std::uint32_t to = 2 * step.to + ((node % 2 == 1) != step.isOdd);
         const double length = distance + step.length;
@@ -148,7 +148,7 @@ class MirrorSearch {
     open.push({distance, node});
   }
 
-  OrientationReversingCycle way(std::uint32_t fan, double length) const {
+  OrientationReversingCycle cycleOf(std::uint32_t fan, double length) const {
     OrientationReversingCycle loop{length, {}};
     for (std::uint32_t node = 2 * fan + 1; node != 2 * fan; node = m_by[node].node) {
       if (m_by[node].isBorder) loop.isOnBorder = true;
@@ -179,7 +179,7 @@ OrientationFaults findOrientationFaults(const EdgeTable& edges, std::span<const 
         now);
   };
   collect(std::vector<bool>(triangles.size(), false), progress.part(0.0, 0.3));
-  if (found.empty()) return faults;  // most often: they agree as they are
+  if (found.empty()) return faults;  // the usual case: neighbours already agree
   found.clear();
   const std::vector<bool> turn = trianglesToReverse(edges, triangles, progress.part(0.3, 0.8));
   for (std::uint32_t t = 0; t < turn.size(); ++t)

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// Keys of points and edges by position, for sets and maps. Points of different vertices at one position are equal.
-// Finite ones only.
+// Keys of points and edges by position, for sets and maps. Points of different vertices at one position are equal. The
+// coordinates must be finite.
 using PointKey = std::array<double, 3>;
 using EdgeKey = std::array<PointKey, 2>;
 
@@ -19,12 +19,12 @@ inline PointKey positionKey(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-inline bool hasCornerAt(const HalfEdgeMesh& mesh, Face f, const std::set<PointKey>& places) {
+inline bool hasCornerAt(const HalfEdgeMesh& mesh, Face f, const std::set<PointKey>& positions) {
   const TrianglePoints corners = mesh.points(f);
-  return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return places.contains(positionKey(p)); });
+  return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return positions.contains(positionKey(p)); });
 }
 
-// The key of an edge by its ends; the same for both directions.
+// Returns the key of an edge by its ends; the same for both directions.
 inline EdgeKey positionKey(const Vec3& p, const Vec3& q) {
   const PointKey from = positionKey(p), to = positionKey(q);
   return from < to ? EdgeKey{from, to} : EdgeKey{to, from};

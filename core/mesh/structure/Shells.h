@@ -15,18 +15,18 @@ namespace handwheel {
 // invalid if cancelled. O(n).
 std::vector<std::vector<Face>> findShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Reverses whole shells: the faces of each look the other way, and neighbours stay neighbours.
+// Reverses whole shells: all their faces get the opposite orientation, and neighbours stay neighbours.
 void reverseShells(HalfEdgeMesh& mesh, std::span<const Face> faces);
 
-// Extracts faces as a mesh of their own. Face i is faces[i], vertices are in order of their first use. Edges to faces
-// left out are border; those to others stay as they were. Each face is live and named once.
+// Extracts faces as a separate mesh. Face i is faces[i], vertices are in order of their first use. Edges to omitted
+// faces become border; others stay as they were. Each face must be live and occur once.
 HalfEdgeMesh extracted(const HalfEdgeMesh& mesh, std::span<const Face> faces);
 
-// Splits a mesh into its shells, in the order of findShells(). Empty if cancelled. O(n).
+// Splits a mesh into its shells, in the order of findShells(). Returns an empty list if cancelled. O(n).
 std::vector<HalfEdgeMesh> splitIntoShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Appends the live faces of another mesh. They get vertices of their own: nothing is joined, even where borders
-// coincide (relink() does that). Returns the number of the first.
+// Appends the live faces of another mesh. They get vertices of their own: nothing is joined, even if borders coincide
+// (relink() does that). Returns the number of the first appended face.
 Face append(HalfEdgeMesh& mesh, const HalfEdgeMesh& other);
 
 }  // namespace handwheel

@@ -77,7 +77,8 @@ Moments momentsOf(const HalfEdgeMesh& mesh, const Vec3& near) {
   return m;
 }
 
-// As unitNormal(), from the corner opposite the longest side: between the long sides of a sliver few digits are left.
+// Computes unitNormal() from the corner opposite the longest side: between the long sides of a sliver few digits are
+// left.
 Vec3 sureNormal(const TrianglePoints& t) {
   std::size_t first = 0;
   double longest = 0.0;
@@ -91,7 +92,7 @@ Vec3 sureNormal(const TrianglePoints& t) {
   return unitNormal({t[first], t[(first + 1) % 3], t[(first + 2) % 3]});
 }
 
-// A flat face as it may be stood on: its plane, n · p = offset, the body below.
+// A possible base: its plane n · p = offset, with the body on the negative side.
 struct FlatFace {
   Vec3 normal = Vec3::Zero();
   double offset = 0.0;
@@ -118,7 +119,7 @@ std::vector<FlatFace> flatRegions(const HalfEdgeMesh& mesh, const Progress& prog
       const TrianglePoints points = mesh.points(f);
       const double area = areaOf(points);
       region.area += area;
-      // A sliver's own plane would leave the others' far away from it.
+      // The plane of a sliver would be far from the other faces.
       if (area > largest) {
         largest = area;
         region.normal = sureNormal(points);
@@ -141,7 +142,7 @@ std::vector<FlatFace> flatRegions(const HalfEdgeMesh& mesh, const Progress& prog
   return regions;
 }
 
-// The area of all faces in the plane; 0 where the body reaches beyond it.
+// Returns the area of all faces in the plane; 0 if the body extends beyond it.
 double standingArea(const HalfEdgeMesh& mesh, const FlatFace& plane, double flatness) {
   double area = 0.0;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
@@ -196,7 +197,7 @@ std::optional<Pose> ontoPrincipalAxes(const HalfEdgeMesh& mesh) {
   const Moments m = momentsOf(mesh, box.center());
   if (!(m.area > 0.0)) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m.second);
-  Eigen::Matrix3d axes;  // as rows, the longest first
+  Eigen::Matrix3d axes;  // one axis per row, the longest first
   for (Eigen::Index k = 0; k < 3; ++k) axes.row(k) = solver.eigenvectors().col(2 - k).transpose();
   Vec3 third = Vec3::Zero();
   forEachEdgeMiddle(mesh, [&](const Vec3& p, double weight) {

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A triangle soup: points and indexed triangles, as in a file. Nothing is welded, and nothing checked but that every
-// index is in range.
+// A triangle soup: points and indexed triangles, as in a file. Nothing is welded, and only the range of indices is
+// checked.
 struct TriangleSoup {
   std::vector<Vec3> points;         // mm
   std::vector<Triangle> triangles;  // indices into points

@@ -19,8 +19,8 @@ std::uint32_t hash(const Vec3& p) {
   return static_cast<std::uint32_t>(h);
 }
 
-// Open addressing at a load of at most one half. A slot keeps the hash beside the class, so that most misses are seen
-// without a look at the points, and the table grows with the classes, not with the points.
+// Open addressing at a load of at most one half. A slot keeps the hash beside the class, so that most misses are
+// detected without reading the points, and the table grows with the classes, not with the points.
 class SubmissionTable {
  public:
   explicit SubmissionTable(std::span<const Vec3> points) : m_points(points), m_slots(kSmallest) {}

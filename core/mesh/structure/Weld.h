@@ -20,7 +20,7 @@ struct PointClasses {
 PointClasses classifyPoints(std::span<const Vec3> points, Progress progress = {});
 
 // Merges the points of a soup that have equal positions. Triangle i stays triangle i. Points that no triangle uses are
-// left out. Empty if cancelled.
+// left out. The result is empty if cancelled.
 TriangleSoup weld(const TriangleSoup& soup, Progress progress = {});
 
 // Rounds every coordinate of a soup to the number type of a file.

@@ -59,7 +59,7 @@ Error libraryError(const char* reason) {
   return {ErrorCode::LibraryFailed, {"Open CASCADE", reason ? reason : ""}, {}, {}};
 }
 
-// Hands a Progress to the library, which asks from time to time whether to stop.
+// Passes a Progress to the library, which checks from time to time if it should stop.
 class Indicator : public Message_ProgressIndicator {
  public:
   explicit Indicator(Progress progress) : m_progress(progress) {}
@@ -87,7 +87,7 @@ auto withLibrary(Work work) -> decltype(work()) {
   }
 }
 
-// Knots as the library wants them: each value once, with its multiplicity.
+// Knots in the form of the library: each value once, with its multiplicity.
 struct Knots {
   explicit Knots(const std::vector<double>& all) {
     for (double knot : all) {
@@ -124,7 +124,7 @@ Handle(Geom_BSplineSurface) mantleOf(const ProfileCurve& piece) {
                                  profile.multiplicityArray(), 2, nurbs.profileDegree);
 }
 
-// The flat end at a height: a disc inside the mantle's very circle.
+// Returns the flat end at a height: a disc bounded by the mantle's own circle.
 TopoDS_Face discOf(const ProfilePoint& rim) {
   const auto circlePoles = unit_circle::poles();
   const auto circleWeights = unit_circle::weights();
@@ -142,7 +142,7 @@ TopoDS_Face discOf(const ProfilePoint& rim) {
   return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, rim.y()), gp_Dir(0, 0, 1)), wire).Face();
 }
 
-// A straight line of higher degree as what it is, so that its surface has two rows of poles.
+// Returns a straight line of higher degree with degree 1, so that its surface has two rows of poles.
 ProfileNurbs withoutExcess(ProfileNurbs piece) {
   const bool isLine = piece.degree == 2 && piece.poles.size() == 3 && piece.weights[0] == piece.weights[1] &&
                       piece.weights[1] == piece.weights[2] &&
@@ -152,8 +152,8 @@ ProfileNurbs withoutExcess(ProfileNurbs piece) {
   return {1, {from, from, to, to}, {piece.poles[0], piece.poles[2]}, {1.0, 1.0}};
 }
 
-// The profile cut where it may have corners: other programs do not expect them within a surface. Pieces without extent
-// or on the axis are left out.
+// Returns the profile split where it may have corners: other programs do not expect them within a surface. Pieces
+// without extent or on the axis are left out.
 std::vector<ProfileCurve> smoothPieces(const ProfileCurve& profile) {
   const ProfileNurbs& nurbs = profile.nurbs();
   const auto degree = static_cast<std::size_t>(nurbs.degree);

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// What the library hw_step does, the only one that links Open CASCADE. It is loaded with the first need of it. Errors
-// and threads are those of the functions in StepWriter.h.
+// The functions of the library hw_step, the only one that links Open CASCADE. It is loaded when it is first needed.
+// Errors and threads are those of the functions in StepWriter.h.
 struct StepFunctions {
   Result<std::string> (*write)(const ProfileCurve& profile, Progress progress) = nullptr;
   Result<StepFileReport> (*inspect)(std::string_view bytes, Progress progress) = nullptr;
@@ -15,5 +15,5 @@ struct StepFunctions {
 
 }  // namespace handwheel
 
-// Found by this name in the loaded library. What it returns lives as long as the library.
+// The entry point of the loaded library, found by this name. Its result lives as long as the library.
 extern "C" const handwheel::StepFunctions* handwheelStepFunctions();

@@ -28,13 +28,13 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-// What the states of OMPL and the checks of ours share during one plan.
+// The data that the states of OMPL and our checks share during one plan.
 class OmplRun {
  public:
   OmplRun(const RobotScene& scene, const PlanSettings& settings, Progress progress, PlanResult& result)
       : m_scene(scene), m_settings(settings), m_progress(progress), m_result(result) {}
 
-  // Slides count in metres, so that they weigh about what revolute joints do.
+  // Slides count in metres, so that they weigh about as much as revolute joints.
   double scaleOf(Eigen::Index i) const { return m_scene.joint(i).isPrismatic ? 1e-3 : 1.0; }
 
   ArmValues valuesOf(const ob::State* state) const {
@@ -54,7 +54,7 @@ class OmplRun {
     return isFreeAt(m_scene, values, m_settings.check, &m_result.queries);
   }
 
-  // The share of the motion that is free from its start on; 1: all of it is.
+  // Returns the share of the motion that is free from its start; 1: all of it.
   double freeShare(const ArmValues& from, const ArmValues& to, int attempts) {
     double share = 1.0;
     for (int i = 0; i < attempts; ++i) {
@@ -90,7 +90,7 @@ class ProvenMotions : public ob::MotionValidator {
     return m_run.freeShare(m_run.valuesOf(from), m_run.valuesOf(to), 1) == 1.0;
   }
 
-  // Where the motion is blocked, planners that grow towards something keep the part of it that is free.
+  // Planners that extend a tree keep the free part of a blocked motion.
   bool checkMotion(const ob::State* from, const ob::State* to,
                    std::pair<ob::State*, double>& lastValid) const override {
     constexpr int kAttempts = 3;
@@ -129,7 +129,7 @@ ob::PlannerPtr plannerFor(std::string_view id, const ob::SpaceInformationPtr& sp
   return std::make_shared<og::EST>(space);
 }
 
-// Whatever a planner does with its input: the path that it hands over is proven as a whole.
+// Proves the final path as a whole, independently of the planner.
 bool isProven(const RobotScene& scene, const JointPath& path, const MotionCheckSettings& check,
               const Progress& progress) {
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -144,7 +144,7 @@ PlanResult planByOmpl(const RobotScene& scene, const ArmValues& start, const Arm
                       const PlanSettings& settings, std::string_view planner, Progress progress) {
   PlanResult result = checkedEnds(scene, start, goal, settings);
   if (result.outcome != PlanResult::Outcome::TimeOut) return result;
-  if (start == goal) {  // for which some of the planners look for ever
+  if (start == goal) {  // some planners would search for ever
     result.path = {start, goal};
     result.outcome = PlanResult::Outcome::Solved;
     return result;

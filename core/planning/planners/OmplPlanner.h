@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// Plans by a planner of OMPL (the Open Motion Planning Library, 1.5). Its motions are checked by MotionCheck and its
+// Plans with a planner of OMPL (the Open Motion Planning Library, 1.5). Its motions are checked by MotionCheck and its
 // states by distances, so that its paths are free between their points, as those of planBySbl() are. planner:
-// "rrtconnect", "ompl-prm", "lazyprm", "ompl-sbl", "bitrrt", "bkpiece" or "est". Of the settings the neighbourhood and
-// the most milestones do not count: OMPL chooses its own. The seed makes one plan at a time the same again, but for
-// "ompl-prm", where OMPL looks for solutions in a thread of its own.
+// "rrtconnect", "ompl-prm", "lazyprm", "ompl-sbl", "bitrrt", "bkpiece" or "est". The settings neighbourhood and
+// mostMilestones are ignored: OMPL chooses its own. The seed makes a plan reproducible if only one runs at a time,
+// except for "ompl-prm", for which OMPL searches in a thread of its own.
 PlanResult planByOmpl(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                       const PlanSettings& settings, std::string_view planner, Progress progress = {});
 

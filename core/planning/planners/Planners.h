@@ -16,10 +16,10 @@ struct PlannerName {
   const char* title;  // English, context "Property"
 };
 
-// All planners, our own first.
+// Returns all planners, our own first.
 std::span<const PlannerName> planners();
 
-// Plans by the one with this id, which must be there. The path is free between its points, whoever found it.
+// Plans with the planner of this id, which must exist. The path is free between its points with any planner.
 PlanResult planPath(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                     const PlanSettings& settings, std::string_view planner, Progress progress = {});
 

@@ -17,9 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kNeighbours = 10;  // that a new milestone is joined to
+constexpr std::size_t kNeighbours = 10;  // number of neighbours that a new milestone is connected to
 constexpr std::size_t kLeastGrowth = 20;
-constexpr double kUnproven = 1.3;  // times its length: what is proven already is preferred
+constexpr double kUnproven = 1.3;  // factor of its length: proven motions are preferred
 
 }  // namespace
 
@@ -31,7 +31,7 @@ struct Roadmap::Query {
   Progress progress;
   Clock::time_point begin = Clock::now();
   std::uint32_t start = kNone, goal = kNone;
-  std::unordered_map<std::uint32_t, MotionCheck> open = {};  // of motions, as far as they are checked
+  std::unordered_map<std::uint32_t, MotionCheck> open = {};  // checks of motions that have begun
 
   bool isOver() const {
     return progress.cancelled() || std::chrono::duration<double>(Clock::now() - begin).count() > settings.seconds;
@@ -53,14 +53,14 @@ void Roadmap::clear() {
   m_motions.clear();
 }
 
-// The milestones next to these values, the nearest first.
+// Returns the milestones next to these values, the nearest first.
 std::vector<std::uint32_t> Roadmap::nearest(const RobotScene& scene, const ArmValues& values) const {
   std::vector<std::pair<double, std::uint32_t>> all;
   for (std::uint32_t i = 0; i < m_milestones.size(); ++i) {
     double square = 0.0;
     for (Eigen::Index k = 0; k < values.size(); ++k) {
-      const double way = (m_milestones[i].values[k] - values[k]) * (scene.joint(k).isPrismatic ? 1e-3 : 1.0);
-      square += way * way;
+      const double difference = (m_milestones[i].values[k] - values[k]) * (scene.joint(k).isPrismatic ? 1e-3 : 1.0);
+      square += difference * difference;
     }
     all.emplace_back(square, i);
   }
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> Roadmap::nearest(const RobotScene& scene, const ArmVa
   return near;
 }
 
-// The milestone at these values, which are free: one that is there, or a new one joined to its neighbours.
+// Returns the milestone at these values, which are free: an existing one, or a new one connected to its neighbours.
 std::uint32_t Roadmap::placed(const RobotScene& scene, const ArmValues& values) {
   const std::vector<std::uint32_t> near = nearest(scene, values);
   if (!near.empty() && m_milestones[near.front()].values == values) return near.front();
@@ -86,7 +86,7 @@ std::uint32_t Roadmap::placed(const RobotScene& scene, const ArmValues& values) 
   return number;
 }
 
-// The milestones that are joined to this one by motions that are not known to be blocked.
+// Returns the milestones that are connected to this one by motions that are not known to be blocked.
 std::vector<std::uint32_t> Roadmap::joinedTo(std::uint32_t milestone) const {
   std::vector<bool> isKnown(m_milestones.size(), false);
   std::vector<std::uint32_t> all{milestone};
@@ -102,8 +102,8 @@ std::vector<std::uint32_t> Roadmap::joinedTo(std::uint32_t milestone) const {
   return all;
 }
 
-// More milestones where they are missed: most of them around those that start and goal are joined to, nearer and nearer
-// until a place is free, the others anywhere. False: it is full, or the plan is over.
+// Adds milestones: most of them around those that are connected to start and goal, nearer and nearer until a
+// configuration is free, the others anywhere. Returns false if it is full, or the plan is over.
 bool Roadmap::grow(Query& query) {
   constexpr double kAnywhere = 0.25;
   constexpr int kMostTries = 20;  // around one milestone
@@ -141,12 +141,12 @@ bool Roadmap::grow(Query& query) {
   return !query.isOver();
 }
 
-// From start to goal over motions that are not known to be blocked; empty: there is none (A*: Hart, Nilsson and Raphael
-// 1968).
-std::vector<std::uint32_t> Roadmap::shortestWay(const Query& query) const {
+// Returns the path from start to goal over motions that are not known to be blocked; empty: there is none (A*: Hart,
+// Nilsson and Raphael 1968).
+std::vector<std::uint32_t> Roadmap::shortestPath(const Query& query) const {
   const std::size_t count = m_milestones.size();
   std::vector<double> least(count, std::numeric_limits<double>::infinity());
-  std::vector<std::uint32_t> by(count, kNone);  // the motion that leads there
+  std::vector<std::uint32_t> by(count, kNone);  // the motion that leads to each milestone
   const ArmValues& goal = m_milestones[query.goal].values;
   const auto rest = [&](std::uint32_t i) { return lengthOf(query.scene, m_milestones[i].values, goal); };
   using Entry = std::pair<double, std::uint32_t>;
@@ -169,13 +169,13 @@ std::vector<std::uint32_t> Roadmap::shortestWay(const Query& query) const {
       open.push({length + rest(next), next});
     }
   }
-  std::vector<std::uint32_t> way;
+  std::vector<std::uint32_t> path;
   for (std::uint32_t at = query.goal; at != query.start && by[at] != kNone;) {
-    way.push_back(by[at]);
+    path.push_back(by[at]);
     at = m_motions[by[at]].a == at ? m_motions[by[at]].b : m_motions[by[at]].a;
   }
-  std::reverse(way.begin(), way.end());
-  return way;
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 void Roadmap::block(std::uint32_t motion) {
@@ -183,10 +183,10 @@ void Roadmap::block(std::uint32_t motion) {
   std::erase(m_milestones[m_motions[motion].b].motions, motion);
 }
 
-// Checks the motions of a way, the longest open piece first, until all are proven free, or one is blocked.
-bool Roadmap::prove(Query& query, const std::vector<std::uint32_t>& way) {
+// Checks the motions of a path, the longest open piece first, until all are proven free, or one is blocked.
+bool Roadmap::prove(Query& query, const std::vector<std::uint32_t>& path) {
   std::priority_queue<std::pair<double, std::uint32_t>> pieces;
-  for (const std::uint32_t m : way) {
+  for (const std::uint32_t m : path) {
     Motion& motion = m_motions[m];
     if (motion.isFree) continue;
     const MotionCheck fresh(query.scene, m_milestones[motion.a].values, m_milestones[motion.b].values, m_check);
@@ -235,19 +235,19 @@ PlanResult Roadmap::plan(const RobotScene& scene, const ArmValues& start, const 
   query.start = placed(scene, start);
   query.goal = placed(scene, goal);
   while (!query.isOver()) {
-    const std::vector<std::uint32_t> way = shortestWay(query);
-    if (way.empty() && query.start != query.goal) {
+    const std::vector<std::uint32_t> path = shortestPath(query);
+    if (path.empty() && query.start != query.goal) {
       if (!grow(query)) break;
       continue;
     }
-    if (!prove(query, way)) continue;
+    if (!prove(query, path)) continue;
     result.path = {start};
     std::uint32_t at = query.start;
-    for (const std::uint32_t m : way) {
+    for (const std::uint32_t m : path) {
       at = m_motions[m].a == at ? m_motions[m].b : m_motions[m].a;
       result.path.push_back(m_milestones[at].values);
     }
-    if (way.empty()) result.path.push_back(goal);
+    if (path.empty()) result.path.push_back(goal);
     result.outcome = PlanResult::Outcome::Solved;
     break;
   }

@@ -10,19 +10,19 @@
 
 namespace handwheel {
 
-// A probabilistic roadmap of a robot among obstacles, which is kept between plans. It has free places, and the motions
-// between neighbours (PRM: Kavraki, Švestka, Latombe and Overmars 1996, Probabilistic roadmaps for path planning in
-// high-dimensional configuration spaces). Motions are proven free (MotionCheck) only when they are on a way from start
-// to goal (lazy PRM: Bohlin and Kavraki 2000), and what was found of them is kept. It grows where there is no way, up
-// to so many milestones; when it is full it begins anew.
+// A probabilistic roadmap of a robot among obstacles, which is kept between plans. It has free configurations, and the
+// motions between neighbours (PRM: Kavraki, Švestka, Latombe and Overmars 1996, Probabilistic roadmaps for path
+// planning in high-dimensional configuration spaces). Motions are proven free (MotionCheck) only if they are on a path
+// from start to goal (lazy PRM: Bohlin and Kavraki 2000), and the results are kept. It grows if there is no path, up to
+// a number of milestones; when it is full it is cleared.
 //
-// Any thread: one plan at a time, others wait. All plans must be of the same scene: what collides must not change.
+// Any thread: one plan at a time, others wait. All plans must be for the same scene, whose collisions must not change.
 class Roadmap {
  public:
   static constexpr std::size_t kMostMilestones = 10'000;                  // about 10 MB with their motions
   explicit Roadmap(std::size_t most = kMostMilestones) : m_most(most) {}  // at least two
 
-  // Other settings of the check than those of the plan before begin it anew.
+  // Clears the roadmap if the settings of the check differ from those of the last plan.
   PlanResult plan(const RobotScene& scene, const ArmValues& start, const ArmValues& goal, const PlanSettings& settings,
                   Progress progress = {});
 
@@ -37,7 +37,7 @@ class Roadmap {
   };
   struct Milestone {
     ArmValues values;
-    std::vector<std::uint32_t> motions = {};  // that are not known to be blocked
+    std::vector<std::uint32_t> motions = {};  // motions that are not known to be blocked
   };
   struct Query;
 
@@ -45,8 +45,8 @@ class Roadmap {
   std::vector<std::uint32_t> nearest(const RobotScene& scene, const ArmValues& values) const;
   std::vector<std::uint32_t> joinedTo(std::uint32_t milestone) const;
   bool grow(Query& query);
-  std::vector<std::uint32_t> shortestWay(const Query& query) const;
-  bool prove(Query& query, const std::vector<std::uint32_t>& way);
+  std::vector<std::uint32_t> shortestPath(const Query& query) const;
+  bool prove(Query& query, const std::vector<std::uint32_t>& path);
   void block(std::uint32_t motion);
   void clear();
 

@@ -16,15 +16,15 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kNoParent = kNone;
-constexpr int kCells = 32;  // of the grid, each way
+constexpr int kCells = 32;  // cells of the grid in each direction
 
-// A free point, and the motion that joins it to the one before it in its tree.
+// A free configuration, and the motion that connects it to its parent in the tree.
 struct Milestone {
   ArmValues values;
   std::uint32_t parent = kNoParent;
   std::vector<std::uint32_t> children = {};
-  std::shared_ptr<MotionCheck> motion = nullptr;  // to the parent; none before it is needed
-  bool isOfGoal = false;                          // which tree it is in
+  std::shared_ptr<MotionCheck> motion = nullptr;  // to the parent; null until it is needed
+  bool isOfGoal = false;                          // true: it belongs to the tree of the goal
 };
 
 class Sbl {
@@ -46,7 +46,7 @@ class Sbl {
   bool isSolved() const { return !m_result.path.empty(); }
   std::size_t count() const { return m_milestones.size(); }
 
-  // A new milestone, and, where the other tree is near, a look at the path that this makes.
+  // Adds a milestone, and, if the other tree is near, checks the resulting path.
   void expand() {
     const bool isOfGoal = m_random.share() < 0.5;
     const std::uint32_t from = pick(isOfGoal);
@@ -75,12 +75,12 @@ class Sbl {
   double shareOf(Eigen::Index i, double value) const {
     return m_high[i] > m_low[i] ? (value - m_low[i]) / (m_high[i] - m_low[i]) : 0.5;
   }
-  // Of a milestone: where its joints are in their ranges.
+  // The positions of the joints of a milestone in their ranges, 0…1.
   const double* sharesOf(std::uint32_t milestone) const { return &m_shares[milestone * m_stride]; }
 
   static int cellAt(double share) { return std::clamp(static_cast<int>(share * kCells), 0, kCells - 1); }
 
-  // The cells are a grid over the first two joints: these move the arm most.
+  // The cells are a grid over the first two joints, which move the arm most.
   std::size_t cellOf(std::uint32_t milestone) const {
     const double* shares = sharesOf(milestone);
     return static_cast<std::size_t>(cellAt(shares[0]) * kCells + cellAt(shares[1]));
@@ -100,7 +100,7 @@ class Sbl {
     if (cells.milestones[cell].empty()) std::erase(cells.used, cell);
   }
 
-  // First a cell, then a milestone in it: so that crowded places grow no faster than others.
+  // Picks a cell, then a milestone in it, so that crowded regions grow no faster than others.
   std::uint32_t pick(bool isOfGoal) {
     const Cells& cells = m_cells[isOfGoal];
     const auto& in = cells.milestones[cells.used[m_random.below(cells.used.size())]];
@@ -121,8 +121,8 @@ class Sbl {
     return isFreeAt(m_scene, values, m_settings.check, &m_result.queries);
   }
 
-  // Joins the milestone to the nearest of the other tree, if that is near: no joint is further away than the
-  // neighbourhood reaches.
+  // Connects the milestone to the nearest one of the other tree, if that is near: no joint differs by more than the
+  // neighbourhood.
   void connect(std::uint32_t milestone) {
     const double* at = sharesOf(milestone);
     const double far = m_settings.neighbourhood;
@@ -145,10 +145,10 @@ class Sbl {
     if (nearest != kNone) tryPath(milestone, nearest);
   }
 
-  std::vector<std::uint32_t> wayToRoot(std::uint32_t from) const {
-    std::vector<std::uint32_t> way{from};
-    while (m_milestones[way.back()].parent != kNoParent) way.push_back(m_milestones[way.back()].parent);
-    return way;
+  std::vector<std::uint32_t> pathToRoot(std::uint32_t from) const {
+    std::vector<std::uint32_t> path{from};
+    while (m_milestones[path.back()].parent != kNoParent) path.push_back(m_milestones[path.back()].parent);
+    return path;
   }
 
   std::shared_ptr<MotionCheck> motionBetween(std::uint32_t a, std::uint32_t b) const {
@@ -173,7 +173,7 @@ class Sbl {
     };
     push(kNone);
     for (const std::uint32_t end : {ofStart, ofGoal}) {
-      for (const std::uint32_t i : wayToRoot(end)) {
+      for (const std::uint32_t i : pathToRoot(end)) {
         if (m_milestones[i].parent == kNoParent) continue;
         if (!m_milestones[i].motion) m_milestones[i].motion = motionBetween(i, m_milestones[i].parent);
         push(i);
@@ -192,15 +192,15 @@ class Sbl {
       push(child);
     }
     if (bridge->state() != MotionCheck::State::Free) return;
-    std::vector<std::uint32_t> way = wayToRoot(ofStart);
-    std::reverse(way.begin(), way.end());
-    const std::vector<std::uint32_t> rest = wayToRoot(ofGoal);
-    way.insert(way.end(), rest.begin(), rest.end());
-    for (const std::uint32_t i : way) m_result.path.push_back(m_milestones[i].values);
+    std::vector<std::uint32_t> path = pathToRoot(ofStart);
+    std::reverse(path.begin(), path.end());
+    const std::vector<std::uint32_t> rest = pathToRoot(ofGoal);
+    path.insert(path.end(), rest.begin(), rest.end());
+    for (const std::uint32_t i : path) m_result.path.push_back(m_milestones[i].values);
   }
 
-  // The motion of a milestone to its parent is blocked: what is beyond it hangs on the other tree by the bridge from
-  // `end` now. Between `end` and the milestone the order of parents turns round.
+  // Handles a blocked motion of a milestone to its parent: the part beyond it now belongs to the other tree through the
+  // bridge at `end`. Between `end` and the milestone the order of parents is reversed.
   void transfer(std::uint32_t blocked, std::uint32_t end, std::uint32_t other,
                 const std::shared_ptr<MotionCheck>& bridge) {
     std::uint32_t parent = other;
@@ -215,7 +215,7 @@ class Sbl {
       parent = i;
       i = before;
     }
-    std::vector<std::uint32_t> moved{end};  // and all beyond it
+    std::vector<std::uint32_t> moved{end};  // and all milestones beyond it
     for (std::size_t k = 0; k < moved.size(); ++k) {
       Milestone& milestone = m_milestones[moved[k]];
       takeFromCell(moved[k]);
@@ -232,12 +232,12 @@ class Sbl {
   ArmValues m_low = ArmValues::Zero(m_scene.size()), m_high = ArmValues::Zero(m_scene.size());
   std::vector<Milestone> m_milestones;  // start and goal are the first two
   const Eigen::Index m_stride = std::max<Eigen::Index>(2, m_scene.size());
-  std::vector<double> m_shares;  // of all milestones, one after the other, and 0 where there is one joint
+  std::vector<double> m_shares;  // shares of all milestones, one after the other, padded with 0 if there is one joint
   struct Cells {
     std::array<std::vector<std::uint32_t>, kCells * kCells> milestones;
-    std::vector<std::size_t> used;  // those with any
+    std::vector<std::size_t> used;  // the occupied ones
   };
-  std::array<Cells, 2> m_cells;  // of the start's tree and the goal's
+  std::array<Cells, 2> m_cells;  // trees of the start and of the goal
 };
 
 }  // namespace

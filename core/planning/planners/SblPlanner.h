@@ -8,10 +8,10 @@
 namespace handwheel {
 
 // Plans with single-query, bi-directional, lazy trees (SBL). Sánchez and Latombe 2001, A single-query bi-directional
-// probabilistic roadmap planner with lazy collision checking. Milestones are free points, and the motions between them
-// are checked only when they are on a path from start to goal: the piece that is longest and not known to be free comes
-// first. Where a motion is blocked, the milestones beyond it go to the other tree. Here the checks prove what they find
-// free, so that the path is free between its points.
+// probabilistic roadmap planner with lazy collision checking. Milestones are free configurations, and the motions
+// between them are checked only if they are on a path from start to goal: the longest piece that is not known to be
+// free comes first. If a motion is blocked, the milestones beyond it move to the other tree. The checks are proofs, so
+// that the path is free between its points.
 PlanResult planBySbl(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                      const PlanSettings& settings, Progress progress = {});
 

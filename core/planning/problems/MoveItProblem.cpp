@@ -18,7 +18,7 @@ Error malformedPair(std::string element, const char* reason) {
   return {ErrorCode::ElementMalformed, {std::move(element), reason}, {}, {}};
 }
 
-// What is under these keys, each in the one before; null if it is not there.
+// Returns the value under these keys, each nested in the one before; null if there is none.
 const Json& under(const Json& json, std::initializer_list<const char*> keys) {
   static const Json kNothing;
   const Json* found = &json;
@@ -33,7 +33,7 @@ bool isFilled(const Json& json) {
   return !json.is_null() && !(json.is_structured() && json.empty());
 }
 
-// Adds the shapes of an object, each as one of a set in JSON. What is wrong; null: nothing.
+// Adds the shapes of an object in the format of a JSON set. Returns the error; null: none.
 const char* addShapes(const Json& object, Json& shapes) {
   for (const char* other : {"meshes", "planes"}) {
     if (isFilled(under(object, {other}))) return "meshes and planes are not supported";
@@ -70,7 +70,7 @@ Result<Json> shapesOf(const Json& scene) {
   return shapes;
 }
 
-// The pairs that the matrix allows, by name.
+// Returns the pairs that the matrix allows, by name.
 Result<std::vector<NamePair>> allowedOf(const Json& scene) {
   const Json& matrix = under(scene, {"allowed_collision_matrix"});
   const Json &names = under(matrix, {"entry_names"}), &rows = under(matrix, {"entry_values"});
@@ -88,7 +88,7 @@ Result<std::vector<NamePair>> allowedOf(const Json& scene) {
   return allowed;
 }
 
-// Of the goal the joints with their positions, in order.
+// Returns the joints of the goal with their positions, in order.
 Result<std::vector<std::pair<std::string, double>>> goalOf(const Json& request) {
   const Json& goals = under(request, {"goal_constraints"});
   const auto malformed =
@@ -149,7 +149,7 @@ Result<PlanningSet> readMoveItProblem(std::string_view scene, std::string_view r
   Result<PlanningSet> set =
       planningSetFrom({{"scene", name}, {"joints", joints}, {"problems", Json::array({problem})}});
   if (!set) {
-    Error error = set.error();  // names the set, which nobody wrote
+    Error error = set.error();  // the name of the set is meaningless to the user
     const bool isOfScene = error.arguments.at(0).find("objects") != std::string::npos;
     error.arguments[0] = isOfScene ? "scene.world.collision_objects" : "request";
     return error;

@@ -13,14 +13,14 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kMostProblems = 100'000, kMostObstacles = 10'000;
-constexpr double kMillimetres = 1000.0;  // of a metre
+constexpr double kMillimetres = 1000.0;  // mm per metre
 constexpr double kFarthest = 1e6;        // m
 
 Error malformedSet(std::string element, const char* reason) {
   return {ErrorCode::ElementMalformed, {std::move(element), reason}, {}, {}};
 }
 
-// As many finite numbers as there must be, none larger than the farthest place.
+// Returns the expected number of finite numbers, none beyond the farthest position.
 std::optional<std::vector<double>> numbersOf(const Json& object, const char* key, std::size_t count) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_array() || found->size() != count) return std::nullopt;
@@ -34,16 +34,16 @@ std::optional<std::vector<double>> numbersOf(const Json& object, const char* key
 
 std::optional<Pose> poseFrom(const Json& json) {
   if (!json.is_object()) return std::nullopt;
-  const auto place = numbersOf(json, "position", 3), turn = numbersOf(json, "orientation", 4);
-  if (!place || !turn) return std::nullopt;
+  const auto position = numbersOf(json, "position", 3), turn = numbersOf(json, "orientation", 4);
+  if (!position || !turn) return std::nullopt;
   const Eigen::Quaterniond quaternion((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]);
   if (!(quaternion.norm() > 1e-6)) return std::nullopt;
   Pose pose(quaternion.normalized());
-  pose.translation() = kMillimetres * Vec3((*place)[0], (*place)[1], (*place)[2]);
+  pose.translation() = kMillimetres * Vec3((*position)[0], (*position)[1], (*position)[2]);
   return pose;
 }
 
-// A shape may stand in the frame of an object, as in scenes of MoveIt.
+// A shape may be in the frame of an object, as in scenes of MoveIt.
 std::optional<CollisionPiece> obstacleFrom(const Json& json) {
   const std::optional<Pose> own = poseFrom(json);
   if (!own) return std::nullopt;

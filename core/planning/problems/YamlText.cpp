@@ -17,13 +17,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Thrown out of the parser, which offers no other way to stop it.
+// Thrown out of the parser, which cannot be stopped otherwise.
 class RefusedYaml : public YAML::ParserException {
  public:
   using YAML::ParserException::ParserException;
 };
 
-// Builds the value from what the parser reports, with bounded depth and size.
+// Builds the value from the events of the parser, with bounded depth and size.
 class JsonOfYaml : public YAML::EventHandler {
  public:
   JsonOfYaml() = default;
@@ -60,7 +60,7 @@ class JsonOfYaml : public YAML::EventHandler {
   void OnMapEnd() override { m_open.pop_back(); }
 
  private:
-  // A list or map that is being filled; of a map the key whose value comes next.
+  // A list or map that is being filled; for a map with the key of the next value.
   struct Open {
     Json* value;
     std::optional<std::string> key = {};

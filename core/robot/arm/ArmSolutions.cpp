@@ -10,9 +10,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSameSolution = 1e-6;       // rad, mm: where two axes are in line, two ways are one
-constexpr double kOtherSolution = 0.05;      // rad, mm: what an iteration ends nearer at is no way of its own
-constexpr std::uint32_t kRandomStarts = 60;  // that are tried
+constexpr double kSameSolution = 1e-6;       // rad, mm: two solutions count as one if two axes are in line
+constexpr double kOtherSolution = 0.05;      // rad, mm: a nearer result of an iteration is no other solution
+constexpr std::uint32_t kRandomStarts = 60;  // number of starts
 constexpr std::uint64_t kSeed = 1;
 
 bool isKnown(const std::vector<ArmSolution>& found, const ArmValues& values, double apart) {
@@ -27,7 +27,7 @@ std::optional<Eigen::Index> firstBeyond(const SerialArm& arm, const ArmValues& v
   return std::nullopt;
 }
 
-// What cannot be within the limits is as near to the reference as whole turns bring it.
+// Moves values that cannot be within the limits by whole turns as near to the reference as possible.
 ArmValues nearReference(const ArmValues& values, const ArmValues& reference) {
   constexpr double kTurn = 2.0 * M_PI;
   ArmValues moved = values;
@@ -51,12 +51,12 @@ std::vector<ArmSolution> closedForm(const ClosedFormIk& closed, const SerialArm&
   return found;
 }
 
-// solved: solvedNumerically() or solvedForPlace().
+// solved: solvedNumerically() or solvedForPosition().
 std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, const ArmValues& reference,
                                      decltype(solvedNumerically)& solved) {
   NumericalIkSettings settings;
   settings.tolerance = 1e-8;
-  settings.seconds = 1.0;  // of a start, which ends long before
+  settings.seconds = 1.0;  // time limit of a start, which ends long before
   settings.mostStarts = 1;
   RandomSequence sequence(kSeed);
   std::vector<ArmSolution> found;
@@ -73,7 +73,7 @@ std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, cons
 
 std::vector<ArmSolution> byIteration(const SerialArm& arm, const Pose& tip, const ArmValues& reference) {
   std::vector<ArmSolution> found = byIteration(arm, tip, reference, solvedNumerically);
-  if (found.empty() && arm.size() < kJointsOfAnyPose) found = byIteration(arm, tip, reference, solvedForPlace);
+  if (found.empty() && arm.size() < kJointsOfAnyPose) found = byIteration(arm, tip, reference, solvedForPosition);
   return found;
 }
 
@@ -87,13 +87,14 @@ std::vector<ArmSolution> solutionsFor(const SerialArm& arm, const Pose& tip, con
   arm.jointPoses(reference, std::span(from).first(count));
   for (ArmSolution& each : found) {
     arm.jointPoses(each.values, std::span(to).first(count));
-    each.way = wayBetween(std::span(from).first(count), std::span(to).first(count));
+    each.distance = jointDistance(std::span(from).first(count), std::span(to).first(count));
   }
   std::stable_sort(found.begin(), found.end(), [&](const ArmSolution& a, const ArmSolution& b) {
     if (a.beyond.has_value() != b.beyond.has_value()) return b.beyond.has_value();
-    // Joints that turn in place do not tell ways apart by it: their turns do.
-    const double wayOfA = std::round(a.way / kSameSolution), wayOfB = std::round(b.way / kSameSolution);
-    if (wayOfA != wayOfB) return wayOfA < wayOfB;
+    // The distance does not distinguish solutions with joints that turn in place: their turns do.
+    const double distanceOfA = std::round(a.distance / kSameSolution),
+                 distanceOfB = std::round(b.distance / kSameSolution);
+    if (distanceOfA != distanceOfB) return distanceOfA < distanceOfB;
     return (a.values - reference).squaredNorm() < (b.values - reference).squaredNorm();
   });
   return found;

@@ -8,22 +8,22 @@
 
 namespace handwheel {
 
-// A way in which an arm reaches a pose.
+// A solution of the inverse kinematics of an arm.
 struct ArmSolution {
-  ArmValues values;                         // moved by whole turns as near to the reference as the limits let them be
-  std::optional<Eigen::Index> beyond = {};  // the first joint that would have to be beyond its limits
-  std::optional<ArmConfiguration> configuration = {};  // of arms with a closed form
-  double turnedOff = 0.0;  // rad that the tip is turned off the pose: of arms that reach places, not poses
-  double way = 0.0;        // mm from the reference: how far the joints are apart in space (He 2008, equation 6-14)
+  ArmValues values;                         // shifted by whole turns as near to the reference as the limits allow
+  std::optional<Eigen::Index> beyond = {};  // the first joint that would exceed its limits
+  std::optional<ArmConfiguration> configuration = {};  // for arms with a closed form
+  double turnedOff = 0.0;  // rad between the tip and the pose: for arms that reach positions, not poses
+  double distance = 0.0;   // mm: displacement of the joints in space from the reference (He 2008, equation 6-14)
 };
 
-// The most ways that are looked for where there is no closed form: an arm with more than six joints has any number.
+// Largest number of solutions without a closed form: an arm with more than six joints has infinitely many.
 inline constexpr std::size_t kMostNumericalSolutions = 8;
 
-// All ways in which an arm reaches a pose of its tip: those within the limits first, the nearest of them first. Arms
-// without a closed form are solved from the reference and from random places, always the same ones; of these arms ways
-// beyond the limits are not known. One with fewer than six joints that cannot reach the pose reaches its place, turned
-// as near to it as that lets it be. Empty: the pose is out of reach. O(1), or some milliseconds.
+// Finds all solutions for a pose of the tip: those within the limits first, the nearest of them first. Arms without a
+// closed form are solved from the reference and from random configurations, always the same ones; for these arms
+// solutions beyond the limits are not found. An arm with fewer than six joints that cannot reach the pose reaches its
+// position, with the nearest possible orientation. Empty: the pose is out of reach. O(1), or some milliseconds.
 std::vector<ArmSolution> solutionsFor(const SerialArm& arm, const Pose& tip, const ArmValues& reference);
 
 }  // namespace handwheel

@@ -10,9 +10,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // of lengths to the size of the arm, and of sines
+constexpr double kSame = 1e-9;  // relative to the size of the arm for lengths, and to 1 for sines
 
-// The vector turned about a unit axis.
+// Rotates a vector about a unit axis.
 Vec3 turned(const Vec3& v, const Vec3& axis, double cosine, double sine) {
   return cosine * v + sine * axis.cross(v) + (1.0 - cosine) * axis.dot(v) * axis;
 }
@@ -31,10 +31,10 @@ Vec3 across(const Vec3& v, const Vec3& axis) {
   return v - axis.dot(v) * axis;
 }
 
-// An angle with its cosine and sine, which cost more than the rest where they are computed from it.
+// An angle with its cosine and sine, which are expensive to compute from it.
 struct Angle {
   explicit Angle(double of) : value(of), cosine(std::cos(of)), sine(std::sin(of)) {}
-  // That of a point of the plane, which is not the origin.
+  // The angle of a point of the plane, which is not the origin.
   Angle(double x, double y) : value(std::atan2(y, x)), cosine(x), sine(y) {
     const double length = std::sqrt(x * x + y * y);
     cosine /= length;
@@ -43,8 +43,8 @@ struct Angle {
   double value, cosine, sine;
 };
 
-// The angle by which a turns about the axis to point as b does; where one of them is along the axis, the other one.
-// (The first subproblem.)
+// Returns the angle by which a turns about the axis to point as b does; if one of them is along the axis, `other`. (The
+// first subproblem.)
 Angle angleBetween(const Vec3& a, const Vec3& b, const Vec3& axis, double size, double other) {
   const Vec3 u = across(a, axis), v = across(b, axis);
   const double least = kSame * kSame * size * size;
@@ -59,7 +59,7 @@ struct TwoAngles {
   bool isAny = false;  // every angle solves it
 };
 
-// size: what A, B and C are small against.
+// size: magnitude relative to which A, B and C count as zero.
 TwoAngles solved(const ClosedFormIk::Wave& wave, double c, double size) {
   if (wave.height < kSame * size) return {{}, std::abs(c) < kSame * size ? 1 : 0, true};
   if (std::abs(c) > wave.height + kSame * size) return {};
@@ -67,14 +67,14 @@ TwoAngles solved(const ClosedFormIk::Wave& wave, double c, double size) {
   return {{wave.crest + away, wave.crest - away}, 2, false};
 }
 
-// The same as remainder(angle, 2π), which is slow, for the sums of few angles.
+// Returns remainder(angle, 2π), which is slow, for the sums of few angles.
 double wrapped(double angle) {
   constexpr double kTurn = 2.0 * M_PI;
   if (std::abs(angle) <= M_PI) return angle;
   return std::abs(angle) < 3.0 * M_PI ? angle - std::copysign(kTurn, angle) : std::remainder(angle, kTurn);
 }
 
-// Where two lines meet; none where they do not, or are parallel.
+// Returns the intersection of two lines; none if they do not meet, or are parallel.
 std::optional<Vec3> meeting(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v, double slack) {
   const Vec3 normal = u.cross(v);
   const double square = normal.squaredNorm();
@@ -137,7 +137,7 @@ std::optional<ClosedFormIk> ClosedFormIk::of(const SerialArm& arm) {
   return made;
 }
 
-// What does not depend on the pose.
+// Computes the values that do not depend on the pose.
 void ClosedFormIk::prepare() {
   const bool isSpherical = m_form == Form::SphericalWrist;
   const Vec3 &w2 = m_axes[1].direction, &w3 = m_axes[2].direction, &w5 = m_axes[4].direction;
@@ -149,8 +149,8 @@ void ClosedFormIk::prepare() {
   m_fifth = Wave(above.dot(across(w6, w5)), above.dot(w5.cross(w6)));
 }
 
-// In both forms the axes 2 and 3, and in the second 4, are parallel: along them the centre of the wrist is where the
-// first joint has put it.
+// In both forms the axes 2 and 3, and in the second 4, are parallel: the first joint alone moves the centre of the
+// wrist along them.
 void ClosedFormIk::solve(const Pose& tip, const ArmValues& reference, IkSolutions& solutions) const {
   solutions.count = 0;
   if (!tip.matrix().allFinite()) return;
@@ -164,22 +164,22 @@ void ClosedFormIk::solve(const Pose& tip, const ArmValues& reference, IkSolution
   for (int i = 0; i < first.count; ++i) {
     const double q1 = first.isAny ? reference[0] : first.q[static_cast<std::size_t>(i)];
     const double c = std::cos(q1), s = std::sin(q1);
-    const Vec3 place = p1 + turned(u, w1, c, -s);
+    const Vec3 fourth = p1 + turned(u, w1, c, -s);
     const Eigen::Matrix3d turn = turnAbout(w1, c, -s) * motion.linear();
     const IkBranch branch{i == 1, false, false};
     if (m_form == Form::ParallelMiddle) {
-      solveMiddle(q1, place, turn, reference, branch, solutions);
+      solveMiddle(q1, fourth, turn, reference, branch, solutions);
       continue;
     }
     const Vec3& w3 = m_axes[2].direction;
-    const double way3 = w3.dot(w2);  // 1 or -1
-    const Vec3 b = across(place - m_axes[1].point, w2);
+    const double sign3 = w3.dot(w2);  // 1 or -1
+    const Vec3 b = across(fourth - m_axes[1].point, w2);
     const TwoAngles third =
         solved(m_third, 0.5 * (b.squaredNorm() - m_upper.squaredNorm() - m_fore.squaredNorm()), m_scale * m_scale);
     for (int j = 0; j < third.count; ++j) {
       const double q3 = third.isAny ? reference[2] : third.q[static_cast<std::size_t>(j)];
       const double q2 = angleBetween(m_upper + turned(m_fore, w3, q3), b, w2, m_scale, reference[1]).value;
-      const double bent = q2 + way3 * q3;
+      const double bent = q2 + sign3 * q3;
       const Eigen::Matrix3d rest = turnAbout(w2, std::cos(bent), -std::sin(bent)) * turn;
       solveWrist(q1, q2, q3, rest, reference, {i == 1, j == 1, false}, solutions);
     }
@@ -202,13 +202,13 @@ void ClosedFormIk::solveWrist(double q1, double q2, double q3, const Eigen::Matr
   }
 }
 
-// place: of the centre, and turn: of the joints 2 to 6 together, the first joint undone.
-void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix3d& turn, const ArmValues& reference,
+// position: of the centre, and turn: of the joints 2 to 6 together, with the first joint undone.
+void ClosedFormIk::solveMiddle(double q1, const Vec3& position, const Eigen::Matrix3d& turn, const ArmValues& reference,
                                IkBranch branch, IkSolutions& solutions) const {
   const Vec3 &w2 = m_axes[1].direction, &w3 = m_axes[2].direction, &w4 = m_axes[3].direction;
   const Vec3 &w5 = m_axes[4].direction, &w6 = m_axes[5].direction;
   const Vec3& p4 = m_axes[3].point;
-  const double way3 = w3.dot(w2), way4 = w4.dot(w2);  // 1 or -1
+  const double sign3 = w3.dot(w2), sign4 = w4.dot(w2);  // 1 or -1
   const TwoAngles fifth = solved(m_fifth, w2.dot(turn * w6) - w2.dot(w5) * w5.dot(w6), 1.0);
   for (int i = 0; i < fifth.count; ++i) {
     const Angle q5(fifth.isAny ? reference[4] : fifth.q[static_cast<std::size_t>(i)]);
@@ -217,7 +217,7 @@ void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix
     // m_across[1], turned by the joints 2 to 4.
     const Vec3 x = turn * turned(turned(m_across[1], w5, q5.cosine, -q5.sine), w6, q6.cosine, -q6.sine);
     const double whole = std::atan2(w2.dot(m_across[1].cross(x)), m_across[1].dot(x));
-    const Vec3 elbow = place - turned(m_centre - p4, w2, whole);  // where the fourth axis is to be
+    const Vec3 elbow = position - turned(m_centre - p4, w2, whole);  // required position of the fourth axis
     const Vec3 b = across(elbow - m_axes[1].point, w2);
     const TwoAngles third =
         solved(m_third, 0.5 * (b.squaredNorm() - m_upper.squaredNorm() - m_fore.squaredNorm()), m_scale * m_scale);
@@ -226,7 +226,7 @@ void ClosedFormIk::solveMiddle(double q1, const Vec3& place, const Eigen::Matrix
       const double q2 = angleBetween(m_upper + turned(m_fore, w3, q3), b, w2, m_scale, reference[1]).value;
       branch.elbow = j == 1;
       branch.wrist = i == 1;
-      add(solutions, {q1, q2, q3, way4 * (whole - q2 - way3 * q3), q5.value, q6.value}, branch);
+      add(solutions, {q1, q2, q3, sign4 * (whole - q2 - sign3 * q3), q5.value, q6.value}, branch);
     }
   }
 }
@@ -239,17 +239,17 @@ ArmConfiguration ClosedFormIk::configurationOf(const SerialArm& arm, const ArmVa
   const Vec3 axis = poses[1].linear().col(2), wrist = poses[4] * m_wrist;
   const bool isSpherical = m_form == Form::SphericalWrist;
   const Vec3 rest = m_centre - base;
-  // As the arm looks, and the side that its links are on.
+  // The direction that the arm faces, and the side of its links.
   const Vec3 ahead = rest.dot(second.cross(up)) < -kSame * m_scale ? Vec3(up.cross(axis)) : Vec3(axis.cross(up));
   const Vec3 side = rest.dot(second) < 0.0 ? Vec3(-axis) : axis;
-  const Vec3 way = across(wrist - base, up);
+  const Vec3 toWrist = across(wrist - base, up);
   ArmConfiguration configuration;
   if (isSpherical)
     configuration.shoulder =
-        way.dot(ahead) < 0.0 ? ArmConfiguration::Shoulder::Rear : ArmConfiguration::Shoulder::Front;
+        toWrist.dot(ahead) < 0.0 ? ArmConfiguration::Shoulder::Rear : ArmConfiguration::Shoulder::Front;
   else
     configuration.shoulder =
-        way.cross(up).dot(side) < 0.0 ? ArmConfiguration::Shoulder::Left : ArmConfiguration::Shoulder::Right;
+        toWrist.cross(up).dot(side) < 0.0 ? ArmConfiguration::Shoulder::Left : ArmConfiguration::Shoulder::Right;
   const Vec3 fore = across((isSpherical ? wrist : poses[3].translation()) - poses[1].translation(), axis);
   const Vec3 upper = across(poses[2].translation() - poses[1].translation(), axis);
   const Vec3 bulge = across(upper, fore.stableNormalized());
@@ -273,11 +273,11 @@ std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& val
   return moved;
 }
 
-double wayBetween(std::span<const Pose> from, std::span<const Pose> to) {
+double jointDistance(std::span<const Pose> from, std::span<const Pose> to) {
   assert(from.size() == to.size());
-  double way = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) way += (to[i].translation() - from[i].translation()).norm();
-  return way;
+  double distance = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) distance += (to[i].translation() - from[i].translation()).norm();
+  return distance;
 }
 
 }  // namespace handwheel

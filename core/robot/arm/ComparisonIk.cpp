@@ -13,7 +13,8 @@ constexpr std::uint32_t kMostComparisonSteps = 100;
 using Numbers12 = Eigen::Matrix<double, 12, 1>;
 using Derivative12 = Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, kMostArmJoints>;
 
-// step: the change of the joints by the Jacobian and the error, lengths to the characteristic one, at a pose.
+// step: computes the change of the joints from the Jacobian and the error, with lengths relative to the characteristic
+// one, at a pose.
 template <class Step>
 NumericalIkResult iterated(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                            const NumericalIkSettings& settings, const Step& step) {

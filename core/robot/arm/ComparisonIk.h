@@ -7,9 +7,9 @@
 namespace handwheel {
 
 // The two inverse kinematics of He 2008, for comparison with ours. Both iterate from the start alone, undamped, and
-// know neither limits nor singular places. Of the settings tolerance and length count. O(iterations · joints²).
+// ignore limits and singularities. They use only the settings tolerance and length. O(iterations · joints²).
 
-// IK1 (equation 6-8): δq = J⁺ δX, where δX is the way and the turn that are missing.
+// IK1 (equation 6-8): δq = J⁺ δX, with the missing displacement and rotation δX.
 NumericalIkResult solvedByJacobian(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                                    const NumericalIkSettings& settings = {});
 

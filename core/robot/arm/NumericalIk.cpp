@@ -11,22 +11,22 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLongestTurn = 0.7;  // rad in a step: the Jacobian says nothing of what is further away
+constexpr double kLongestTurn = 0.7;  // rad per step: the Jacobian is valid only nearby
 constexpr double kLeastDamping = 1e-9;
 constexpr double kErrorDamping = 2e-3;  // for each square of the error
 constexpr int kMostIterations = 60;     // from one start
-constexpr int kMostStalls = 4;          // iterations that came no nearer: then another start is quicker
+constexpr int kMostStalls = 4;          // iterations without progress, after which another start is faster
 
 using Error6 = Eigen::Matrix<double, 6, 1>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostArmJoints, kMostArmJoints>;
 
-// One search: the arm, where its tip is to be, and the error of where it is.
+// One search: the arm, the wanted pose of its tip, and the present error.
 class Search {
  public:
   Search(const SerialArm& arm, const Pose& wanted, const NumericalIkSettings& settings)
       : m_arm(arm), m_wanted(wanted), m_settings(settings) {}
 
-  // Turns joints into their limits where whole turns do that, and stops them there otherwise.
+  // Shifts joints into their limits by whole turns if possible, and clamps them otherwise.
   void keepWithin(ArmValues& values) const {
     constexpr double kTurn = 2.0 * M_PI;
     for (Eigen::Index i = 0; i < m_arm.size(); ++i) {
@@ -42,7 +42,7 @@ class Search {
     }
   }
 
-  // The error at these values, lengths to the characteristic one; with the Jacobian likewise.
+  // Returns the error at these values, with lengths relative to the characteristic one; also computes the Jacobian.
   Error6 measure(const ArmValues& values) {
     const Pose tip = m_arm.tipPose(values, m_jacobian);
     Error6 error = poseError(tip, m_wanted);
@@ -55,12 +55,13 @@ class Search {
     return error;
   }
 
-  // One step from where measure() was called last. A joint at a limit that the step would leave takes no part in it.
+  // Makes one step from the values of the last measure(). A joint at a limit that the step would leave takes no part in
+  // it.
   bool step(const Error6& error, ArmValues& values) const {
     ArmJacobian columns = m_jacobian;
     const Eigen::Index count = m_arm.size();
     for (Eigen::Index i = 0; i < count; ++i) {
-      // A slide is measured in characteristic lengths, so that it weighs like a turn by a radian.
+      // A slide is measured in characteristic lengths, so that it has the weight of a turn by a radian.
       if (m_arm.joints()[static_cast<std::size_t>(i)].isPrismatic) columns.col(i) *= m_settings.length;
     }
     ArmValues delta(count);
@@ -81,8 +82,8 @@ class Search {
   bool isReached(const Error6& error) const { return error.cwiseAbs().maxCoeff() <= m_settings.tolerance; }
 
  private:
-  // (JᵀJ + λI) δ = Jᵀe, or, which is the same, δ = Jᵀ(JJᵀ + λI)⁻¹e: the smaller matrix of the two. That of six rows has
-  // its size at compile time: an iteration takes three quarters of the time that way.
+  // Solves (JᵀJ + λI) δ = Jᵀe, or equivalently δ = Jᵀ(JJᵀ + λI)⁻¹e: the smaller matrix of the two. The matrix of six
+  // rows has a fixed size at compile time, which saves a quarter of the time of an iteration.
   static ArmValues solved(const ArmJacobian& columns, const Error6& error) {
     const double damping = kLeastDamping + kErrorDamping * error.squaredNorm();
     const Eigen::Index count = columns.cols();
@@ -97,7 +98,7 @@ class Search {
     return columns.transpose() * square.llt().solve(error);
   }
 
-  // Takes out the columns of joints at their limits that the step would lead beyond, unless a turn less is within.
+  // Removes the columns of joints at their limits that the step would lead beyond, unless a whole turn less is within.
   bool stopAtLimits(const ArmValues& values, const ArmValues& delta, ArmJacobian& columns) const {
     bool isStopped = false;
     for (Eigen::Index i = 0; i < delta.size(); ++i) {
@@ -179,9 +180,9 @@ NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const
   return result;
 }
 
-// A turn that weighs little costs the place tenths of a millimetre, which the second search makes good.
-NumericalIkResult solvedForPlace(const SerialArm& arm, const Pose& tip, const ArmValues& start,
-                                 const NumericalIkSettings& settings, Progress progress) {
+// A small weight of the orientation costs tenths of a millimetre of position, which the second search corrects.
+NumericalIkResult solvedForPosition(const SerialArm& arm, const Pose& tip, const ArmValues& start,
+                                    const NumericalIkSettings& settings, Progress progress) {
   constexpr double kLittle = 0.01;
   NumericalIkSettings towards = settings, there = settings;
   towards.turnWeight = kLittle;

@@ -16,10 +16,10 @@ namespace {
 
 using Node = std::array<int, 2>;
 
-constexpr double kPlaceTolerance = 1e-3;  // mm
+constexpr double kPositionTolerance = 1e-3;  // mm
 constexpr Node kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
-// The grid in the plane, and which of its nodes are reached.
+// The grid in the plane, and its reached nodes.
 class ReachGrid {
  public:
   ReachGrid(const SerialArm& arm, const Pose& tool, const Vec3& direction, const ReachSectionSettings& settings)
@@ -30,21 +30,21 @@ class ReachGrid {
     m_most = settings.cells + 1;
   }
 
-  Vec3 placeOf(const Node& node) const { return m_spacing * (node[0] * m_across + node[1] * Vec3::UnitZ()); }
+  Vec3 positionOf(const Node& node) const { return m_spacing * (node[0] * m_across + node[1] * Vec3::UnitZ()); }
   bool isReached(const Node& node) const { return m_reached.contains(node); }
   const std::map<Node, ArmValues>& reached() const { return m_reached; }
 
-  // Joint values that bring the tool to a place; none: it is out of reach.
-  std::optional<ArmValues> valuesAt(const Vec3& place, const ArmValues& start, std::uint32_t starts) const {
+  // Returns joint values that bring the tool to a position; none: it is out of reach.
+  std::optional<ArmValues> valuesAt(const Vec3& position, const ArmValues& start, std::uint32_t starts) const {
     Pose wanted = Pose::Identity();
-    wanted.translation() = place;
-    NumericalIkSettings ik{.tolerance = kPlaceTolerance / 1000.0, .seconds = 1.0, .mostStarts = starts};
+    wanted.translation() = position;
+    NumericalIkSettings ik{.tolerance = kPositionTolerance / 1000.0, .seconds = 1.0, .mostStarts = starts};
     ik.turnWeight = 0.0;
     const NumericalIkResult result = solvedNumerically(m_arm, wanted, start, ik);
     return result.isSolved ? std::optional(result.values) : std::nullopt;
   }
 
-  // From node to node, beginning near to where the arm stands.
+  // Proceeds from node to node, beginning near the present position of the arm.
   void flood(const ArmValues& start, Progress progress) {
     const Vec3 tool = m_arm.tipPose(start).translation();
     const Node first{static_cast<int>(std::lround(std::hypot(tool.x(), tool.y()) / m_spacing)),
@@ -54,7 +54,7 @@ class ReachGrid {
     const auto look = [&](const Node& node, const ArmValues& from) {
       const bool isOutside = std::max(std::abs(node[0]), std::abs(node[1])) > m_most;
       if (isOutside || !tried.insert(node).second) return;
-      const auto values = valuesAt(placeOf(node), from, m_settings.starts);
+      const auto values = valuesAt(positionOf(node), from, m_settings.starts);
       if (!values) return;
       m_reached[node] = *values;
       open.push_back(node);
@@ -68,9 +68,9 @@ class ReachGrid {
     }
   }
 
-  // Where the reach ends between a node that is reached and its neighbour that is not.
+  // Returns the end of the reach between a reached node and its unreached neighbour.
   Vec3 endBetween(const Node& inside, const Node& outside) const {
-    Vec3 near = placeOf(inside), far = placeOf(outside);
+    Vec3 near = positionOf(inside), far = positionOf(outside);
     ArmValues values = m_reached.at(inside);
     while ((far - near).norm() > m_settings.tolerance) {
       const Vec3 middle = 0.5 * (near + far);
@@ -90,11 +90,11 @@ class ReachGrid {
   std::map<Node, ArmValues> m_reached;
 };
 
-// An end of the reach on an edge of the grid: the node that is reached, and the one that is not.
+// An end of the reach on an edge of the grid: the reached node, and the other one.
 using End = std::pair<Node, Node>;
 
-// The outlines as chains of ends (marching squares): around each cell the ends are joined in pairs, so that what is
-// reached is on one side.
+// The outlines as chains of ends (marching squares): around each cell the ends are joined in pairs, so that the reached
+// region is on one side.
 class Outlines {
  public:
   explicit Outlines(const ReachGrid& grid) : m_grid(grid) {
@@ -127,15 +127,15 @@ class Outlines {
   }
 
  private:
-  // Round the cell from corner to corner: where the reach is left, the outline goes on to where it is entered next
-  // before that.
+  // Goes round the cell from corner to corner: from the corner at which the reach is left, the outline continues to the
+  // one at which it was last entered.
   void join(const Node& cell) {
     const std::array<Node, 4> corners{Node{cell[0], cell[1]}, Node{cell[0] + 1, cell[1]},
                                       Node{cell[0] + 1, cell[1] + 1}, Node{cell[0], cell[1] + 1}};
     for (std::size_t i = 0; i < 4; ++i) {
       const Node &here = corners[i], &there = corners[(i + 1) % 4];
       if (!m_grid.isReached(here) || m_grid.isReached(there)) continue;
-      // The run of reached corners that ends here began where it was entered.
+      // The run of reached corners that ends here began at its entry.
       std::size_t begin = i;
       while (m_grid.isReached(corners[(begin + 3) % 4])) begin = (begin + 3) % 4;
       m_next[{here, there}] = {corners[begin], corners[(begin + 3) % 4]};

@@ -11,16 +11,16 @@ namespace handwheel {
 
 // Settings of the computation of an arm's workspace outline.
 struct ReachSectionSettings {
-  int cells = 64;            // of the grid, to a reach of the arm
-  double tolerance = 1.0;    // mm that the outline is off along the lines of the grid
-  std::uint32_t starts = 6;  // from which a place is tried before it counts as out of reach
+  int cells = 64;            // number of grid cells per reach of the arm
+  double tolerance = 1.0;    // mm: error of the outline along the lines of the grid
+  std::uint32_t starts = 6;  // starts that are tried before a position counts as out of reach
 };
 
-// The places that the tool's centre point of an arm reaches within the joint limits, whichever way it is turned, in the
-// plane through the z axis of the base and a direction across it: their outlines, closed lines in the frame of the
-// base. Found by inverse kinematics from place to place, beginning where the arm stands, so pieces of the reach that
-// do not hang together with it are not seen; nothing is asked about collisions. tool: of the centre point in the arm's
-// tip. Empty once cancelled. Some tenths of a second.
+// Returns the outlines of the positions that the tool's centre point reaches within the joint limits, in any
+// orientation. The section is in the plane through the z axis of the base and a direction across it; the outlines are
+// closed lines in the frame of the base. Found by inverse kinematics from position to position, beginning at the
+// present one, so separate pieces of the reach are missed; collisions are ignored. tool: centre point in the arm's tip.
+// Empty after a cancellation. Takes some tenths of a second.
 std::vector<std::vector<Vec3>> reachSection(const SerialArm& arm, const Pose& tool, const ArmValues& start,
                                             const Vec3& direction, const ReachSectionSettings& settings = {},
                                             Progress progress = {});

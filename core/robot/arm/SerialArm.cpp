@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-// The frame after a joint's motion along or about its z axis.
+// Applies a joint's motion along or about its z axis to a frame.
 void move(Pose& frame, const ArmJoint& joint, double value) {
   if (joint.isPrismatic) {
     frame.translation() += value * frame.linear().col(2);
@@ -22,7 +22,7 @@ void move(Pose& frame, const ArmJoint& joint, double value) {
   frame.linear().col(1) = c * y - s * x;
 }
 
-// A rotation that takes z to the axis.
+// Returns a rotation that takes z to the axis.
 Eigen::Matrix3d aligned(const Vec3& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
 }
@@ -105,7 +105,7 @@ double SerialArm::reach() const {
 }
 
 Result<SerialArm::InRobot> SerialArm::of(const RobotModel& robot, std::uint32_t base, std::uint32_t tip) {
-  std::vector<std::uint32_t> chain;  // of joints, from the tip on
+  std::vector<std::uint32_t> chain;  // joints, from the tip on
   for (std::uint32_t link = tip; link != base;) {
     const std::uint32_t joint = robot.links[link].parentJoint;
     if (joint == kNone) return noArm("the tip is not connected to the base");
@@ -124,7 +124,7 @@ Result<SerialArm::InRobot> SerialArm::of(const RobotModel& robot, std::uint32_t 
     const Eigen::Matrix3d turn = aligned(joint.dof == kNone || joint.factor >= 0.0 ? joint.axis : Vec3(-joint.axis));
     ArmJoint made;
     made.isPrismatic = isPrismatic;
-    Pose offset = Pose::Identity();  // what the joint stands at with its degree of freedom at 0
+    Pose offset = Pose::Identity();  // displacement by the joint with its degree of freedom at 0
     if (isPrismatic)
       offset.translate(joint.offset * joint.axis);
     else
@@ -162,7 +162,7 @@ SerialArm armOf(std::span<const DhRow> table) {
     joint.lower = row.lower;
     joint.upper = row.upper;
     joint.velocity = row.velocity;
-    // A joint that counts the other way round has its z axis down; it is turned back after it.
+    // A joint with a negative sign has its z axis down; the rotation is undone after it.
     const Pose flip = row.sign < 0.0 ? Pose(Eigen::AngleAxisd(M_PI, Vec3::UnitX())) : Pose::Identity();
     joint.before = before * flip;
     joints.push_back(joint);

@@ -11,7 +11,8 @@ namespace handwheel {
 
 // A joint of a serial arm, revolute or prismatic. It turns about, or slides along, the z axis of its frame.
 struct ArmJoint {
-  Pose before = Pose::Identity();  // of its frame at 0, in the frame of the joint before; of the first: in the base
+  Pose before =
+      Pose::Identity();  // pose of its frame at 0, in the frame of the joint before; for the first: in the base
   bool isPrismatic = false;
   double lower = -std::numeric_limits<double>::infinity();  // rad, mm
   double upper = std::numeric_limits<double>::infinity();
@@ -20,21 +21,21 @@ struct ArmJoint {
   bool isWithin(double value, double slack = 1e-9) const { return value >= lower - slack && value <= upper + slack; }
 };
 
-// One value per joint of an arm; rad, mm. Its memory is its own: computing with it allocates nothing.
+// One value per joint of an arm; rad, mm. Stored inline: computing with it allocates nothing.
 inline constexpr int kMostArmJoints = 24;
 using ArmValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostArmJoints, 1>;
 using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostArmJoints>;
 
-// A kinematic chain of joints from a base to a tip, for fast computation. Immutable; any thread. Nothing but of()
-// and withTool() allocates.
+// A kinematic chain of joints from a base to a tip, for fast computation. Immutable; any thread. Only of() and
+// withTool() allocate.
 class SerialArm {
  public:
   // tip: in the frame of the last joint. At most kMostArmJoints joints.
   SerialArm(std::vector<ArmJoint> joints, const Pose& tip) : m_joints(std::move(joints)), m_tip(tip) {}
 
-  // The joints between two links of a robot, the nearer one to the root first, and the degrees of freedom that they
-  // are. Errors: ElementMalformed {robot, reason} where the tip does not hang on the base, a degree of freedom moves
-  // more than one joint, or there are too many.
+  // Returns the joints between two links of a robot, the nearer one to the root first, and their degrees of freedom.
+  // Errors: ElementMalformed {robot, reason} if the tip does not depend on the base, a degree of freedom moves more
+  // than one joint, or there are too many.
   struct InRobot;
   static Result<InRobot> of(const RobotModel& robot, std::uint32_t base, std::uint32_t tip);
 
@@ -42,21 +43,21 @@ class SerialArm {
   std::span<const ArmJoint> joints() const { return m_joints; }
   const Pose& tip() const { return m_tip; }
 
-  // The pose of the tip in the base (forward kinematics; He 2008, equations 6-2 and 6-3).
+  // Returns the pose of the tip in the base (forward kinematics; He 2008, equations 6-2 and 6-3).
   Pose tipPose(const ArmValues& values) const;
-  // The same, and the Jacobian of the tip in the frame of the base: rows 0–2 mm/rad or mm/mm, rows 3–5 rad/rad or 0
+  // Also computes the Jacobian of the tip in the frame of the base: rows 0–2 mm/rad or mm/mm, rows 3–5 rad/rad or 0
   // (equations 6-6 and 6-7).
   Pose tipPose(const ArmValues& values, ArmJacobian& jacobian) const;
-  // The frames of all joints in the base; as many as there are joints.
+  // Computes the frames of all joints in the base; as many as there are joints.
   void jointPoses(const ArmValues& values, std::span<Pose> poses) const;
 
-  // The same joints, with the tip at this pose in that of this arm.
+  // Returns the same joints with another tip; tool: its pose in the present tip.
   SerialArm withTool(const Pose& tool) const { return {m_joints, m_tip * tool}; }
 
   bool isWithinLimits(const ArmValues& values, double slack = 1e-9) const;
-  // The middle of each joint's range; 0 where it is not bounded on both sides.
+  // Returns the middle of each joint's range; 0 if it is not bounded on both sides.
   ArmValues middle() const;
-  // The length of the arm (mm): what its joints are apart, and the travel of its slides.
+  // Returns the length of the arm (mm): the distances between its joints, and the travel of its slides.
   double reach() const;
 
  private:
@@ -66,21 +67,21 @@ class SerialArm {
 
 struct SerialArm::InRobot {
   SerialArm arm;
-  std::vector<std::uint32_t> dofs;  // of the robot, one per joint of the arm
+  std::vector<std::uint32_t> dofs;  // degrees of freedom of the robot, one per joint of the arm
 };
 
-// A row of a table after Denavit and Hartenberg, in its standard form: a turn by `theta` about z, a way `d` along z, a
-// way `a` along the new x, a turn by `alpha` about it.
+// A row of a Denavit-Hartenberg table in its standard form: a rotation by `theta` about z, a translation `d` along z, a
+// translation `a` along the new x, a rotation by `alpha` about it.
 struct DhRow {
-  double a = 0.0, alpha = 0.0, d = 0.0, theta = 0.0;  // mm, rad; theta, of a slide d, is added to the joint's value
-  double sign = 1.0;                                  // of the joint's value: 1 or -1
+  double a = 0.0, alpha = 0.0, d = 0.0, theta = 0.0;  // mm, rad; theta, or d of a slide, is added to the joint's value
+  double sign = 1.0;                                  // sign of the joint's value: 1 or -1
   bool isPrismatic = false;
-  double lower = -std::numeric_limits<double>::infinity();  // rad, mm; of the joint's value
+  double lower = -std::numeric_limits<double>::infinity();  // rad, mm; limits of the joint's value
   double upper = std::numeric_limits<double>::infinity();
   std::optional<double> velocity = {};  // rad/s, mm/s
 };
 
-// The arm of such a table. Its tip is the last frame.
+// Returns the arm of such a table. Its tip is the last frame.
 SerialArm armOf(std::span<const DhRow> table);
 
 }  // namespace handwheel

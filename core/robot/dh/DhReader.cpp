@@ -23,7 +23,7 @@ Error malformedTable(std::string element, const char* reason) {
   return {ErrorCode::ElementMalformed, {std::move(element), reason}, {}, {}};
 }
 
-// A number of a joint; none: it is there, but is no number within ±largest.
+// Returns a number of a joint; none if it is present, but is no number within ±largest.
 std::optional<double> numberAt(const Json& joint, const char* key, double otherwise, double largest) {
   const auto found = joint.find(key);
   if (found == joint.end() || found->is_null()) return otherwise;

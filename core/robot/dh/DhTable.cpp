@@ -28,7 +28,7 @@ class Builder {
     m_robot.links[link].collisions.push_back({index, origin, colour});
   }
 
-  // A cylinder from one point to another, with round ends of the same radius where they are to be.
+  // Adds a cylinder from one point to another, with round ends of the same radius if requested.
   void addBar(std::uint32_t link, const Vec3& from, const Vec3& to, double radius) {
     const double length = (to - from).norm();
     if (length < 1e-9 * radius) return;
@@ -42,7 +42,7 @@ class Builder {
     add(link, SphereShape{radius}, Pose(Eigen::Translation3d(at)), kOrange);
   }
 
-  // The housing of a joint, about the z axis of its frame.
+  // Adds the housing of a joint, about the z axis of its frame.
   void addHousing(std::uint32_t link, double radius) {
     add(link, CylinderShape{1.15 * radius, 2.3 * radius}, Pose::Identity(), kGrey);
   }
@@ -51,7 +51,7 @@ class Builder {
   RobotModel& m_robot;
 };
 
-// The plain shape of a link: along the joint's axis, then across to the next joint.
+// Draws the plain shape of a link: along the joint's axis, then across to the next joint.
 void drawLink(Builder& builder, std::uint32_t link, const DhRow& row, double radius) {
   const Vec3 end = afterJoint(row).translation(), corner(0.0, 0.0, end.z());
   builder.addHousing(link, radius);

@@ -7,47 +7,47 @@
 
 namespace handwheel {
 
-// A joint of a robot that a table after Denavit and Hartenberg describes.
+// A joint of a robot in a Denavit-Hartenberg table.
 struct DhJoint : DhRow {
   std::string name;
   std::optional<double> effort = {};  // N·m, N; none: unknown
   std::string mesh = {};              // file of the link that it moves, in the frame of its row; empty: none
 };
 
-// A robot as such a table.
+// A robot as a Denavit-Hartenberg table.
 struct DhTable {
   std::string name;
   std::vector<DhJoint> joints;
-  std::string baseMesh = {};  // likewise, of what does not move
-  double meshUnit = 1.0;      // mm, of the numbers in the meshes
-  double thickness = 0.0;     // mm, of links without a mesh; 0: by the size of the robot
+  std::string baseMesh = {};  // likewise, for the part that does not move
+  double meshUnit = 1.0;      // mm per unit of the meshes
+  double thickness = 0.0;     // mm, for links without a mesh; 0: by the size of the robot
 };
 
-// The tree of links of a table: "base", a link for each joint ("link_1", …) and, where the last frame is, "flange". The
-// frame of a link is where its joint turns it; a mesh stands in the frame of its row. Links without a mesh are drawn as
-// plain cylinders between their joints.
+// Returns the link tree of a table: "base", a link for each joint ("link_1", …) and, at the last frame, "flange". The
+// frame of a link is at its joint; a mesh is in the frame of its row. Links without a mesh are drawn as plain cylinders
+// between their joints.
 RobotModel robotOf(const DhTable& table);
 
-// The pairs of links with a short one between them, whose plain cylinders overlap: their collisions tell nothing. None
-// where links have meshes.
+// Returns the pairs of links with a short one between them, whose plain cylinders overlap: their collisions mean
+// nothing. None if links have meshes.
 std::set<LinkPair> overlappingLinks(const DhTable& table);
 
 // Reads a table from JSON; docs/robots.md has the keys. Limits: kMostArmJoints joints. Errors: ElementMalformed
 // {element, reason}, ValueOutOfRange, those of parseJson().
 Result<DhTable> readDhTable(std::string_view json);
-// Whether a file is such a table, by its first bytes.
+// Returns true if a file is such a table, by its first bytes.
 bool looksLikeDhTable(std::string_view head);
 
-// The robots that come with the program, by the tables of their manufacturers, as far as these are published.
+// A robot that comes with the program, from the published table of its manufacturer.
 struct LibraryRobot {
   const char* id;     // "irb120"
   const char* title;  // "ABB IRB 120-3/0.6"
   double payload;     // kg
 };
 std::span<const LibraryRobot> robotLibrary();
-// The one of these that a model is, by its name; null: none.
+// Returns the library robot with this model name; null: none.
 const LibraryRobot* libraryRobot(std::string_view model);
-// Null: there is no such robot.
+// Returns null if there is no such robot.
 const DhTable* libraryTable(std::string_view id);
 
 }  // namespace handwheel

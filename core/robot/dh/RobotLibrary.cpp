@@ -19,7 +19,8 @@ struct Published {
 };
 
 constexpr std::array<double, 6> kPlain{1, 1, 1, 1, 1, 1}, kUnknown{};
-// Arms whose second and third joint bend in a plane through the first axis, with three axes that meet in the wrist.
+// Twist angles of arms whose second and third joint bend in a plane through the first axis, with three axes that meet
+// in the wrist.
 constexpr std::array<double, 6> kSixAxis{-90, 0, -90, 90, -90, 0}, kSixAxisZero{0, -90, 0, 0, 0, 180};
 constexpr std::array<double, 6> kStaubli{-90, 0, 90, -90, 90, 0}, kStaubliZero{0, -90, 90, 0, 0, 0};
 constexpr std::array<double, 6> kUniversal{90, 0, 0, 90, -90, 0};

@@ -10,24 +10,24 @@ namespace handwheel {
 
 namespace {
 
-struct ArmPlaces {
+struct ArmPoints {
   Vec3 base, up, shoulder, elbow, wrist, across;  // mm; across: the second axis
 };
 
-ArmPlaces placesOf(const SerialArm& arm, const ArmValues& values) {
+ArmPoints pointsOf(const SerialArm& arm, const ArmValues& values) {
   std::array<Pose, 6> poses;
   arm.jointPoses(values, poses);
-  const Vec3 first = poses[0].linear().col(2);  // down where the joint counts the other way round
+  const Vec3 first = poses[0].linear().col(2);  // down if the joint has a negative sign
   return {poses[0].translation(), first.z() < 0.0 ? Vec3(-first) : first,
           poses[1].translation(), poses[2].translation(),
           poses[4].translation(), poses[1].linear().col(2)};
 }
 
-constexpr double kLimitSlack = 1e-5;  // rad: so far beyond its limits files may place an axis, as they round poses
+constexpr double kLimitSlack = 1e-5;  // rad: excess over its limits of an axis in a file, as files round poses
 
 enum class Slack { Least, OfRounding };
 
-// Moved by whole turns, within the limits; of those that are wanted the nearest.
+// Moves a value by whole turns into the limits; returns the nearest of the accepted ones.
 std::optional<double> turnedInto(const ArmJoint& joint, double value, double near,
                                  const std::function<bool(double)>& takes) {
   std::optional<double> nearest;
@@ -40,8 +40,9 @@ std::optional<double> turnedInto(const ArmJoint& joint, double value, double nea
   return nearest;
 }
 
-std::optional<ArmValues> nearestOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
-                                      const Pose& tip, const ArmValues& reference, Slack slack) {
+std::optional<ArmValues> nearestOfConfiguration(const WantedConfiguration& wanted, const SerialArm& arm,
+                                                const ClosedFormIk& closed, const Pose& tip, const ArmValues& reference,
+                                                Slack slack) {
   IkSolutions solutions;
   closed.solve(tip, reference, solutions);
   std::optional<ArmValues> nearest;
@@ -64,7 +65,7 @@ std::optional<ArmValues> nearestOfWay(const WantedWay& wanted, const SerialArm& 
 }  // namespace
 
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values) {
-  const ArmPlaces rest = placesOf(arm, ArmValues::Zero(6)), now = placesOf(arm, values);
+  const ArmPoints rest = pointsOf(arm, ArmValues::Zero(6)), now = pointsOf(arm, values);
   const double side = (rest.wrist - rest.base).dot(rest.across.cross(rest.up)) < 0.0 ? -1.0 : 1.0;
   const Vec3 forward = side * now.across.cross(now.up), across = now.up.cross(forward);
   ControllerConfiguration configuration;
@@ -92,17 +93,18 @@ double jointRounding(const ArmValues& values, Eigen::Index joint) {
   return isBesideFifth && !isWristInLine(values) ? kPoseRounding / std::abs(std::sin(values[4])) : kPoseRounding;
 }
 
-std::optional<ArmValues> jointsOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
-                                     const Pose& tip, std::span<const ArmValues> references) {
+std::optional<ArmValues> jointsOfConfiguration(const WantedConfiguration& wanted, const SerialArm& arm,
+                                               const ClosedFormIk& closed, const Pose& tip,
+                                               std::span<const ArmValues> references) {
   const auto found = [&](const Pose& pose, Slack slack) -> std::optional<ArmValues> {
     for (const ArmValues& reference : references) {
-      if (auto values = nearestOfWay(wanted, arm, closed, pose, reference, slack)) return values;
+      if (auto values = nearestOfConfiguration(wanted, arm, closed, pose, reference, slack)) return values;
     }
     return std::nullopt;
   };
   if (auto values = found(tip, Slack::Least)) return values;
   if (auto values = found(tip, Slack::OfRounding)) return values;
-  // Written with the axes in line, and rounded: the turns of the axes 4 and 6 come from the rounding.
+  // The pose was written with the axes in line, and rounded: the angles of the axes 4 and 6 come from the rounding.
   IkSolutions solutions;
   closed.solve(tip, references.front(), solutions);
   for (const IkSolutions::Solution& solution : solutions) {

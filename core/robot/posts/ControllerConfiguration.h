@@ -10,42 +10,44 @@
 
 namespace handwheel {
 
-// The configuration of an arm with a spherical wrist, as controllers denote it. It says in which of its ways the arm
-// reaches a pose.
+// The configuration of an arm with a spherical wrist, as controllers denote it. It distinguishes the solutions for a
+// pose.
 struct ControllerConfiguration {
-  bool isRear = false;       // the wrist is behind the first axis, seen from how the arm looks with all joints at 0
+  // The wrist is behind the first axis, relative to the direction that the arm faces with all joints at 0.
+  bool isRear = false;
   bool isElbowDown = false;  // the wrist is behind the lower arm
   bool isFlipped = false;    // the fifth joint is below 0
 };
 
-// Six revolute joints.
+// Returns the configuration of an arm of six revolute joints.
 ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
-// The closed form of an arm whose ways such a configuration tells apart, which is one with a spherical wrist. None: it
-// is another.
+// Returns the closed form of an arm whose solutions are distinguished by such a configuration, which is one with a
+// spherical wrist. None for others.
 std::optional<ClosedFormIk> closedFormOfSphericalWrist(const SerialArm& arm);
 
-// rad: so far may a place in a file have the tip turned, as files round poses.
+// Orientation error of the tip, rad, that the rounding of poses in files may cause.
 inline constexpr double kPoseRounding = 1e-4;
 
-// Axis 5 is so near 0 that only the sum of the turns of the axes 4 and 6 is given by a pose of a file.
+// Returns true if axis 5 is so near 0 that a pose of a file determines only the sum of the angles of the axes 4 and 6.
 bool isWristInLine(const ArmValues& values);
 
-// How far a joint may be from where it was when a pose was written to a file; rad. The nearer the axes 4 and 6 are to
-// being in line, the more these. Not where they are in line.
+// Returns the error of a joint, rad, that the rounding of a pose in a file may cause. It grows for the axes 4 and 6 the
+// nearer they are to being in line. Not defined if they are in line.
 double jointRounding(const ArmValues& values, Eigen::Index joint);
 
-// What the joint values of a way must be like.
-struct WantedWay {
-  // The value of a joint, counted with its whole turns, and how far it may be off; rad.
+// The conditions on the joint values of a solution.
+struct WantedConfiguration {
+  // Accepts the value of a joint, counted with its whole turns; the last argument is its tolerance; rad.
   std::function<bool(Eigen::Index, double, double)> takesJoint;
-  std::function<bool(const ArmValues&)> takes;  // all of them together
+  std::function<bool(const ArmValues&)> takes;  // accepts all of them together
 };
 
-// The joint values that are wanted, within the limits, which bring the tip of the arm there as exactly as files have
-// it; the nearest to the first of the references where they leave a choice. The others are tried after it: where two
-// axes are in line, their share in the turn is from these. None: there are none. closed: that of the arm.
-std::optional<ArmValues> jointsOfWay(const WantedWay& wanted, const SerialArm& arm, const ClosedFormIk& closed,
-                                     const Pose& tip, std::span<const ArmValues> references);
+// Finds the accepted joint values within the limits that bring the tip of the arm to a pose within the rounding of
+// files; if there are several, the nearest to the first of the references. The others are tried after it: if two axes
+// are in line, their share of the rotation comes from these. None: there are none. closed: that of the arm.
+std::optional<ArmValues> jointsOfConfiguration(const WantedConfiguration& wanted, const SerialArm& arm,
+                                               const ClosedFormIk& closed, const Pose& tip,
+                                               std::span<const ArmValues> references);
 
 }  // namespace handwheel

@@ -34,11 +34,11 @@ FanucConfiguration fanucConfigurationOf(const SerialArm& arm, const ArmValues& v
   return configuration;
 }
 
-std::optional<FanucConfiguration> fanucConfigurationFrom(std::string_view place) {
+std::optional<FanucConfiguration> fanucConfigurationFrom(std::string_view position) {
   constexpr std::string_view kName = "CONFIG";
-  const std::size_t at = place.find(kName);
-  if (at == place.npos) return std::nullopt;
-  LineReader line(place.substr(at + kName.size()), 0);
+  const std::size_t at = position.find(kName);
+  if (at == position.npos) return std::nullopt;
+  LineReader line(position.substr(at + kName.size()), 0);
   if (!line.take(":") || !line.take("'")) return std::nullopt;
   const auto isFirst = [&](const char* one, const char* other) -> std::optional<bool> {
     if (line.takeWord(one)) return true;
@@ -69,14 +69,14 @@ std::optional<ArmValues> jointsWith(const FanucConfiguration& wanted, const Seri
     return now.isUp == wanted.isUp && now.isBack == wanted.isBack &&
            (now.isFlipped == wanted.isFlipped || isWristInLine(values));
   };
-  // Where two axes are in line, the solution has the first from the reference, and the other is in any of its turns.
+  // If two axes are in line, the solution has the first from the reference, and the other is in any of its turns.
   ArmValues within = reference;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     double& value = within[kTurningJoints[i]];
     const double middle = 2.0 * M_PI * wanted.turns[i];
     value = std::clamp(value, middle - M_PI, middle + M_PI);
   }
-  return jointsOfWay({takesJoint, takes}, arm, closed, tip, std::array{within});
+  return jointsOfConfiguration({takesJoint, takes}, arm, closed, tip, std::array{within});
 }
 
 }  // namespace handwheel

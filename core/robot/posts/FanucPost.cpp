@@ -15,20 +15,20 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kLongestFanucName = 8;  // that every controller takes
-constexpr std::size_t kLongestPlaceName = 16;
+constexpr std::size_t kLongestFanucName = 8;  // limit that every controller accepts
+constexpr std::size_t kLongestPositionName = 16;
 constexpr std::size_t kLongestFanucRemark = 25;  // with its sign; teach pendants cut what is longer
 // The last user frame, and the position register by which a program sets it.
 constexpr int kOwnFrame = 9;
 constexpr const char* kSetsFrame = "!Sets UFRAME[";
 
-// This maker counts the third joint from the horizontal: less what the second has turned.
+// Converts the third joint to this maker's convention, which measures it from the horizontal: minus the second.
 ArmValues counted(ArmValues values, double sign) {
   values[2] -= sign * values[1];
   return values;
 }
 
-// The world frame in the base: this maker puts it at the height of the second axis.
+// Returns the world frame in the base, which this maker puts at the height of the second axis.
 Pose fanucWorld(const SerialArm& arm) {
   std::array<Pose, 6> axes;
   arm.jointPoses(ArmValues::Zero(6), axes);
@@ -36,9 +36,9 @@ Pose fanucWorld(const SerialArm& arm) {
   return Pose(Eigen::Translation3d(up.dot(axes[1].translation()) * up));
 }
 
-// In the frame of the cell, which the program sets itself, or in the world frame, which is user frame 0. Neither needs
-// an entry on the controller.
-std::string placeText(const RobotProgram& program, const ProgramMotion& motion) {
+// Returns a position in the frame of the cell, which the program sets itself, or in the world frame, which is user
+// frame 0. Neither needs an entry on the controller.
+std::string positionText(const RobotProgram& program, const ProgramMotion& motion) {
   const bool isInFrame = !program.frameName.empty();
   std::string text = "   GP1:\n   UF : " + std::to_string(isInFrame ? kOwnFrame : 0) + ", UT : 1,";
   if (motion.kind == ProgramMotion::Kind::Joint) {
@@ -51,8 +51,8 @@ std::string placeText(const RobotProgram& program, const ProgramMotion& motion) 
     return text;
   }
   const Pose frame = isInFrame ? program.frame : fanucWorld(program.arm);
-  const Pose place = frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-  const Vec3 at = place.translation(), turn = zyxAngles(place.linear()) / kRadiansPerDegree;
+  const Pose pose = frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+  const Vec3 at = pose.translation(), turn = zyxAngles(pose.linear()) / kRadiansPerDegree;
   text += " CONFIG : '" + fanucConfigurationOf(program.arm, motion.joints).text() + "',\n";
   text += "   X = " + fixedText(at.x(), 5) + " mm, Y = " + fixedText(at.y(), 5) + " mm, Z = " + fixedText(at.z(), 5) +
           " mm,\n";
@@ -67,7 +67,7 @@ std::string fanucSpeed(const ProgramMotion& motion) {
   return (tenths.ends_with(".0") ? tenths.substr(0, tenths.size() - 2) : tenths) + "mm/sec";
 }
 
-// A sentence as remarks that are short enough.
+// Splits a sentence into remarks that are short enough.
 void addRemark(std::string_view sentence, std::vector<std::string>& lines) {
   constexpr std::size_t kLongest = kLongestFanucRemark;
   std::string line = "!";
@@ -84,7 +84,7 @@ void addRemark(std::string_view sentence, std::vector<std::string>& lines) {
   if (line.size() > 1) lines.push_back(line);
 }
 
-// The instructions that set the frame of the cell as a user frame, by way of a position register.
+// Returns the instructions that set the frame of the cell as a user frame, through a position register.
 std::vector<std::string> frameLines(const RobotProgram& program) {
   const Pose frame = fanucWorld(program.arm).inverse(Eigen::Isometry) * program.frame;
   const Vec3 at = frame.translation(), turn = zyxAngles(frame.linear()) / kRadiansPerDegree;
@@ -95,7 +95,7 @@ std::vector<std::string> frameLines(const RobotProgram& program) {
   const double values[] = {at.x(), at.y(), at.z(), turn.z(), turn.y(), turn.x()};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     const std::string value = fixedText(values[i], i < 3 ? 5 : 7);
-    const bool isBelow = value.starts_with('-');  // which the language has in brackets
+    const bool isBelow = value.starts_with('-');  // the language requires brackets around it
     lines.push_back(position + "," + std::to_string(i + 1) + "]=" + (isBelow ? "(" + value + ")" : value));
   }
   lines.push_back("UFRAME[" + number + "]=" + position + "]");
@@ -103,7 +103,7 @@ std::vector<std::string> frameLines(const RobotProgram& program) {
   return lines;
 }
 
-// What stands before the motions.
+// Returns the lines before the motions.
 std::vector<std::string> headLines(const RobotProgram& program) {
   std::vector<std::string> lines;
   if (program.hasPlainShapes) lines = {"!Collisions were checked", "!with simplified shapes", "!of the robot"};
@@ -123,11 +123,11 @@ std::vector<std::string> headLines(const RobotProgram& program) {
   return lines;
 }
 
-// The places of a /POS section, by their numbers: what they set, by name.
-using FanucPlace = std::map<std::string, double, std::less<>>;
+// The positions of a /POS section, by their numbers: their components, by name.
+using FanucPosition = std::map<std::string, double, std::less<>>;
 
-// "UF : 0, J1 = 1.5 deg, X = 2 mm": each name with its number. Others are passed over.
-void readAssignments(std::string_view text, FanucPlace& place) {
+// Reads "UF : 0, J1 = 1.5 deg, X = 2 mm": each name with its number. Others are skipped.
+void readAssignments(std::string_view text, FanucPosition& position) {
   for (std::size_t at = text.find_first_of("=:"); at != text.npos; at = text.find_first_of("=:", at + 1)) {
     std::size_t end = at;
     while (end > 0 && text[end - 1] == ' ') --end;
@@ -135,22 +135,22 @@ void readAssignments(std::string_view text, FanucPlace& place) {
     while (begin > 0 && text[begin - 1] != ' ' && text[begin - 1] != ',' && text[begin - 1] != '\t') --begin;
     LineReader value(text.substr(at + 1), 0);
     if (const auto number = value.number(); number && end - begin <= 2)
-      place[std::string(text.substr(begin, end - begin))] = *number;
+      position[std::string(text.substr(begin, end - begin))] = *number;
   }
 }
 
-std::optional<std::vector<double>> valuesOf(const FanucPlace& place, std::initializer_list<const char*> names) {
+std::optional<std::vector<double>> valuesOf(const FanucPosition& position, std::initializer_list<const char*> names) {
   std::vector<double> values;
   for (const char* const name : names) {
-    const auto found = place.find(name);
-    if (found == place.end()) return std::nullopt;
+    const auto found = position.find(name);
+    if (found == position.end()) return std::nullopt;
     values.push_back(found->second);
   }
   return values;
 }
 
-// "P[12]", or with a remark "P[12:home]": the number. 0: none.
-std::size_t placeNumber(LineReader& line) {
+// Reads the number of "P[12]", or with a remark "P[12:home]". 0: none.
+std::size_t positionNumber(LineReader& line) {
   if (!line.take("P[")) return 0;
   const auto number = line.number();
   if (!number || !(*number >= 1.0 && *number <= static_cast<double>(PostProcessor::kMostMotions))) return 0;
@@ -158,13 +158,13 @@ std::size_t placeNumber(LineReader& line) {
   return static_cast<std::size_t>(*number);
 }
 
-// The remark of "P[12:home]"; empty: it has none.
-std::string_view placeRemark(std::string_view place) {
-  const std::size_t begin = place.find(':'), end = place.find(']');
-  return begin < end && end != place.npos ? place.substr(begin + 1, end - begin - 1) : std::string_view();
+// Returns the remark of "P[12:home]"; empty: none.
+std::string_view positionRemark(std::string_view position) {
+  const std::size_t begin = position.find(':'), end = position.find(']');
+  return begin < end && end != position.npos ? position.substr(begin + 1, end - begin - 1) : std::string_view();
 }
 
-// What follows the target: "50%", "100mm/sec", "60cm/min", "4inch/min". None: another unit, as seconds.
+// Parses the speed after the target: "50%", "100mm/sec", "60cm/min", "4inch/min". None: another unit, as seconds.
 std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
   const auto value = line.number();
   if (!value || !(*value > 0.0)) return std::nullopt;
@@ -175,7 +175,8 @@ std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
   return std::nullopt;
 }
 
-// Beginnings of what neither moves the robot nor changes where others lead. What is in no list is refused.
+// Beginnings of statements that neither move the robot nor change the effect of others. Anything that is in no list is
+// refused.
 constexpr std::array kFanucStill = {"UFRAME_NUM", "UTOOL_NUM", "WAIT",    "DO[",  "RO[",
                                     "GO[",        "AO[",       "F[",      "R[",   "PAYLOAD",
                                     "TIMER",      "OVERRIDE",  "MESSAGE", "COL ", "$WAITTMOUT"};
@@ -189,35 +190,35 @@ class FanucReading {
     LineReader line(statement.text, statement.line);
     if (line.take("/")) {
       m_isInLines = line.takeWord("MN");
-      m_isInPlaces = !m_isInLines && line.takeWord("POS");
+      m_isInPositions = !m_isInLines && line.takeWord("POS");
       return Done{};
     }
-    if (m_isInPlaces) readPlace(line);
+    if (m_isInPositions) readPosition(line);
     return m_isInLines ? readLine(statement) : Status(Done{});
   }
 
-  // With the places that they lead to.
+  // Returns the motions with their positions.
   Result<std::vector<ParsedMotion>> motions() {
     std::vector<ParsedMotion> all;
     std::optional<double> tool;
-    ArmValues reference = ArmValues::Zero(m_program.arm.size());  // where the joints are, as far as the program says
+    ArmValues reference = ArmValues::Zero(m_program.arm.size());  // joint values, as far as the program defines them
     for (auto& [number, motion] : m_motions) {
-      const FanucPlace& place = m_places[number];
-      if (const auto joints = valuesOf(place, {"J1", "J2", "J3", "J4", "J5", "J6"});
+      const FanucPosition& position = m_positions[number];
+      if (const auto joints = valuesOf(position, {"J1", "J2", "J3", "J4", "J5", "J6"});
           joints && m_program.arm.size() == 6) {
         motion.joints = counted(radiansOf(*joints), -1.0);
-        if (const auto set = m_frames.find(frameNumber(place)); set != m_frames.end()) setFrame(*set, motion);
-      } else if (const auto pose = valuesOf(place, {"X", "Y", "Z", "R", "P", "W"})) {
-        // User frames but the world are on the controller, unless the program sets them.
-        const double inFrame = frameNumber(place);
+        if (const auto set = m_frames.find(frameNumber(position)); set != m_frames.end()) setFrame(*set, motion);
+      } else if (const auto pose = valuesOf(position, {"X", "Y", "Z", "R", "P", "W"})) {
+        // User frames except the world are on the controller, unless the program sets them.
+        const double inFrame = frameNumber(position);
         const auto set = m_frames.find(inFrame);
         if (m_program.arm.size() != 6 || (inFrame != 0.0 && set == m_frames.end())) {
           return Error{
               ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
         }
         if (inFrame != 0.0) setFrame(*set, motion);
-        // The data of tools are on the controller: 0 is the flange, the other one that of the cell.
-        const auto named = valuesOf(place, {"UT"});
+        // The data of tools are on the controller: 0 is the flange, the other one the tool of the cell.
+        const auto named = valuesOf(position, {"UT"});
         const double used = named ? named->front() : 1.0;
         if (used != 0.0 && used != tool.value_or(used))
           return LineReader({}, motion.line).malformed("target", "it is of another tool than those before");
@@ -225,8 +226,8 @@ class FanucReading {
         Pose inWorld(Eigen::Translation3d((*pose)[0], (*pose)[1], (*pose)[2]));
         inWorld.linear() = fromZyx(Vec3((*pose)[3], (*pose)[4], (*pose)[5]) * kRadiansPerDegree);
         if (used == 0.0) motion.tool = Pose::Identity();
-        motion.pose = placeIn(m_program, motion.frame.value_or(fanucWorld(m_program.arm)), inWorld,
-                              used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
+        motion.pose = poseInProgram(m_program, motion.frame.value_or(fanucWorld(m_program.arm)), inWorld,
+                                    used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
         if (motion.kind == ProgramMotion::Kind::Joint && !takeConfiguration(number, reference, motion))
           return LineReader({}, motion.line)
               .malformed("target", "the robot reaches its place in no way with this configuration");
@@ -240,12 +241,12 @@ class FanucReading {
   }
 
  private:
-  // Of a joint motion to a pose the joint values that its CONFIG names, if it names any. A line goes on in the way in
-  // which it begins. False: no way of the robot has them.
-  bool takeConfiguration(std::size_t place, const ArmValues& reference, ParsedMotion& motion) const {
-    const auto wanted = m_ways.find(place);
-    if (wanted == m_ways.end() || !m_closed) {
-      motion.isWayOpen = true;
+  // Sets the joint values of a joint motion to a pose from its CONFIG, if it has one. A line keeps the configuration in
+  // which it begins. Returns false if no solution of the robot has the CONFIG.
+  bool takeConfiguration(std::size_t position, const ArmValues& reference, ParsedMotion& motion) const {
+    const auto wanted = m_configurations.find(position);
+    if (wanted == m_configurations.end() || !m_closed) {
+      motion.isConfigurationOpen = true;
       return true;
     }
     const Pose tip = m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry);
@@ -260,7 +261,7 @@ class FanucReading {
     motion.frameName = named != m_frameNames.end() ? named->second : "UFRAME_" + fixedText(frame.first, 0);
   }
 
-  // "!Sets UFRAME[9], PR[9] to", and in the next line "!NAME".
+  // Reads "!Sets UFRAME[9], PR[9] to", and in the next line "!NAME".
   void readRemark(LineReader line) {
     if (m_named) {
       line.take("!");
@@ -271,29 +272,29 @@ class FanucReading {
     }
   }
 
-  void readPlace(LineReader& line) {
-    if (const std::size_t number = placeNumber(line)) {
+  void readPosition(LineReader& line) {
+    if (const std::size_t number = positionNumber(line)) {
       m_open = number;
       m_isOwnGroup = true;
     }
-    // Of several groups of motion the first is the robot.
+    // Only the first of several motion groups is the robot.
     for (std::size_t at = line.rest().find("GP"); at != std::string_view::npos; at = line.rest().find("GP")) {
-      takePlace(line.rest().substr(0, at));
+      takePosition(line.rest().substr(0, at));
       line.skip(at + 2);
       m_isOwnGroup = line.number().value_or(1.0) == 1.0 && line.take(":");
     }
-    takePlace(line.rest());
+    takePosition(line.rest());
   }
 
-  void takePlace(std::string_view text) {
+  void takePosition(std::string_view text) {
     if (m_open == 0 || !m_isOwnGroup) return;
-    readAssignments(text, m_places[m_open]);
-    if (const auto way = fanucConfigurationFrom(text)) m_ways[m_open] = *way;
+    readAssignments(text, m_positions[m_open]);
+    if (const auto configuration = fanucConfigurationFrom(text)) m_configurations[m_open] = *configuration;
   }
 
   Status readLine(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
-    line.number();  // of the line
+    line.number();  // number of the line
     line.take(":");
     line.skipSpace();
     if (line.rest().empty()) return Done{};
@@ -302,7 +303,7 @@ class FanucReading {
       return Done{};
     }
     m_named.reset();
-    // A time-out leads elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
+    // A time-out jumps elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
     if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
       return unread(line.rest(), statement.line);
     for (const char* const still : kFanucStill) {
@@ -313,26 +314,27 @@ class FanucReading {
       return readsFrame(line) ? Status(Done{}) : unread(whole, statement.line);
     const bool isJoint = line.takeWord("J"), isLinear = !isJoint && line.takeWord("L");
     if (!isJoint && !isLinear) return unread(whole, statement.line);
-    const std::string_view place = line.rest();
-    const std::size_t number = placeNumber(line);
+    const std::string_view position = line.rest();
+    const std::size_t number = positionNumber(line);
     if (number == 0) return line.malformed("target", "P[number] was expected");
     if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("J", "there are too many motions");
     ParsedMotion motion{
         isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
-    motion.name = readName(placeRemark(place));
+    motion.name = readName(positionRemark(position));
     motion.speed = fanucSpeedFrom(line, isJoint);
     if (const Status options = readOptions(line, statement.line); !options) return options.error();
     m_motions.emplace_back(number, std::move(motion));
     return Done{};
   }
 
-  // The number of the frame that a place is in; below 0: it does not say.
-  static double frameNumber(const FanucPlace& place) {
-    const auto found = place.find("UF");
-    return found == place.end() ? -1.0 : found->second;
+  // Returns the number of the frame of a position; below 0: not given.
+  static double frameNumber(const FanucPosition& position) {
+    const auto found = position.find("UF");
+    return found == position.end() ? -1.0 : found->second;
   }
 
-  // "PR[9]=LPOS-LPOS", "PR[9,1]=(-12.5)", "UFRAME[9]=PR[9]" before all motions. False: it is none of these.
+  // Reads "PR[9]=LPOS-LPOS", "PR[9,1]=(-12.5)", "UFRAME[9]=PR[9]" before all motions. Returns false for other
+  // statements.
   bool readsFrame(LineReader line) {
     if (!m_motions.empty() || m_program.arm.size() != 6) return false;
     const bool isFrame = line.take("UFRAME[");
@@ -372,10 +374,11 @@ class FanucReading {
     return false;
   }
 
-  // After the speed: "FINE", "CNT50", "ACC80", "Wjnt", "PTH"; others, as Offset, Tool_Offset or INC, change the place.
+  // Reads the words after the speed: "FINE", "CNT50", "ACC80", "Wjnt", "PTH"; others, as Offset, Tool_Offset or INC,
+  // change the position.
   static Status readOptions(LineReader line, std::size_t number) {
     line.number();
-    line.skip(std::min(line.rest().find_first_of(" \t"), line.rest().size()));  // the unit of the speed
+    line.skip(std::min(line.rest().find_first_of(" \t"), line.rest().size()));  // unit of the speed
     for (line.skipSpace(); !line.rest().empty(); line.skipSpace()) {
       if (line.takeWord("FINE") || line.takeWord("Wjnt") || line.takeWord("PTH")) continue;
       LineReader valued = line;
@@ -390,13 +393,13 @@ class FanucReading {
   std::map<double, std::array<double, 6>> m_registers;  // X, Y, Z, W, P, R in mm and degrees, by their numbers
   std::map<double, std::string> m_frameNames;
   std::optional<double> m_named;    // frame whose name is in the next remark
-  std::map<double, Pose> m_frames;  // user frames in the base, by theirs
-  std::map<std::size_t, FanucPlace> m_places;
-  std::map<std::size_t, FanucConfiguration> m_ways;  // of places
+  std::map<double, Pose> m_frames;  // user frames in the base, by their numbers
+  std::map<std::size_t, FanucPosition> m_positions;
+  std::map<std::size_t, FanucConfiguration> m_configurations;  // by numbers of positions
   std::optional<ClosedFormIk> m_closed;
-  std::vector<std::pair<std::size_t, ParsedMotion>> m_motions;  // by the numbers of their places
+  std::vector<std::pair<std::size_t, ParsedMotion>> m_motions;  // by the numbers of their positions
   std::size_t m_open = 0;
-  bool m_isInLines = true, m_isInPlaces = false, m_isOwnGroup = true;
+  bool m_isInLines = true, m_isInPositions = false, m_isOwnGroup = true;
 };
 
 }  // namespace
@@ -406,21 +409,21 @@ std::string FanucPost::write(const RobotProgram& program) const {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   const std::vector<std::string> head = headLines(program);
-  std::string lines, places;
+  std::string lines, positions;
   std::size_t count = 0;
   for (const std::string& line : head) lines += "   " + std::to_string(++count) + ":  " + line + " ;\n";
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const ProgramMotion& motion = program.motions[i];
     const std::string number = std::to_string(i + 1);
-    const std::string remark = motion.name.empty() ? "" : identifierOf(motion.name, kLongestPlaceName);
+    const std::string remark = motion.name.empty() ? "" : identifierOf(motion.name, kLongestPositionName);
     lines += "   " + std::to_string(++count) + (motion.kind == ProgramMotion::Kind::Joint ? ":J P[" : ":L P[") +
              number + (remark.empty() ? "" : ":" + remark) + "] " + fanucSpeed(motion) + " FINE    ;\n";
-    places +=
-        "P[" + number + (remark.empty() ? "" : ":\"" + remark + "\"") + "]{\n" + placeText(program, motion) + "};\n";
+    positions +=
+        "P[" + number + (remark.empty() ? "" : ":\"" + remark + "\"") + "]{\n" + positionText(program, motion) + "};\n";
   }
   return "/PROG  " + name + "\n/ATTR\nOWNER\t\t= MNEDITOR;\nCOMMENT\t\t= \"HANDWHEEL\";\nPROTECT\t\t= READ_WRITE;\n" +
          "LINE_COUNT\t= " + std::to_string(count) + ";\nDEFAULT_GROUP\t= 1,*,*,*,*;\n/MN\n" + lines + "/POS\n" +
-         places + "/END\n";
+         positions + "/END\n";
 }
 
 Result<std::vector<ParsedMotion>> FanucPost::read(std::string_view text, const RobotProgram& frame) const {

@@ -15,7 +15,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kLongestKrlName = 24;
-// Keywords and types of KRL, and the routines that programs of ours and of others call.
+// Keywords and types of KRL, and the routines that programs commonly call.
 constexpr const char* kKrlWords[] = {
     "and",      "anin",     "anout",   "axis",      "b_and",    "b_exor",  "b_not",    "b_or",      "bas",
     "bool",     "brake",    "case",    "cast_from", "cast_to",  "cclose",  "channel",  "char",      "cioctl",
@@ -39,13 +39,13 @@ std::string krlFrame(const Pose& pose) {
          fixedText(turn.x(), 7) + ",B " + fixedText(turn.y(), 7) + ",C " + fixedText(turn.z(), 7);
 }
 
-// What a program has set of speeds and zones so far.
+// The speeds and zones that a program has set so far.
 struct KrlSettings {
   std::array<std::optional<double>, 6> axes = {};  // shares of the largest
   std::optional<double> lineSpeed = {};            // mm/s
   std::optional<double> blend = {};                // mm; none: it is that of the controller
 
-  // Of the slowest axis: all axes of a motion end together.
+  // Returns the share of the slowest axis: all axes of a motion end together.
   std::optional<double> share() const {
     std::optional<double> least;
     for (const auto& axis : axes) {
@@ -54,8 +54,9 @@ struct KrlSettings {
     return least;
   }
 
-  // $VEL_AXIS[2]=50, in a loop $VEL_AXIS[I]=50; BAS(#VEL_PTP,50); $VEL.CP=0.1; BAS(#VEL_CP,0.1); $APO.CDIS=5. False: it
-  // is none of these. Zones that a technology package sets, as BAS(#CP_PARAMS,0.1) does, are on the controller.
+  // Reads $VEL_AXIS[2]=50, in a loop $VEL_AXIS[I]=50; BAS(#VEL_PTP,50); $VEL.CP=0.1; BAS(#VEL_CP,0.1); $APO.CDIS=5.
+  // Returns false for other statements. Zones of a technology package, as of BAS(#CP_PARAMS,0.1), are on the
+  // controller.
   bool take(LineReader line) {
     if (line.take("$VEL_AXIS[")) {
       const auto axis = line.number();
@@ -96,7 +97,7 @@ struct KrlSettings {
   }
 };
 
-// A whole number: 2, 'B010' or 'H2'.
+// Reads a whole number: 2, 'B010' or 'H2'.
 std::optional<unsigned> bitsOf(LineReader& line) {
   if (!line.take("'")) {
     const auto value = line.number();
@@ -111,7 +112,7 @@ std::optional<unsigned> bitsOf(LineReader& line) {
   return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
-// The values of "{X 1,Y 2,…}" under these names; none where one is missing. status: takes S and T.
+// Reads the values of "{X 1,Y 2,…}" under these names; none if one is missing. status: receives S and T.
 std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::array<const char*, 6>& names,
                                                KrlStatus* status = nullptr) {
   if (!line.take("{")) return std::nullopt;
@@ -146,11 +147,12 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
   return found == 0x3f ? std::optional(values) : std::nullopt;
 }
 
-// Words of what neither moves the robot nor changes where others lead. What is in no list is refused.
+// First words of statements that neither move the robot nor change the effect of others. Anything that is in no list is
+// refused.
 constexpr std::array kKrlStill = {"DEF",  "DECL", "INT",     "REAL",     "BOOL",     "CHAR",
                                   "EXT",  "INI",  "WAIT",    "CONTINUE", "HALT",     "PULSE",
                                   "ELSE", "CASE", "DEFAULT", "SIGNAL",   "PDAT_ACT", "LDAT_ACT"};
-// Functions that only compute or look, and words before brackets. Others may be routines that move the robot.
+// Functions without side effects, and words before brackets. Others may be routines that move the robot.
 constexpr const char* kKrlFunctions[] = {"abs",     "acos", "and",  "atan2", "b_and",    "b_exor", "b_not",
                                          "b_or",    "bas",  "case", "cos",   "exor",     "for",    "if",
                                          "inv_pos", "not",  "or",   "pulse", "sec",      "sin",    "sqrt",
@@ -174,7 +176,7 @@ class KrlReading {
   std::vector<ParsedMotion> motions;
   bool isOver() const { return m_isOver; }  // at the end of the first routine: calls of others are refused
 
-  // What a remark calls the next base.
+  // Reads the name of the next base from a remark.
   void readRemark(std::string_view whole) {
     if (whole.starts_with(kBaseName)) m_nextBase = readName(LineReader(whole.substr(kBaseName.size()), 0).name());
   }
@@ -211,8 +213,8 @@ class KrlReading {
   }
 
  private:
-  // "OFF", or the handler of faults that the maker's own programs begin with: "DECL 3 WHEN $STOPMESS==TRUE DO
-  // IR_STOPM()" and "ON 3". What others call may move the robot at any time.
+  // Recognises "OFF", or the handler of faults at the beginning of the maker's own programs: "DECL 3 WHEN
+  // $STOPMESS==TRUE DO IR_STOPM()" and "ON 3". Other routines may move the robot at any time.
   bool isHarmlessInterrupt(LineReader line) {
     if (line.takeWord("OFF")) return true;
     if (line.takeWord("ON")) return m_faultInterrupt && line.number() == m_faultInterrupt;
@@ -224,7 +226,7 @@ class KrlReading {
     return true;
   }
 
-  // True for what leaves places as they are: speeds, outputs, declarations, waiting.
+  // Returns true for statements that do not change positions: speeds, outputs, declarations, waiting.
   bool readsOver(LineReader line) {
     const bool isBas = LineReader(line).takeWord("BAS");
     for (const char* const frames : {"#TOOL", "#BASE", "#FRAMES"}) {
@@ -253,7 +255,7 @@ class KrlReading {
     return sign == 0 || line.rest()[0] == '.' || line.rest()[0] == '[';  // "A=1", "P.X=1", "A[1]=1"
   }
 
-  // "={X 1,…}" or "=$NULLFRAME"; what is on the controller is not known.
+  // Reads "={X 1,…}" or "=$NULLFRAME"; frames on the controller are not known.
   Status setFrame(LineReader& line, std::optional<Pose>& frame) {
     if (!m_blocks.empty()) return unread(m_blocks.back().text, m_blocks.back().line);
     frame = std::nullopt;
@@ -279,9 +281,9 @@ class KrlReading {
       motion.joints = radiansOf(*joints);
     } else if (KrlStatus status; const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"}, &status)) {
       if (!m_base || !m_tool) return line.malformed("target", "its tool or base is on the controller, not in the file");
-      motion.pose = placeIn(m_program, *m_base, poseOf(*frame), *m_tool);
+      motion.pose = poseInProgram(m_program, *m_base, poseOf(*frame), *m_tool);
       line = other;
-      // Controllers regard S and T of joint motions only.
+      // Controllers use S and T of joint motions only.
       if (isPtp && m_closed && (status.status || status.turn)) {
         motion.joints = jointsWith(status, m_program.arm, *m_closed, tipFor(*motion.pose), m_reference);
         if (!motion.joints) return line.malformed("target", "the robot reaches its place in no way with these S and T");
@@ -291,7 +293,7 @@ class KrlReading {
       return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
     }
     line.skipSpace();
-    // Other zones, as C_PTP, have no size in mm.
+    // Other zones, such as C_PTP, have no size in mm.
     const std::string_view zone = line.rest();
     if (!isPtp && m_settings.blend.value_or(-1.0) >= 0.0 && line.takeWord("C_DIS")) motion.blend = *m_settings.blend;
     line.skipSpace();
@@ -301,7 +303,7 @@ class KrlReading {
     return Done{};
   }
 
-  // Of the arm, for a pose of the program's tool in its frame.
+  // Returns the pose of the arm's tip for a pose of the program's tool in its frame.
   Pose tipFor(const Pose& pose) const { return m_program.frame * pose * m_program.tool.inverse(Eigen::Isometry); }
 
   static Pose poseOf(const std::array<double, 6>& frame) {
@@ -312,12 +314,12 @@ class KrlReading {
 
   const RobotProgram& m_program;
   std::optional<ClosedFormIk> m_closed;
-  ArmValues m_reference;  // where the joints are, as far as the program says
+  ArmValues m_reference;  // joint values, as far as the program defines them
   KrlSettings m_settings;
   std::optional<Pose> m_base, m_tool;  // in the base, in the flange; none: not known
   static constexpr const char* kAnyBase = "BASE";
   std::string m_baseName, m_nextBase = kAnyBase;
-  std::vector<ProgramStatement> m_blocks;  // of control flow, that are open
+  std::vector<ProgramStatement> m_blocks;  // open blocks of control flow
   std::optional<double> m_faultInterrupt;  // its number
   bool m_isToolSet = false;                // by the program; else m_tool is that of the cell
   bool m_isOver = false;
@@ -347,8 +349,8 @@ std::string KrlPost::write(const RobotProgram& program) const {
       if (motion.speed != speed) text += "$VEL.CP=" + fixedText(1e-3 * std::max(motion.speed, 0.01), 5) + "\n";
       speed = motion.speed;
       if (motion.blend > 0.0) text += "$APO.CDIS=" + fixedText(motion.blend, 3) + "\n";
-      const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-      text += "LIN {" + krlFrame(place) + "," + krlStatusOf(program.arm, motion.joints).text() + "}" +
+      const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+      text += "LIN {" + krlFrame(pose) + "," + krlStatusOf(program.arm, motion.joints).text() + "}" +
               (motion.blend > 0.0 ? " C_DIS\n" : "\n");
     }
   }

@@ -16,7 +16,7 @@ std::string bits(unsigned value, unsigned count) {
   return text + "'";
 }
 
-// off: how far the value may be off; rad.
+// off: tolerance of the value; rad.
 bool isOnSide(double value, bool isBelow, double off) {
   return std::abs(value) < off || (value < 0.0) == isBelow;
 }
@@ -44,12 +44,12 @@ KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values) {
 std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference) {
   const auto isBelow = [&](Eigen::Index i) { return (wanted.turn.value_or(0) >> i & 1u) != 0; };
-  const WantedWay way{
+  const WantedConfiguration conditions{
       [&](Eigen::Index i, double value, double off) { return !wanted.turn || isOnSide(value, isBelow(i), off); },
       [&](const ArmValues& values) { return !wanted.status || hasStatus(*wanted.status, arm, values); }};
-  if (!wanted.turn) return jointsOfWay(way, arm, closed, tip, std::array{reference});
-  // Where two axes are in line, the solution has the first from the reference. It is 0, or half a turn to its side: at
-  // one of these the other is on its own.
+  if (!wanted.turn) return jointsOfConfiguration(conditions, arm, closed, tip, std::array{reference});
+  // If two axes are in line, the solution has the first from the reference. It is 0, or half a turn to its side: at one
+  // of these the other axis is within its own half.
   ArmValues nearest = reference, none = reference, half = reference;
   for (const Eigen::Index i : {Eigen::Index{0}, Eigen::Index{3}}) {
     const double side = isBelow(i) ? -1.0 : 1.0;
@@ -57,7 +57,7 @@ std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& ar
     none[i] = 0.0;
     half[i] = side * M_PI;
   }
-  return jointsOfWay(way, arm, closed, tip, std::array{nearest, none, half});
+  return jointsOfConfiguration(conditions, arm, closed, tip, std::array{nearest, none, half});
 }
 
 }  // namespace handwheel

@@ -11,9 +11,9 @@ namespace handwheel {
 
 class ClosedFormIk;
 
-// S and T of KRL: in which way a robot reaches a pose.
+// S and T of KRL, which distinguish the solutions of a robot for a pose.
 struct KrlStatus {
-  // Bit 0: the wrist is behind axis 1 (overhead). Bit 1: axis 3 is beyond where the wrist is in line with the lower
+  // Bit 0: the wrist is behind axis 1 (overhead). Bit 1: axis 3 is beyond the alignment of the wrist with the lower
   // arm. Bit 2: axis 5 is below 0.
   std::optional<unsigned> status = {};
   std::optional<unsigned> turn = {};  // bit i - 1: axis i is below 0
@@ -21,11 +21,11 @@ struct KrlStatus {
   std::string text() const;  // "S 'B010',T 'B000010'"
 };
 
-// Six revolute joints.
+// Returns the status of an arm of six revolute joints.
 KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values);
 
-// The joint values with these S and T, within the limits, that bring the tip of the arm there; the nearest to the
-// reference where they leave a choice. None: there are none. closed: that of the arm.
+// Finds the joint values with these S and T, within the limits, for a pose of the arm's tip; if there are several, the
+// nearest to the reference. None: there are none. closed: that of the arm.
 std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference);
 

@@ -44,7 +44,7 @@ const ErrorDescription PostError::BaseUnknown{
         "ErrorText",
         "Use the built-in robot, add a link 'base' to the description, or give the motions joint values.")}};
 
-const ErrorDescription PostError::WayDiffers{
+const ErrorDescription PostError::ConfigurationDiffers{
     .id = "PostWayDiffers",
     .sentences = {translatable(
         "ErrorText", "along the line the arm does not come to its end with configuration %1, and controllers stop")},

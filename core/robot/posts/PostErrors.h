@@ -11,10 +11,11 @@ extern const ErrorDescription WrongJoints;  // {language, wanted, count} the con
 extern const ErrorDescription NoSlides;     // {language, joint}
 extern const ErrorDescription TooManyMotions;   // {count, most}
 extern const ErrorDescription NotFinite;        // {motion}
-extern const ErrorDescription StatementUnread;  // {statement, line} it may change where the robot moves
+extern const ErrorDescription StatementUnread;  // {statement, line} it may change the motion of the robot
 extern const ErrorDescription TooFast;          // {motion, mm/s, language, most mm/s}
-extern const ErrorDescription BaseUnknown;      // {robot} of its controller, which the poses of a program are in
-extern const ErrorDescription WayDiffers;     // {configuration} that a line ends in by the program, and not by the arm
+extern const ErrorDescription BaseUnknown;      // {robot} the poses of a program are in the base of its controller
+extern const ErrorDescription
+    ConfigurationDiffers;  // {configuration} of the end of a line in the program, which differs from that of the arm
 extern const ErrorDescription MotionDiffers;  // {motion, "kind", "speed" or "blend", wanted, read}
 
 }  // namespace handwheel::PostError

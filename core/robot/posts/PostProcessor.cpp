@@ -102,7 +102,7 @@ const PostProcessor* postForEnding(std::string_view fileName) {
 
 namespace {
 
-// Fanuc's steps, which are the coarsest: whole percent, tenths of mm/s. What is slower than a step becomes one.
+// Compares with Fanuc's steps, which are the coarsest: whole percent, tenths of mm/s. Lower speeds become one step.
 bool isSameSpeed(ProgramMotion::Kind kind, double wanted, double got) {
   const double step = kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
   return std::abs(wanted - got) <= 0.501 * step || (wanted <= step && got <= step);

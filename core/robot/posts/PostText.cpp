@@ -20,7 +20,7 @@ bool isNameCharacter(char c) {
   return isLetter(c) || isDigit(c) || c == '_';
 }
 
-// So many decimal digits of the FNV-1a hash of a text.
+// Returns so many decimal digits of the FNV-1a hash of a text.
 std::string hashDigits(const std::string& text, std::size_t count) {
   std::uint32_t hash = 2166136261u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -110,7 +110,7 @@ std::optional<double> keptClearance(std::string_view text) {
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     const std::size_t at = line.find(kClearanceKept);
     if (at == line.npos) continue;
-    // Before it there is no more than the sign of a comment, in some languages after the number of the line.
+    // Before it there is only the comment sign, in some languages after the line number.
     const std::string_view before = line.substr(0, at), rest = line.substr(at + kClearanceKept.size());
     const bool isRemark =
         before.find_first_of("!;#/") != before.npos && before.find_first_not_of(" \t!;#/:0123456789") == before.npos;
@@ -168,8 +168,8 @@ ArmValues radiansOf(std::span<const double> degrees) {
   return values;
 }
 
-Pose placeIn(const RobotProgram& program, const Pose& frame, const Pose& place, const Pose& tool) {
-  return program.frame.inverse(Eigen::Isometry) * frame * place * tool.inverse(Eigen::Isometry) * program.tool;
+Pose poseInProgram(const RobotProgram& program, const Pose& frame, const Pose& pose, const Pose& tool) {
+  return program.frame.inverse(Eigen::Isometry) * frame * pose * tool.inverse(Eigen::Isometry) * program.tool;
 }
 
 Error unread(std::string_view statement, std::size_t line) {

@@ -11,7 +11,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostStatements = 10 * PostProcessor::kMostMotions;
-// As a long statement that is called again and again is looked at each time.
+// Limits the time, as a long statement in a repeated call is examined each time.
 constexpr std::size_t kMostCharacters = 10 * PostProcessor::kLargestText;
 constexpr std::size_t kDeepestCall = 64;
 
@@ -84,7 +84,7 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
     if (routine == m_routines.end()) {
       all.push_back(statement);
     } else {
-      // Whatever calls itself gets there.
+      // Every recursion gets there.
       if (open.size() >= kDeepestCall)
         return LineReader({}, statement.line).malformed("program", "routines call each other endlessly");
       open.push_back({&routine->second.statements});

@@ -12,25 +12,25 @@
 
 namespace handwheel {
 
-// A statement of a program, without what separates it from the next.
+// A statement of a program, without its separator.
 struct ProgramStatement {
   std::string_view text;
   std::size_t line = 0;  // from 1
 };
 
-// The parts of these lines between semicolons that are not in quotes; empty ones are left out.
+// Splits these lines at semicolons that are not in quotes; empty parts are left out.
 std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& lines);
 
 // The routines of a program that call each other without arguments.
 class ProgramRoutines {
  public:
-  void begin(std::string name, std::size_t line);  // of a routine, which has the statements until end()
-  void end();                                      // of the one that was begun last; routines may stand within others
+  void begin(std::string name, std::size_t line);  // begins a routine, which has the statements until end()
+  void end();                                      // ends the routine that was begun last; routines may be nested
   void add(const ProgramStatement& statement);
 
-  // The statements in the order in which they are carried out: those outside of routines, else those of `first`, else
-  // those of the one routine that no other calls; calls are replaced by what is called. called: the routine that a
-  // statement calls; empty: none. Errors: ElementMalformed where it is not given which routine is the first, one calls
+  // Returns the statements in the order of execution: those outside routines, otherwise those of `first`, otherwise
+  // those of the only routine that no other calls; calls are replaced by the called statements. called: returns the
+  // routine that a statement calls; empty: none. Errors: ElementMalformed if the first routine is ambiguous, one calls
   // itself, or there are too many statements.
   Result<std::vector<ProgramStatement>> unrolled(
       const std::string& first, const std::function<std::string(std::string_view statement)>& called) const;

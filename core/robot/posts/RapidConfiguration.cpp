@@ -13,17 +13,17 @@ namespace {
 
 constexpr double kQuarter = 0.5 * M_PI;
 constexpr std::array<Eigen::Index, 3> kQuarterJoints{0, 3, 5};
-constexpr double kQuarterSlack = 1e-3;  // rad: nearer to the end of a quarter turn an axis may be in either
+constexpr double kQuarterSlack = 1e-3;  // rad: within this of the end of a quarter turn an axis may be in either
 
-// off: how far the value may be off; rad.
+// off: tolerance of the value; rad.
 bool isInQuarter(double value, int quarter, double off) {
   const double slack = kQuarterSlack + off;
   return value >= kQuarter * quarter - slack && value <= kQuarter * (quarter + 1) + slack;
 }
 
-// The sign of axis 5 within the rounding of files.
-bool hasRapidWay(int wanted, const SerialArm& arm, const ArmValues& values) {
-  const int different = wanted ^ rapidConfigurationOf(arm, values).way;
+// Compares cfx, with the sign of axis 5 within the rounding of files.
+bool hasCfx(int wanted, const SerialArm& arm, const ArmValues& values) {
+  const int different = wanted ^ rapidConfigurationOf(arm, values).cfx;
   return different == 0 || (different == 1 && isWristInLine(values));
 }
 
@@ -32,7 +32,7 @@ bool hasRapidWay(int wanted, const SerialArm& arm, const ArmValues& values) {
 std::string RapidConfiguration::text() const {
   std::string text = "[";
   for (const int quarter : quarters) text += std::to_string(quarter) + ",";
-  return text + std::to_string(way) + "]";
+  return text + std::to_string(cfx) + "]";
 }
 
 RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& values) {
@@ -40,24 +40,24 @@ RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& v
   for (std::size_t i = 0; i < kQuarterJoints.size(); ++i)
     configuration.quarters[i] = static_cast<int>(std::floor(values[kQuarterJoints[i]] / kQuarter));
   const ControllerConfiguration how = controllerConfigurationOf(arm, values);
-  configuration.way = (how.isRear ? 4 : 0) + (how.isElbowDown ? 2 : 0) + (how.isFlipped ? 1 : 0);
+  configuration.cfx = (how.isRear ? 4 : 0) + (how.isElbowDown ? 2 : 0) + (how.isFlipped ? 1 : 0);
   return configuration;
 }
 
 std::optional<RapidConfiguration> rapidConfigurationFrom(std::span<const double> numbers) {
   constexpr double kMostQuarters = 1e6;
-  constexpr int kWays = 8;
+  constexpr int kConfigurations = 8;
   const auto isCount = [](double number) { return std::abs(number) < kMostQuarters && number == std::floor(number); };
   if (numbers.size() != 4 || !std::ranges::all_of(numbers, isCount)) return std::nullopt;
   const RapidConfiguration configuration{
       {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), static_cast<int>(numbers[2])},
       static_cast<int>(numbers[3])};
-  if (configuration.way < 0 || configuration.way >= kWays) return std::nullopt;
+  if (configuration.cfx < 0 || configuration.cfx >= kConfigurations) return std::nullopt;
   return configuration;
 }
 
 bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, const ArmValues& values) {
-  if (!hasRapidWay(wanted.way, arm, values)) return false;
+  if (!hasCfx(wanted.cfx, arm, values)) return false;
   for (std::size_t i = 0; i < kQuarterJoints.size(); ++i) {
     const Eigen::Index joint = kQuarterJoints[i];
     if (joint != 0 && isWristInLine(values)) continue;
@@ -68,16 +68,16 @@ bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, co
 
 std::optional<ArmValues> jointsWith(const RapidConfiguration& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference) {
-  const WantedWay way{[&](Eigen::Index i, double value, double off) {
-                        const auto at = std::ranges::find(kQuarterJoints, i);
-                        return at == kQuarterJoints.end() ||
-                               isInQuarter(value,
-                                           wanted.quarters[static_cast<std::size_t>(at - kQuarterJoints.begin())], off);
-                      },
-                      [&](const ArmValues& values) { return hasRapidWay(wanted.way, arm, values); }};
-  // Where two axes are in line, any share of their turn may be that of the first, which the solution has from the
-  // reference. The ends of its quarter are enough to try: where the other axis is within a quarter of its own, too, it
-  // is so at one of them.
+  const WantedConfiguration conditions{
+      [&](Eigen::Index i, double value, double off) {
+        const auto at = std::ranges::find(kQuarterJoints, i);
+        return at == kQuarterJoints.end() ||
+               isInQuarter(value, wanted.quarters[static_cast<std::size_t>(at - kQuarterJoints.begin())], off);
+      },
+      [&](const ArmValues& values) { return hasCfx(wanted.cfx, arm, values); }};
+  // If two axes are in line, the first may have any share of their rotation, which the solution takes from the
+  // reference. It suffices to try the ends of its quarter: if the other axis can be within a quarter of its own, too,
+  // it is so at one of them.
   const auto within = [&](ArmValues values, int end) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
       double& value = values[kQuarterJoints[i]];
@@ -86,8 +86,8 @@ std::optional<ArmValues> jointsWith(const RapidConfiguration& wanted, const Seri
     }
     return values;
   };
-  return jointsOfWay(way, arm, closed, tip,
-                     std::array{within(reference, 0), within(reference, -1), within(reference, 1)});
+  return jointsOfConfiguration(conditions, arm, closed, tip,
+                               std::array{within(reference, 0), within(reference, -1), within(reference, 1)});
 }
 
 }  // namespace handwheel

@@ -11,30 +11,30 @@
 
 namespace handwheel {
 
-// The confdata of RAPID. They say in which way a robot with a spherical wrist reaches a pose.
+// The confdata of RAPID. They distinguish the solutions of a robot with a spherical wrist for a pose.
 struct RapidConfiguration {
-  // cf1, cf4, cf6: the quarter turns that axes 1, 4 and 6 are in, 0 from 0 to 90 degrees, -1 from -90 to 0.
+  // cf1, cf4, cf6: the quarter turns of axes 1, 4 and 6, 0 from 0 to 90 degrees, -1 from -90 to 0.
   std::array<int, 3> quarters{};
-  // cfx. 4: the wrist is behind axis 1. 2: it is behind the lower arm. 1: axis 5 is below 0. The sum of what holds.
-  int way = 0;
+  // cfx, a sum. 4: the wrist is behind axis 1. 2: it is behind the lower arm. 1: axis 5 is below 0.
+  int cfx = 0;
 
   std::string text() const;  // "[0,-1,1,2]"
   bool operator==(const RapidConfiguration&) const = default;
 };
 
-// Six revolute joints.
+// Returns the configuration of an arm of six revolute joints.
 RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& values);
 
-// Whether joint values that were computed from a pose of a file are of this configuration, as far as its rounding lets
-// one tell. Where the axes 4 and 6 are in line their quarter turns do not count.
+// Returns true if joint values that were computed from a pose of a file have this configuration, within the rounding of
+// the file. If the axes 4 and 6 are in line their quarter turns are ignored.
 bool hasConfiguration(const RapidConfiguration& wanted, const SerialArm& arm, const ArmValues& values);
 
-// Of the four numbers of confdata. None: they name no way, as 9E9, which stands for what is not known, and parts of
-// quarter turns.
+// Parses the four numbers of confdata. None: they define no configuration, as 9E9, which stands for unknown, and
+// fractions of quarter turns.
 std::optional<RapidConfiguration> rapidConfigurationFrom(std::span<const double> numbers);
 
-// The joint values of this configuration, within the limits, that bring the tip of the arm there; the nearest to the
-// reference where they leave a choice. None: there are none. closed: that of the arm, with a spherical wrist.
+// Finds the joint values of this configuration, within the limits, for a pose of the arm's tip; if there are several,
+// the nearest to the reference. None: there are none. closed: that of the arm, with a spherical wrist.
 std::optional<ArmValues> jointsWith(const RapidConfiguration& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference);
 

@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t kLongestRapidSuffix = 7;  // "_module"
 constexpr std::size_t kLongestShared = kLongestRapidName - kLongestRapidSuffix;
 constexpr const char* kFramePrefix = "wobj_";
-constexpr const char* kModuleEndings[] = {"", "_module", "_tool", "_frame"};  // of the path's name in its module
-// Words of the language, its types of data, what every controller has installed, and the procedure that a task begins
-// with.
+constexpr const char* kModuleEndings[] = {"", "_module", "_tool",
+                                          "_frame"};  // suffixes of the path's name in its module
+// Words of the language, its data types, routines of every controller, and the procedure that a task begins with.
 constexpr const char* kRapidWords[] = {
     "abs",       "accset",   "add",        "alias",       "and",      "backward",  "bitand",   "bool",
     "break",     "byte",     "calcjointt", "calcrobt",    "case",     "cjointt",   "clear",    "clkread",
@@ -36,7 +36,7 @@ constexpr const char* kRapidWords[] = {
     "trunc",     "trynext",  "undo",       "var",         "velset",   "viewonly",  "waitdi",   "waitdo",
     "waitrob",   "waittime", "waituntil",  "while",       "with",     "wobjdata",  "xor",      "zonedata"};
 
-// Data that every controller has: neither a path nor a frame is to hide them.
+// Returns true for data of every controller: no path or frame may hide them.
 bool isStandardData(const std::string& name) {
   const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
   const std::string head = name.substr(0, letters), number = name.substr(letters);
@@ -46,7 +46,7 @@ bool isStandardData(const std::string& name) {
   return isNumbered || name == "fine" || name == "vmax";
 }
 
-// Of a path, whatever others are called.
+// Returns the name of a path, independently of others.
 std::string nameOfPath(const std::string& path) {
   const std::string name = identifierBeside(kRapidWords, path, kLongestShared);
   return isStandardData(lowerCase(name)) ? identifierOf(name + "_path", kLongestShared) : name;
@@ -56,7 +56,7 @@ std::string plainFrameName(const RobotProgram& program) {
   return frameIdentifier(program, kRapidWords, kLongestShared);
 }
 
-// With a number, where another frame is called so.
+// Returns the name, with a number if another frame has the same.
 std::string prefixedFrameName(const RobotProgram& program) {
   const std::string preferred = kFramePrefix + plainFrameName(program);
   std::string name = preferred;
@@ -71,7 +71,7 @@ std::string prefixedFrameName(const RobotProgram& program) {
 
 std::string rapidName(const RobotProgram& program) {
   const std::string made = nameOfPath(program.name), lower = lowerCase(made);
-  // What modules add to the name of their path may be the name of another one, too.
+  // The suffixes of modules may turn the name of a path into that of another one, too.
   const auto meets = [&](const std::string& path) {
     const std::string other = lowerCase(nameOfPath(path));
     return path != program.name && std::ranges::any_of(kModuleEndings, [&](const char* ending) {

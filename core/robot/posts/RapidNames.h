@@ -6,20 +6,19 @@
 
 namespace handwheel {
 
-// Names in RAPID. They have at most 32 characters, and the language does not tell cases apart.
+// The largest length of names in RAPID, which are not case-sensitive.
 inline constexpr std::size_t kLongestRapidName = 32;
 
-// Of the procedure of a path: short enough for what modules add to it, and nothing that the language or a controller
-// has. With a number that other names hardly have where another path of the cell would be called the same, whatever the
-// case of letters, or its module has that name: both may be loaded into one task.
+// Returns the name of the procedure of a path. It is short enough for the suffixes of modules, and is no name of the
+// language or a controller. A number is added if another path of the cell, or its module, would have the same name,
+// ignoring the case of letters: both may be loaded into one task.
 std::string rapidName(const RobotProgram& program);
 
-// Of the frame that a program is in. A frame of the cell is called as there, whichever path is led in it, with "wobj_"
-// before what a path of the cell, its module or the controller calls something else. Another frame has the name of the
-// path.
+// Returns the name of the frame of a program. A frame of the cell keeps its name for all paths, with the prefix "wobj_"
+// if a path of the cell, its module or the controller uses the name. Another frame has the name of the path.
 std::string rapidFrameName(const RobotProgram& program);
 
-// The names that programs may have for the frame of a cell which is program.frameName, whatever their paths are called.
+// Returns the names that programs may have for the frame program.frameName of a cell, for any names of its paths.
 std::vector<std::string> rapidFrameNames(const RobotProgram& program);
 
 }  // namespace handwheel

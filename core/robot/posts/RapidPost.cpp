@@ -14,7 +14,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMotionsOfARoutine = 1'000;
-constexpr double kLargestRapidSpeed = 5'000.0;  // mm/s, of VelSet at the start of a task
+constexpr double kLargestRapidSpeed = 5'000.0;  // mm/s, limit of VelSet at the start of a task
 constexpr const char* kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 
 std::string rapidPose(const Pose& pose) {
@@ -29,13 +29,13 @@ std::string rapidPose(const Pose& pose) {
 std::string zoneText(double blend) {
   if (blend <= 0.0) return "fine";
   const double degrees = 0.1 * blend;
-  // The tool begins to turn within the zone that was proven, and not before.
+  // The tool may begin to turn only within the zone that was proven.
   const double numbers[] = {blend, blend, blend, degrees, blend, degrees};
   return "[FALSE," + fixedList(numbers, 3) + "]";
 }
 
-// Several of these modules may be loaded into one task: all that is known outside of one carries the path's name, but
-// for a frame of the cell, which is the same in all.
+// Writes a module. Several of these modules may be loaded into one task: all global names include the path's name,
+// except for a frame of the cell, which is the same in all.
 class RapidWriting {
  public:
   explicit RapidWriting(const RobotProgram& program)
@@ -100,16 +100,16 @@ class RapidWriting {
     if (motion.kind == ProgramMotion::Kind::Joint)
       return "    MoveAbsJ " + target("jointtarget", joints, motion) + "\\NoEOffs,vmax," + end;
     const std::string speed = ",[" + fixedText(std::max(motion.speed, 0.01), 2) + ",500,5000,1000],";
-    // A pose would lead elsewhere where a description has turned or raised the base: the controller computes its own.
+    // If a description has turned or raised the base, a pose would be wrong: the controller computes its own.
     if (!m_program.isBaseOfController)
       return "    MoveL CalcRobT(" + target("jointtarget", joints, motion) + "," + frame + ")" + speed + end;
-    const Pose place = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
-    const std::string pose =
-        "[" + rapidPose(place) + "," + rapidConfigurationOf(m_program.arm, motion.joints).text() + "," + kNoAxes + "]";
+    const Pose toolPose = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
+    const std::string pose = "[" + rapidPose(toolPose) + "," +
+                             rapidConfigurationOf(m_program.arm, motion.joints).text() + "," + kNoAxes + "]";
     return "    MoveL " + target("robtarget", pose, motion) + speed + end;
   }
 
-  // Places with names are data with names, which can be touched up.
+  // Named waypoints become named data, which can be touched up.
   std::string target(const char* type, const std::string& numbers, const ProgramMotion& motion) {
     if (motion.name.empty()) return numbers;
     constexpr std::size_t kLongestNumber = 7;
@@ -124,7 +124,7 @@ class RapidWriting {
   std::string m_name, m_frame;
   double m_largestSpeed = kLargestRapidSpeed;  // mm/s
   std::string m_targets;
-  std::set<std::string> m_names;  // of targets; the language does not tell cases apart
+  std::set<std::string> m_names;  // names of targets; not case-sensitive
 };
 
 }  // namespace

@@ -15,13 +15,13 @@ namespace handwheel {
 
 namespace {
 
-// Instructions that neither move the robot nor change where others lead. Those that are in no list are refused.
+// Instructions that neither move the robot nor change the effect of others. Anything that is in no list is refused.
 constexpr std::array kRapidStill = {"AccSet",   "SingArea", "GripLoad",  "TPWrite", "TPErase", "SetDO",
                                     "SetGO",    "SetAO",    "PulseDO",   "Set",     "Reset",   "InvertDO",
                                     "WaitTime", "WaitDI",   "WaitUntil", "WaitRob", "Stop",    "ClkReset",
                                     "ClkStart", "ClkStop",  "Incr",      "Decr"};
 
-// Functions that only compute or look, and operators before brackets. Others may be routines that move the robot.
+// Functions without side effects, and operators before brackets. Others may be routines that move the robot.
 constexpr const char* kRapidFunctions[] = {
     "abs",      "acos",    "and",       "asin",     "atan",     "atan2",    "calcjointt", "calcrobt", "clkread",
     "cos",      "crobt",   "cjointt",   "cpos",     "ctool",    "cwobj",    "dim",        "distance", "div",
@@ -30,7 +30,7 @@ constexpr const char* kRapidFunctions[] = {
     "posevect", "pow",     "present",   "reltool",  "round",    "sin",      "sqrt",       "strfind",  "strlen",
     "strpart",  "tan",     "testdi",    "trunc",    "valtostr", "vectmagn", "xor"};
 
-// mm, of the zone data that every controller has; none: there are no such ones.
+// Returns the size of a zone of every controller, mm; none: there is no such zone.
 std::optional<double> standardZone(const std::string& name) {
   if (name == "fine") return 0.0;
   if (name == "z0") return 0.3;
@@ -88,11 +88,11 @@ class RapidReading {
       return Done{};
     }
     if (line.takeWord("ConfJ")) {
-      m_isWayGiven = !line.take("\\") || !line.takeWord("Off");
+      m_isConfigurationGiven = !line.take("\\") || !line.takeWord("Off");
       return Done{};
     }
     if (line.takeWord("ConfL")) {
-      m_isLineWayGiven = !line.take("\\") || !line.takeWord("Off");
+      m_isLineConfigurationGiven = !line.take("\\") || !line.takeWord("Off");
       return Done{};
     }
     for (const char* const still : kRapidStill) {
@@ -111,7 +111,7 @@ class RapidReading {
   using Numbers = std::vector<double>;
   using Table = std::map<std::string, Numbers>;  // by names in lower case
 
-  // Frames of the cell, under the names that modules of its paths have for them. Those of the file come before them.
+  // Adds the frames of the cell, under the names in modules of its paths. Those of the file take precedence.
   void addKnownFrames() {
     RobotProgram named;
     for (const ProgramFrame& frame : m_program.knownFrames) {
@@ -122,7 +122,8 @@ class RapidReading {
     }
   }
 
-  // "n:=1", "p.trans.x:=1", "a{2}:=1", after the name. Words between are those of another statement: IF a THEN n:=1.
+  // Recognises "n:=1", "p.trans.x:=1", "a{2}:=1", after the name. Words between belong to another statement: IF a THEN
+  // n:=1.
   static bool isAssignment(LineReader line) {
     while (true) {
       if (line.take("{"))
@@ -134,7 +135,7 @@ class RapidReading {
     }
   }
 
-  // Of [FALSE,10,…] in mm, of [TRUE,…], which is an exact stop, 0; none: it is not understood.
+  // Reads a zone: [FALSE,10,…] in mm, [TRUE,…], which is an exact stop, as 0; none: it is not understood.
   static std::optional<double> zoneFrom(LineReader& line) {
     if (!line.take("[")) return std::nullopt;
     const bool isStop = line.takeWord("TRUE");
@@ -145,7 +146,7 @@ class RapidReading {
     return isStop ? 0.0 : *size;
   }
 
-  // Routines may have zones of their own under one name: then it is not known which one is meant.
+  // Reads a zone. Routines may have different zones of one name: then the zone is not known.
   Status readZone(LineReader& line) {
     const std::string name = folded(line.name());
     const auto zone = line.take(":=") ? zoneFrom(line) : std::nullopt;
@@ -154,7 +155,7 @@ class RapidReading {
     return Done{};
   }
 
-  // What a tool of [TRUE,[pose],[load]] is in the flange; none, where the robot does not hold it.
+  // Reads the pose of a tool [TRUE,[pose],[load]] in the flange; none, if the robot does not hold it.
   Status readTool(LineReader& line) {
     const std::string name = folded(line.name());
     if (!line.take(":=")) return Done{};
@@ -164,7 +165,7 @@ class RapidReading {
     return Done{};
   }
 
-  // What a frame of [FALSE,TRUE,"",[pose],[pose]] is in the base; none, where it moves.
+  // Reads the pose of a frame [FALSE,TRUE,"",[pose],[pose]] in the base; none, if it moves.
   Status readFrame(LineReader& line) {
     const std::string name = folded(line.name());
     if (!line.take(":=")) return Done{};
@@ -181,7 +182,7 @@ class RapidReading {
     return Done{};
   }
 
-  // VelSet percent, largest speed of the tool's centre point. Where these are no numbers no speed is known.
+  // Reads VelSet: percent, largest speed of the tool's centre point. If these are no numbers no speed is known.
   void readOverride(LineReader& line) {
     const auto percent = line.number();
     const auto most = line.take(",") ? line.number() : std::nullopt;
@@ -189,7 +190,7 @@ class RapidReading {
     m_most = most.value_or(0.0);
   }
 
-  // "[[…],…]", a name, CalcRobT(joints,tool): the numbers, and whether they are joint values.
+  // Reads "[[…],…]", a name, or CalcRobT(joints,tool): the numbers, and true if they are joint values.
   Result<std::pair<Numbers, bool>> target(LineReader& line, bool isJoints) {
     if (!isJoints && line.takeWord("CalcRobT")) {
       if (!line.take("(")) return line.malformed("target", "( was expected");
@@ -206,9 +207,9 @@ class RapidReading {
     const Table& known = isJoints ? m_jointTargets : m_robTargets;
     const std::string_view called = line.name();
     const auto found = known.find(folded(called));
-    // As the post writes them.
-    constexpr std::string_view kOfPlaces = "p_";
-    m_placeName = readName(called.substr(called.starts_with(kOfPlaces) ? kOfPlaces.size() : 0));
+    // The prefix that the post writes.
+    constexpr std::string_view kTargetPrefix = "p_";
+    m_targetName = readName(called.substr(called.starts_with(kTargetPrefix) ? kTargetPrefix.size() : 0));
     if (line.take("(")) return line.malformed("target", "functions as Offs are not read");
     if (found == known.end()) return line.malformed("target", "it is neither numbers nor a name given before");
     return std::pair(found->second, isJoints);
@@ -216,17 +217,17 @@ class RapidReading {
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool wantsJoints) {
     if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("MoveAbsJ", "there are too many motions");
-    while (line.take("\\")) {  // as \Conc
+    while (line.take("\\")) {  // such as \Conc
       line.name();
       line.take(",");
     }
     m_calculatedWith.reset();
-    m_placeName.clear();
+    m_targetName.clear();
     const auto read = target(line, wantsJoints);
     if (!read) return read.error();
     const auto& [numbers, isJoints] = *read;
     ParsedMotion motion{kind, {}, {}, 0.0, number};
-    motion.name = m_placeName;
+    motion.name = m_targetName;
     if (numbers.size() < (isJoints ? m_joints : 7)) return line.malformed("target", "it has too few numbers");
     if (isJoints)
       motion.joints = radiansOf(std::span(numbers).first(m_joints));
@@ -250,9 +251,9 @@ class RapidReading {
     if (const auto known = m_tools.find(folded(LineReader(tool, 0).name())); known != m_tools.end())
       motion.tool = known->second;
     if (motion.pose) {
-      const auto place = placed(*motion.pose, tool, number);
-      if (!place) return place.error();
-      motion.pose = *place;
+      const auto pose = placed(*motion.pose, tool, number);
+      if (!pose) return pose.error();
+      motion.pose = *pose;
       if (!takeConfiguration(numbers, motion))
         return line.malformed("target", "the robot reaches its place in no way with this configuration");
     }
@@ -261,23 +262,24 @@ class RapidReading {
     return Done{};
   }
 
-  // That a robtarget has, if its numbers name one.
+  // Returns the configuration of a robtarget, if its numbers define one.
   std::optional<RapidConfiguration> configurationOf(const Numbers& robtarget) const {
     constexpr std::size_t kBegin = 7, kCount = 4;
     if (!m_closed || robtarget.size() < kBegin + kCount) return std::nullopt;
     return rapidConfigurationFrom(std::span(robtarget).subspan(kBegin, kCount));
   }
 
-  // Of a joint motion to a robtarget the joint values that its confdata name, if they name any and count. A line goes
-  // on in the way in which it begins, and has to end in that of its confdata. False: no way of the robot has them.
+  // Sets the joint values of a joint motion to a robtarget from its confdata, if they are given and used. A line keeps
+  // the configuration in which it begins, and must end in that of its confdata. Returns false if no solution of the
+  // robot has it.
   bool takeConfiguration(const Numbers& robtarget, ParsedMotion& motion) const {
     const auto wanted = configurationOf(robtarget);
     if (motion.kind == ProgramMotion::Kind::Linear) {
-      if (m_isLineWayGiven) motion.endsIn = wanted;
+      if (m_isLineConfigurationGiven) motion.endsIn = wanted;
       return true;
     }
-    if (!wanted || !m_isWayGiven) {
-      motion.isWayOpen = true;
+    if (!wanted || !m_isConfigurationGiven) {
+      motion.isConfigurationOpen = true;
       return true;
     }
     const Pose tip = m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry);
@@ -287,7 +289,7 @@ class RapidReading {
     return true;
   }
 
-  // The argument that names tool and frame, in one spelling.
+  // Returns the argument that names tool and frame, in a normal form.
   static std::string toolText(const std::vector<std::string_view>& arguments, std::size_t at) {
     std::string text = at < arguments.size() ? folded(arguments[at]) : std::string();
     std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
@@ -296,7 +298,7 @@ class RapidReading {
     return text;
   }
 
-  // "tool", "tool\WObj:=frame": the frame; none: it is not known.
+  // Returns the frame of "tool" or "tool\WObj:=frame"; none: it is not known.
   std::optional<Pose> frameIn(std::string_view text) const {
     LineReader line(text, 0);
     line.name();
@@ -305,7 +307,7 @@ class RapidReading {
     return frame == m_frames.end() ? std::nullopt : frame->second;
   }
 
-  // Of a frame that the file gives; empty: it is the base.
+  // Returns the name of the frame in the text; empty: the base.
   static std::string frameNameIn(std::string_view text) {
     LineReader line(text, 0);
     line.name();
@@ -314,7 +316,7 @@ class RapidReading {
     return folded(name) == "wobj0" ? std::string() : readName(name);
   }
 
-  // "tool", "tool\WObj:=frame" of a motion to this pose.
+  // Transforms the pose of a motion with "tool" or "tool\WObj:=frame".
   Result<Pose> placed(const Pose& pose, std::string_view text, std::size_t number) const {
     LineReader line(text, number);
     const auto tool = m_tools.find(folded(line.name()));
@@ -325,10 +327,11 @@ class RapidReading {
     if (tool == m_tools.end() || !tool->second)
       return line.malformed("tool", "its data are not in the file, or the robot does not hold it");
     if (!frame) return line.malformed("frame", "its data are not in the file, or it moves");
-    return placeIn(m_program, *frame, pose, *tool->second);
+    return poseInProgram(m_program, *frame, pose, *tool->second);
   }
 
-  // "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the joints.
+  // Reads the speed: "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the
+  // joints.
   void setSpeed(std::string_view text, ParsedMotion& motion) const {
     LineReader line(text, 0);
     std::optional<double> speed;
@@ -358,7 +361,7 @@ class RapidReading {
     return pose;
   }
 
-  // Of "z10", "[FALSE,10,…]", a name of the file; "z10\Z:=8". 0 for fine.
+  // Reads a blend: "z10", "[FALSE,10,…]", a name of the file; "z10\Z:=8". 0 for fine.
   Result<double> blendFrom(std::string_view text, std::size_t number) const {
     LineReader line(text, number);
     auto zone = zoneFrom(line);
@@ -376,14 +379,14 @@ class RapidReading {
   const RobotProgram& m_program;
   std::size_t m_joints;
   std::optional<ClosedFormIk> m_closed;
-  ArmValues m_reference;                        // where the joints are, as far as the program says
-  bool m_isWayGiven = true;                     // ConfJ\On
-  bool m_isLineWayGiven = true;                 // ConfL\On
-  double m_share = 1.0, m_most = 5'000.0;       // of VelSet; 0: not known
+  ArmValues m_reference;                        // joint values, as far as the program defines them
+  bool m_isConfigurationGiven = true;           // ConfJ\On
+  bool m_isLineConfigurationGiven = true;       // ConfL\On
+  double m_share = 1.0, m_most = 5'000.0;       // from VelSet; 0: not known
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
-  std::string m_placeName;                      // of the target of the present motion
+  std::string m_targetName;                     // target of the present motion
   Table m_jointTargets, m_robTargets, m_speeds;
-  std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: not to be used
+  std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: unusable
   std::map<std::string, std::optional<double>> m_zones;          // likewise; mm
 };
 

@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// A name in lower case: the language does not tell cases apart.
+// Returns a name in lower case: the language is not case-sensitive.
 std::string folded(std::string_view name);
 
-// A RAPID module taken apart: declarations of data, and the statements of its procedures. A statement may go over
-// several lines, and several may stand in one. Functions, traps and the handlers of errors are left out.
+// A RAPID module, split into declarations of data and the statements of its procedures. A statement may span several
+// lines, and a line may have several. Functions, traps and error handlers are left out.
 class RapidStatements {
  public:
   explicit RapidStatements(const std::vector<std::string_view>& lines);  // without comments
@@ -24,8 +24,8 @@ class RapidStatements {
   void readNext();
   bool takeWord(std::string_view word);
   void skipSpace();
-  void skipTo(std::string_view word);  // a whole one
-  void skipBrackets();                 // with what is in them, if they come next
+  void skipTo(std::string_view word);  // a whole word
+  void skipBrackets();                 // with their contents, if they come next
   std::string_view name();
 
   std::string m_text;

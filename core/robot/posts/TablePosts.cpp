@@ -26,7 +26,7 @@ std::vector<double> poseNumbers(const Pose& pose) {
   return {at.x(), at.y(), at.z(), turn.w(), turn.x(), turn.y(), turn.z()};
 }
 
-// None: these are not seven numbers, or the quaternion has no direction.
+// Returns none if these are not seven numbers, or the quaternion has no direction.
 std::optional<Pose> poseOfNumbers(std::span<const double> n) {
   if (n.size() != 7) return std::nullopt;
   const Eigen::Quaterniond turn(n[3], n[4], n[5], n[6]);
@@ -43,7 +43,7 @@ struct CsvFrame {
   std::optional<Pose> pose;
 };
 
-// "# frame,NAME,x,y,z,qw,qx,qy,qz" before the motions: the frame; no pose: there is no such line.
+// Reads "# frame,NAME,x,y,z,qw,qx,qy,qz" before the motions: the frame; no pose: there is no such line.
 CsvFrame csvFrame(const std::vector<std::string_view>& lines) {
   const auto found =
       std::find_if(lines.begin(), lines.end(), [](std::string_view line) { return line.starts_with(kCsvFrame); });
@@ -65,8 +65,8 @@ const char* wordFor(ProgramMotion::Kind kind) {
   return kind == ProgramMotion::Kind::Joint ? "joint" : "linear";
 }
 
-// motion, its end by joints in degrees (slides in mm), by the pose of the tool's centre point, and how it is done. The
-// frame of the poses, if it is one of the cell, stands in a line of its own.
+// A line per motion: its end by joints in degrees (slides in mm), by the pose of the tool's centre point, and its speed
+// and blend. The frame of the poses, if it is one of the cell, is in a line of its own.
 class CsvPost : public PostProcessor {
  public:
   const char* id() const override { return "csv"; }
@@ -86,10 +86,10 @@ class CsvPost : public PostProcessor {
               fixedList(poseNumbers(program.frame), 9) + "\n";
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
       const ProgramMotion& motion = program.motions[i];
-      const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+      const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
       text += std::to_string(i + 1) + "," + identifierOf(motion.name.empty() ? kCsvUnnamed : motion.name, 60) + "," +
               wordFor(motion.kind) + "," + fixedText(motion.speed, 6) + "," + fixedText(motion.blend, 3) + "," +
-              fixedList(jointNumbers(program, motion), 9) + "," + fixedList(poseNumbers(place), 9) + "\n";
+              fixedList(jointNumbers(program, motion), 9) + "," + fixedList(poseNumbers(pose), 9) + "\n";
     }
     return text;
   }
@@ -140,7 +140,7 @@ class JsonPost : public PostProcessor {
   const char* title() const override { return "JSON"; }
   const char* ending() const override { return ".program.json"; }
 
-  // A motion a line: with each number on a line of its own, long programs would be too large to be read.
+  // One line per motion: with each number on a line of its own, long programs would be too large to be read.
   std::string write(const RobotProgram& program) const override {
     constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
     nlohmann::ordered_json json = {{"version", 1},
@@ -154,18 +154,18 @@ class JsonPost : public PostProcessor {
     if (!program.remarks.empty()) json["remarks"] = program.remarks;
     std::string motions;
     for (const ProgramMotion& motion : program.motions) {
-      const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+      const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
       const nlohmann::ordered_json one = {{"kind", wordFor(motion.kind)},
                                           {"name", motion.name},
                                           {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
                                           {"q_deg", jointNumbers(program, motion)},
-                                          {"pose", poseNumbers(place)},
+                                          {"pose", poseNumbers(pose)},
                                           {"speed", motion.speed},
                                           {"blend_mm", motion.blend}};
       motions += (motions.empty() ? "\n  " : ",\n  ") + one.dump(-1, ' ', false, kReplace);
     }
     std::string text = json.dump(1, ' ', false, kReplace);
-    text.resize(text.size() - 2);  // without the brace that ends it
+    text.resize(text.size() - 2);  // without the closing brace
     return text + ",\n \"motions\": [" + motions + "\n ]\n}\n";
   }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMetresOfMillimetre = 1e-3;
 
-// Keywords of URScript, and the functions that programs call most.
+// Keywords of URScript, and the functions that programs commonly call.
 constexpr const char* kUrWords[] = {
     "and",    "break", "continue", "def",    "elif",   "else",        "end",     "enter_critical", "exit_critical",
     "false",  "for",   "global",   "halt",   "if",     "in",          "join",    "kill",           "local",
@@ -24,23 +24,23 @@ constexpr const char* kUrWords[] = {
     "speedl", "stopj", "stopl",    "struct", "sync",   "textmsg",     "thread",  "true",           "wait",
     "while",  "xor"};
 
-// X, Y, Z in metres and a turn as an axis of its angle's length.
+// Formats a pose: X, Y, Z in metres and a rotation as an axis of the length of its angle.
 std::string urPose(const Pose& pose) {
   const Vec3 at = kMetresOfMillimetre * pose.translation();
   const Eigen::AngleAxisd turn(pose.linear());
-  const Vec3 way = turn.angle() * turn.axis();
-  const double numbers[] = {at.x(), at.y(), at.z(), way.x(), way.y(), way.z()};
+  const Vec3 rotation = turn.angle() * turn.axis();
+  const double numbers[] = {at.x(), at.y(), at.z(), rotation.x(), rotation.y(), rotation.z()};
   return "p[" + fixedList(numbers, 9) + "]";
 }
 
-// rad/s that any joint may turn by; revolute joints without a known velocity turn 180° a second.
+// Returns the speed, rad/s, that all joints can reach; revolute joints without a known velocity turn 180° per second.
 double urFullSpeed(const RobotProgram& program) {
   double fastest = M_PI;
   for (const ArmJoint& joint : program.arm.joints()) fastest = std::min(fastest, joint.velocity.value_or(M_PI));
   return fastest;
 }
 
-// Zones of neighbours must not overlap, and the last motion has none; mm.
+// Returns the zone of a motion, mm. Zones of neighbours must not overlap, and the last motion has none.
 double zoneOf(const RobotProgram& program, std::size_t i) {
   if (i == 0 || i + 1 >= program.motions.size()) return 0.0;
   const auto at = [&](std::size_t k) { return Vec3(program.tipOf(program.motions[k]).translation()); };
@@ -48,7 +48,7 @@ double zoneOf(const RobotProgram& program, std::size_t i) {
   return std::min(program.motions[i].blend, 0.49 * near);
 }
 
-// Functions that only compute or look, and operators before brackets. Others may be routines that move the robot.
+// Functions without side effects, and operators before brackets. Others may be routines that move the robot.
 constexpr const char* kUrFunctions[] = {"acos",
                                         "and",
                                         "asin",
@@ -93,10 +93,10 @@ constexpr const char* kUrFunctions[] = {"acos",
                                         "to_str",
                                         "xor"};
 
-// What a motion is given after its target: "v=0.5", or without names in the order of the language.
+// The arguments of a motion after its target: "v=0.5", or without names in the order of the language.
 class UrArguments {
  public:
-  // The rest of a call behind its target, with the bracket that ends it. isWhole() is false where something follows.
+  // Parses the rest of a call after its target, with the closing bracket. isWhole() is false if something follows.
   explicit UrArguments(std::string_view rest) {
     while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.remove_suffix(1);
     m_isWhole = rest.ends_with(')') &&
@@ -106,13 +106,13 @@ class UrArguments {
   }
   bool isWhole() const { return m_isWhole; }
 
-  // place: among those behind the target, from 1. none: it is not given.
-  std::optional<std::string_view> text(std::string_view name, std::size_t place) const {
+  // index: position after the target, from 1. none: it is not given.
+  std::optional<std::string_view> text(std::string_view name, std::size_t index) const {
     for (std::size_t i = 1; i < m_parts.size(); ++i) {
       LineReader part(m_parts[i], 0);
       const std::string_view own = part.name();
       const bool isNamed = !own.empty() && part.take("=") && !part.rest().starts_with('=');
-      if (isNamed ? own == name : i == place) return isNamed ? part.rest() : m_parts[i];
+      if (isNamed ? own == name : i == index) return isNamed ? part.rest() : m_parts[i];
     }
     return std::nullopt;
   }
@@ -122,7 +122,7 @@ class UrArguments {
   bool m_isWhole = false;
 };
 
-// Six numbers: metres, and a turn as an axis of its angle's length.
+// Converts six numbers: metres, and a rotation as an axis of the length of its angle.
 Pose urPoseOf(std::span<const double> n) {
   const Vec3 turn(n[3], n[4], n[5]);
   Pose pose(Eigen::Translation3d(Vec3(n[0], n[1], n[2]) / kMetresOfMillimetre));
@@ -132,9 +132,10 @@ Pose urPoseOf(std::span<const double> n) {
 
 using UrFrames = std::map<std::string, Pose, std::less<>>;  // variables that a program has given poses, in the base
 
-constexpr std::string_view kUrFramePrefix = "frame_";  // of those of ours
+constexpr std::string_view kUrFramePrefix = "frame_";  // prefix of our frames
 
-// movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r). A pose may be pose_trans(frame,p[…]).
+// Reads a target. movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r). A pose may be
+// pose_trans(frame,p[…]).
 Result<ParsedMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime,
                               const UrFrames& frames) {
   ParsedMotion motion{kind, {}, {}, 0.0, number};
@@ -174,12 +175,12 @@ std::string urFunctionName(const RobotProgram& program) {
   return identifierBeside(kUrWords, program.name, 60);
 }
 
-// Whether lines lead to poses in the frame of the cell, which is a variable of this name then. A pose has to be in the
-// controller's base, which ROS' base_link is turned by 180° against.
+// Returns true if lines lead to poses in the frame of the cell, which is then a variable of this name. A pose has to be
+// in the controller's base, and ROS' base_link is turned by 180° against that.
 bool isInUrFrame(const RobotProgram& program) {
   return program.isBaseOfController && !program.frameName.empty();
 }
-// Beside the name of the function, which takes no value.
+// Returns the name of the frame's variable, distinct from the function, which cannot be assigned.
 std::string urFrameName(const RobotProgram& program) {
   const std::string name = std::string(kUrFramePrefix) + frameIdentifier(program, {}, 50);
   return lowerCase(name) == lowerCase(urFunctionName(program)) ? name + "_1" : name;
@@ -191,11 +192,11 @@ std::string urMotion(const RobotProgram& program, std::size_t i) {
   constexpr double kRampsASecond = 4.0;  // full speed after a quarter of a second
   const double speed = isJoint ? urFullSpeed(program) * std::clamp(motion.speed, 0.001, 1.0)
                                : kMetresOfMillimetre * std::max(motion.speed, 0.01);
-  // movel by joint values, too: the controller computes the pose by its own kinematics, with the TCP that is set above.
+  // movel uses joint values, too: the controller computes the pose by its own kinematics, with the TCP set above.
   std::string text = motion.name.empty() ? "" : "  # " + identifierOf(motion.name, 60) + "\n";
   if (!isJoint && isInUrFrame(program)) {
-    const Pose place = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-    text += "  movel(pose_trans(" + urFrameName(program) + "," + urPose(place) + ")";
+    const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
+    text += "  movel(pose_trans(" + urFrameName(program) + "," + urPose(pose) + ")";
   } else {
     text += std::string(isJoint ? "  movej([" : "  movel([") + fixedList(std::span(motion.joints.data(), 6), 9) + "]";
   }
@@ -203,7 +204,8 @@ std::string urMotion(const RobotProgram& program, std::size_t i) {
   return text + ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
 }
 
-// Calls of the language that neither move the robot nor change where others lead. What is in no list is refused.
+// Calls of the language that neither move the robot nor change the effect of others. Anything that is in no list is
+// refused.
 constexpr std::array kUrStill = {"set_payload",
                                  "set_target_payload",
                                  "set_gravity",
@@ -247,7 +249,7 @@ class UrScriptReading {
   }
 
  private:
-  // A variable that is a pose in numbers from now on, or something else.
+  // Assigns a variable, which is a pose in numbers from now on, or something else.
   void takeFrame(const std::string& name, LineReader value) {
     const auto numbers = value.take("p") ? value.numbersWithin('[', ']', 6) : std::nullopt;
     value.skipSpace();
@@ -272,7 +274,7 @@ class UrScriptReading {
     else if (motion->speed)
       *motion->speed /= kMetresOfMillimetre;
     if (motion->pose)
-      motion->pose = placeIn(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
+      motion->pose = poseInProgram(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
     if (m_isToolSet) motion->tool = m_tool;
     motion->isInControllersBase = motion->pose.has_value();
     motions.push_back(std::move(motion).value());
@@ -285,10 +287,10 @@ class UrScriptReading {
   UrFrames m_frames;
 };
 
-// Takes functions apart. Blocks within them end like these do.
+// Splits the program into functions. Blocks within them end like these do.
 ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements) {
   ProgramRoutines routines;
-  std::vector<bool> areBlocks;  // of what is open
+  std::vector<bool> areBlocks;  // open statements
   for (const ProgramStatement& statement : statements) {
     LineReader line(statement.text, statement.line);
     if (line.takeWord("def")) {
@@ -326,7 +328,7 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
   return text + "end\n\n# Leave this call out where the file is sent to a port of the controller.\n" + name + "()\n";
 }
 
-// Poses of URScript are in the controller's base, here as if that of the arm were this, and in the program's frame.
+// Poses of URScript are in the controller's base, which is treated here as the arm's, and in the program's frame.
 Result<std::vector<ParsedMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
   const Result<std::vector<std::string_view>> lines = programLines(text, "#");
   if (!lines) return lines.error();

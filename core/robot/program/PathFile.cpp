@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kSlack = 1e-6;  // rad, mm: what printed digits may be beyond a limit
+constexpr double kSlack = 1e-6;  // rad, mm: excess over a limit caused by printed digits
 
 Error malformedPath(std::string element, const char* reason) {
   return {ErrorCode::ElementMalformed, {std::move(element), reason}, {}, {}};
@@ -28,7 +28,7 @@ std::uint32_t dofNamed(const RobotModel& robot, std::string_view name) {
   return kNone;
 }
 
-// The degrees of freedom that columns of waypoints stand for. Error: ReferenceMissing.
+// Returns the degrees of freedom for the columns of waypoints. Errors: ReferenceMissing.
 Result<std::vector<std::uint32_t>> columnsOf(const Json& json, const RobotModel& robot,
                                              std::vector<std::uint32_t> usual) {
   std::vector<std::uint32_t> columns;
@@ -72,7 +72,7 @@ bool isAt(const Json& object, const char* key) {
   return found != object.end() && found->is_boolean() && found->get<bool>();
 }
 
-// As numbersOfPose() writes it; none where that is no rigid one.
+// Reads the format of numbersOfPose(); none if it is no rigid pose.
 std::optional<Pose> poseAt(const Json& json, const char* key) {
   const std::vector<double> numbers = numbersAt(json, key, 12);
   if (numbers.size() != 12) return std::nullopt;
@@ -85,35 +85,35 @@ std::optional<Pose> poseAt(const Json& json, const char* key) {
   return isTurn ? std::optional(pose) : std::nullopt;
 }
 
-// None where it cannot be used: the place is as good without it.
-std::optional<PlaceTarget> placeTargetFrom(const Json& json) {
+// Returns none if it cannot be used: the waypoint is valid without it.
+std::optional<WaypointTarget> waypointTargetFrom(const Json& json) {
   const std::string name = stringAt(json, "name");
   const auto inTool = name.empty() ? std::nullopt : poseAt(json, "in_tool");
-  return inTool ? std::optional(PlaceTarget{name, *inTool}) : std::nullopt;
+  return inTool ? std::optional(WaypointTarget{name, *inTool}) : std::nullopt;
 }
 
-Result<Waypoint> placeFrom(const Json& json, const std::string& element, const RobotModel& robot,
-                           const JointValues& others) {
+Result<Waypoint> waypointFrom(const Json& json, const std::string& element, const RobotModel& robot,
+                              const JointValues& others) {
   if (!json.is_object()) return malformedPath(element, "an object was expected");
-  Waypoint place;
+  Waypoint waypoint;
   const auto joints = json.find("joints");
   if (joints == json.end()) return malformedPath(element, "its joints are missing");
   Result<JointValues> values = jointsFrom(*joints, robot, others);
   if (!values) return values.error();
-  place.joints = std::move(values).value();
-  place.name = stringAt(json, "name");
+  waypoint.joints = std::move(values).value();
+  waypoint.name = stringAt(json, "name");
   const auto critical = json.find("critical");
-  if (critical != json.end() && critical->is_boolean()) place.isCritical = critical->get<bool>();
+  if (critical != json.end() && critical->is_boolean()) waypoint.isCritical = critical->get<bool>();
   const std::string motion = stringAt(json, "motion", "joint");
   if (motion != "joint" && motion != "linear")
     return malformedPath(element + ".motion", "joint or linear was expected");
   const bool isLinear = motion == "linear";
-  place.motion = isLinear ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
-  place.speed = numberAt(json, "speed", isLinear ? 250.0 : 0.25, 1e-3, isLinear ? 1e5 : 1.0);
-  place.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
-  if (const auto target = json.find("target"); target != json.end()) place.target = placeTargetFrom(*target);
-  place.configuration = stringAt(json, "configuration");
-  return place;
+  waypoint.motion = isLinear ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint;
+  waypoint.speed = numberAt(json, "speed", isLinear ? 250.0 : 0.25, 1e-3, isLinear ? 1e5 : 1.0);
+  waypoint.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
+  if (const auto target = json.find("target"); target != json.end()) waypoint.target = waypointTargetFrom(*target);
+  waypoint.configuration = stringAt(json, "configuration");
+  return waypoint;
 }
 
 Json processJson(const PathProcess& process) {
@@ -126,7 +126,7 @@ Json processJson(const PathProcess& process) {
   return json;
 }
 
-// None where it cannot be used: the path is as good without it.
+// Returns none if it cannot be used: the path is valid without it.
 std::optional<PathProcess> processFrom(const Json& json) {
   constexpr std::size_t kMostValues = 100;
   const auto values = json.is_object() ? json.find("values") : json.end();
@@ -192,22 +192,22 @@ Result<JointValues> jointsFrom(const Json& json, const RobotModel& robot, const 
 }
 
 Json toJson(const RobotModel& robot, const RobotPath& path) {
-  Json places = Json::array();
-  const Waypoint* begin = nullptr;  // of the leg
-  for (const Waypoint& place : path.places) {
-    places.push_back({{"joints", toJson(robot, place.joints)},
-                      {"name", place.name},
-                      {"critical", place.isCritical},
-                      {"motion", place.motion == ProgramMotion::Kind::Linear ? "linear" : "joint"},
-                      {"speed", place.speed},
-                      {"blend_mm", place.blend}});
-    if (begin && place.isPlannedFrom(*begin)) places.back()["planned"] = true;
-    if (place.target)
-      places.back()["target"] = {{"name", place.target->name}, {"in_tool", numbersOfPose(place.target->inTool)}};
-    if (!place.configuration.empty()) places.back()["configuration"] = place.configuration;
-    if (!begin || place.isCritical) begin = &place;
+  Json list = Json::array();
+  const Waypoint* begin = nullptr;  // begin of the leg
+  for (const Waypoint& waypoint : path.waypoints) {
+    list.push_back({{"joints", toJson(robot, waypoint.joints)},
+                    {"name", waypoint.name},
+                    {"critical", waypoint.isCritical},
+                    {"motion", waypoint.motion == ProgramMotion::Kind::Linear ? "linear" : "joint"},
+                    {"speed", waypoint.speed},
+                    {"blend_mm", waypoint.blend}});
+    if (begin && waypoint.isPlannedFrom(*begin)) list.back()["planned"] = true;
+    if (waypoint.target)
+      list.back()["target"] = {{"name", waypoint.target->name}, {"in_tool", numbersOfPose(waypoint.target->inTool)}};
+    if (!waypoint.configuration.empty()) list.back()["configuration"] = waypoint.configuration;
+    if (!begin || waypoint.isCritical) begin = &waypoint;
   }
-  Json json = {{"name", path.name}, {"places", places}};
+  Json json = {{"name", path.name}, {"places", list}};
   if (!path.arm.empty()) json["arm"] = path.arm;
   if (path.process) json["process"] = processJson(*path.process);
   if (path.clearance) json["clearance_mm"] = *path.clearance;
@@ -229,36 +229,36 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
       if (const auto base = poseAt(*bases, name.c_str())) path.bases[name] = *base;
     }
   }
-  const auto places = json.find("places"), waypoints = json.find("waypoints");
-  const bool isDetailed = places != json.end();
-  const auto& list = isDetailed ? places : waypoints;
+  const auto detailed = json.find("places"), waypoints = json.find("waypoints");
+  const bool isDetailed = detailed != json.end();
+  const auto& list = isDetailed ? detailed : waypoints;
   const std::string element = isDetailed ? "places" : "waypoints";
   if (list == json.end() || !list->is_array()) return malformedPath(element, "a list was expected");
-  if (list->size() > RobotPath::kMostPlaces) {
+  if (list->size() > RobotPath::kMostWaypoints) {
     return Error{ErrorCode::FileTooLarge,
-                 {"places", std::to_string(list->size()), std::to_string(RobotPath::kMostPlaces)},
+                 {"places", std::to_string(list->size()), std::to_string(RobotPath::kMostWaypoints)},
                  {},
                  {}};
   }
   Result<std::vector<std::uint32_t>> columns = std::vector<std::uint32_t>();
   if (!isDetailed) columns = columnsOf(json, robot, std::move(usual));
   if (!columns) return columns.error();
-  std::size_t begin = 0;  // of the leg
+  std::size_t begin = 0;  // begin of the leg
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string at = element + "[" + std::to_string(i) + "]";
     if (isDetailed) {
-      Result<Waypoint> place = placeFrom((*list)[i], at, robot, others);
-      if (!place) return place.error();
+      Result<Waypoint> waypoint = waypointFrom((*list)[i], at, robot, others);
+      if (!waypoint) return waypoint.error();
       if (i > 0 && isAt((*list)[i], "planned"))
-        place->plannedBetween = std::make_shared<const std::array<JointValues, 2>>(
-            std::array<JointValues, 2>{path.places[begin].joints, place->joints});
-      if (place->isCritical) begin = i;
-      path.places.push_back(std::move(place).value());
+        waypoint->plannedBetween = std::make_shared<const std::array<JointValues, 2>>(
+            std::array<JointValues, 2>{path.waypoints[begin].joints, waypoint->joints});
+      if (waypoint->isCritical) begin = i;
+      path.waypoints.push_back(std::move(waypoint).value());
       continue;
     }
     Result<JointValues> values = valuesFrom((*list)[i], at, *columns, robot, others);
     if (!values) return values.error();
-    path.places.push_back({.joints = std::move(values).value()});
+    path.waypoints.push_back({.joints = std::move(values).value()});
   }
   return path;
 }

@@ -39,7 +39,7 @@ bool Waypoint::isPlannedFrom(const Waypoint& begin) const {
          isSame((*plannedBetween)[1], joints);
 }
 
-bool PlaceTarget::operator==(const PlaceTarget& other) const {
+bool WaypointTarget::operator==(const WaypointTarget& other) const {
   return name == other.name && inTool.matrix() == other.inTool.matrix();
 }
 
@@ -62,7 +62,7 @@ bool PathProcess::operator==(const PathProcess& other) const {
 }
 
 bool RobotPath::operator==(const RobotPath& other) const {
-  return name == other.name && places == other.places && arm == other.arm && process == other.process &&
+  return name == other.name && waypoints == other.waypoints && arm == other.arm && process == other.process &&
          areSame(bases, other.bases) && clearance == other.clearance;
 }
 
@@ -96,7 +96,7 @@ FreeNames CellPlans::pathNames() const {
   return names;
 }
 
-FreeNames CellPlans::placeNames() const {
+FreeNames CellPlans::poseNames() const {
   FreeNames names;
   for (const NamedConfiguration& each : configurations) names.add(each.name);
   for (const NamedTarget& each : targets) names.add(each.name);
@@ -126,9 +126,9 @@ std::size_t CellPlans::bytes() const {
     }
   }
   for (const RobotPath& path : paths) {
-    for (const Waypoint& place : path.places) {
-      sum += sizeof place + place.name.size() + place.configuration.size() + ofValues(place.joints);
-      if (place.target) sum += place.target->name.size();
+    for (const Waypoint& waypoint : path.waypoints) {
+      sum += sizeof waypoint + waypoint.name.size() + waypoint.configuration.size() + ofValues(waypoint.joints);
+      if (waypoint.target) sum += waypoint.target->name.size();
     }
   }
   return sum;

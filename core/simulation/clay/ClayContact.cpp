@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kStill = 0.01;  // voxels: a step that is no more is the last
 
-// Where a simulation removes the material, it has gone from around the tool: there its load counts, and the field only
-// where the hand has come to material that the load does not know of.
+// If a simulation removes the material, that around the tool is already gone: then its load counts, and the field only
+// where the hand has reached material that the load does not include.
 double resistanceTo(const Vec3& hand, const Vec3& tool, const SparseVolume& volume, const ClayFeel& feel,
                     const DrillingLoad* load) {
   constexpr double kBeyond = 0.25;  // voxels
-  if (load && load->resistance > 0.0 && (hand - tool).dot(load->way) > 0.0) return load->resistance;
+  if (load && load->resistance > 0.0 && (hand - tool).dot(load->direction) > 0.0) return load->resistance;
   const VolumeSampler sampler(volume);
   const double depth = sampler.depthAt(hand).depth;
   const bool isInside = load ? depth > kBeyond * volume.voxel() : depth > 0.0 || sampler.depthAt(tool).depth > 0.0;
@@ -25,7 +25,7 @@ double resistanceTo(const Vec3& hand, const Vec3& tool, const SparseVolume& volu
 
 }  // namespace
 
-void ClayContact::place(const Vec3& hand) {
+void ClayContact::reset(const Vec3& hand) {
   m_tool = hand;
   m_isBuried = true;  // if it is in material
 }
@@ -54,22 +54,22 @@ bool ClayContact::slide(const SparseVolume& volume, const Vec3& hand) {
   const double voxel = volume.voxel();
   bool isTouching = false;
   for (int i = 0; i < kMostSteps; ++i) {
-    Vec3 way = hand - m_tool;
+    Vec3 displacement = hand - m_tool;
     const VolumeSampler::Depth here = sampler.depthAt(m_tool);
-    // On the surface only what goes along it or away is left of the way.
+    // On the surface only the displacement along it or away from it remains.
     if (here.depth > -0.05 * voxel && here.gradient.norm() > 0.1) {
       const Vec3 inwards = here.gradient.normalized();
-      const double into = way.dot(inwards);
+      const double into = displacement.dot(inwards);
       if (into > 0.0) {
         isTouching = true;
-        way -= into * inwards;
+        displacement -= into * inwards;
       }
     }
-    const double length = way.norm();
+    const double length = displacement.norm();
     if (length < kStill * voxel) break;
     const Vec3 before = m_tool;
     const double step = std::min(length, std::max(0.25 * voxel, -here.depth));
-    m_tool += step / length * way;
+    m_tool += step / length * displacement;
     for (int k = 0; k < 3; ++k) {
       const VolumeSampler::Depth there = sampler.depthAt(m_tool);
       if (!(there.depth > 0.0)) break;

@@ -29,7 +29,7 @@ ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
     m_isTouching = m_isCutting = false;
     return {};
   }
-  if (tip.isRestart || !m_isPlaced) m_contact.place(m_hand);
+  if (tip.isRestart || !m_isPlaced) m_contact.reset(m_hand);
   m_isPlaced = true;
   swing(tip.period);
   const ClayPatch& patch = m_channel->patch.read();
@@ -40,11 +40,11 @@ ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
     m_isTouching = m_contact.follow(patch.state->volume, feel, m_hand, gesture != 0, tip.period,
                                     patch.load ? &*patch.load : nullptr);
   } else {
-    m_contact.place(m_hand);
+    m_contact.reset(m_hand);
   }
   m_isCutting = m_isTouching && m_feel.isCutting && gesture != 0;
   const Vec3 tool = tip.position + m_contact.tool() - m_hand;
-  // What nothing holds back has no pressure to go by.
+  // Without contact no pressure can be derived from the force.
   const double pressure = m_isTouching ? std::min(1.0, held() / kFullForce) : 1.0;
   m_channel->inputs->push({tip, tool, gesture, false, pressure});
   if (!m_isTouching) return {};
@@ -54,8 +54,8 @@ ForceBounds ClayForce::advance(const TipState& tip, ForceOut& out) noexcept {
   return {m_feel.stiffness, 0.0};
 }
 
-// While it cuts the spring gives way by the vibration once a turn: so it is never stiffer than the loop can carry. The
-// tool goes as fast as what is left of the force lets it, so the mean of the force stays.
+// While it cuts, the vibration once a turn softens the spring, which so is never stiffer than the loop can carry. The
+// tool moves with the speed of the reduced force, so the mean of the force stays.
 void ClayForce::swing(double period) noexcept {
   m_angle = std::fmod(m_angle + m_feel.spindle / 60.0 * 2.0 * M_PI * period, 2.0 * M_PI);
   m_give = 1.0;

@@ -17,29 +17,29 @@ struct ClayState : SimulationState {
   SparseVolume volume;
   VolumeSurface surface;
   std::shared_ptr<const ClayMask> mask;  // null: nothing is protected
-  std::size_t changedBlocks = 0;         // since the simulation began, of the volume and of the mask
-  bool isComplete = false;               // the gesture has ended, and all of it is in the volume
+  std::size_t changedBlocks = 0;  // number of changed blocks of the volume and of the mask since the simulation began
+  bool isComplete = false;        // the gesture has ended, and the volume has all of it
 };
 
-// What the servo loop reads of a simulation of clay: null before the first step. A volume is read without a lock, and
-// is freed on the thread that writes the next one.
+// Data of a simulation of clay for the servo loop; null before the first step. A volume is read without a lock, and is
+// freed on the thread that writes the next one.
 struct ClayPatch {
   std::shared_ptr<const ClayState> state;
-  std::optional<DrillingLoad> load = {};  // of a simulation that computes one; none: not yet
+  std::optional<DrillingLoad> load = {};  // none: not computed yet, or not by this simulation
 };
 
 using ClayChannel = SimulationChannel<ClayPatch>;
 
-// The simulation of clay: a brush changes the volume in a gesture. It does so as it is drawn over it.
+// The simulation of clay: a brush stroke changes the volume while it is drawn.
 class ClaySimulation : public Simulation {
  public:
-  // begin: what it starts from. The channel must outlive it.
+  // begin: the initial state. The channel must outlive the simulation.
   ClaySimulation(std::shared_ptr<const ClayState> begin, const ClayBrush& brush, std::shared_ptr<ClayChannel> channel);
 
-  // Applies kMostDabs at most: the rest waits for the next steps, so that a hand that is faster than the machine is
-  // followed late, and not by one long step.
+  // Applies at most kMostDabs; the rest is left for the next steps. A hand that is too fast for the machine is followed
+  // late instead of by one long step.
   void step(double dt, std::span<const SimulationInput> inputs) override;
-  // Applies what is left. To be called at the end of a gesture, and after each step where nobody waits for it.
+  // Applies the remaining dabs. To be called at the end of a gesture, or after each step if nobody waits for it.
   void finish();
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
   // The blocks that ClayState::changedBlocks counts.
@@ -53,9 +53,9 @@ class ClaySimulation : public Simulation {
   std::shared_ptr<const ClayState> m_state;
   ClayStroke m_stroke;
   std::shared_ptr<ClayChannel> m_channel;
-  bool m_isEnded = false;                  // the gesture
+  bool m_isEnded = false;                  // the gesture has ended
   bool m_isWritten = false;                // the present state is in the channel
-  std::set<std::array<int, 3>> m_changed;  // blocks
+  std::set<std::array<int, 3>> m_changed;  // changed blocks
 };
 
 }  // namespace handwheel

@@ -8,9 +8,9 @@
 namespace handwheel {
 
 ClayBrush ClayBrush::at(double share) const {
-  constexpr double kLeastRadius = 0.1;  // of the radius that is set
+  constexpr double kLeastRadius = 0.1;  // share of the set radius
   ClayBrush pressed = *this;
-  // A move takes all that is in its middle along, and what is painted is protected entirely, or free.
+  // A move takes the whole middle along, and a mask protects fully or not at all.
   if (action == ClayAction::Move) pressed.strength = 1.0;
   if (action == ClayAction::Mask) pressed.strength = std::copysign(1.0, strength);
   const double force = share < 1.0 ? std::max(0.0, share) : 1.0;
@@ -20,25 +20,25 @@ ClayBrush ClayBrush::at(double share) const {
   return pressed;
 }
 
-void ClayStroke::move(const Vec3& place, double time, const Vec3& normal, double pressure) {
-  if (!place.allFinite() || !std::isfinite(time)) return;
+void ClayStroke::move(const Vec3& position, double time, const Vec3& normal, double pressure) {
+  if (!position.allFinite() || !std::isfinite(time)) return;
   const ClayBrush brush = m_brush.at(pressure);
   const bool isMove = brush.action == ClayAction::Move || brush.action == ClayAction::Smudge;
   const bool isShape = brush.action == ClayAction::Add || brush.action == ClayAction::Carve;
   const bool isStamp = isShape && brush.stamp, isSwept = (isShape && !isStamp) || brush.action == ClayAction::Mask;
   if (!m_last) {
-    m_last = place;
+    m_last = position;
     m_lastTime = time;
-    if (!isMove) add(brush, place, Vec3::Zero(), normal);
+    if (!isMove) add(brush, position, Vec3::Zero(), normal);
     return;
   }
   const Vec3 from = *m_last;
-  const double length = (place - from).norm();
+  const double length = (position - from).norm();
   if (isSwept) {
     if (length < kMoveSpacing * brush.radius) return;
     const double count = std::min(std::ceil(length / (kSweep * brush.radius)), static_cast<double>(kMostAtOnce));
     for (double i = 1.0; i <= count; ++i) {
-      const Vec3 at = from + i / count * (place - from);
+      const Vec3 at = from + i / count * (position - from);
       add(brush, at, at - *m_last, normal);
       m_last = at;
     }
@@ -49,10 +49,10 @@ void ClayStroke::move(const Vec3& place, double time, const Vec3& normal, double
   if (count == 0) {
     if (isMove || isStamp || time - m_lastTime < kRestPeriod) return;
     m_lastTime = time;
-    m_last = place;
-    return add(brush, place, Vec3::Zero(), normal);
+    m_last = position;
+    return add(brush, position, Vec3::Zero(), normal);
   }
-  const Vec3 step = std::max(spacing, length / static_cast<double>(kMostAtOnce)) / length * (place - from);
+  const Vec3 step = std::max(spacing, length / static_cast<double>(kMostAtOnce)) / length * (position - from);
   for (std::size_t i = 1; i <= count; ++i) {
     const Vec3 at = from + static_cast<double>(i) * step;
     add(brush, isMove ? Vec3(at - step) : at, isMove ? step : Vec3(Vec3::Zero()), normal);
@@ -63,7 +63,7 @@ void ClayStroke::move(const Vec3& place, double time, const Vec3& normal, double
 
 // Upright: its upper end is towards z, or towards y where the surface lies flat.
 void ClayStroke::turnStamp(ClayDab& dab) const {
-  constexpr double kFlat = 0.9;  // of the normal along z
+  constexpr double kFlat = 0.9;  // normal component along z
   dab.stamp = m_brush.stamp;
   if (!dab.stamp) return;
   const Vec3& out = dab.direction;
@@ -73,8 +73,8 @@ void ClayStroke::turnStamp(ClayDab& dab) const {
   dab.right = std::cos(m_brush.turn) * right + std::sin(m_brush.turn) * up;
 }
 
-void ClayStroke::add(const ClayBrush& brush, const Vec3& centre, const Vec3& way, const Vec3& normal) {
-  ClayDab dab{brush.action, centre, brush.radius, brush.strength, brush.falloff, way, Vec3::UnitZ()};
+void ClayStroke::add(const ClayBrush& brush, const Vec3& centre, const Vec3& displacement, const Vec3& normal) {
+  ClayDab dab{brush.action, centre, brush.radius, brush.strength, brush.falloff, displacement, Vec3::UnitZ()};
   if (!normal.isZero()) dab.direction = normal;
   turnStamp(dab);
   std::vector<ClayDab> all{dab};

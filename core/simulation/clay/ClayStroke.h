@@ -9,55 +9,55 @@
 
 namespace handwheel {
 
-// What the pressure of a pen, or of the hand at a device, changes.
+// The brush settings that depend on the pressure of a pen or device.
 enum class ClayPressure { Nothing, Strength, Radius, Both };
 
-// A clay tool as it is set.
+// The settings of a clay tool.
 struct ClayBrush {
   ClayAction action = ClayAction::Carve;
   double radius = 5.0;                                  // mm
-  double strength = 0.5;                                // as that of ClayDab
-  double falloff = 1.0;                                 // as that of ClayDab
+  double strength = 0.5;                                // ClayDab::strength
+  double falloff = 1.0;                                 // ClayDab::falloff
   std::array<bool, 3> isMirrored{false, false, false};  // across x, y, z
-  Vec3 mirror = Vec3::Zero();                           // mm, on the planes of symmetry
-  std::shared_ptr<const ClayStamp> stamp = nullptr;     // as that of ClayDab
+  Vec3 mirror = Vec3::Zero();                           // mm, a point on the planes of symmetry
+  std::shared_ptr<const ClayStamp> stamp = nullptr;     // ClayDab::stamp
   ClayPressure pressure = ClayPressure::Nothing;
-  double turn = 0.0;  // radian, that the stamp is turned by, seen from outside anticlockwise
+  double turn = 0.0;  // rad, rotation of the stamp, anticlockwise as seen from outside
 
   bool operator==(const ClayBrush&) const = default;
 
-  // The brush as it works under a share of the full pressure, from 0 to 1; others count as the nearest of these. A
-  // tenth of the radius is left at least.
+  // Returns the brush at a share of the full pressure, clamped to 0…1. A tenth of the radius is left at least.
   ClayBrush at(double share) const;
 };
 
-// The places at which a brush stroke acts on a volume. At once where it is pressed, then whenever it has gone a share
-// of its radius, and some times a second where it rests and this does something. Stamps follow one another side by
-// side. What adds, carves or masks is swept from one place to the next.
+// Divides a brush stroke into dabs on a volume. There is one at the first position, then one after each fixed fraction
+// of the radius, and some a second while the brush rests if its action has an effect then. Stamps follow one another
+// side by side. Brushes that add, carve or mask are swept between positions.
 class ClayStroke {
  public:
   explicit ClayStroke(const ClayBrush& brush) : m_brush(brush) {}
 
-  // The next place of the brush, mm, and its time, s. normal: of the surface there, for what acts along it. Adds to
-  // dabs() what it does there. Places that are not finite are left out. pressure: 0 to 1.
-  void move(const Vec3& place, double time, const Vec3& normal, double pressure = 1.0);
+  // Adds the next position of the brush, mm, and its time, s, and appends the resulting dabs to dabs(). normal: surface
+  // normal at the position, for actions along it. Positions that are not finite are ignored. pressure: 0 to 1.
+  void move(const Vec3& position, double time, const Vec3& normal, double pressure = 1.0);
 
-  // What is to be applied, in order; who has applied some takes them out.
+  // Returns the dabs to be applied, in order; the caller removes those that it has applied.
   std::vector<ClayDab>& dabs() { return m_dabs; }
 
  private:
-  static constexpr double kSpacing = 0.2;          // of the radius, between dabs
-  static constexpr double kMoveSpacing = 0.05;     // of those that move material along, and the least way of a sweep
-  static constexpr double kStampSpacing = 1.4142;  // the side of a stamp
-  static constexpr double kSweep = 2.0;            // of the radius, at most at once
+  static constexpr double kSpacing = 0.2;  // share of the radius, between dabs
+  // likewise for actions that move material, and the least length of a sweep
+  static constexpr double kMoveSpacing = 0.05;
+  static constexpr double kStampSpacing = 1.4142;  // likewise for stamps: the side of a stamp
+  static constexpr double kSweep = 2.0;            // share of the radius, largest length of a sweep
   static constexpr double kRestPeriod = 0.05;      // s
   static constexpr std::size_t kMostAtOnce = 2000;
 
-  void add(const ClayBrush& brush, const Vec3& centre, const Vec3& way, const Vec3& normal);
+  void add(const ClayBrush& brush, const Vec3& centre, const Vec3& displacement, const Vec3& normal);
   void turnStamp(ClayDab& dab) const;
 
   ClayBrush m_brush;
-  std::optional<Vec3> m_last;  // where the last dab was
+  std::optional<Vec3> m_last;  // position of the last dab
   double m_lastTime = 0.0;
   std::vector<ClayDab> m_dabs;
 };

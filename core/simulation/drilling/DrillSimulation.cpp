@@ -92,9 +92,9 @@ double DrillSimulation::targetOfPhase() const {
   return hasPecks ? m_pecked + m_feed->peck : std::numeric_limits<double>::infinity();
 }
 
-// Each turn is a place of its own, so that the full depth of a peck is drilled.
+// Each turn is a position of its own, so that the full depth of a peck is drilled.
 void DrillSimulation::feedFor(double dt) {
-  const auto go = [&] { goTo(*m_start + m_depth * m_feed->way, m_feed->axis); };
+  const auto go = [&] { goTo(*m_start + m_depth * m_feed->direction, m_feed->axis); };
   go();
   while (!m_isHeld) {
     const double target = targetOfPhase(), left = target - m_depth;
@@ -116,10 +116,11 @@ void DrillSimulation::feedFor(double dt) {
   m_time += dt;
 }
 
-// As the record has it, so that it gives the same hole. What is too long for a record is drilled on without.
-void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
-  const DrillPose pose = DrillPose::of(place, axis, m_time);
-  if (!place.allFinite() || !pose.isSound()) return;
+// Uses the pose of the record, so that the record gives the same hole. Beyond the limit of a record, drilling continues
+// without it.
+void DrillSimulation::goTo(const Vec3& position, const Vec3& axis) {
+  const DrillPose pose = DrillPose::of(position, axis, m_time);
+  if (!position.allFinite() || !pose.isSound()) return;
   const DrillTick tick = move(m_run, pose);
   m_load.thrust = std::max(m_load.thrust, tick.thrust);
   m_load.torque = std::max(m_load.torque, tick.torque.norm());
@@ -130,8 +131,8 @@ void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
     const Vec3 along = pose.direction();
     if (!m_plan) {
       constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-      const Vec3 way = m_feed ? m_feed->way : Vec3(-along);
-      m_plan = DrillPlan{pose.place() + m_setup.tool.edge() * way, way, kAnywhere, {}};
+      const Vec3 direction = m_feed ? m_feed->direction : Vec3(-along);
+      m_plan = DrillPlan{pose.position() + m_setup.tool.edge() * direction, direction, kAnywhere, {}};
     }
     m_watch.emplace(*m_plan);
     m_watch->beginHole(m_setup);
@@ -140,28 +141,29 @@ void DrillSimulation::goTo(const Vec3& place, const Vec3& axis) {
   m_moments.push_back(m_watch->add(tick, pose.direction(), m_run.breakthrough().has_value()));
 }
 
-// By the balance of energy over the last way that is long enough for the voxels to tell what it took.
+// Computes the load by the balance of energy over the last stretch that is long enough for the resolution of the
+// voxels.
 void DrillSimulation::watchLoad(const DrillTick& tick, const Vec3& axis) {
-  constexpr double kLeastWay = 0.01;  // voxels
+  constexpr double kLeastTravel = 0.01;  // voxels
   const std::optional<DrillTick> before = std::exchange(m_before, tick);
   if (!before) return;
-  const Vec3 way = tick.place - before->place;
-  m_passage.way += way;
-  m_passage.length += way.norm();
+  const Vec3 displacement = tick.position - before->position;
+  m_passage.displacement += displacement;
+  m_passage.length += displacement.norm();
   m_passage.seconds += tick.time - before->time;
   m_passage.removed += tick.removed;
-  if (!(m_passage.length > kLeastWay * m_state->volume.voxel() && m_passage.seconds > 0.0)) return;
+  if (!(m_passage.length > kLeastTravel * m_state->volume.voxel() && m_passage.seconds > 0.0)) return;
   const Passage gone = std::exchange(m_passage, {});
   const double feed = gone.length / gone.seconds;
   const DrillLoad load = drillLoad(m_setup.material, m_setup.tool, gone.removed, gone.seconds, feed, m_setup.spindle);
   m_felt.emplace();
-  if (!(load.thrust > 0.0) || gone.way.isZero(0.0)) return;
+  if (!(load.thrust > 0.0) || gone.displacement.isZero(0.0)) return;
   m_felt->resistance = load.thrust / feed;
-  m_felt->way = gone.way.normalized();
+  m_felt->direction = gone.displacement.normalized();
   m_felt->torque = -std::copysign(load.torque / load.thrust, m_setup.spindle) * axis;
 }
 
-// Ahead of the hand, which waits for nobody. What it does not get to is given back.
+// Cuts voxels ahead of the hand, which never waits. Voxels that it does not reach are given back.
 void DrillSimulation::holdNear(const SimulationInput& hand) {
   const Vec3 foremost = hand.proxy - m_setup.tool.reach() * (hand.tip.orientation * Vec3::UnitZ());
   if (hand.isEnd || !foremost.allFinite()) return;

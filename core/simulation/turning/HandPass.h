@@ -7,29 +7,29 @@
 
 namespace handwheel {
 
-// Builds the pass of a tool that a hand moves, place by place. Live and from a recording it is the same, bit for bit.
+// Builds the pass of a tool that a hand moves. Live input and recordings give the same pass, bit for bit.
 class HandPass {
  public:
-  // blank: a pass without points, which says what cuts. base: mm, z of the part's lower end where the hand is.
-  // mostPoints: of the pass.
+  // blank: a pass without points, with the tool. base: mm, z of the part's lower end in the coordinates of the hand.
+  // mostPoints: limit of the pass.
   HandPass(TurningPass blank, double base, std::size_t mostPoints = TurningPass::kMostPoints)
       : m_pass(std::move(blank)), m_base(base), m_mostPoints(mostPoints) {}
 
-  // Adds the next place of the nose's centre, mm. time: s, by any clock. speed: r/min of the spindle; 0: not known.
-  // Returns how many points it became: none where the pass is full, and one more where the way passes the axis.
-  std::size_t add(const Vec3& place, double time, double speed);
+  // Adds the next position of the nose's centre, mm. time: s, by any clock. speed: r/min of the spindle; 0: not known.
+  // Returns the number of points added: none if the pass is full, and one more if the motion crosses the axis.
+  std::size_t add(const Vec3& position, double time, double speed);
 
   const TurningPass& pass() const { return m_pass; }
   bool isFull() const { return m_pass.path.size() >= m_mostPoints; }
 
  private:
-  void addPoint(const Vec3& place, double time, double speed);
+  void addPoint(const Vec3& position, double time, double speed);
 
   TurningPass m_pass;
   double m_base;
   std::size_t m_mostPoints;
-  double m_begin = 0.0;         // s, of the first point
-  Vec3 m_place = Vec3::Zero();  // mm, s: that was added last
+  double m_begin = 0.0;            // s, time of the first point
+  Vec3 m_position = Vec3::Zero();  // mm, last position
   double m_time = 0.0;
 };
 

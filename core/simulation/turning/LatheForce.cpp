@@ -54,7 +54,7 @@ void LatheForce::touch(const TipState& tip, ForceOut& out) noexcept {
   const double distance = across.norm();
   if (distance > 0.0) m_outward = across / distance;
   const ProfilePoint hand(distance, tip.position.z() - m_base);
-  if (tip.isRestart || !std::exchange(m_wasFree, true)) m_contact.place(hand);
+  if (tip.isRestart || !std::exchange(m_wasFree, true)) m_contact.reset(hand);
   TurningTool finger;
   finger.noseRadius = LatheSimulation::kFinger;
   finger.stiffness = m_touch.stiffness;
@@ -72,11 +72,12 @@ double LatheForce::planeForce(double y) const noexcept {
   return std::copysign(m_touch.plane * std::min(away, reach - away), -y);
 }
 
-// What grinds is pressed along the normal of the surface. Along the way of the surface, which turns about +z at a
-// positive speed: the tool is at +x. Against the feed, and across it out of the material.
+// An abrasive is pressed along the normal of the surface. The cutting force acts along the motion of the surface, which
+// turns about +z at a positive speed: the tool is at +x. The other components act against the feed, and across it out
+// of the material.
 Vec3 LatheForce::cutForce(double period) const noexcept {
-  const ProfilePoint way = m_patch.velocity.norm() > 0.0 ? m_patch.velocity.normalized() : ProfilePoint(0.0, 0.0);
-  const ProfilePoint push = m_cut.radial * m_patch.passive - m_cut.feed * way + m_press;
+  const ProfilePoint direction = m_patch.velocity.norm() > 0.0 ? m_patch.velocity.normalized() : ProfilePoint(0.0, 0.0);
+  const ProfilePoint push = m_cut.radial * m_patch.passive - m_cut.feed * direction + m_press;
   Vec3 cut(push.x(), std::copysign(m_cut.cutting, m_patch.spindleSpeed), push.y());
   cut *= m_touch.forceShare;
   if (const double norm = cut.norm(); norm > m_touch.mostForce) cut *= m_touch.mostForce / norm;

@@ -11,26 +11,26 @@ namespace handwheel {
 // The id of the force source.
 inline constexpr const char* kLatheSource = "lathe";
 
-// What of a lathe the hand feels, and how strongly. Stiffnesses are those in the scene.
+// Settings of the forces of a lathe on the hand. Stiffnesses are in units of the scene.
 struct LatheTouch {
   double stiffness = 0.5;    // N/mm, of the spring between the hand and the tool that it holds
   double plane = 0.3;        // N/mm, of the work plane
-  double planeReach = 8.0;   // mm: further away it attracts no more
-  double forceShare = 0.01;  // of the cutting force, which is far beyond what a device can do
-  double mostForce = 4.0;    // N, of that
+  double planeReach = 8.0;   // mm, range of the attraction of the work plane
+  double forceShare = 0.01;  // factor of the cutting force, which is far beyond the force of a device
+  double mostForce = 4.0;    // N, limit of the scaled cutting force
   CuttingFeel feel;
 
   bool operator==(const LatheTouch&) const = default;
 };
 
-// The force of a manual lathe. A plane through the axis, y = 0, attracts the hand; the tool that it holds in a gesture
-// is on a spring, since the slides go as fast as the machine lets them only; and while it cuts, the force of the
-// cutting law, or the press of what grinds, pushes it along with the work, back, and out of the material; and the
-// slides that it moves have friction and drag. A hand that holds no tool feels the part from outside, and the grooves
-// of its threads while it does not turn. The tick allocates nothing and takes no lock.
+// The force of a manual lathe. A plane through the axis, y = 0, attracts the hand. The tool that it holds in a gesture
+// is on a spring, since the slides are only as fast as the machine. While the tool cuts, the force of the cutting law,
+// or the pressure of an abrasive, pushes it along with the work, back, and out of the material; the slides have
+// friction and drag. A hand that holds no tool feels the part from outside, and the grooves of its threads while it
+// does not turn. A tick allocates nothing and takes no lock.
 class LatheForce : public ForceSource {
  public:
-  // material: of the simulation's tools; never null. base: mm, z of the part's lower end in the scene.
+  // material: material for the tools of the simulation; never null. base: mm, z of the part's lower end in the scene.
   LatheForce(std::shared_ptr<LatheChannel> channel, std::shared_ptr<const LatheMaterial> material,
              const LatheTouch& touch, double base);
 
@@ -38,7 +38,7 @@ class LatheForce : public ForceSource {
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
 
-  // N, of the last tick: the cut, as the law has it, without the share.
+  // Returns the cutting forces of the last tick by the law, N, without the share.
   const CutForces& cut() const { return m_cut; }
 
  private:
@@ -52,14 +52,14 @@ class LatheForce : public ForceSource {
   double m_base;
   LathePatch m_patch;
   CutForces m_cut;
-  ProfilePoint m_press{0.0, 0.0};  // N, in (r, z)
-  Vec3 m_tool = Vec3::Zero();      // mm: where the tool is
+  ProfilePoint m_press{0.0, 0.0};  // N, force on an abrasive in (r, z)
+  Vec3 m_tool = Vec3::Zero();      // mm, position of the tool
   bool m_isHeld = false;
-  TurningContact m_contact;        // of a hand that holds no tool
-  Vec3 m_outward = Vec3::UnitX();  // from the axis to that hand
-  Vec3 m_surface = Vec3::Zero();   // mm: where the part holds it
+  TurningContact m_contact;        // contact of a hand that holds no tool
+  Vec3 m_outward = Vec3::UnitX();  // direction from the axis to that hand
+  Vec3 m_surface = Vec3::Zero();   // mm, point of the part that holds the hand
   bool m_isTouching = false;
-  bool m_wasFree = false;  // the hand held no tool in the tick before
+  bool m_wasFree = false;  // the hand held no tool in the previous tick
 };
 
 }  // namespace handwheel

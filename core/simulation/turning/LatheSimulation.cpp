@@ -11,10 +11,10 @@ namespace handwheel {
 
 namespace {
 
-// Of the speed that is asked for: a spindle that has so much of it is held.
+// Share of the demanded speed at which a spindle counts as constant.
 constexpr double kHeld = 0.99;
 
-// A thread goes on as long as its helix is the same.
+// Returns true if a thread continues: its helix is the same.
 bool goesOn(const TurningPass& pass, const LatheStep& step) {
   constexpr double kSame = 1e-6;  // mm
   if (!pass.thread || !step.thread) return !pass.thread && !step.thread;
@@ -23,7 +23,7 @@ bool goesOn(const TurningPass& pass, const LatheStep& step) {
          std::abs(apart - pitch * std::round(apart / pitch)) < kSame;
 }
 
-// Whether the last point of a path lies between the one before and the next, at the same radius.
+// Returns true if the last point of a path lies between the previous and the next, at the same radius.
 bool isStraightOn(const std::vector<ProfilePoint>& path, const ProfilePoint& next) {
   if (path.size() < 2) return false;
   const ProfilePoint &before = path[path.size() - 2], &last = path.back();
@@ -54,19 +54,19 @@ void LatheSimulation::takeCommands(std::span<const SimulationInput> inputs) {
   if (inputs.empty()) return;
   const SimulationInput& last = inputs.back();
   if (last.gesture != 0) {
-    LatheCommand place;
-    place.kind = LatheCommand::Kind::Place;
-    place.value = last.tip.position.x();
-    place.other = last.tip.position.z() - m_base;
-    m_commands.push_back(place);
+    LatheCommand placement;
+    placement.kind = LatheCommand::Kind::MoveTip;
+    placement.value = last.tip.position.x();
+    placement.other = last.tip.position.z() - m_base;
+    m_commands.push_back(placement);
   } else if (m_isPlacing) {
     m_commands.push_back({LatheCommand::Kind::Release});
   }
   m_isPlacing = last.gesture != 0;
 }
 
-// Each tool makes a pass of its own. The path goes on from point to point, since each cut begins where the last move
-// of the same tool ended.
+// Each tool makes a pass of its own. Its path is continuous, since each cut begins where the last move of the same tool
+// ended.
 void LatheSimulation::record(const LatheStep& step, double dt) {
   if (!step.tool || (!step.hasMoved() && step.cut.isEmpty())) return;
   const bool isOther = m_passes.empty() || m_passes.back().tool != step.tool ||
@@ -103,7 +103,7 @@ void LatheSimulation::record(const LatheStep& step, double dt) {
                m_run.profile(), step.cut.changed);
 }
 
-// Those whose triangles a step of a thread may change: with its run-out, and half a groove on both sides.
+// Returns the samples whose triangles a step of a thread may change: with its run-out, and half a groove on both sides.
 TurnedProfile::Range LatheSimulation::samplesBeside(const LatheStep& step) const {
   const auto [low, high] = std::minmax(step.from.y(), step.to.y());
   const double reach = 2.0 * step.thread->lead(), spacing = m_run.profile().spacing();

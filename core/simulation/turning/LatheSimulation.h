@@ -15,19 +15,19 @@ namespace handwheel {
 struct LathePatch {
   ProfilePoint tip{0.0, 0.0};       // (r, z)
   ProfilePoint velocity{0.0, 0.0};  // mm/s
-  double time = 0.0;                // s, of the input that it follows
-  CutConditions cut;                // of no depth: nothing is cut
-  ProfilePoint passive{1.0, 0.0};   // the way of its radial force on the tool, as in LatheLoad
-  ProfilePoint press{0.0, 0.0};     // N, on what grinds, in (r, z)
-  double rub = 0.0;                 // N, on it along the way of the surface
-  double wear = 0.0;                // mm, of the flank
-  std::uint32_t tool = 0;           // that cuts, as its place in the list of tools
+  double time = 0.0;                // s, time of the input that it follows
+  CutConditions cut;                // depth 0: nothing is cut
+  ProfilePoint passive{1.0, 0.0};   // direction of the radial force on the tool, as in LatheLoad
+  ProfilePoint press{0.0, 0.0};     // N, force on an abrasive, in (r, z)
+  double rub = 0.0;                 // N, friction on an abrasive along the motion of the surface
+  double wear = 0.0;                // mm, flank wear
+  std::uint32_t tool = 0;           // index of the cutting tool in the list of tools
   double spindleSpeed = 0.0;        // r/min, signed
-  double angle = 0.0;               // turns of the spindle
-  ProfilePatch part;                // near the hand, with the threads of a part that does not turn
+  double angle = 0.0;               // revolutions of the spindle
+  ProfilePatch part;                // the part near the hand, with threads if it does not turn
 };
 
-// What a lathe exchanges with the servo loop and the window. Neither waits.
+// The data that a lathe exchanges with the servo loop and the window. Neither waits.
 struct LatheChannel : SimulationChannel<LathePatch> {
   static constexpr std::size_t kWaiting = 4096;
   SpscRing<LatheCommand> commands{kWaiting};  // from the window
@@ -38,39 +38,40 @@ struct LatheMoment : SimulationState {
   LatheMoment(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
   TurnedProfile profile;
   TurnedSurface surface;
-  SurfaceFinish finish;  // of the profile
+  SurfaceFinish finish;  // finish of the profile
   LatheState machine;
   std::shared_ptr<const LatheTool> tool;  // in use; null: none
-  ProfilePoint tip{0.0, 0.0};             // mm, true place
+  ProfilePoint tip{0.0, 0.0};             // mm, true position of the tip
   double quillTip = 0.0;                  // mm
-  LatheLoad load;                         // of the cut
-  bool isCut = false;                     // material left since the simulation began
-  double sinceCut = 0.0;                  // s since material left last
-  bool isFull = false;                    // nothing more is recorded: the pass has to end
-  bool isHeld = false;                    // the last move was held back: a crash, a limit, the part
+  LatheLoad load;                         // load of the cut
+  bool isCut = false;                     // material was removed since the simulation began
+  double sinceCut = 0.0;                  // s, since material was last removed
+  bool isFull = false;                    // recording is full: the pass has to end
+  bool isHeld = false;                    // the last motion was stopped: by a crash, a limit, or the part
   double removed = 0.0;                   // mm³, since the simulation began
   std::shared_ptr<const std::vector<LatheCollision>> collisions;  // never null
   std::shared_ptr<const std::vector<LatheWarning>> warnings;      // never null
 };
 
-// The simulation of a manual lathe. Commands of the window and the hand at a device move it, material leaves. What was
-// cut since it began is one pass for each tool that cut.
+// The simulation of a manual lathe. Commands of the window and the hand at a device move it, and the tool removes
+// material. All cuts since it began form one pass for each tool.
 class LatheSimulation : public Simulation {
  public:
-  static constexpr double kShownRate = 125.0;  // changes of the shown part in a second, at most
-  static constexpr double kThreadRate = 25.0;  // those of a thread, whose triangles take some milliseconds
-  static constexpr double kFinger = 0.5;       // mm, radius of what feels the part while no tool is held
+  static constexpr double kShownRate = 125.0;  // Hz, largest rate at which the shown part changes
+  static constexpr double kThreadRate = 25.0;  // Hz, largest rate for threads, whose triangles take some milliseconds
+  static constexpr double kFinger = 0.5;       // mm, radius of the probe that feels the part while no tool is held
 
-  // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time. finish: of the part,
-  // which has had this number of passes.
+  // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time. finish: finish of the
+  // part, which has had this number of passes.
   LatheSimulation(LatheRun run, TurnedSurface surface, double base, std::shared_ptr<LatheChannel> channel,
                   SurfaceFinish finish = SurfaceFinish(), std::size_t passesBefore = 0);
 
-  // A device that acts places the tip; it lets go when its gesture ends. The hand is in the plane through the axis.
+  // A device that acts positions the tip; it lets go when its gesture ends. The hand is projected onto the plane
+  // through the axis.
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
 
-  // Shows all that was cut so far, to be called after the last step.
+  // Updates the state with all that was cut. To be called after the last step.
   void finish();
   const std::vector<TurningPass>& passes() const { return m_passes; }
   const LatheRun& run() const { return m_run; }
@@ -90,16 +91,16 @@ class LatheSimulation : public Simulation {
   std::vector<TurningPass> m_passes;
   FinishMeter m_finish;
   std::size_t m_passesBefore;
-  double m_begin = 0.0;  // s, of the first point of the last pass
+  double m_begin = 0.0;  // s, time of the first point of the last pass
   TurnedProfile::Range m_changed;
-  TurnedProfile::Range m_threaded;  // whose triangles miss the last part of a thread
-  std::size_t m_shownPasses = 0;    // whose threads are shown whole
+  TurnedProfile::Range m_threaded;  // range whose triangles lack the last part of a thread
+  std::size_t m_shownPasses = 0;    // number of passes whose threads are fully shown
   double m_sincePublished = 0.0;    // s
   double m_sinceThreaded = 0.0;     // s, since the threads were shown
-  bool m_isPlacing = false;         // a device acts
-  ProfilePatch m_part;              // of the last input
-  std::uint32_t m_number;           // in the channel
-  std::uint64_t m_warned = 0;       // changes of the warnings that are in m_now
+  bool m_isPlacing = false;         // a device positions the tip
+  ProfilePatch m_part;              // patch of the last input
+  std::uint32_t m_number;           // number of this simulation in the channel
+  std::uint64_t m_warned = 0;       // number of changes of the warnings in m_now
   LatheMoment m_now;
   std::shared_ptr<const LatheMoment> m_state;
 };

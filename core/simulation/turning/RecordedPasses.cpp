@@ -23,8 +23,8 @@ void readLength(std::istream& words, double least, double largest, double& lengt
   if (words >> word && parseDecimal(word, value, why) && value >= least && value <= largest) length = value;
 }
 
-// What cuts after an event of a recording; none where another tool than that for turning is used, or none is. Events
-// that choose no tool change nothing.
+// Returns the blank pass after an event of a recording; none if another tool than that for turning is used, or none is.
+// Events that choose no tool change nothing.
 std::optional<TurningPass> cuttingAfter(const std::string& event, const std::optional<TurningPass>& before) {
   std::istringstream words(event);
   std::string word;

@@ -11,15 +11,15 @@
 
 namespace handwheel {
 
-// The text in a recording that describes its turning tool. blank: a pass without places, of that tool. “turn bore nose
-// 0.8 poles 0.5”: a bore, a nose of 0.8 mm, and control points each 0.5 mm.
+// Returns the text in a recording that describes its turning tool. blank: a pass of that tool without points. “turn
+// bore nose 0.8 poles 0.5”: a bore, a nose of 0.8 mm, and control points every 0.5 mm.
 std::string recordedTurning(const TurningPass& blank);
 
-// The passes of the turning tool in a recording of the window. There is one for each press of the first button while
-// the tool was in use, cut by what it was then; a recording that does not say so is one of the outside, with a nose of
-// 1 mm. The nose was where the tip was displayed, at its proxy. A pass ends with the button, or where the tip leaps, as
-// in the window; what was dropped there with Esc is here, too. base: mm, z of the lower end of the part. None where the
-// tool of the manual lathe was in use: its levers and handwheels are not recorded.
+// Returns the passes of the turning tool in a recording of the window. There is one for each press of the first button
+// while the tool was in use, with the settings at that time; a recording without settings is of the outside, with a
+// nose of 1 mm. The nose was at the displayed tip, its proxy. A pass ends with the button, or where the tip leaps, as
+// in the window; passes that were cancelled with Esc are included. base: mm, z of the lower end of the part. None if
+// the manual lathe was in use: its levers and handwheels are not recorded.
 std::optional<std::vector<TurningPass>> passesOf(const Recording& recording, double base);
 
 }  // namespace handwheel

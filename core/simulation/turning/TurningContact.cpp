@@ -10,8 +10,9 @@
 namespace handwheel {
 
 namespace {
-constexpr int kHalvings = 12;        // of the way to the material: a 4000th of it is left
-constexpr double kChipAhead = 0.1;   // of the nose radius: how far before the tool the chip is measured
+constexpr int kHalvings = 12;  // leaves a 4000th of the distance to the material
+// share of the nose radius: distance ahead of the tool at which the chip is measured
+constexpr double kChipAhead = 0.1;
 constexpr double kLeastChip = 0.05;  // mm: a tool that scrapes is not free, either
 }  // namespace
 
@@ -82,7 +83,7 @@ ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadi
   return patch;
 }
 
-void TurningContact::place(const ProfilePoint& hand) {
+void TurningContact::reset(const ProfilePoint& hand) {
   *this = TurningContact();
   m_tool = hand;
 }
@@ -96,7 +97,7 @@ bool TurningContact::follow(const ProfilePatch& patch, const TurningTool& tool, 
   if (std::exchange(m_simulation, patch.simulation) != patch.simulation) m_unfelt = there - m_depth;
   m_unfelt = std::max(0.0, std::min(m_unfelt, there));
   m_depth = std::max(0.0, there - m_unfelt);
-  // The way out is free, also through what the simulation has yet to remove.
+  // Motion out of the material is free, even through material that the simulation has yet to remove.
   if (!(there > 0.0) || (isCutting && there <= depth(m_tool))) {
     m_tool = hand;
     return false;

@@ -16,76 +16,75 @@ struct ProfilePatch {
 
   double z = 0.0;        // mm, of the first sample
   double spacing = 1.0;  // mm, from one to the next
-  double width = 0.0;    // mm: each stands for the profile from its z on over this length; 0: exact
+  double width = 0.0;    // mm, range above its z for which each sample stands; 0: exact
   std::uint32_t count = 0;
-  std::uint32_t simulation = 0;       // number of that which wrote it: in another one the profile may have grown
-  double farSide = 0.0;               // mm: what lies below this is no material, but free space on the other side
-  std::array<double, kMost> radii{};  // mm, of the surface: the highest over the width
+  std::uint32_t simulation = 0;  // number of the simulation that wrote it; the profile of another one may have grown
+  double farSide = 0.0;          // mm: below this there is no material, but free space on the other side
+  std::array<double, kMost> radii{};  // mm, surface: the highest value within the width
 
-  // How far a disc must move up to leave the material; at most 0 outside of it. mm. Never less than the samples of the
-  // profile would have it. Beside the patch and on the far side there is none. O(samples below the disc).
+  // Returns the displacement upwards by which a disc leaves the material, mm; at most 0 outside of it. It is never less
+  // than for the full profile. 0 beside the patch and on the far side. O(samples below the disc).
   double penetration(const ProfilePoint& centre, double radius) const;
 
-  // The width of the chip that a disc takes where it goes, mm: of the material within the disc, across its way.
-  // O(samples below the disc). ahead: unit vector.
+  // Returns the width of the chip that a disc takes, mm: of the material within the disc, across its direction of
+  // motion. O(samples below the disc). ahead: unit vector of the motion.
   double chipWidth(const ProfilePoint& centre, double radius, const ProfilePoint& ahead) const;
 
-  // Whether a disc is wholly on the far side: in the bore with a tool for the outside, or around the part with one for
-  // the bore.
+  // Returns true if a disc is wholly on the far side: in the bore with a tool for the outside, or around the part with
+  // one for the bore.
   bool isOnFarSide(const ProfilePoint& centre, double radius) const { return centre.x() + radius <= farSide; }
 
  private:
-  // visit(mm, of the surface; mm, along z from the centre), for each sample below the disc.
+  // Calls visit(surface in mm, distance along z from the centre in mm) for each sample below the disc.
   template <class Visit>
   void forEachBelow(const ProfilePoint& centre, double radius, const Visit& visit) const;
 };
 
-// A distance from the axis as a patch of this side counts it, and back.
+// Converts a radius to the coordinate of a patch of this side, and back.
 inline double sideways(TurningSide side, double r) {
   return side == TurningSide::Bore ? -r : r;
 }
 
-// The half plane of a part in which the hand is: its threads as grooves there, which rise with the angle as their
-// helix.
+// The half plane of the hand through a part with threads. The grooves in it shift with the angle as their helix rises.
 struct PatchThreads {
   const PartThreads* threads = nullptr;  // null: none
   double angle = 0.0;                    // about the axis, from +x
 };
 
-// The profile around z, so far that a nose of this radius can move by as much again. Where that has too many samples,
-// the highest surface of several that follow one another is taken.
+// Returns the profile around z, far enough for a nose of this radius to move by as much again. If that has too many
+// samples, each entry is the highest surface of several consecutive samples.
 ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius,
                          TurningSide side = TurningSide::Outside, const PatchThreads& threads = {});
 
-// The settings of a cutting tool on a lathe. Stiffness and damping are those in the scene.
+// The settings of a cutting tool on a lathe. Stiffness and resistance are in units of the scene.
 struct TurningTool {
   double noseRadius = 1.0;  // mm
   double stiffness = 0.5;   // N/mm, of the spring between hand and tool
-  double resistance =
-      0.1;  // N·s/mm², of a chip: force by the speed at which it goes through material, and by its width
+  double resistance = 0.1;  // N·s/mm²: force divided by the speed through material and by the chip width
   TurningSide side = TurningSide::Outside;
 
   bool operator==(const TurningTool&) const = default;
 };
 
-// The god-object of a lathe tool, which follows the hand. It moves freely beside the material, through it while it cuts
-// the more slowly the wider the chip is, and no deeper into it otherwise. Material that comes back around a resting
-// hand, as by undo, does not push it out: it is felt from there on inward, and whole once the hand has left it; so is
-// material that the hand comes into from the far side. All in the half plane of the patch.
+// The god-object of a lathe tool, which follows the hand. It moves freely beside the material and, while it cuts, goes
+// through it more slowly the wider the chip is; otherwise it cannot go deeper into it. Material that comes back around
+// a resting hand, for example by undo, does not push the hand out: it is felt from there inwards, and fully once the
+// hand has left it. The same holds for material that the hand enters from the far side. All in the half plane of the
+// patch.
 class TurningContact {
  public:
-  void place(const ProfilePoint& hand);
+  void reset(const ProfilePoint& hand);
 
-  // One tick of dt seconds. Returns whether the tool is in or on the material.
+  // Advances by one tick of dt seconds. Returns true if the tool is in or on the material.
   bool follow(const ProfilePatch& patch, const TurningTool& tool, const ProfilePoint& hand, bool isCutting, double dt);
 
   const ProfilePoint& tool() const { return m_tool; }  // centre of the nose
 
  private:
   ProfilePoint m_tool = ProfilePoint::Zero();
-  std::uint32_t m_simulation = 0;  // of the patch before
-  double m_depth = 0.0;            // mm: how deep the hand was felt to be in the material
-  double m_unfelt = 0.0;           // mm: how deep the material came back around it
+  std::uint32_t m_simulation = 0;  // simulation of the previous patch
+  double m_depth = 0.0;            // mm, depth of the hand in the material, as felt
+  double m_unfelt = 0.0;           // mm, depth of material that came back around the hand
   bool m_isOnFarSide = false;
 };
 

@@ -26,12 +26,12 @@ ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
   if (!std::isfinite(distance) || !std::isfinite(tip.position.z())) return {};
   if (distance > 0.0) m_outward = across / distance;
   const ProfilePoint hand(sideways(m_tool.side, distance), tip.position.z() - m_base);
-  if (tip.isRestart || !m_isPlaced) m_contact.place(hand);
+  if (tip.isRestart || !m_isPlaced) m_contact.reset(hand);
   m_isPlaced = true;
   TurningTool carried = m_tool;
   carried.stiffness *= m_share;
   m_isTouching = m_contact.follow(m_channel->patch.read(), carried, hand, gesture != 0, tip.period);
-  // In free space it is the hand itself, as recordings have it.
+  // In free space the proxy is the hand itself, as in recordings.
   m_proxy =
       m_isTouching
           ? Vec3(sideways(m_tool.side, m_contact.tool().x()) * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base))

@@ -14,9 +14,9 @@ using TurningChannel = SimulationChannel<ProfilePatch>;
 inline constexpr const char* kTurningSource = "turning";
 
 // The force of a cutting tool on a turning part. It is a spring between the hand and the tool, which goes through
-// material only as fast as it is pressed, F = resistance · speed, also where the loop can carry a softer spring only.
-// In a gesture it cuts; otherwise the part is felt as it is. The part turns about z from z = base on, and is felt alike
-// from all sides.
+// material with a speed of force / resistance, even if the loop only allows a softer spring. In a gesture the tool
+// cuts; otherwise it feels the present part. The part turns about z from z = base on, and feels the same from all
+// sides.
 class TurningForce : public ForceSource {
  public:
   TurningForce(std::shared_ptr<TurningChannel> channel, const TurningTool& tool, double base);
@@ -30,9 +30,10 @@ class TurningForce : public ForceSource {
   TurningTool m_tool;
   double m_base;  // mm
   TurningContact m_contact;
-  Vec3 m_outward = Vec3::UnitX();  // from the axis to the hand
+  Vec3 m_outward = Vec3::UnitX();  // direction from the axis to the hand
   Vec3 m_proxy = Vec3::Zero();
-  double m_share = 1.0;  // of the stiffness, in the tick before: that of a tick is known after its advance()
+  // factor of the stiffness in the previous tick; that of the present tick is known after advance()
+  double m_share = 1.0;
   bool m_isTouching = false;
   bool m_isPlaced = false;
 };

@@ -49,7 +49,7 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   m_channel->patch.write(patch);
 }
 
-// Whether more than a touch has gone. As reviews of passes see it.
+// Returns true if more than a touch was removed, as in reviews of passes.
 bool TurningSimulation::isDeep(const TurnedProfile& before, const TurnedProfile::Range& changed) const {
   for (std::size_t i = changed.first; i < changed.last; ++i) {
     const double outer = before.radius(i) - m_profile.radius(i), inner = m_profile.inner(i) - before.inner(i);

@@ -15,33 +15,33 @@ struct TurningState : SimulationState {
   TurningState(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
   TurnedProfile profile;
   TurnedSurface surface;
-  SurfaceFinish finish;  // of the profile
-  // mm per revolution, the largest feed of a cut since the simulation began; 0: none, or the speed is not known.
+  SurfaceFinish finish;  // finish of the profile
+  // Largest feed of a cut since the simulation began, mm per revolution; 0: none, or the speed is not known.
   double fastest = 0.0;
-  bool isCut = false;   // since the simulation began
-  bool isFull = false;  // the pass has as many points as one can have: nothing more is cut
+  bool isCut = false;   // something was cut since the simulation began
+  bool isFull = false;  // the pass has the largest number of points: nothing more is cut
 };
 
-// What the finish of a pass begins with.
+// The initial data for the finish of a pass.
 struct TurningFinish {
-  SurfaceFinish before = SurfaceFinish();  // of the part
+  SurfaceFinish before = SurfaceFinish();  // finish of the part before
   std::uint32_t pass = 0;                  // its number in the part
   double speed = 0.0;                      // r/min of the spindle; 0: not known
 };
 
-// The simulation of turning, in which a tool cuts a profile. The profile loses what the tool passes in a gesture, which
-// is one pass.
+// The simulation of turning, in which a tool cuts a profile. In a gesture, which is one pass, the tool removes what it
+// passes.
 class TurningSimulation : public Simulation {
  public:
-  // blank: a pass without points, which says what cuts. base: mm, z of the part's lower end in the scene. mostPoints:
-  // of the pass.
+  // blank: a pass without points, with the tool. base: mm, z of the part's lower end in the scene. mostPoints: limit of
+  // the pass.
   TurningSimulation(TurnedProfile profile, TurnedSurface surface, TurningPass blank, double base,
                     std::shared_ptr<TurningChannel> channel, std::size_t mostPoints = TurningPass::kMostPoints,
                     TurningFinish finish = {});
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
-  // What was cut since the simulation began, as one pass: cut() with it does the same to the same profile.
+  // Returns the cut since the simulation began as one pass; cut() with it does the same to the same profile.
   const TurningPass& pass() const { return m_hand.pass(); }
 
  private:
@@ -56,7 +56,7 @@ class TurningSimulation : public Simulation {
   FinishMeter m_finish;
   std::uint32_t m_passNumber;  // in the part
   double m_speed;              // r/min; 0: not known
-  std::uint32_t m_number;      // in the channel
+  std::uint32_t m_number;      // number of this simulation in the channel
 };
 
 }  // namespace handwheel

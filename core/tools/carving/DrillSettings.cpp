@@ -123,10 +123,11 @@ bool DrillSettings::set(std::string_view id, const PropertyValue& value, double 
   return id == "peck" && assignNumber(m_peck, value, kPecks);
 }
 
-std::vector<std::vector<Vec3>> DrillSettings::outlineAt(const Vec3& place, const Vec3& normal) const {
+std::vector<std::vector<Vec3>> DrillSettings::outlineAt(const Vec3& position, const Vec3& normal) const {
   const double radius = m_head.radius();
-  const Vec3 centre = place + (m_head.shape == DrillShape::Saw ? radius : 0.0) * normal;
-  return {circleAt(centre, axisOf(m_head, normal), radius), {place, Vec3(place + kOutlineLength * radius * normal)}};
+  const Vec3 centre = position + (m_head.shape == DrillShape::Saw ? radius : 0.0) * normal;
+  return {circleAt(centre, axisOf(m_head, normal), radius),
+          {position, Vec3(position + kOutlineLength * radius * normal)}};
 }
 
 }  // namespace handwheel

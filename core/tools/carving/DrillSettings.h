@@ -11,34 +11,34 @@
 
 namespace handwheel {
 
-// The settings of drilling by hand: head, material, spindle and feed. voxel: mm, of those that are cut, which limits
-// the head; 0: they are made after it.
+// The settings of drilling by hand: head, material, spindle and feed. voxel: mm, size of the voxels to be cut, which
+// limits the head; 0: the voxels are chosen for the head.
 class DrillSettings {
  public:
   explicit DrillSettings(double voxel) { setHead(0, voxel); }
-  // As an exercise has them. material: id of a DrillMaterial; spindle: r/min; feed: mm/s.
+  // Sets the values of an exercise. material: id of a DrillMaterial; spindle: r/min; feed: mm/s.
   DrillSettings(const DrillBit& head, std::string_view material, double spindle, double feed);
 
   const DrillBit& head() const { return m_head; }
   DrillSetup setup() const;
-  // Of a drill that is fed by the program, out of a surface by `out`, of length 1.
+  // Returns the feed by the program for a drill that points away from a surface along `out`, a unit vector.
   DrillFeed feedOutOf(const Vec3& out) const;
 
   std::vector<Property> properties(double voxel) const;
-  // Whether it is the id of a setting, and the value one for it.
+  // Sets a setting. Returns false if the id or the value is invalid.
   bool set(std::string_view id, const PropertyValue& value, double voxel);
 
-  // The outline of the head on a surface with this normal: the circle that it cuts, and its axis.
-  std::vector<std::vector<Vec3>> outlineAt(const Vec3& place, const Vec3& normal) const;
+  // Returns the outline of the head on a surface with this normal: the circle that it cuts, and its axis.
+  std::vector<std::vector<Vec3>> outlineAt(const Vec3& position, const Vec3& normal) const;
 
  private:
   void setHead(std::size_t type, double voxel);
 
   DrillBit m_head = drillBits().front().tool;
-  std::size_t m_material = 0;  // of drillMaterials()
+  std::size_t m_material = 0;  // index in drillMaterials()
   double m_rpm = 1000.0;       // r/min
   double m_speed = 1.0;        // mm/s, of the feed
-  double m_peck = 0.0;         // mm, as that of DrillFeed
+  double m_peck = 0.0;         // mm, as in DrillFeed
 };
 
 }  // namespace handwheel

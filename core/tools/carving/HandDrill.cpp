@@ -18,7 +18,7 @@ constexpr ToolKey kDrillKeys[] = {{"hold", "Shift+Q", QT_TRANSLATE_NOOP("Tool", 
                                   {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "discard the hole")}};
 
 Property drillFigure(const char* id, const char* label, double value, Quantity quantity = Quantity::Number) {
-  constexpr int kDigits = 4;  // what is measured is known to no more
+  constexpr int kDigits = 4;  // significant digits of measured values
   Property property = numberSetting(id, label, roundedNumber(value, kDigits), quantity, {-1e300, 1e300});
   property.editable = false;
   return property;
@@ -59,7 +59,8 @@ QString HandDrill::textOf(const DrillState& hole) {
            locale.toString(hole.figures.torque, 'g', 3));
 }
 
-// The resistance until the simulation tells what the head takes: that of its whole section, by the balance of energy.
+// Until the simulation computes the load, the resistance is that of the whole section of the head, by the balance of
+// energy.
 ClayFeel HandDrill::feelAtDevice() const {
   const DrillSetup now = setup();
   const double section = M_PI * now.tool.radius() * now.tool.radius();
@@ -84,33 +85,33 @@ void HandDrill::restart() {
   m_gesture->restart();
 }
 
-// The hole that was drilled last and is pointed into goes on along its axis: its wall is no surface to begin on.
-std::optional<HandDrill::Start> HandDrill::continued(const Vec3& place) const {
+// A press into the last hole continues it along its axis: its wall is no surface to begin on.
+std::optional<HandDrill::Start> HandDrill::continued(const Vec3& position) const {
   const DrillRecord* const before = holeBefore();
   if (!before || before->poses.empty()) return std::nullopt;
   const DrillBit &made = before->setup.tool, &head = m_settings.head();
   if (head.shape == DrillShape::Saw || made.shape == DrillShape::Saw || made.radius() < head.radius())
     return std::nullopt;
-  // The deepest: a drill that pecks may have ended on its way out.
+  // The deepest: a drill that pecks may have ended on its displacement out.
   DrillPose last = before->poses[0];
   for (std::size_t i = 1; i < before->poses.size(); ++i)
-    if ((before->poses[i].place() - last.place()).dot(last.direction()) < 0.0) last = before->poses[i];
-  const Vec3 way = place - last.place(), axis = last.direction();
-  const double across = (way - way.dot(axis) * axis).norm();
-  if (across >= made.radius() + slack() || way.dot(axis) <= -made.reach() - slack()) return std::nullopt;
-  return Start{m_settings.feedOutOf(axis), last.place(), true};
+    if ((before->poses[i].position() - last.position()).dot(last.direction()) < 0.0) last = before->poses[i];
+  const Vec3 displacement = position - last.position(), axis = last.direction();
+  const double across = (displacement - displacement.dot(axis) * axis).norm();
+  if (across >= made.radius() + slack() || displacement.dot(axis) <= -made.reach() - slack()) return std::nullopt;
+  return Start{m_settings.feedOutOf(axis), last.position(), true};
 }
 
 std::optional<HandDrill::Start> HandDrill::startOfFeed(const PointerEvent& event) {
   m_isBlocked = false;
-  const auto surface = placeAt(event.ray);
+  const auto surface = hitAt(event.ray);
   if (!surface) return std::nullopt;
   if (!event.modifiers.shift)
     if (const auto hole = continued(surface->point)) return hole;
   const Vec3 out = event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : surface->normal;
   const DrillBit& head = m_settings.head();
   const Start start{m_settings.feedOutOf(out), surface->point + head.edge() * out, false};
-  m_isBlocked = head.shape == DrillShape::Twist && isMaterialAlong(start.place, head.length * start.feed.axis);
+  m_isBlocked = head.shape == DrillShape::Twist && isMaterialAlong(start.position, head.length * start.feed.axis);
   return m_isBlocked ? std::nullopt : std::optional(start);
 }
 
@@ -133,7 +134,7 @@ ToolReply HandDrill::press(const PointerEvent& event) {
   m_isContinued = start && start->isContinued;
   m_gesture->restart();
   m_gesture->begin(event.device.has_value());
-  if (start) m_gesture->feed(start->place, event.time);
+  if (start) m_gesture->feed(start->position, event.time);
   reportUpdated();
   return ToolReply::Used;
 }
@@ -159,7 +160,7 @@ ToolReply HandDrill::pointer(const PointerEvent& event) {
   m_hovered.reset();
   if (std::exchange(m_isBlocked, false)) reportUpdated();
   if (isOfDevice) return ToolReply::Ignored;
-  if (const auto surface = placeAt(event.ray)) {
+  if (const auto surface = hitAt(event.ray)) {
     m_hovered = surface->point;
     m_normal = event.modifiers.shift ? Vec3(-event.ray.direction.normalized()) : surface->normal;
   }
@@ -190,7 +191,7 @@ ToolReply HandDrill::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
-// What holding the button does, or is to be stopped for.
+// Returns the effect of holding the button, or the reason to release it.
 const char* HandDrill::holdText() const {
   if (m_isBlocked) return QT_TRANSLATE_NOOP("Tool", "the drill would cut sideways here: begin on a free surface");
   const char* const usual = QT_TRANSLATE_NOOP("Tool", "drill across the surface");

@@ -13,9 +13,9 @@
 namespace handwheel {
 
 // Base class of tools that drill by hand. With the mouse the drill is fed along the surface's normal (a saw stands
-// upright on it), or straight down the view with Shift, from where it is pressed until the button is released, in pecks
-// if that is set; a key holds it. A device drills as the hand goes. Thrust, torque and work are shown while it goes on.
-// What is drilled, and what becomes of the hole, is that of the classes derived.
+// upright on it), or along the view with Shift, from the press position until the button is released, in pecks if that
+// is set; a key stops the feed. A device drills as the hand moves. Thrust, torque and work are shown meanwhile. Derived
+// classes define the material and what happens to the hole.
 class HandDrill : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation a second
@@ -33,53 +33,53 @@ class HandDrill : public VolumeTool {
   void setSetting(std::string_view id, const PropertyValue& value) override;
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
-  // The hole that is drilled, or else the one before; null: there was none.
+  // Returns the hole being drilled, or else the previous one; null: there was none.
   std::shared_ptr<const DrillState> hole() const { return m_gesture->isOn() ? state() : m_last; }
   virtual DrillSetup setup() const { return m_settings.setup(); }
-  // Whether it is work on an exercise, whose task chooses the drill.
+  // Returns true if it is work on an exercise, whose task chooses the drill.
   virtual bool isWorkOnExercise() const { return false; }
 
  protected:
-  struct SurfacePlace {
+  struct SurfaceHit {
     Vec3 point;   // mm
-    Vec3 normal;  // outwards, of length 1
+    Vec3 normal;  // outward unit normal
   };
 
   explicit HandDrill(const DrillSettings& settings) : m_settings(settings) {}
   // To be called once by the constructor of a derived class, when its functions below can be called.
   void begin(const SimulationServices& services);
 
-  // mm, of the voxels that are cut; 0: they are made after the head.
+  // Returns the size of the voxels to be cut, mm; 0: they are chosen for the head.
   virtual double voxelOfPart() const = 0;
-  virtual std::optional<SurfacePlace> placeAt(const Ray& ray) const = 0;
-  // Whether there is material on the way from a place outside.
-  virtual bool isMaterialAlong(const Vec3& from, const Vec3& way) const = 0;
-  // How far from the surface a place may be that is on it, mm.
+  virtual std::optional<SurfaceHit> hitAt(const Ray& ray) const = 0;
+  // Returns true if there is material along a displacement from a point outside of the part.
+  virtual bool isMaterialAlong(const Vec3& from, const Vec3& displacement) const = 0;
+  // Returns the largest distance from the surface at which a point counts as on it, mm.
   virtual double slack() const = 0;
-  // The hole that was drilled last and is still there; null: none.
+  // Returns the record of the last hole that is still there; null: none.
   virtual const DrillRecord* holeBefore() const = 0;
   virtual std::unique_ptr<DrillSimulation> simulation(const std::optional<DrillFeed>& feed) const = 0;
   virtual std::shared_ptr<const KindPreview> previewOf(const std::shared_ptr<const DrillState>& state) const = 0;
-  // Why nothing can be drilled now; English, context "Tool". Null: it can.
+  // Returns the reason why drilling is impossible now; English, context "Tool". Null: it is possible.
   virtual const char* obstacle() const { return nullptr; }
-  virtual void refuse() {}  // it was tried all the same
-  // A hole was drilled to its end; it is hole() and has this record. restart() is to follow, now or later.
+  virtual void refuse() {}  // called on a press in spite of the obstacle
+  // Called when a hole is finished; it is hole() and has this record. restart() is to follow, now or later.
   virtual void take(const DrillSimulation& drilled, std::shared_ptr<const DrillRecord> record) = 0;
-  // A hole was begun, and is dropped before its end.
+  // Called when a hole is dropped before its end.
   virtual void drop(const DrillState& hole) { (void)hole; }
 
-  // Ends the hole that is drilled, as if the button was let go.
+  // Ends the hole being drilled, as if the button was released.
   ToolReply release();
 
-  // Drops what was begun, and simulates from the present state on.
+  // Drops the hole, and simulates from the present state of the document.
   void restart();
   void forgetHole() { m_last.reset(); }
-  // Whether the hole that is drilled, or else the last one, was begun in holeBefore() and goes on along it.
+  // Returns true if the hole being drilled, or else the last one, was begun in holeBefore() and continues along it.
   bool isContinued() const { return m_isContinued; }
-  // What is kept of the hole that is drilled.
+  // Returns the record of the hole being drilled.
   DrillRecord recordOf(const DrillState& hole) const { return {m_begun, hole.poses}; }
   const DrillSettings& drillSettings() const { return m_settings; }
-  // What the drill feels and cuts now.
+  // Returns the present state of the simulation.
   std::shared_ptr<const DrillState> state() const;
   // "Drill: −28.3 mm³, at most 6.2 N and 31 N·mm"
   static QString textOf(const DrillState& hole);
@@ -87,27 +87,27 @@ class HandDrill : public VolumeTool {
  private:
   struct Start {
     DrillFeed feed;
-    Vec3 place;  // of the head's centre
+    Vec3 position;  // position of the head's centre
     bool isContinued = false;
   };
 
   const char* holdText() const;
-  // Where a feed by the mouse begins. None: the pointer is beside the part, or (m_isBlocked) a twist drill would stand
-  // in the material with its whole length.
+  // Returns the start of a feed by the mouse. None: the pointer is beside the part, or (m_isBlocked) a twist drill
+  // would stand in the material with its whole length.
   std::optional<Start> startOfFeed(const PointerEvent& event);
-  std::optional<Start> continued(const Vec3& place) const;
+  std::optional<Start> continued(const Vec3& position) const;
   ToolReply press(const PointerEvent& event);
 
   DrillSettings m_settings;
-  bool m_isHeld = false;            // the feed, for now
-  std::optional<DrillFeed> m_feed;  // of the present hole; none: by a device
-  DrillSetup m_begun;               // that the present hole was begun with
+  bool m_isHeld = false;            // the feed is stopped for now
+  std::optional<DrillFeed> m_feed;  // feed of the present hole; none: by a device
+  DrillSetup m_begun;               // setup at the begin of the present hole
   std::optional<SimulatedGesture> m_gesture;
-  std::shared_ptr<const DrillState> m_last;  // of the hole before; null: none
-  std::optional<Vec3> m_hovered;             // on the surface,
-  Vec3 m_normal = Vec3::UnitZ();             // which is turned so there
+  std::shared_ptr<const DrillState> m_last;  // the previous hole; null: none
+  std::optional<Vec3> m_hovered;             // point of the surface under the mouse
+  Vec3 m_normal = Vec3::UnitZ();             // direction away from the material at m_hovered
   bool m_isContinued = false;
-  bool m_isBlocked = false;  // where it was pressed last, a drill has no way in
+  bool m_isBlocked = false;  // a drill cannot enter at the last press position
 };
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The volume as it is while a tool works on it.
+// The preview of a volume while a tool works on it.
 struct VolumePreview : KindPreview {
   std::shared_ptr<const ClayState> state;
 };
@@ -16,7 +16,7 @@ struct VolumePreview : KindPreview {
 // Base class of tools that change a volume through a simulation, and are felt.
 class VolumeTool : public Tool {
  public:
-  // What the force source of the tool exchanges with its simulation, for the haptic scene.
+  // The channel between the force source of the tool and its simulation, for the haptic scene.
   const std::shared_ptr<ClayChannel>& channel() const { return m_channel; }
   virtual ClayFeel feelAtDevice() const = 0;
 

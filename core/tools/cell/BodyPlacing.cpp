@@ -34,7 +34,7 @@ Box boundsOf(const Body& body) {
   return bounds;
 }
 
-Vec3 wayBeside(const Box& own, const Box& robots, const RobotCellSnapshot& cell, std::optional<BodyId> but) {
+Vec3 displacementBeside(const Box& own, const Box& robots, const RobotCellSnapshot& cell, std::optional<BodyId> but) {
   Box there = robots;
   for (const BodyPointer& body : inFrameOfBase(cell.bodies, cell.robot->model, cell.joints)) {
     if (body->id != but) there.extend(boundsOf(*body));

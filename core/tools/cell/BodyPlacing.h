@@ -8,16 +8,17 @@
 
 namespace handwheel {
 
-// The bounds of a body at its place, from those of its shape.
+// Returns the bounds of a body at its pose, from those of its shape.
 Box boundsOf(const Body& body);
 
-// How far something is to be moved to stand in front of the robots and of all bodies but one, on the floor of the cell;
-// mm. own, robots: bounds, in the frame of the root; of robots at rest. O(bodies).
-Vec3 wayBeside(const Box& own, const Box& robots, const RobotCellSnapshot& cell, std::optional<BodyId> but = {});
+// Returns the displacement that brings an object in front of the robots and of all bodies but one, onto the floor of
+// the cell; mm. own, robots: bounds in the frame of the root; those of the robots at rest. O(bodies).
+Vec3 displacementBeside(const Box& own, const Box& robots, const RobotCellSnapshot& cell,
+                        std::optional<BodyId> but = {});
 
-// Whether something is inside a link of the robots as they stand, or inside a body, as far as their boxes tell. What is
-// larger than the robots at rest is a room or a table: it is inside nothing, and other things stand in it. O(points of
-// the robots + bodies).
+// Returns true if an object is inside a link of the robots at their present joint values, or inside a body, judged by
+// their boxes. An object larger than the robots at rest is a room or a table: it is inside nothing, and other objects
+// may be inside it. O(points of the robots + bodies).
 bool isInsideOthers(const Box& own, const Box& robots, const RobotCellSnapshot& cell);
 
 }  // namespace handwheel

@@ -5,7 +5,7 @@
 namespace handwheel {
 
 std::optional<Vec3> tipOf(const Body& body) {
-  constexpr double kFlat = 1e-6;  // of its size: what is as far
+  constexpr double kFlat = 1e-6;  // Share of its size within which points count as equally far
   const auto surface = body.geometry->surface();
   if (!surface || surface->points.empty()) return std::nullopt;
   Box all;

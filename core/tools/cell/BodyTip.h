@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The tip of a tool that a link carries, in the frame of that link. It is the middle of what reaches farthest along z:
-// of a face, of an edge, or the point itself. None: the body has no points. O(points).
+// Returns the tip of a tool that a link carries. It is given in the frame of that link, as the middle of the farthest
+// face, edge or point along z. Nothing if the body has no points. O(points).
 std::optional<Vec3> tipOf(const Body& body);
 
 }  // namespace handwheel

@@ -10,20 +10,20 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kLookedAt = 1000;  // contacts of a pair: dense meshes that cross have very many
-constexpr double kSamePlace = 5.0;       // mm: what is nearer is seen as one
+constexpr double kSamePosition = 5.0;    // mm: what is nearer is seen as one
 
 bool isMet(const ClosestPoints& touch) {
   return touch.distance <= 0.0 && touch.first.allFinite() && touch.second.allFinite() && touch.normal.allFinite();
 }
 
-// Of each pair those that touch, the deepest first. A pair of robots is found by both.
+// Returns the contacts of each pair, the deepest first. A pair of robots is found by both.
 std::vector<std::vector<ClosestPoints>> touchesByPair(std::span<const CellCollision> collisions, Progress progress) {
   std::vector<std::vector<ClosestPoints>> found;
   const auto keep = [&](std::vector<ClosestPoints> touches) {
     std::erase_if(touches, [](const ClosestPoints& touch) { return !isMet(touch); });
     if (!touches.empty()) found.push_back(std::move(touches));
   };
-  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;  // as owners of obstacles, which are the same for all robots
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;  // Owners of obstacles, which are the same for all robots
   for (const CellCollision& each : collisions) {
     const RobotScene& scene = each.scene->scene;
     const auto ownerOf = [&](std::uint32_t link) {
@@ -36,7 +36,7 @@ std::vector<std::vector<ClosestPoints>> touchesByPair(std::span<const CellCollis
       const std::uint32_t first = ownerOf(pair.link);
       const std::uint32_t second = pair.owner == kNone ? ownerOf(pair.otherLink) : pair.owner;
       if (each.moved.isEmpty() && seen.insert(std::minmax(first, second)).second)
-        keep(scene.touches(each.values, pair, kLookedAt, each.way));
+        keep(scene.touches(each.values, pair, kLookedAt, each.displacement));
     }
   }
   return found;
@@ -58,11 +58,11 @@ std::vector<CellContact> contactsOf(std::span<const CellCollision> collisions, s
   std::vector<CellContact> contacts;
   for (const ClosestPoints& touch : deepest) {
     if (contacts.size() >= most) break;
-    const Vec3 place = 0.5 * (touch.first + touch.second);
+    const Vec3 position = 0.5 * (touch.first + touch.second);
     const bool isTaken = std::any_of(contacts.begin(), contacts.end(), [&](const CellContact& contact) {
-      return (contact.place - place).norm() < kSamePlace;
+      return (contact.position - position).norm() < kSamePosition;
     });
-    if (!isTaken) contacts.push_back({place, touch.normal, std::abs(touch.distance)});
+    if (!isTaken) contacts.push_back({position, touch.normal, std::abs(touch.distance)});
   }
   return contacts;
 }

@@ -89,13 +89,13 @@ std::vector<ToolAction> CellTool::actions() const {
 // which is said first.
 std::vector<ToolAction> CellTool::withPlacing(std::vector<ToolAction> actions) const {
   if (m_document.robot().arms.size() < 2) return actions;
-  ToolAction place{"", "Shift+W", QT_TRANSLATE_NOOP("Tool", "move a robot by its base")};
-  place.command = "placeTool";
-  actions.insert(actions.begin() + 1, std::move(place));
+  ToolAction placing{"", "Shift+W", QT_TRANSLATE_NOOP("Tool", "move a robot by its base")};
+  placing.command = "placeTool";
+  actions.insert(actions.begin() + 1, std::move(placing));
   return actions;
 }
 
-// The cell as it would be, in place of the one that is: what collides is seen while something moves.
+// Shows the cell as it would be instead of as it is, with collisions while an object moves.
 ToolPreview CellTool::preview() const {
   ToolPreview preview = m_joints.preview();
   preview.parts.clear();

@@ -10,10 +10,10 @@ namespace handwheel {
 // Tool that moves the links of a robot, and bodies beside it, by hand.
 class CellTool : public Tool {
  public:
-  // Marks what collides in the cell as it is shown: the robot at these joint values, and a body that is being moved;
-  // null: none is.
+  // Marks the collisions of the displayed cell: of the robot at these joint values, and of a body that is being moved;
+  // null: none.
   using Mark = std::function<void(DisplayModel& shown, const JointValues& joints, const Body* moved)>;
-  // Hears which link of a robot is pressed.
+  // Called with the link of a robot that is pressed.
   using Pressed = std::function<void(std::uint32_t link)>;
   // The selection must outlive the tool.
   CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark = {},

@@ -31,7 +31,7 @@ Parameter nameParameter(const char* id, std::string meaning, const char* word = 
           .hasDefault = false};
 }
 
-Parameter placeParameter() {
+Parameter positionParameter() {
   return {.property = {.id = "at", .group = {}, .label = {}, .value = "", .least = -1e7, .largest = 1e7},
           .meaning =
               "Place of the tool's centre point, in mm from the base; the robot moves there, or --add-target "
@@ -131,7 +131,7 @@ const Operation& configurationOperation() {
                         "move with it"),
           nameParameter("link", "The link of a robot that carries the new frame", "LINK"),
           nameParameter("remove-frame", "Removes this frame; its targets stay where they are"),
-          placeParameter(),
+          positionParameter(),
           turnParameter(),
           {.property = {.id = "solution", .group = {}, .label = {}, .value = 1.0, .least = 1.0, .largest = 100.0},
            .meaning = "Number in the list of --solutions; default: the nearest free one",
@@ -205,7 +205,7 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
   if (values.isSet("add")) {
     const std::string name = values.text("add");
     if (const auto problem = problemOfName(name)) return *problem;
-    if (plans.target(name)) return Error{CellError::PlaceNameTaken, {name}, {}, {}};
+    if (plans.target(name)) return Error{CellError::WaypointNameTaken, {name}, {}, {}};
     const NamedConfiguration made{name, stored, plans.arm};
     if (const auto found = find(name); found != plans.configurations.end())
       *found = made;
@@ -216,7 +216,7 @@ Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSn
     const bool isToTarget = verb == std::string_view("go") && goesToTarget(values, *cell.plans);
     if (!values.isSet(verb) || isToTarget) continue;
     const auto found = find(values.text(verb));
-    if (found == plans.configurations.end()) return Error{CellError::PlaceMissing, {values.text(verb)}, {}, {}};
+    if (found == plans.configurations.end()) return Error{CellError::WaypointMissing, {values.text(verb)}, {}, {}};
     if (verb == std::string_view("go"))
       changed.joints = jointsSetBy(*cell.robot, found->arm, found->joints, cell.joints);
     else
@@ -240,7 +240,7 @@ Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics
   const RobotModel& robot = cell.robot->model;
   const std::vector<std::uint32_t> owners = armsOfDofs(robot, cell.robot->arms);
   for (const auto& [a, b] : semantics.allowed) plans.allowed.insert({robot.links[a].name, robot.links[b].name});
-  FreeNames names = plans.placeNames();
+  FreeNames names = plans.poseNames();
   for (const RobotSemantics::State& state : semantics.states) {
     JointValues joints = cell.joints;
     for (const auto& [dof, value] : state.values) joints[dof] = value;

@@ -8,25 +8,26 @@
 
 namespace handwheel {
 
-// The operation "configuration", which edits the plans of a cell. It stores where the robot stands under a name, moves
-// it there, removes what is stored; the same for targets, frames, and poses of the tool; removes paths; sets what
-// planning goes by.
+// Returns the operation "configuration", which edits the plans of a cell. It stores the present configuration under a
+// name, moves the robot to a stored one, and removes it; does the same for targets, frames, and poses of the tool;
+// removes paths; and sets the options of planning.
 const Operation& configurationOperation();
 
-// What is wrong with a combination of values, as a clause; empty when they fit together.
+// Returns the fault of a combination of values, as a clause; empty if they fit together.
 std::string problemOfConfigurationValues(const OperationValues& values);
 
-// What the values make of a cell.
+// The plans and joints of a cell after the operation.
 struct ChangedCell {
   CellPlans plans;
   JointValues joints;
 };
 
-// Errors: PlaceMissing, PathMissing, FrameMissing, FrameStray, BodyError::BodyMissing, those of CellReach.h and
-// sceneOf(); BodyError::NameTaken and NameUnusable, ValueOutOfRange.
+// Applies the operation. Errors: WaypointMissing, PathMissing, FrameMissing, FrameStray, BodyError::BodyMissing, those
+// of CellReach.h and sceneOf(); BodyError::NameTaken and NameUnusable, ValueOutOfRange.
 Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSnapshot& cell);
 
-// Plans with what an SRDF says: the pairs that may touch, and its states as configurations. Error: ValueOutOfRange.
+// Returns the plans with the contents of an SRDF: pairs that may touch, and its states as configurations. Error:
+// ValueOutOfRange.
 Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics, const RobotCellSnapshot& cell);
 
 }  // namespace handwheel

@@ -24,12 +24,12 @@ CellPlacement placementIn(const RobotCellSnapshot& cell, const CellPlans& plans)
   return {plans, cell.bodies, cell.robot->model, cell.joints};
 }
 
-std::optional<Error> problemOfPlaceName(const std::string& name) {
+std::optional<Error> problemOfWaypointName(const std::string& name) {
   if (isBodyName(name)) return std::nullopt;
   return Error{BodyError::NameUnusable, {name, std::to_string(kLongestBodyName)}, {}, {}};
 }
 
-// In place of the one of the same name, or at the end.
+// Replaces the one of the same name, or appends.
 template <class Named>
 void store(std::vector<Named>& all, Named made) {
   const auto same = std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == made.name; });
@@ -72,12 +72,12 @@ Result<JointValues> jointsThere(const OperationValues& values, const RobotCellSn
     return found ? Result<JointValues>(scene->whole(*found)) : found.error();
   };
   if (!solution) return nearest();
-  const std::vector<CellIkSolution> ways = ikSolutionsTo(*scene, *cell.plans, *pose, near);
-  const auto possible = static_cast<std::size_t>(
-      std::count_if(ways.begin(), ways.end(), [](const CellIkSolution& way) { return way.isWithinLimits(); }));
-  if (possible == 0) return nearest();  // which says why there is none
+  const std::vector<CellIkSolution> solutions = ikSolutionsTo(*scene, *cell.plans, *pose, near);
+  const auto possible = static_cast<std::size_t>(std::count_if(
+      solutions.begin(), solutions.end(), [](const CellIkSolution& each) { return each.isWithinLimits(); }));
+  if (possible == 0) return nearest();  // Gives the reason
   const auto index = static_cast<std::size_t>(*solution) - 1;
-  if (index < possible) return scene->whole(ways[index].arm.values);
+  if (index < possible) return scene->whole(solutions[index].arm.values);
   return Error{
       ErrorCode::ValueOutOfRange, {"solution", std::to_string(index + 1), "1", std::to_string(possible)}, {}, {}};
 }
@@ -85,13 +85,13 @@ Result<JointValues> jointsThere(const OperationValues& values, const RobotCellSn
 Status changeTargets(const OperationValues& values, const RobotCellSnapshot& cell, CellPlans& plans) {
   if (values.isSet("remove-target")) {
     const std::string name = values.text("remove-target");
-    if (!plans.target(name)) return Error{CellError::PlaceMissing, {name}, {}, {}};
+    if (!plans.target(name)) return Error{CellError::WaypointMissing, {name}, {}, {}};
     plans = withoutTarget(std::move(plans), name);
   }
   if (!values.isSet("add-target")) return Done{};
   NamedTarget target{.name = values.text("add-target")};
-  if (const auto problem = problemOfPlaceName(target.name)) return *problem;
-  if (plans.configuration(target.name)) return Error{CellError::PlaceNameTaken, {target.name}, {}, {}};
+  if (const auto problem = problemOfWaypointName(target.name)) return *problem;
+  if (plans.configuration(target.name)) return Error{CellError::WaypointNameTaken, {target.name}, {}, {}};
   const Result<Pose> pose = givenPose(values, cell);
   if (!pose) return pose.error();
   target.pose = *pose;
@@ -117,7 +117,7 @@ Status changeFrames(const OperationValues& values, const RobotCellSnapshot& cell
   }
   if (!values.isSet("add-frame")) return Done{};
   NamedFrame frame{.name = values.text("add-frame")};
-  if (const auto problem = problemOfPlaceName(frame.name)) return *problem;
+  if (const auto problem = problemOfWaypointName(frame.name)) return *problem;
   const Result<Pose> pose = givenPose(values, cell);
   if (!pose) return pose.error();
   frame.pose = *pose;

@@ -35,7 +35,7 @@ std::span<const ToolKey> FaceMateTool::keys() {
   return kFaceMateKeys;
 }
 
-// A face that looks away is of a surface whose triangles are the wrong way round.
+// A face that points away belongs to a surface whose triangles are inverted.
 std::optional<FaceMateTool::Pointed> FaceMateTool::pointedBy(const PointerEvent& event, bool isWhole) const {
   if (!event.ray.isUsable()) return std::nullopt;
   const auto hit = m_services.pick(event.ray);

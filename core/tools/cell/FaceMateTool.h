@@ -8,10 +8,9 @@
 
 namespace handwheel {
 
-// Tool that places a body with one of its faces on another face. That is a face of another body, or of the robot: the
-// first click takes the face of the body that is to be placed, the second the face that it is to lie on. The body is
-// shown there, with an offset and a turn that can be changed; committing is one edit. By the mouse, or by the ray of a
-// device.
+// Tool that places a body with one of its faces on another face. The first click takes the face of the body that is to
+// be placed, the second the face of another body or of the robot that it is to lie on. The body is shown there, with an
+// offset and a turn that can be changed; committing is one edit. By the mouse, or by the ray of a device.
 class FaceMateTool : public Tool {
  public:
   // The selection must outlive the tool.
@@ -38,7 +37,7 @@ class FaceMateTool : public Tool {
 
   std::optional<Pointed> pointedBy(const PointerEvent& event, bool isWhole) const;
   ToolReply take(const PointerEvent& event);
-  std::optional<Body> placed() const;  // in the base; none: not both faces are chosen
+  std::optional<Body> placed() const;  // In the base frame; nothing until both faces are chosen
   const Vec3& meetingPointOf(const FlatFace& face) const;
   ToolReply commit();
 
@@ -46,7 +45,7 @@ class FaceMateTool : public Tool {
   BodySelection& m_selection;
   PlaceBodyServices m_services;
   std::optional<Pointed> m_hovered, m_first, m_second;
-  BodyId m_body = 0;  // that m_first is of
+  BodyId m_body = 0;  // The body with the face m_first
   Meeting m_meeting = Meeting::Middles;
   double m_offset = 0.0;  // mm
   double m_angle = 0.0;   // rad

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kNearPart = 1e-3;             // of the size of a part: what a place on it may be off in a picture
+constexpr double kNearPart = 1e-3;             // Share of the size of a part by which a picked point may be off it
 constexpr std::size_t kMostFollowed = 20'000;  // triangles
 constexpr double kFlat = 1.5e-6;               // 1 - cos 0.1°
 
@@ -22,17 +22,17 @@ Vec3 areaOf(const TriangleSoup& soup, const Triangle& t) {
   return (soup.points[t[1]] - soup.points[t[0]]).cross(soup.points[t[2]] - soup.points[t[0]]);
 }
 
-// The triangle nearest to a place within `most`; those without area are left out.
-std::optional<std::size_t> triangleAt(const TriangleSoup& soup, const Vec3& place, double most) {
+// Returns the triangle nearest to a point within `most`; degenerate ones are left out.
+std::optional<std::size_t> triangleAt(const TriangleSoup& soup, const Vec3& point, double most) {
   std::optional<std::size_t> found;
   double nearest = most * most;
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     const Triangle& t = soup.triangles[i];
     const Vec3 &a = soup.points[t[0]], &b = soup.points[t[1]], &c = soup.points[t[2]];
-    const bool isFar = (a.cwiseMin(b).cwiseMin(c).array() > place.array() + most).any() ||
-                       (a.cwiseMax(b).cwiseMax(c).array() < place.array() - most).any();
+    const bool isFar = (a.cwiseMin(b).cwiseMin(c).array() > point.array() + most).any() ||
+                       (a.cwiseMax(b).cwiseMax(c).array() < point.array() - most).any();
     if (isFar || areaOf(soup, t).isZero(0.0)) continue;
-    const double apart = (closestOnTriangle(place, a, b, c) - place).squaredNorm();
+    const double apart = (closestOnTriangle(point, a, b, c) - point).squaredNorm();
     if (apart >= nearest) continue;
     nearest = apart;
     found = i;
@@ -40,7 +40,7 @@ std::optional<std::size_t> triangleAt(const TriangleSoup& soup, const Vec3& plac
   return found;
 }
 
-// The triangles that look the same way as one and lie in its plane, about.
+// Returns the triangles that have nearly the same normal as this one and lie in its plane.
 std::vector<std::size_t> coplanarWith(const TriangleSoup& soup, std::size_t seed, double slack) {
   const Vec3 normal = areaOf(soup, soup.triangles[seed]).normalized();
   const Vec3& origin = soup.points[soup.triangles[seed][0]];
@@ -55,20 +55,20 @@ std::vector<std::size_t> coplanarWith(const TriangleSoup& soup, std::size_t seed
   return found;
 }
 
-// The triangles of the flat piece around one: those that share edges with it, by the places of these, and so on. Of
-// very many all that are coplanar, for the window waits for it.
+// Returns the triangles of the flat piece around this one: those that share edges with it, by the positions of their
+// ends, and so on. If there are very many, all coplanar ones, as the window waits.
 std::vector<std::size_t> flatPiece(const TriangleSoup& soup, std::size_t seed, double slack) {
-  using Place = std::array<double, 3>;
-  using Edge = std::pair<Place, Place>;
+  using Position = std::array<double, 3>;
+  using Edge = std::pair<Position, Position>;
   const std::vector<std::size_t> coplanar = coplanarWith(soup, seed, slack);
   if (coplanar.size() > kMostFollowed) return coplanar;
-  const auto placeOf = [&](std::uint32_t point) {
+  const auto positionOf = [&](std::uint32_t point) {
     const Vec3& p = soup.points[point];
-    return Place{p.x(), p.y(), p.z()};
+    return Position{p.x(), p.y(), p.z()};
   };
   const auto edgeOf = [&](std::size_t triangle, std::size_t side) {
     const Triangle& t = soup.triangles[triangle];
-    return Edge(std::minmax(placeOf(t[side]), placeOf(t[(side + 1) % 3])));
+    return Edge(std::minmax(positionOf(t[side]), positionOf(t[(side + 1) % 3])));
   };
   std::map<Edge, std::vector<std::size_t>> byEdge;
   for (const std::size_t i : coplanar) {
@@ -100,17 +100,17 @@ Vec3 middleOf(const TriangleSoup& soup, const std::vector<std::size_t>& piece) {
 
 }  // namespace
 
-std::optional<FlatFace> faceAt(const DisplayPart& part, const Vec3& place, bool isWhole) {
+std::optional<FlatFace> faceAt(const DisplayPart& part, const Vec3& position, bool isWhole) {
   const TriangleSoup& soup = *part.soup;
-  const Vec3 local = part.pose.inverse(Eigen::Isometry) * place;
+  const Vec3 local = part.pose.inverse(Eigen::Isometry) * position;
   Box bounds;
   for (const Vec3& point : soup.points) bounds.extend(point);
   if (bounds.isEmpty() || !local.allFinite()) return std::nullopt;
   const double slack = kNearPart * bounds.diagonal().norm();
   const auto seed = triangleAt(soup, local, slack);
   if (!seed) return std::nullopt;
-  FlatFace face{.point = place, .normal = part.pose.linear() * areaOf(soup, soup.triangles[*seed]).normalized()};
-  face.middle = isWhole ? part.pose * middleOf(soup, flatPiece(soup, *seed, slack)) : place;
+  FlatFace face{.point = position, .normal = part.pose.linear() * areaOf(soup, soup.triangles[*seed]).normalized()};
+  face.middle = isWhole ? part.pose * middleOf(soup, flatPiece(soup, *seed, slack)) : position;
   return face;
 }
 

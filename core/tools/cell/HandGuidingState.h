@@ -6,24 +6,24 @@
 
 namespace handwheel {
 
-// What HandGuidingTool keeps from press to release.
+// State of HandGuidingTool from press to release.
 struct HandGuidingTool::Guidance {
-  std::shared_ptr<const CellScene> scene;  // what follows refers to it
+  std::shared_ptr<const CellScene> scene;  // The members below refer to it
   Teleoperation robot;
   ApproachForce approach;
   ArmValues start;
-  Pose tool;                 // at the press
-  std::optional<Pose> hand;  // of a device, at the press
-  Ray grip;                  // of the mouse, at the press
+  Pose tool;                 // Pose at the press
+  std::optional<Pose> hand;  // Pose of a device at the press
+  Ray grip;                  // Ray of the mouse at the press
   double pixel;              // mm
-  bool isTurning;            // by the mouse
+  bool isTurning;            // True if the mouse turns the tool
   bool hasMoved = false;
-  Vec3 place = tool.translation();  // that the hand wants; mm
-  Teleoperation::Step step = {};    // the last
+  Vec3 wantedPosition = tool.translation();  // Position that the hand wants; mm
+  Teleoperation::Step step = {};             // The last step
   ApproachForce::Felt felt = {};
   std::shared_ptr<const GuideCurve> guide = {};
   std::optional<FollowingTry> following = {};
-  std::optional<PathPlace> pulled = {};  // which is led, and not the robot
+  std::optional<PathWaypoint> pulled = {};  // The waypoint that is led instead of the robot
 };
 
 }  // namespace handwheel

@@ -54,7 +54,7 @@ ToolReply HandGuidingTool::pointer(const PointerEvent& given) {
   event.ray.direction.stableNormalize();
   switch (event.kind) {
     case PointerEvent::Kind::Hover:
-      m_near = m_guidance ? std::nullopt : placeNear(event);
+      m_near = m_guidance ? std::nullopt : waypointNear(event);
       m_tip = event.device ? std::optional<Vec3>(event.device->translation()) : std::nullopt;
       return ToolReply::Used;
     case PointerEvent::Kind::Leave:
@@ -76,7 +76,7 @@ ToolReply HandGuidingTool::pointer(const PointerEvent& given) {
   return ToolReply::Ignored;
 }
 
-// The second button of a device adds a place, also while the first one leads; that of the mouse cancels.
+// The second button of a device adds a waypoint, also while the first one leads; that of the mouse cancels.
 ToolReply HandGuidingTool::press(const PointerEvent& event) {
   if (event.button == PointerButton::Second) {
     if (!event.device) return m_guidance ? perform("revert") : ToolReply::Ignored;
@@ -88,7 +88,7 @@ ToolReply HandGuidingTool::press(const PointerEvent& event) {
   }
   if (m_guidance) return ToolReply::Used;
   if (event.button != PointerButton::First || !event.ray.isUsable()) return ToolReply::Ignored;
-  if (m_way == Way::Places) return takePlace(event);
+  if (m_mode == Mode::Waypoints) return takeWaypoint(event);
   begin(event);
   return m_guidance ? ToolReply::Used : ToolReply::Ignored;
 }
@@ -126,7 +126,7 @@ void HandGuidingTool::takeGuide() {
   if (m_guidance->guide) m_guidance->following.emplace(*m_guidance->guide);
 }
 
-// Where the hand wants the tool: moved and turned as the hand is since the press.
+// Returns the pose that the hand wants for the tool: moved and turned like the hand since the press.
 Pose HandGuidingTool::wantedPose(const PointerEvent& event) const {
   Pose wanted = m_guidance->tool;
   if (event.device && m_guidance->hand) {
@@ -136,24 +136,25 @@ Pose HandGuidingTool::wantedPose(const PointerEvent& event) const {
     return wanted;
   }
   if (!event.ray.isUsable()) return wanted;
-  const auto place = placeUnder(m_guidance->tool.translation(), m_guidance->grip.direction, event.ray);
-  const auto grip = placeUnder(m_guidance->tool.translation(), m_guidance->grip.direction, m_guidance->grip);
-  if (!place || !grip) return wanted;
-  const Vec3 way = *place - *grip;
+  const auto position = positionUnder(m_guidance->tool.translation(), m_guidance->grip.direction, event.ray);
+  const auto grip = positionUnder(m_guidance->tool.translation(), m_guidance->grip.direction, m_guidance->grip);
+  if (!position || !grip) return wanted;
+  const Vec3 displacement = *position - *grip;
   if (!m_guidance->isTurning) {
-    wanted.translation() += way;
-  } else if (m_guidance->pixel > 0.0 && way.norm() > 0.0) {
-    // As a ball under the pointer turns.
-    const Vec3 axis = way.cross(m_guidance->grip.direction).normalized();
+    wanted.translation() += displacement;
+  } else if (m_guidance->pixel > 0.0 && displacement.norm() > 0.0) {
+    // The tool turns like a ball under the pointer.
+    const Vec3 axis = displacement.cross(m_guidance->grip.direction).normalized();
     wanted.linear() =
-        Eigen::AngleAxisd(kTurnOfPixel * way.norm() / m_guidance->pixel, axis).toRotationMatrix() * wanted.linear();
+        Eigen::AngleAxisd(kTurnOfPixel * displacement.norm() / m_guidance->pixel, axis).toRotationMatrix() *
+        wanted.linear();
   }
   return wanted;
 }
 
-// The first three joints follow the way of the hand, the next three its turn.
+// The first three joints follow the displacement of the hand, the next three its turn.
 void HandGuidingTool::leadJoints(const Pose& hand) {
-  const Vec3 way = m_scale * (hand.translation() - m_guidance->hand->translation());
+  const Vec3 displacement = m_scale * (hand.translation() - m_guidance->hand->translation());
   const Eigen::AngleAxisd turned(hand.linear() * m_guidance->hand->linear().transpose());
   const Vec3 turn = m_scale * turned.angle() * turned.axis();
   ArmValues wanted = m_guidance->start;
@@ -161,7 +162,9 @@ void HandGuidingTool::leadJoints(const Pose& hand) {
     const ArmJoint& joint = m_guidance->scene->scene.joint(i);
     const double range = joint.upper - joint.lower;
     const double half = std::isfinite(range) ? 0.5 * range : kUnlimitedRange;
-    wanted[i] += i < 3 ? half / kHandRange * way[i] : joint.isPrismatic ? half / M_PI * turn[i - 3] : turn[i - 3];
+    wanted[i] += i < 3               ? half / kHandRange * displacement[i]
+                 : joint.isPrismatic ? half / M_PI * turn[i - 3]
+                                     : turn[i - 3];
   }
   m_guidance->step = m_guidance->robot.lead(wanted);
 }
@@ -175,12 +178,12 @@ void HandGuidingTool::follow(const PointerEvent& event) {
   guidance.hasMoved |= !isSame;
   if (!guidance.hasMoved || (guidance.hand && !event.device)) return;
   if (!guidance.pulled) takeGuide();
-  if (m_way == Way::Joints && guidance.hand) {
+  if (m_mode == Mode::Joints && guidance.hand) {
     leadJoints(*event.device);
   } else {
     Pose wanted = wantedPose(event);
-    guidance.place = wanted.translation();
-    if (guidance.guide) wanted.translation() = guidance.guide->drawn(guidance.place, m_snapDistance);
+    guidance.wantedPosition = wanted.translation();
+    if (guidance.guide) wanted.translation() = guidance.guide->drawn(guidance.wantedPosition, m_snapDistance);
     guidance.step = guidance.robot.lead(wanted);
   }
   guidance.felt = guidance.approach.at(guidance.robot.values());
@@ -198,7 +201,7 @@ ToolReply HandGuidingTool::release() {
   if ((guidance->robot.values() - guidance->start).cwiseAbs().maxCoeff() < tolerance::kStillJoint)
     return ToolReply::Used;
   if (guidance->pulled) {
-    setPlace(*guidance);
+    setWaypoint(*guidance);
     return ToolReply::Used;
   }
   auto edit = m_document.jointEdit(guidance->scene->whole(guidance->robot.values()));
@@ -206,7 +209,8 @@ ToolReply HandGuidingTool::release() {
   return ToolReply::Used;
 }
 
-// Where the hand has led the robot it is, also while it goes on: what is stored meanwhile is that.
+// The robot is at the pose that the hand has led it to, also during the drag: a configuration stored meanwhile has
+// these joint values.
 void HandGuidingTool::settle() {
   if (m_guidance) release();
 }
@@ -215,7 +219,7 @@ ToolReply HandGuidingTool::perform(std::string_view action) {
   if (action == "place") {
     if (m_guidance && m_guidance->pulled) return perform("revert");  // the robot does not stand where it is shown
     if (m_guidance) release();
-    m_services.addPlace();
+    m_services.addWaypoint();
     return ToolReply::Used;
   }
   if (action != "revert" && action != "commit") return ToolReply::Ignored;
@@ -227,7 +231,7 @@ ToolReply HandGuidingTool::perform(std::string_view action) {
 
 std::vector<ToolAction> HandGuidingTool::actions() const {
   const bool isPrepared = m_guidance || m_services.scene();
-  const bool isPulling = m_way == Way::Places;
+  const bool isPulling = m_mode == Mode::Waypoints;
   return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
            isPulling ? QT_TRANSLATE_NOOP("Tool", "pull a place of a path")
                      : QT_TRANSLATE_NOOP("Tool", "lead the robot's tool")},
@@ -252,23 +256,24 @@ ToolPreview HandGuidingTool::preview() const {
       preview.lines.push_back({m_near->point - m_grasp * Vec3::Unit(axis), m_near->point + m_grasp * Vec3::Unit(axis)});
   }
   if (!m_guidance || !(m_guidance->hasMoved || m_guidance->pulled)) return preview;
-  if (m_way != Way::Joints && m_guidance->hasMoved && m_guidance->step.behind > 1.0)
-    preview.lines.push_back({tool->translation(), m_guidance->place});
+  if (m_mode != Mode::Joints && m_guidance->hasMoved && m_guidance->step.behind > 1.0)
+    preview.lines.push_back({tool->translation(), m_guidance->wantedPosition});
   auto shown = std::make_shared<DisplayModel>(displayOf(m_document.robot(), joints(), m_document.bodies()));
   if (m_services.mark) m_services.mark(*shown, joints());
   preview.replaced = std::move(shown);
   return preview;
 }
 
-// The hand is drawn to where it would be if the robot could follow, turned as it would be, and pushed off what is near.
-// Before that a place that it could take draws it: not at all at the edge of where it does, so that nothing leaps.
+// The hand is drawn to the pose that it would have if the robot could follow, and pushed off nearby obstacles. Before
+// the press it is drawn to a waypoint that it could take: not at all at the boundary of its range, so that the force is
+// continuous.
 std::vector<DeviceSpring> HandGuidingTool::forces() const {
   if (!m_guidance && m_near && m_tip && m_isFelt) {
-    const Vec3 way = m_near->point - *m_tip;
-    const double share = std::min(1.0, way.norm() / m_grasp);
-    return {{*m_tip + (1.0 - share * share) * way, kStiffness, kDamping}};
+    const Vec3 displacement = m_near->point - *m_tip;
+    const double share = std::min(1.0, displacement.norm() / m_grasp);
+    return {{*m_tip + (1.0 - share * share) * displacement, kStiffness, kDamping}};
   }
-  if (!m_guidance || !m_guidance->hand || !m_guidance->hasMoved || !m_isFelt || m_way == Way::Joints) return {};
+  if (!m_guidance || !m_guidance->hand || !m_guidance->hasMoved || !m_isFelt || m_mode == Mode::Joints) return {};
   const Vec3 there = m_guidance->hand->translation() +
                      (m_guidance->robot.tool().translation() - m_guidance->tool.translation()) / m_scale;
   const Vec3 push = m_guidance->felt.force / kStiffness;

@@ -13,10 +13,10 @@
 
 namespace handwheel {
 
-// Measurements of an attempt to lead the tool along a path by hand. Help is what assisted it (He 2008, chapter 6: the
-// three are compared).
+// Measurements of an attempt to lead the tool along a path by hand. Help: the assistance (He 2008, chapter 6, compares
+// the three).
 struct HandGuidingTrial {
-  enum class Help { Eyes, Force, Fixture };  // a fixture has force, too
+  enum class Help { Eyes, Force, Fixture };  // A fixture also gives force
   std::string path;
   Help help = Help::Eyes;
   FollowingStatistics figures;
@@ -24,26 +24,27 @@ struct HandGuidingTrial {
 
 // Services that HandGuidingTool uses.
 struct HandGuidingServices {
-  // The cell as it is now, prepared for planning; null while it is being prepared.
+  // Returns the present cell prepared for planning; null while it is being prepared.
   std::function<std::shared_ptr<const CellScene>()> scene;
-  // Marks what collides where the robot stands.
+  // Marks the collisions at these joint values.
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
   // Adds the configuration of the document to the selected path, or to a new one.
-  std::function<void()> addPlace;
-  // s, of a clock that does not go back.
+  std::function<void()> addWaypoint;
+  // Returns the time of a monotonic clock, s.
   std::function<double()> time;
-  // The way of the tool's centre point along a path of the cell; null while that is being found, or there is none.
+  // Returns the curve of the tool centre point along a path of the cell; null if there is none or it is still being
+  // computed.
   std::function<std::shared_ptr<const GuideCurve>(const std::string& path)> guide;
-  double tolerance = DistanceForceSettings().tolerance;    // mm, of distances that are felt
+  double tolerance = DistanceForceSettings().tolerance;    // mm, tolerance of the distances that the hand feels
   double ikTolerance = TeleoperationSettings().tolerance;  // m, rad
-  std::vector<HandGuidingTrial>* trials = nullptr;         // what was tried in this document; outlives the tool
+  std::vector<HandGuidingTrial>* trials = nullptr;         // The attempts in this document; must outlive the tool
 };
 
-// Tool that guides a robot by hand at its tool. The arm follows: never through anything, nor beyond a limit. The hand
-// takes over wherever it is, and feels what holds the robot back and what it comes near to. With the mouse the tool
-// moves in the plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual fixture
-// that draws the tool to it; how well that went is measured. Places of paths are pulled in the same way: a press near
-// the tool's centre point at one, to which a device is drawn, takes that. Letting go commits one edit.
+// Tool that guides a robot by hand at its tool. The arm follows, but never through an obstacle or beyond a limit. The
+// hand can start anywhere, and feels the robot's resistance and nearby obstacles. With the mouse the tool moves in the
+// plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual fixture that draws the
+// tool to it; the deviation is measured. Waypoints are pulled in the same manner: a press near the tool centre point at
+// one, to which a device is drawn, takes that. Releasing commits one edit.
 class HandGuidingTool : public Tool {
  public:
   HandGuidingTool(RobotCellDocument& document, HandGuidingServices services);
@@ -61,57 +62,58 @@ class HandGuidingTool : public Tool {
   void documentChanged() override;
 
   bool isLeading() const { return m_guidance != nullptr; }
-  // The joint values: those that the robot is led to, otherwise those of the document.
+  // Returns the joint values that the robot is led to, or else those of the document.
   JointValues joints() const;
-  // The tool's centre point there, in the frame of the base; none while the cell is not prepared.
+  // Returns the tool centre point at these joint values, in the frame of the base; nothing while the cell is not
+  // prepared.
   std::optional<Pose> toolPose() const;
 
  private:
-  enum class Way { Tool, Joints, Places };  // what follows the hand
-  // A place of a path: their numbers in the plans, and the tool's centre point there, in the frame of the base.
-  struct PathPlace {
-    std::size_t path, place;
+  enum class Mode { Tool, Joints, Waypoints };  // The thing that follows the hand
+  // A waypoint by its indices in the plans, with the tool centre point there, in the frame of the base.
+  struct PathWaypoint {
+    std::size_t path, waypoint;
     Vec3 point;
   };
 
-  // From press to release.
+  // State from press to release.
   struct Guidance;
 
   ToolReply press(const PointerEvent& event);
   void begin(const PointerEvent& event);
   void beginAt(const PointerEvent& event, const std::shared_ptr<const CellScene>& scene, const ArmValues& start);
-  ToolReply takePlace(const PointerEvent& event);
-  void setPlace(const Guidance& pulled);
-  const std::vector<PathPlace>& places();
-  std::optional<PathPlace> placeNear(const PointerEvent& event);
+  ToolReply takeWaypoint(const PointerEvent& event);
+  void setWaypoint(const Guidance& pulled);
+  const std::vector<PathWaypoint>& waypoints();
+  std::optional<PathWaypoint> waypointNear(const PointerEvent& event);
   void takeGuide();
   void follow(const PointerEvent& event);
   void leadJoints(const Pose& hand);
   Pose wantedPose(const PointerEvent& event) const;
   ToolReply release();
-  std::shared_ptr<const GuideCurve> guide() const;  // null: none, or not yet
+  std::shared_ptr<const GuideCurve> guide() const;  // Null: none, or not ready yet
   std::vector<std::string> pathNames() const;
   void addFigures(std::vector<Property>& all) const;
 
   RobotCellDocument& m_document;
   HandGuidingServices m_services;
-  std::shared_ptr<Guidance> m_guidance;  // null: nothing is led
-  std::string m_path;                    // that is to be followed; empty: none
-  Way m_way = Way::Tool;
+  std::shared_ptr<Guidance> m_guidance;  // Null: nothing is led
+  std::string m_path;                    // The path to follow; empty: none
+  Mode m_mode = Mode::Tool;
   double m_scale = 1.0;         // mm of the tool to a mm of the hand
-  bool m_turns = true;          // the tool turns with the hand
-  bool m_isFelt = true;         // the hand feels the robot
+  bool m_turns = true;          // True if the tool turns with the hand
+  bool m_isFelt = true;         // True if the hand feels the robot
   double m_largestForce = 4.0;  // N
-  double m_reach = 10.0;        // mm: what is nearer pushes the hand away
+  double m_reach = 10.0;        // mm: a distance below which obstacles push the hand away
   double m_snapDistance = 0.0;  // mm; 0: no fixture
-  double m_grasp = 15.0;        // mm around a place in which it is taken
-  // All that can be pulled, of these plans, scene and path.
-  std::vector<PathPlace> m_places;
-  std::shared_ptr<const CellPlans> m_placesOf;
-  std::weak_ptr<const CellScene> m_placesIn;
-  std::string m_placesAlong;
-  std::optional<PathPlace> m_near;  // that would be taken,
-  std::optional<Vec3> m_tip;        // and where a device is that it draws
+  double m_grasp = 15.0;        // mm: distance within which a waypoint is taken
+  // All waypoints that can be pulled, for these plans, scene and path.
+  std::vector<PathWaypoint> m_waypoints;
+  std::shared_ptr<const CellPlans> m_waypointsOf;
+  std::weak_ptr<const CellScene> m_waypointsIn;
+  std::string m_waypointsAlong;
+  std::optional<PathWaypoint> m_near;  // The waypoint that a press would take
+  std::optional<Vec3> m_tip;           // Position of the device, which is drawn to m_near
 };
 
 }  // namespace handwheel

@@ -46,7 +46,7 @@ std::shared_ptr<const GuideCurve> HandGuidingTool::guide() const {
 
 std::vector<Property> HandGuidingTool::settings() const {
   std::vector<Property> all{
-      choiceSetting("way", QT_TRANSLATE_NOOP("Property", "The hand leads"), static_cast<int>(m_way),
+      choiceSetting("way", QT_TRANSLATE_NOOP("Property", "The hand leads"), static_cast<int>(m_mode),
                     {QT_TRANSLATE_NOOP("Property", "The tool"), QT_TRANSLATE_NOOP("Property", "Joint by joint"),
                      QT_TRANSLATE_NOOP("Property", "Places of paths")}),
       numberSetting("scale", QT_TRANSLATE_NOOP("Property", "Tool to hand"), m_scale, Quantity::Number, kScales),
@@ -63,7 +63,7 @@ std::vector<Property> HandGuidingTool::settings() const {
   all.push_back(choiceSetting("path", QT_TRANSLATE_NOOP("Property", "Path to follow"), index, std::move(choices)));
   all.push_back(numberSetting("snap", QT_TRANSLATE_NOOP("Property", "Attracted within"), m_snapDistance,
                               Quantity::Length, kSnapDistances));
-  if (m_way == Way::Places) {
+  if (m_mode == Mode::Waypoints) {
     all.push_back(numberSetting("grasp", QT_TRANSLATE_NOOP("Property", "Place taken within"), m_grasp, Quantity::Length,
                                 kGrasps));
   }
@@ -71,7 +71,7 @@ std::vector<Property> HandGuidingTool::settings() const {
   return all;
 }
 
-// Where the robot is held back, and the best try of each kind along the path.
+// Adds the cause that holds the robot back, and the best trial of each kind along the path.
 void HandGuidingTool::addFigures(std::vector<Property>& all) const {
   if (m_guidance && m_guidance->hasMoved) {
     if (std::isfinite(m_guidance->felt.distance)) {
@@ -114,7 +114,7 @@ void HandGuidingTool::addFigures(std::vector<Property>& all) const {
 
 void HandGuidingTool::setSetting(std::string_view id, const PropertyValue& value) {
   m_near.reset();
-  if (id == "way") assignChoice(m_way, value, 3);
+  if (id == "way") assignChoice(m_mode, value, 3);
   if (id == "scale") assignNumber(m_scale, value, kScales);
   if (id == "turns") assignSwitch(m_turns, value);
   if (id == "felt") assignSwitch(m_isFelt, value);

@@ -12,15 +12,15 @@ namespace handwheel {
 
 // Services that IkSolutionsTool uses.
 struct IkSolutionsServices {
-  // The cell as it is now, prepared for planning; null while it is being prepared.
+  // Returns the present cell prepared for planning; null while it is being prepared.
   std::function<std::shared_ptr<const CellScene>()> scene;
-  // Marks what collides where the robot stands.
+  // Marks the collisions at these joint values.
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
 };
 
-// Tool that shows all inverse kinematics solutions for a pose of the arm's tool. The pose is where the tool is, or
-// where a person types it. One is chosen from a list and shown; committing moves the robot there. Of a device the first
-// button goes to the next solution, the second commits.
+// Tool that shows all inverse kinematics solutions for a pose of the arm's tool. The pose is the present one or typed
+// by the user. One is chosen from a list and shown; committing moves the robot there. On a device the first button goes
+// to the next solution, the second commits.
 class IkSolutionsTool : public Tool {
  public:
   IkSolutionsTool(RobotCellDocument& document, IkSolutionsServices services);
@@ -41,15 +41,15 @@ class IkSolutionsTool : public Tool {
 
  private:
   const std::vector<CellIkSolution>& solutions() const;
-  const CellIkSolution* solution() const;  // the chosen one; null: there is none
-  bool isThere() const;                    // the robot stands so
+  const CellIkSolution* solution() const;  // The chosen solution; null: there is none
+  bool isThere() const;                    // True if the robot has the joint values of the solution
   ToolReply choose(std::size_t solution);
   ToolReply commit();
   void forgetSolutions();
 
   RobotCellDocument& m_document;
   IkSolutionsServices m_services;
-  Pose m_pose;  // of the tool's centre point, that is looked at
+  Pose m_pose;  // The examined pose of the tool centre point
   std::size_t m_chosen = 0;
   // The solutions to m_pose, for m_scene.
   mutable std::shared_ptr<const CellScene> m_scene;

@@ -24,7 +24,7 @@ constexpr ToolKey kJointDragKeys[] = {
 
 }  // namespace
 
-// Whether the joint is moved for itself: no other joint on the way to the foot goes with it.
+// Returns true if the joint moves on its own: no other joint towards the foot moves with it.
 bool JointDragTool::isItsOwn(std::uint32_t joint) const {
   const RobotModel& robot = m_document.robot().model;
   const std::uint32_t dof = robot.joints[joint].dof;
@@ -117,20 +117,21 @@ void JointDragTool::follow(const PointerEvent& event) {
 
 void JointDragTool::followWithJoint(const PointerEvent& event) {
   const Joint& joint = m_document.robot().model.joints[m_drag->hold.joint];
-  const auto way = joint.kind == JointKind::Prismatic ? translationUnder(m_drag->hold.at, event.ray)
-                                                      : rotationUnder(m_drag->hold.at, event.pickRay(), m_drag->way);
-  if (!way) return;
-  m_drag->way = *way;
-  m_drag->values[joint.dof] = joint.nearest(m_drag->start[joint.dof] + *way);
+  const auto travel = joint.kind == JointKind::Prismatic
+                          ? translationUnder(m_drag->hold.at, event.ray)
+                          : rotationUnder(m_drag->hold.at, event.pickRay(), m_drag->travel);
+  if (!travel) return;
+  m_drag->travel = *travel;
+  m_drag->values[joint.dof] = joint.nearest(m_drag->start[joint.dof] + *travel);
 }
 
 void JointDragTool::followWithPull(const Ray& ray, std::uint32_t onlyDof) {
   const RobotModel& robot = m_document.robot().model;
   const Hold& hold = m_drag->hold;
-  const auto place = placeUnder(hold.at.point, m_drag->grip.direction, ray);
-  if (!place) return;
+  const auto position = positionUnder(hold.at.point, m_drag->grip.direction, ray);
+  if (!position) return;
   const Pose link = linkPoses(robot, m_drag->start)[hold.link];
-  m_drag->values = pulled(robot, m_drag->values, {hold.link, link.inverse() * hold.at.point, *place, onlyDof});
+  m_drag->values = pulled(robot, m_drag->values, {hold.link, link.inverse() * hold.at.point, *position, onlyDof});
 }
 
 ToolReply JointDragTool::release() {
@@ -140,8 +141,8 @@ ToolReply JointDragTool::release() {
   const RobotModel& robot = m_document.robot().model;
   // Whoever comes back to where he began gets no step for what rounding left.
   const JointValues end = byShortestTurn(robot, drag.start, drag.values);
-  const JointValues way = withinLimits(robot, end) - drag.start;
-  if (way.cwiseAbs().maxCoeff() < tolerance::kStillJoint) return ToolReply::Used;
+  const JointValues displacement = withinLimits(robot, end) - drag.start;
+  if (displacement.cwiseAbs().maxCoeff() < tolerance::kStillJoint) return ToolReply::Used;
   auto edit = m_document.jointEdit(end);
   if (!edit) return ToolReply::Used;
   const Joint& joint = robot.jointOfDof(robot.joints[drag.hold.joint].dof);

@@ -12,7 +12,7 @@ namespace handwheel {
 
 // The first hit of a ray on a robot cell.
 struct RobotCellPick {
-  std::string part;  // as displayOf() names it
+  std::string part;  // Name as in displayOf()
   Vec3 point;        // mm
 };
 
@@ -23,7 +23,7 @@ class JointDragTool : public Tool {
   using Pick = std::function<std::optional<RobotCellPick>(const Ray&)>;
   JointDragTool(RobotCellDocument& document, Pick pick) : m_document(document), m_pick(std::move(pick)) {}
 
-  // The joint values: the preview while dragging, otherwise those of the document.
+  // Returns the joint values: the preview while dragging, otherwise those of the document.
   const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
   bool isDragging() const { return m_drag.has_value(); }
   bool hasMoved() const { return m_drag && m_drag->values != m_drag->start; }
@@ -42,16 +42,16 @@ class JointDragTool : public Tool {
  private:
   // A joint that can be dragged.
   struct Hold {
-    std::uint32_t link = kNone;   // the one that was picked
-    std::uint32_t joint = kNone;  // the nearest that moves its point
+    std::uint32_t link = kNone;   // The picked link
+    std::uint32_t joint = kNone;  // The nearest joint that moves its point
     HeldPoint at;
   };
   struct Drag {
     Hold hold;
-    Ray grip;  // the ray at the press
+    Ray grip;  // Ray at the press
     bool hasMoved = false;
     bool isWholeArm = false;
-    double way = 0.0;  // of the joint since the press, limits left out; rad, mm
+    double travel = 0.0;  // Travel of the joint since the press, without limits; rad, mm
     JointValues start, values;
   };
 

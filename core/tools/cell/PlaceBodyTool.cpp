@@ -32,7 +32,7 @@ constexpr double kArrowPixels = 110.0;                   // logical
 constexpr double kGripPixels = 7.0;                      // logical, to either side of a handle
 constexpr double kDeviceGripPixels = 14.0;               // a tip in space is harder to aim
 constexpr double kSnapPixels = 4.0;                      // the least distance of two snapped positions in the view
-constexpr double kTurnStep = 5.0 * kRadiansPerDegree;    // of snapped turns
+constexpr double kTurnStep = 5.0 * kRadiansPerDegree;    // Step of snapped turns
 constexpr Limits kMoves{-kFarthestBody, kFarthestBody};  // mm
 constexpr Limits kTurns{-2.0 * M_PI, 2.0 * M_PI};
 
@@ -92,7 +92,7 @@ std::optional<PlacingHandles> PlaceBodyTool::handles() const {
   return handles;
 }
 
-// As typed, from where it is: turned about the centre of the handles, then moved.
+// Returns the pose with the typed numbers: turned about the centre of the handles, then moved.
 Pose PlaceBodyTool::wanted() const {
   if (m_drag) return m_shown;
   const Pose start = subject()->pose;
@@ -149,7 +149,7 @@ ToolReply PlaceBodyTool::pointer(const PointerEvent& given) {
   return ToolReply::Ignored;
 }
 
-// Where a body, or a robot, is under the pointer; none: neither.
+// Selects the body or robot under the pointer and returns the point that was hit; nothing if there is neither.
 std::optional<Vec3> PlaceBodyTool::selectUnder(const PointerEvent& event) {
   const auto hit = m_services.pick(event.ray);
   if (!hit) return std::nullopt;
@@ -179,7 +179,7 @@ ToolReply PlaceBodyTool::press(const PointerEvent& event) {
   else if (at)
     handle = at->under(event.pickRay(), kGripPixels);
   m_moveBy = m_turnBy = Vec3::Zero();
-  std::optional<Vec3> held;  // where what is placed was grabbed itself
+  std::optional<Vec3> held;  // The point at which the object itself was grabbed
   if (!handle) {
     held = selectUnder(event);
     if (!held) return ToolReply::Ignored;  // the camera's
@@ -188,13 +188,13 @@ ToolReply PlaceBodyTool::press(const PointerEvent& event) {
   Drag drag{handle, *handles(), subject()->pose, Vec3::Zero(), event.device};
   if (held && !event.device) drag.floor.emplace(*held, drag.start.translation(), event);
   if (handle) {
-    // Where the handle is under the pointer: the place of its outline that is nearest to the ray or the tip.
+    // Point of the handle under the pointer: the point of its outline that is nearest to the ray or the tip.
     const Vec3 &centre = drag.handles.centre, axis = drag.handles.axes[static_cast<std::size_t>(handle->axis)];
     const Vec3 there = event.device ? Vec3(event.device->translation())
-                                    : placeUnder(centre, event.ray.direction, event.ray).value_or(centre);
+                                    : positionUnder(centre, event.ray.direction, event.ray).value_or(centre);
     Vec3 aside = there - centre;
     if (handle->isRing) {
-      const auto onPlane = event.device ? std::optional(there) : placeUnder(centre, axis, event.ray);
+      const auto onPlane = event.device ? std::optional(there) : positionUnder(centre, axis, event.ray);
       const bool isSeenFromAside = std::abs(event.ray.direction.dot(axis)) < 0.2;
       if (onPlane && !isSeenFromAside) aside = *onPlane - centre;
       aside -= aside.dot(axis) * axis;
@@ -210,31 +210,31 @@ ToolReply PlaceBodyTool::press(const PointerEvent& event) {
   return ToolReply::Used;
 }
 
-// How far the handle is dragged along or about its axis.
-std::optional<double> PlaceBodyTool::wayUnder(const PointerEvent& event) const {
+// Returns the travel of the handle along or about its axis.
+std::optional<double> PlaceBodyTool::travelUnder(const PointerEvent& event) const {
   const PlacingHandles& at = m_drag->handles;
   const HeldPoint held{at.centre, at.axes[static_cast<std::size_t>(m_drag->handle->axis)], m_drag->grip};
   if (!event.device || !m_drag->hand) {
     if (!event.ray.isUsable()) return std::nullopt;
     if (!m_drag->handle->isRing) return translationUnder(held, event.ray);
     if (held.lever() < tolerance::kLeastLever) return std::nullopt;
-    return rotationUnder(held, event.pickRay(), m_drag->way);
+    return rotationUnder(held, event.pickRay(), m_drag->travel);
   }
   if (!m_drag->handle->isRing) return (event.device->translation() - m_drag->hand->translation()).dot(held.axis);
   const Vec3 from = held.point - held.centre;
   const Vec3 to = from + event.device->translation() - m_drag->hand->translation();
   const double x = from.dot(to) - from.dot(held.axis) * to.dot(held.axis), y = held.axis.dot(from.cross(to));
   if (std::hypot(x, y) < tolerance::kLeastLever) return std::nullopt;
-  return m_drag->way + std::remainder(std::atan2(y, x) - m_drag->way, 2.0 * M_PI);
+  return m_drag->travel + std::remainder(std::atan2(y, x) - m_drag->travel, 2.0 * M_PI);
 }
 
 // In steps that fit the zoom, or of 5°, unless Ctrl is held.
-double PlaceBodyTool::snapped(double way, const PointerEvent& event) const {
-  if (event.modifiers.control || event.device) return way;
-  if (m_drag->handle->isRing) return kTurnStep * std::round(way / kTurnStep);
+double PlaceBodyTool::snapped(double travel, const PointerEvent& event) const {
+  if (event.modifiers.control || event.device) return travel;
+  if (m_drag->handle->isRing) return kTurnStep * std::round(travel / kTurnStep);
   const double unit = millimetresPer(m_document.displayUnit());
   const double least = kSnapPixels * event.pickRay().pixelAt(m_drag->handles.centre) / unit;
-  return least > 0.0 && std::isfinite(least) ? snappedTo(way / unit, least) * unit : way;
+  return least > 0.0 && std::isfinite(least) ? snappedTo(travel / unit, least) * unit : travel;
 }
 
 void PlaceBodyTool::followFreely(const PointerEvent& event) {
@@ -250,14 +250,15 @@ void PlaceBodyTool::followFreely(const PointerEvent& event) {
 void PlaceBodyTool::follow(const PointerEvent& event) {
   if (m_drag->floor) {
     const double unit = millimetresPer(m_document.displayUnit());
-    if (const auto place = m_drag->floor->placeFor(event, m_shown.translation(), unit)) m_shown.translation() = *place;
+    if (const auto position = m_drag->floor->positionFor(event, m_shown.translation(), unit))
+      m_shown.translation() = *position;
     return;
   }
   if (!m_drag->handle) return followFreely(event);
-  const auto way = wayUnder(event);
-  if (!way) return;
-  m_drag->way = *way;
-  const double kept = snapped(*way, event);
+  const auto travel = travelUnder(event);
+  if (!travel) return;
+  m_drag->travel = *travel;
+  const double kept = snapped(*travel, event);
   const PlacingHandles& at = m_drag->handles;
   const Vec3& axis = at.axes[static_cast<std::size_t>(m_drag->handle->axis)];
   m_shown = m_drag->start;
@@ -336,14 +337,14 @@ std::shared_ptr<DisplayModel> PlaceBodyTool::shownAt(const Subject& placed, cons
   if (placed.robot) {
     auto shown = std::make_shared<DisplayModel>(displayOf(robots, m_document.joints(), m_document.bodies()));
     const std::vector<std::uint32_t> owners = armsOfLinks(robots.model, robots.arms);
-    const Pose way = pose * placed.pose.inverse(Eigen::Isometry);
+    const Pose displacement = pose * placed.pose.inverse(Eigen::Isometry);
     for (DisplayPart& part : shown->parts) {
       const auto id = bodyOfPart(part.name);
       const BodyPointer carried = id ? m_document.bodies().withId(*id) : nullptr;
       const std::uint32_t link = carried ? carrierOf(*carried, robots.model) : linkOfPart(robots, part.name);
-      if (link != kNone && owners[link] == *placed.robot) part.pose = way * part.pose;
+      if (link != kNone && owners[link] == *placed.robot) part.pose = displacement * part.pose;
     }
-    if (m_services.markRobot) m_services.markRobot(*shown, *placed.robot, way);
+    if (m_services.markRobot) m_services.markRobot(*shown, *placed.robot, displacement);
     return shown;
   }
   Body moved = *placed.body;
@@ -372,8 +373,8 @@ ToolPreview PlaceBodyTool::preview() const {
   }
   if (m_drag && m_drag->handle && !m_drag->handle->isRing) {
     const auto axis = static_cast<std::size_t>(m_drag->handle->axis);
-    const double way = (m_shown.translation() - m_drag->start.translation()).dot(m_drag->handles.axes[axis]);
-    preview.label = ToolLabel{m_drag->grip + way * m_drag->handles.axes[axis], {{kAxisNames[axis], way}}};
+    const double travel = (m_shown.translation() - m_drag->start.translation()).dot(m_drag->handles.axes[axis]);
+    preview.label = ToolLabel{m_drag->grip + travel * m_drag->handles.axes[axis], {{kAxisNames[axis], travel}}};
   }
   const Pose there = wanted();
   const Subject placed = *subject();
@@ -402,16 +403,16 @@ std::vector<Property> PlaceBodyTool::settings() const {
   const bool isMove = m_drag && m_drag->handle && !m_drag->handle->isRing;
   const bool isTurn = m_drag && m_drag->handle && m_drag->handle->isRing;
   for (int i = 0; i < 3; ++i) {
-    const Vec3 way = m_shown.translation() - (m_drag ? m_drag->start.translation() : m_shown.translation());
+    const Vec3 displacement = m_shown.translation() - (m_drag ? m_drag->start.translation() : m_shown.translation());
     const auto axis = static_cast<std::size_t>(i);
-    const double moved = isMove ? way.dot(m_drag->handles.axes[axis]) : m_moveBy[i];
+    const double moved = isMove ? displacement.dot(m_drag->handles.axes[axis]) : m_moveBy[i];
     all.push_back(numberSetting(kMoveIds[axis], kMoveLabels[axis], moved, Quantity::Length, kMoves));
     all.back().group = kMove;
   }
   for (int i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(i);
     double turned = m_turnBy[i];
-    if (isTurn && m_drag->handle->axis == i) {  // by half a turn at most, whichever way that is
+    if (isTurn && m_drag->handle->axis == i) {  // By half a turn at most, in either direction
       const Eigen::AngleAxisd by(Eigen::Matrix3d(m_shown.linear() * m_drag->start.linear().transpose()));
       turned = std::copysign(by.angle(), by.axis().dot(m_drag->handles.axes[axis]));
     }

@@ -13,24 +13,26 @@ namespace handwheel {
 // Services that PlaceBodyTool uses.
 struct PlaceBodyServices {
   JointDragTool::Pick pick;
-  // Marks what collides while the body is there, in the frame of the base.
+  // Marks the collisions while the body has this pose, given in the frame of the base.
   std::function<void(DisplayModel& shown, const Body& moved)> mark;
-  // The number of the selected robot; none: no robot is. Null, both: robots are not placed.
+  // Returns the number of the selected robot; nothing if none is selected. If robot and selectRobot are null, robots
+  // cannot be placed.
   std::function<std::optional<std::size_t>()> robot = {};
   std::function<void(std::size_t robot)> selectRobot = {};
-  // Marks what collides with a robot that is moved so far as a whole.
-  std::function<void(DisplayModel& shown, std::size_t robot, const Pose& way)> markRobot = {};
-  // The name of the selected frame, which is placed before all else; empty: none is. Null: frames are not placed.
+  // Marks the collisions of a robot that is moved as a whole by this displacement.
+  std::function<void(DisplayModel& shown, std::size_t robot, const Pose& displacement)> markRobot = {};
+  // Returns the name of the selected frame, which takes precedence over bodies and robots; empty: none. If null, frames
+  // cannot be placed.
   std::function<std::string()> frame = {};
 };
 
-// Tool that places the selected body by handles. Or else the selected robot by its base: arrows along three axes move
-// it, rings about them turn it, by the mouse or a device, in steps unless Ctrl is held. Dragged by itself, as by any
-// link of the robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body itself
-// moves and turns it freely. Numbers that are typed move and turn it from where it is; they are shown and hold when
-// they are committed. A selected frame is placed by its handles or numbers, whatever carries it. Each release or commit
-// is one edit. A body that the robot carries is placed on its carrier. The robot on the root has no handles, as
-// everything is measured from its base.
+// Tool that places the selected body, or else the selected robot, by handles. Arrows along three axes move it, rings
+// about them turn it, by the mouse or a device, in steps unless Ctrl is held. Dragged directly, or by any link of the
+// robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body itself moves and
+// turns it freely. Typed numbers move and turn it from its present pose; they are previewed and take effect on commit.
+// A selected frame is placed by its handles or numbers, whatever carries it. Each release or commit is one edit. A body
+// that the robot carries is placed on its carrier. The robot on the root has no handles, as everything is measured from
+// its base.
 class PlaceBodyTool : public Tool {
  public:
   // The selection must outlive the tool.
@@ -48,45 +50,45 @@ class PlaceBodyTool : public Tool {
   bool remembersSettings() const override { return false; }
   std::vector<std::string> needs() const override { return {"picking"}; }
 
-  // Those of what is placed; none: neither a body is selected alone, nor a robot.
+  // Returns the handles of the subject; nothing unless exactly one body, or a robot or frame, is selected.
   std::optional<PlacingHandles> handles() const;
 
  private:
   enum class Frame { World, Body };
   enum class Centre { Middle, Origin };
-  // From press to release.
+  // State from press to release.
   struct Drag {
-    std::optional<PlacingHandles::Handle> handle;  // none: it is dragged by itself, or a device holds it
-    PlacingHandles handles;                        // at the press
-    Pose start;                                    // of what is placed, in the base
-    Vec3 grip;                                     // where it was grabbed
-    std::optional<Pose> hand;                      // of a device, at the press
-    double way = 0.0;                              // mm, rad
-    std::optional<FloorDrag> floor = {};           // dragged by itself
+    std::optional<PlacingHandles::Handle> handle;  // Nothing: dragged directly, or held by a device
+    PlacingHandles handles;                        // Handles at the press
+    Pose start;                                    // Pose of the subject, in the base frame
+    Vec3 grip;                                     // The grabbed point
+    std::optional<Pose> hand;                      // Pose of a device at the press
+    double travel = 0.0;                           // mm, rad
+    std::optional<FloorDrag> floor = {};           // Set if dragged directly
   };
 
-  // What is placed.
+  // The body, robot or frame that is placed.
   struct Subject {
     std::string name;
-    Pose pose;                              // in the base
-    Box bounds = {};                        // in its own frame; empty: it is turned about its origin
-    BodyPointer body = {};                  // null: it is a robot or frame
-    std::optional<std::size_t> robot = {};  // its number
+    Pose pose;                              // In the base frame
+    Box bounds = {};                        // In its own frame; empty: it is turned about its origin
+    BodyPointer body = {};                  // Null: it is a robot or frame
+    std::optional<std::size_t> robot = {};  // The number of the robot
     bool isFrame = false;
   };
 
   BodyPointer body() const;
   std::optional<Subject> subject() const;
-  Pose carrier() const;  // of the selected body, in the base
-  Pose wanted() const;   // of what is placed in the base, as it is shown
+  Pose carrier() const;  // Pose of the selected body's carrier, in the base frame
+  Pose wanted() const;   // Previewed pose of the subject, in the base frame
   std::optional<Vec3> selectUnder(const PointerEvent& event);
   std::unique_ptr<Edit> editTo(const Subject& subject, const Pose& pose) const;
   std::shared_ptr<DisplayModel> shownAt(const Subject& subject, const Pose& pose) const;
   ToolReply press(const PointerEvent& event);
   void follow(const PointerEvent& event);
   void followFreely(const PointerEvent& event);
-  std::optional<double> wayUnder(const PointerEvent& event) const;
-  double snapped(double way, const PointerEvent& event) const;
+  std::optional<double> travelUnder(const PointerEvent& event) const;
+  double snapped(double travel, const PointerEvent& event) const;
   ToolReply commit(const Pose& pose, const QString& text);
   void measure(const PointerEvent& event);
 
@@ -95,12 +97,12 @@ class PlaceBodyTool : public Tool {
   PlaceBodyServices m_services;
   Frame m_frame = Frame::World;
   Centre m_centre = Centre::Middle;
-  double m_length = 0.0;         // mm, of the arrows; 0: as large as the body
+  double m_length = 0.0;         // mm, length of the arrows; 0: as large as the body
   Vec3 m_moveBy = Vec3::Zero();  // mm, as typed
   Vec3 m_turnBy = Vec3::Zero();  // rad
   std::optional<PlacingHandles::Handle> m_hovered;
   std::optional<Drag> m_drag;
-  Pose m_shown = Pose::Identity();  // while it is dragged
+  Pose m_shown = Pose::Identity();  // Pose while it is dragged
 };
 
 }  // namespace handwheel

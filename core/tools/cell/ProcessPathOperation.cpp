@@ -21,7 +21,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kNormalAngle = 5.0 * std::numbers::pi / 180.0;  // that normals may be off after simplification
+constexpr double kNormalAngle = 5.0 * std::numbers::pi / 180.0;  // Deviation of normals after simplification
 constexpr int kFreeSpins = 24;                                   // turns of a tool that may be turned about its axis
 
 Parameter textParameter(const char* id, const char* word, std::string meaning) {
@@ -67,7 +67,7 @@ Status checkFollowed(const FollowedTrack& track, std::span<const Pose> poses, co
       const auto [link, other] = scene.namesOf(track.blocked);
       return errorAt(CellError::TrackBlocked, track, poses, {link, other});
     }
-    case FollowedTrack::Outcome::NoWay:
+    case FollowedTrack::Outcome::NoPath:
       return errorAt(CellError::TrackBroken, track, poses);
     case FollowedTrack::Outcome::Cancelled:
       break;
@@ -75,9 +75,9 @@ Status checkFollowed(const FollowedTrack& track, std::span<const Pose> poses, co
   return Error{ErrorCode::Cancelled, {}, {}, {}};
 }
 
-// The places of a drawn curve after its first. Error: NumberMalformed.
-Result<std::vector<Vec3>> placesThrough(const std::string& text) {
-  std::vector<Vec3> places;
+// Returns the points of a drawn curve after its first. Error: NumberMalformed.
+Result<std::vector<Vec3>> pointsThrough(const std::string& text) {
+  std::vector<Vec3> points;
   std::vector<double> numbers;
   std::string_view rest = text;
   while (!rest.empty()) {
@@ -91,17 +91,17 @@ Result<std::vector<Vec3>> placesThrough(const std::string& text) {
     numbers.push_back(number);
   }
   if (numbers.empty() || numbers.size() % 3 != 0) return Error{ErrorCode::NumberMalformed, {text}, {}, {}};
-  for (std::size_t i = 0; i < numbers.size(); i += 3) places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-  return places;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  return points;
 }
 
 Result<SurfaceTrack> drawnTrack(std::shared_ptr<const PartSurface> surface, const Pose& toBody, const Vec3& near,
                                 const std::string& through) {
-  const Result<std::vector<Vec3>> places = placesThrough(through);
-  if (!places) return places.error();
+  const Result<std::vector<Vec3>> points = pointsThrough(through);
+  if (!points) return points.error();
   DrawnCurve curve(std::move(surface), near);
-  for (std::size_t i = 0; i < places->size(); ++i) {
-    if (!curve.goOnTo(toBody * (*places)[i]))
+  for (std::size_t i = 0; i < points->size(); ++i) {
+    if (!curve.goOnTo(toBody * (*points)[i]))
       return Error{CellError::DrawnCurveBroken, {std::to_string(i + 1), std::to_string(i + 2)}, {}, {}};
   }
   return curve.track();
@@ -109,7 +109,7 @@ Result<SurfaceTrack> drawnTrack(std::shared_ptr<const PartSurface> surface, cons
 
 void move(SurfaceTrack& track, const Pose& by) {
   for (TrackPoint& point : track.points) {
-    point.place = by * point.place;
+    point.position = by * point.position;
     point.direction = by.linear() * point.direction;
     point.normal = by.linear() * point.normal;
   }
@@ -123,15 +123,15 @@ PathProcess processOf(const OperationValues& values, PathProcess process) {
   return process;
 }
 
-// Plans from one place to another and adds what is between them, and the second.
+// Plans from one waypoint to another and adds those between them, and the second.
 Status addLeg(const CellScene& scene, const CellPlans& plans, const Waypoint& from, const Waypoint& to,
               const RouteSettings& settings, PlannedPath& planned, Progress progress) {
   const std::array<Waypoint, 2> ends{from, to};
   Result<PlannedPath> leg = plannedThrough(scene, plans, ends, settings, progress);
   if (!leg) return leg.error();
   planned.steps += leg->steps;
-  for (std::size_t i = 1; i < leg->path.places.size(); ++i)
-    planned.path.places.push_back(std::move(leg->path.places[i]));
+  for (std::size_t i = 1; i < leg->path.waypoints.size(); ++i)
+    planned.path.waypoints.push_back(std::move(leg->path.waypoints[i]));
   return Done{};
 }
 
@@ -143,13 +143,13 @@ Result<JointValues> jointsToBeginFrom(const CellScene& scene, const RobotCellSna
     if (!values.isSet(end)) continue;
     const std::string name = values.text(end);
     if (!cell.plans->configuration(name) && cell.plans->target(name)) continue;
-    Result<Waypoint> place = placeCalled(scene, cell, name, cell.joints);
-    return place ? Result<JointValues>(std::move(place->joints)) : place.error();
+    Result<Waypoint> waypoint = waypointCalled(scene, cell, name, cell.joints);
+    return waypoint ? Result<JointValues>(std::move(waypoint->joints)) : waypoint.error();
   }
   return cell.joints;
 }
 
-// Which curve of which part the tool follows.
+// Returns the parameters that choose the curve and the part.
 std::vector<Parameter> curveParameters() {
   return {textParameter("part", "BODY", "The part, given by name or number"),
           {.property = {.id = "near",
@@ -187,7 +187,7 @@ std::vector<Parameter> curveParameters() {
            .word = "MM"}};
 }
 
-// How the tool is held and moved along it.
+// Returns the parameters that define how the tool is held and moved along it.
 std::vector<Parameter> holdingParameters() {
   constexpr double kRightAngle = 0.5 * std::numbers::pi;
   constexpr double kMostLead = 85.0 * kRadiansPerDegree;
@@ -227,19 +227,19 @@ std::vector<Parameter> holdingParameters() {
 }
 
 // From approach to retract.
-std::vector<Waypoint> processPlaces(const CellScene& scene, const FollowedTrack& followed,
-                                    const OperationValues& values) {
-  std::vector<Waypoint> places;
+std::vector<Waypoint> processWaypoints(const CellScene& scene, const FollowedTrack& followed,
+                                       const OperationValues& values) {
+  std::vector<Waypoint> waypoints;
   for (const ArmValues& each : followed.values) {
-    places.push_back({.joints = scene.whole(each),
-                      .motion = ProgramMotion::Kind::Linear,
-                      .speed = values.number("speed"),
-                      .blend = values.number("blend")});
+    waypoints.push_back({.joints = scene.whole(each),
+                         .motion = ProgramMotion::Kind::Linear,
+                         .speed = values.number("speed"),
+                         .blend = values.number("blend")});
   }
-  places.front() = {.joints = places.front().joints, .name = "approach"};
-  places.back().name = "retract";
-  places[1].blend = places[places.size() - 2].blend = places.back().blend = 0.0;
-  return places;
+  waypoints.front() = {.joints = waypoints.front().joints, .name = "approach"};
+  waypoints.back().name = "retract";
+  waypoints[1].blend = waypoints[waypoints.size() - 2].blend = waypoints.back().blend = 0.0;
+  return waypoints;
 }
 
 }  // namespace
@@ -310,9 +310,9 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
   Result<SurfaceTrack> track = trackOn(surface, asChosen, values);
   if (!track) return track.error();
   if (chosenAt) move(*track, body.pose * chosenAt->inverse(Eigen::Isometry));
-  if (track->points.size() > RobotPath::kMostPlaces)
+  if (track->points.size() > RobotPath::kMostWaypoints)
     return Error{ErrorCode::FileTooLarge,
-                 {"points", std::to_string(track->points.size()), std::to_string(RobotPath::kMostPlaces)},
+                 {"points", std::to_string(track->points.size()), std::to_string(RobotPath::kMostWaypoints)},
                  {},
                  {}};
   std::vector<Pose> poses = toolPoses(*track, {.lead = values.number("lead"),
@@ -332,22 +332,22 @@ Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot&
                                              settings, progress.part(0.0, 0.8));
   if (const Status solved = checkFollowed(followed, poses, scene); !solved) return solved.error();
   PlannedPath planned;
-  planned.path.places = processPlaces(scene, followed, values);
-  const std::vector<Waypoint>& places = planned.path.places;
+  planned.path.waypoints = processWaypoints(scene, followed, values);
+  const std::vector<Waypoint>& waypoints = planned.path.waypoints;
   if (values.isSet("from")) {
-    const Result<Waypoint> from = placeCalled(scene, cell, values.text("from"), places.front().joints);
+    const Result<Waypoint> from = waypointCalled(scene, cell, values.text("from"), waypoints.front().joints);
     if (!from) return from.error();
     PlannedPath before;
-    before.path.places.push_back(*from);
-    const Status leg = addLeg(scene, *cell.plans, *from, places.front(), route, before, progress.part(0.8, 0.9));
+    before.path.waypoints.push_back(*from);
+    const Status leg = addLeg(scene, *cell.plans, *from, waypoints.front(), route, before, progress.part(0.8, 0.9));
     if (!leg) return leg.error();
-    before.path.places.insert(before.path.places.end(), places.begin() + 1, places.end());
+    before.path.waypoints.insert(before.path.waypoints.end(), waypoints.begin() + 1, waypoints.end());
     planned = std::move(before);
   }
   if (values.isSet("to")) {
-    const Result<Waypoint> to = placeCalled(scene, cell, values.text("to"), planned.path.places.back().joints);
+    const Result<Waypoint> to = waypointCalled(scene, cell, values.text("to"), planned.path.waypoints.back().joints);
     if (!to) return to.error();
-    const Waypoint last = planned.path.places.back();
+    const Waypoint last = planned.path.waypoints.back();
     const Status leg = addLeg(scene, *cell.plans, last, *to, route, planned, progress.part(0.9, 1.0));
     if (!leg) return leg.error();
   }

@@ -24,8 +24,8 @@ constexpr ToolKey kProcessKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose another curve")},
 };
 
-constexpr double kEdgePixels = 6.0;  // how far the pointer may be beside an edge
-constexpr double kDrawnStep = 12.0;  // pixels between places of a curve that is drawn in one go
+constexpr double kEdgePixels = 6.0;  // Tolerance of the pointer beside an edge
+constexpr double kDrawnStep = 12.0;  // Pixels between points of a curve that is drawn in one stroke
 
 }  // namespace
 
@@ -39,33 +39,33 @@ std::span<const ToolKey> ProcessPathTool::keys() {
 }
 
 // On a part that the robot does not carry.
-std::optional<ProcessPathTool::Place> ProcessPathTool::placeAt(const PointerEvent& event) const {
+std::optional<ProcessPathTool::BodyPoint> ProcessPathTool::bodyPointAt(const PointerEvent& event) const {
   const auto hit = event.ray.isUsable() ? m_services.pick(event.ray) : std::nullopt;
   const auto id = hit ? bodyOfPart(hit->part) : std::nullopt;
   const BodyPointer body = id ? m_document.bodies().withId(*id) : nullptr;
   if (!body || carrierOf(*body, m_document.robot().model) != kNone) return std::nullopt;
-  return Place{*id, event.held.value_or(hit->point)};
+  return BodyPoint{*id, event.held.value_or(hit->point)};
 }
 
-// Of an outline every second place under the pointer is beside the part, or on what is behind it.
-std::optional<ProcessPathTool::Place> ProcessPathTool::placeNear(const PointerEvent& event) const {
-  const auto at = placeAt(event);
+// On an outline every second point under the pointer is beside the part, or on an object behind it.
+std::optional<ProcessPathTool::BodyPoint> ProcessPathTool::bodyPointNear(const PointerEvent& event) const {
+  const auto at = bodyPointAt(event);
   if (m_values.whole("along") != kAlongEdge || event.device || !event.ray.isUsable()) return at;
   const Ray& ray = event.ray;
   const Vec3 aim = at ? at->point : Vec3(ray.origin + std::max(event.focus, 1.0) * ray.direction.normalized());
   const PickRay seen = event.pickRay();
-  const auto pixelsTo = [&](const Place& place) {
+  const auto pixelsTo = [&](const BodyPoint& bodyPoint) {
     double least = std::numeric_limits<double>::max();
-    const SurfaceTrack track = trackAt(place);
+    const SurfaceTrack track = trackAt(bodyPoint);
     for (std::size_t i = 1; i < track.points.size(); ++i) {
-      const Vec3 &a = track.points[i - 1].place, way = track.points[i].place - a;
-      const double share = std::clamp(way.dot(place.point - a) / std::max(way.squaredNorm(), 1e-30), 0.0, 1.0);
-      const double pixel = seen.pixelAt(place.point);
-      if (pixel > 0.0) least = std::min(least, (a + share * way - place.point).norm() / pixel);
+      const Vec3 &a = track.points[i - 1].position, along = track.points[i].position - a;
+      const double share = std::clamp(along.dot(bodyPoint.point - a) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
+      const double pixel = seen.pixelAt(bodyPoint.point);
+      if (pixel > 0.0) least = std::min(least, (a + share * along - bodyPoint.point).norm() / pixel);
     }
     return least;
   };
-  Place nearest = at.value_or(Place());
+  BodyPoint nearest = at.value_or(BodyPoint());
   bool isFound = at.has_value();
   double least = at ? std::max(pixelsTo(*at), kEdgePixels) : std::numeric_limits<double>::max();
   const Vec3 right = ray.direction.unitOrthogonal(), up = ray.direction.normalized().cross(right);
@@ -76,24 +76,24 @@ std::optional<ProcessPathTool::Place> ProcessPathTool::placeNear(const PointerEv
       beside.ray.direction = (aim + off - ray.origin).normalized();
     else
       beside.ray.origin += off;
-    const auto place = placeAt(beside);
-    if (!place || (at && place->body == at->body)) continue;  // of the same part the nearest edge is known
-    const double pixels = pixelsTo(*place);
+    const auto bodyPoint = bodyPointAt(beside);
+    if (!bodyPoint || (at && bodyPoint->body == at->body)) continue;  // The nearest edge of the same part is known
+    const double pixels = pixelsTo(*bodyPoint);
     if (pixels < least && pixels <= 2.0 * kEdgePixels) {
       least = pixels;
-      nearest = *place;
+      nearest = *bodyPoint;
       isFound = true;
     }
   }
   return isFound ? std::optional(nearest) : std::nullopt;
 }
 
-SurfaceTrack ProcessPathTool::trackAt(const Place& place) const {
-  const BodyPointer body = m_document.bodies().withId(place.body);
+SurfaceTrack ProcessPathTool::trackAt(const BodyPoint& bodyPoint) const {
+  const BodyPointer body = m_document.bodies().withId(bodyPoint.body);
   const auto surface = body ? m_services.surface(body) : nullptr;
   if (!surface) return {};
   OperationValues values = m_values;
-  values.setValid("near", std::vector<double>{place.point.x(), place.point.y(), place.point.z()});
+  values.setValid("near", std::vector<double>{bodyPoint.point.x(), bodyPoint.point.y(), bodyPoint.point.z()});
   Result<SurfaceTrack> track = trackOn(surface, *body, values);
   return track ? std::move(track).value() : SurfaceTrack{};
 }
@@ -106,16 +106,16 @@ void ProcessPathTool::beginDrawing() {
   if (surface) m_drawn.emplace_back(surface, m_drawnOn->pose.inverse(Eigen::Isometry) * m_chosen->point);
 }
 
-bool ProcessPathTool::drawTo(const Place& place) {
-  if (m_drawn.empty() || place.body != m_chosen->body) return false;
+bool ProcessPathTool::drawTo(const BodyPoint& bodyPoint) {
+  if (m_drawn.empty() || bodyPoint.body != m_chosen->body) return false;
   DrawnCurve longer = m_drawn.back();
-  if (!longer.goOnTo(m_drawnOn->pose.inverse(Eigen::Isometry) * place.point)) return false;
+  if (!longer.goOnTo(m_drawnOn->pose.inverse(Eigen::Isometry) * bodyPoint.point)) return false;
   m_drawn.push_back(std::move(longer));
-  m_through.push_back(place.point);
+  m_through.push_back(bodyPoint.point);
   return true;
 }
 
-// With the way to the place under the pointer.
+// Includes the piece to the point under the pointer.
 SurfaceTrack ProcessPathTool::drawnTrack() const {
   if (m_drawn.empty()) return {};
   const Pose toBody = m_drawnOn->pose.inverse(Eigen::Isometry);
@@ -125,11 +125,11 @@ SurfaceTrack ProcessPathTool::drawnTrack() const {
 }
 
 void ProcessPathTool::look() {
-  const auto& place = m_chosen ? m_chosen : m_hovered;
+  const auto& bodyPoint = m_chosen ? m_chosen : m_hovered;
   if (isDrawing())
     m_track = drawnTrack();
   else
-    m_track = place ? trackAt(*place) : SurfaceTrack{};
+    m_track = bodyPoint ? trackAt(*bodyPoint) : SurfaceTrack{};
 }
 
 // A part whose surface was not prepared yet when it was pointed to may be by now.
@@ -143,7 +143,7 @@ ToolReply ProcessPathTool::pointer(const PointerEvent& event) {
     case PointerEvent::Kind::Hover:
     case PointerEvent::Kind::Leave:
       if (m_chosen && !isDrawing()) return ToolReply::Ignored;
-      m_hovered = event.kind == PointerEvent::Kind::Hover ? placeNear(event) : std::nullopt;
+      m_hovered = event.kind == PointerEvent::Kind::Hover ? bodyPointNear(event) : std::nullopt;
       look();
       return ToolReply::Used;
     case PointerEvent::Kind::Press:
@@ -159,13 +159,13 @@ ToolReply ProcessPathTool::pointer(const PointerEvent& event) {
 }
 
 ToolReply ProcessPathTool::press(const PointerEvent& event) {
-  const auto place = event.button == PointerButton::First ? placeNear(event) : std::nullopt;
-  if (!place) return ToolReply::Ignored;  // the camera's
+  const auto bodyPoint = event.button == PointerButton::First ? bodyPointNear(event) : std::nullopt;
+  if (!bodyPoint) return ToolReply::Ignored;  // the camera's
   if (isDrawing() && m_chosen) {
     m_hovered.reset();
-    drawTo(*place);
-  } else if (isDrawing() || !trackAt(*place).points.empty()) {
-    m_chosen = place;
+    drawTo(*bodyPoint);
+  } else if (isDrawing() || !trackAt(*bodyPoint).points.empty()) {
+    m_chosen = bodyPoint;
     beginDrawing();
   } else {
     return ToolReply::Ignored;
@@ -176,9 +176,9 @@ ToolReply ProcessPathTool::press(const PointerEvent& event) {
 
 ToolReply ProcessPathTool::drag(const PointerEvent& event) {
   if (!m_chosen) return ToolReply::Ignored;
-  const auto place = isDrawing() ? placeAt(event) : std::nullopt;
+  const auto bodyPoint = isDrawing() ? bodyPointAt(event) : std::nullopt;
   const Vec3& last = m_through.empty() ? m_chosen->point : m_through.back();
-  if (place && (place->point - last).norm() >= kDrawnStep * event.pixel && drawTo(*place)) look();
+  if (bodyPoint && (bodyPoint->point - last).norm() >= kDrawnStep * event.pixel && drawTo(*bodyPoint)) look();
   return ToolReply::Used;
 }
 
@@ -206,9 +206,9 @@ ToolReply ProcessPathTool::perform(std::string_view action) {
   values.setValid("near", std::vector<double>{at.x(), at.y(), at.z()});
   if (isDrawing()) {
     std::string through;
-    for (const Vec3& place : m_through) {
+    for (const Vec3& point : m_through) {
       through += through.empty() ? "" : ";";
-      through += shortestText(place.x()) + "," + shortestText(place.y()) + "," + shortestText(place.z());
+      through += shortestText(point.x()) + "," + shortestText(point.y()) + "," + shortestText(point.z());
     }
     values.setValid("through", through);
   }
@@ -241,7 +241,7 @@ ToolPreview ProcessPathTool::preview() const {
   const SurfaceTrack track = shown();
   if (track.points.size() < 2) return preview;
   std::vector<Vec3> curve;
-  for (const TrackPoint& point : track.points) curve.push_back(point.place);
+  for (const TrackPoint& point : track.points) curve.push_back(point.position);
   preview.lines.push_back(std::move(curve));
   const std::vector<Pose> poses = toolPoses(track, {.lead = m_values.number("lead"),
                                                     .tilt = m_values.number("tilt"),

@@ -12,15 +12,15 @@ namespace handwheel {
 // Services that ProcessPathTool uses.
 struct ProcessPathServices {
   JointDragTool::Pick pick;
-  // The surface of a body; null while it is being prepared.
+  // Returns the surface of a body; null while it is being prepared.
   std::function<std::shared_ptr<const PartSurface>(const BodyPointer& body)> surface;
   // Plans with these values, which name the part.
   std::function<void(const OperationValues& values)> plan;
 };
 
 // Tool that selects the curve on a part that the robot's tool follows. It is an edge or a section of the part. The
-// curve under the pointer is shown, a click takes it, and the settings say how the tool is held; "commit" plans the
-// path. A curve can be drawn, too: by clicks on the part, or in one go.
+// curve under the pointer is shown, a click takes it, and the settings define how the tool is held; "commit" plans the
+// path. A curve can also be drawn: by clicks on the part, or in one stroke.
 class ProcessPathTool : public Tool {
  public:
   ProcessPathTool(const RobotCellDocument& document, ProcessPathServices services);
@@ -39,33 +39,33 @@ class ProcessPathTool : public Tool {
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  // Where a curve was pointed to.
-  struct Place {
+  // A point on a body at which a curve is chosen.
+  struct BodyPoint {
     BodyId body = 0;
-    Vec3 point = Vec3::Zero();  // in the frame of the robot's base
+    Vec3 point = Vec3::Zero();  // In the frame of the robot's base
   };
-  std::optional<Place> placeAt(const PointerEvent& event) const;
-  // The same, or the place beside it on a part that the pointer just misses an edge of.
-  std::optional<Place> placeNear(const PointerEvent& event) const;
-  SurfaceTrack trackAt(const Place& place) const;
+  std::optional<BodyPoint> bodyPointAt(const PointerEvent& event) const;
+  // Returns the same, or the nearest point on a part whose edge the pointer just misses.
+  std::optional<BodyPoint> bodyPointNear(const PointerEvent& event) const;
+  SurfaceTrack trackAt(const BodyPoint& bodyPoint) const;
   SurfaceTrack shown() const;
   bool isDrawing() const { return m_values.whole("along") == kAlongDrawn; }
-  // Begins the curve at the chosen place, without any other.
+  // Begins the curve at the chosen point, without any other.
   void beginDrawing();
-  bool drawTo(const Place& place);
+  bool drawTo(const BodyPoint& bodyPoint);
   SurfaceTrack drawnTrack() const;
   ToolReply press(const PointerEvent& event);
   ToolReply drag(const PointerEvent& event);
-  std::vector<std::string> ends() const;  // names of configurations
+  std::vector<std::string> ends() const;  // Names of configurations
   void look();
 
   const RobotCellDocument& m_document;
   ProcessPathServices m_services;
   OperationValues m_values;
-  std::optional<Place> m_hovered, m_chosen;
-  SurfaceTrack m_track;  // that is shown
-  // Of a drawn curve: where it goes on to from the chosen place, in the frame of the base; the curve before each of
-  // these and after the last, in that of the body, as it is then.
+  std::optional<BodyPoint> m_hovered, m_chosen;
+  SurfaceTrack m_track;  // The displayed curve
+  // The points after the chosen one that a drawn curve leads through, in the frame of the base; and the curve before
+  // each of them and after the last, in the frame of the body at that time.
   std::vector<Vec3> m_through;
   std::vector<DrawnCurve> m_drawn;
   BodyPointer m_drawnOn;

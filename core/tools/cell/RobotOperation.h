@@ -7,15 +7,15 @@
 
 namespace handwheel {
 
-// The operation "robot", which edits the robots of a cell. It adds one, removes one, or chooses the one that is planned
-// for.
+// Returns the operation "robot", which edits the robots of a cell. It adds one, removes one, or chooses the one that is
+// planned for.
 const Operation& robotOperation();
 
-// What is wrong with a combination of values, as a clause; empty when they fit together.
+// Returns the fault of a combination of values, as a clause; empty if they fit together.
 std::string problemOfRobotValues(const OperationValues& values);
 
-// What the values make of a cell. added: the robot that they name; null where they name none. Errors: those of
-// RobotChanges.h; ArmMissing.
+// Returns the cell with the operation applied. added: the robot that the values name; null if they name none. Errors:
+// those of RobotChanges.h; ArmMissing.
 Result<RobotCellSnapshot> withRobotsChanged(const OperationValues& values, const RobotCellSnapshot& cell,
                                             const std::shared_ptr<const RobotCellSnapshot>& added);
 

@@ -12,18 +12,19 @@ namespace handwheel {
 class MeshDocument;
 
 // Writes loops as text for a step. A loop is named by its smallest vertex, "v12", which stays valid after edits
-// elsewhere. Users may also write the number that "handwheel inspect" shows, which is that of the present state.
+// elsewhere. Users may also write the number that "handwheel inspect" shows, which belongs to the present state.
 std::string loopsText(const std::vector<Vertex>& keys);  // "v1,v12"
-// Reads the loops of a document; returns their keys. A loop that does not exist is a problem of the reader.
+// Reads the loops of a document and returns their keys. A loop that does not exist becomes a problem of the reader.
 std::vector<Vertex> readLoops(ScriptLineReader& reader, const std::string& words, const MeshDocument& document);
 
-// The options of an operation that fills, on a document: its number type where none is given, and what it keeps open.
+// Returns the fill options for a document: its number type unless the values name one, and the loops that it keeps
+// open.
 FillOptions fillOptionsFor(const MeshDocument& document, const OperationValues& values);
-// The number type that is given, or else that of the document's file.
+// Returns the number type in the values, or else that of the document's file.
 NumberType numbersFor(const MeshDocument& document, const OperationValues& values);
 
-// The loops that are not filled or repaired, because the user wants them open. Returned as the corners of the loops, or
-// as their ids. Sheet boundaries are not among them.
+// Return the loops that the user wants open, which are not filled or repaired: as their corners, or as their ids. Sheet
+// boundaries are not among them.
 std::set<PointKey> keptCorners(const MeshDocument& document);
 std::set<int> keptLoops(const MeshDocument& document);
 

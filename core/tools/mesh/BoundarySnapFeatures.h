@@ -8,7 +8,7 @@
 namespace handwheel {
 
 // Creates the snap features around the holes of a mesh and at its outer edges. Their ids are those of the vertices,
-// half-edges, and loops in the list. On a worker. Empty if cancelled.
+// half-edges, and loops in the list. Runs on a worker thread. Empty if cancelled.
 LoopSnapField boundarySnapFeatures(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, SnapOffer offer,
                                    Progress progress = {});
 

@@ -15,7 +15,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kFewestFaces = 4.0;   // of a solid
+constexpr double kFewestFaces = 4.0;   // fewest faces of a solid
 constexpr double kUsualCrease = 0.52;  // radian
 constexpr ToolKey kDecimateKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "reduce triangles")},

@@ -10,8 +10,8 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that reduces the number of triangles of a mesh (decimate()). Down to a number, or to as few as stay within a
-// distance of the present surface.
+// Tool that reduces the number of triangles of a mesh (decimate()). The goal is a number of triangles, or the fewest
+// that stay within a distance of the present surface.
 class DecimateTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
@@ -37,7 +37,7 @@ class DecimateTool : public Tool {
   MeshDocument& m_document;
   MeshServices m_services;
   Goal m_goal = Goal::Count;
-  // With both goals and an angle of creases, whether they are in use or not.
+  // The values of both goals and the crease angle, used or not.
   OperationValues m_values{decimateOperation()};
   bool m_keepsCreases = false;
 };

@@ -23,7 +23,7 @@ constexpr ToolKey kFillHoleKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "deselect the hole")},
 };
 constexpr const char* kWeightIds[] = {"ears_length", "ears_angles", "ears_normal"};
-constexpr double kLargestWeight = 5.0;  // of the sliders
+constexpr double kLargestWeight = 5.0;  // upper limit of the sliders
 
 const char* problemOf(FillFailure failure) {
   switch (failure) {
@@ -80,7 +80,7 @@ void FillHoleTool::choose(std::optional<Vertex> key) {
     m_attempt = {};
     m_key.reset();
     m_state = State::Choosing;
-    ++m_ticket;  // an answer on its way comes too late
+    ++m_ticket;  // a pending answer is late and ignored
     return;
   }
   m_index = static_cast<std::size_t>(chosen - m_document.defects().loops.data());
@@ -202,7 +202,7 @@ ToolReply FillHoleTool::perform(std::string_view action) {
 
 // The document may change now or later; documentChanged() goes on to the next hole.
 ToolReply FillHoleTool::commit() {
-  m_isCommitWanted = m_state == State::Computing;  // who is quicker than the patch need not wait for it
+  m_isCommitWanted = m_state == State::Computing;  // a user who is quicker than the patch need not wait for it
   if (m_isCommitWanted) return ToolReply::Used;
   const BoundaryLoop* chosen = m_state == State::Ready ? loop() : nullptr;
   if (!chosen) return ToolReply::Ignored;

@@ -20,44 +20,45 @@ class MeshDocument;
 struct FillRequest {
   std::uint64_t ticket = 0;  // returned with the answer
   BoundaryLoop loop;
-  std::vector<HoleBridge> bridges = {};  // as in FillOptions
+  std::vector<HoleBridge> bridges = {};  // bridges, as in FillOptions
 };
 
 // Services for FillHoleTool, provided by the owner of the document's jobs. All of them are called on the window thread.
 struct FillServices {
-  // How holes are filled: shared with the owner, so that a choice holds for the next hole and the next start.
+  // Values of the fill operation, shared with the owner, so that a choice holds for the next hole and the next start.
   std::shared_ptr<OperationValues> values = std::make_shared<OperationValues>(fillOperation());
   std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // "picking", as in MeshServices
   // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request replaces the previous one.
   std::function<void(const FillRequest&)> request;
-  // Puts a proposed patch into the document as one step, now or later. False where something else is under way.
+  // Puts a proposed patch into the document as one step, now or later. Returns false if another job is running.
   std::function<bool(const BoundaryLoop&, const FillAttempt&)> commit;
-  // Whether the patch is to be seen before it is put in.
+  // Returns true if the patch is shown before it is put in.
   std::function<bool()> showsPatch = [] { return true; };
 };
 
-// Tool that fills holes one by one, with a preview of the patch. Choose a hole, see the patch, accept it or not, go on
-// to the next. A line drawn from point to point of the chosen hole's edge is a bridge that divides the hole there (He
-// 2008, section 4.2); those that the program chose for a long edge are shown and changed in the same way.
+// Tool that fills holes one by one, with a preview of the patch. The user chooses a hole, sees the patch, accepts it or
+// not, and goes on to the next hole. A line drawn from point to point of the edge of the chosen hole is a bridge that
+// divides the hole there (He 2008, section 4.2). The bridges that the program chose for a long edge are shown and
+// changed in the same manner.
 class FillHoleTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
   FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first = std::nullopt);
 
-  // The answer to a request; one that came too late is not shown.
+  // Receives the answer to a request; a late answer is not shown.
   void previewReady(std::uint64_t ticket, FillAttempt attempt);
 
   enum class State {
     Choosing,    // no hole is chosen
-    Computing,   // the patch is on its way
+    Computing,   // the patch is being computed
     Ready,       // there is a patch
-    Impossible,  // there is none
-    Committing,  // it is being put in
+    Impossible,  // there is no patch
+    Committing,  // the patch is being put in
   };
   State state() const { return m_state; }
   // The chosen hole; null in the state Choosing.
   const BoundaryLoop* loop() const;
-  // In the states Ready and Impossible.
+  // The result in the states Ready and Impossible.
   const FillAttempt& attempt() const { return m_attempt; }
 
   static std::span<const ToolKey> keys();
@@ -75,12 +76,13 @@ class FillHoleTool : public Tool {
  private:
   void choose(std::optional<Vertex> key);
   void request();
-  // The key of the first hole that is not kept open, looked for from this index on (or back), around the end.
+  // Returns the key of the first hole that is not kept open, searched from this index on, forwards or backwards, with
+  // wrap-around.
   std::optional<Vertex> holeFrom(std::size_t index, bool forward = true) const;
   std::optional<Vertex> neighbour(bool forward) const;
   std::optional<Vertex> holeAt(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
-  // The point of the chosen loop that is pointed at, as its number.
+  // Returns the index of the point of the chosen loop under the pointer.
   std::optional<std::uint32_t> pointAt(const PointerEvent& event) const;
   std::vector<Vec3> line(const HoleBridge& bridge) const;
   ToolReply commit();
@@ -91,9 +93,9 @@ class FillHoleTool : public Tool {
   State m_state = State::Choosing;
   std::optional<Vertex> m_key;
   std::optional<Vertex> m_hovered;
-  std::size_t m_index = 0;  // of the chosen loop, in the mesh for which it was chosen
+  std::size_t m_index = 0;  // index of the chosen loop in the mesh for which it was chosen
   std::uint64_t m_ticket = 0;
-  bool m_isCommitWanted = false;  // as soon as there is a patch
+  bool m_isCommitWanted = false;  // commits as soon as there is a patch
   FillAttempt m_attempt;
   BridgeEditing m_bridges;
   std::shared_ptr<const TriangleSoup> m_patch;

@@ -53,7 +53,7 @@ void MakeFaceTool::hover(const PointerEvent& event) {
   judge();
 }
 
-// Clicked clockwise it is meant all the same: only one way round fits the neighbours.
+// Accepts clockwise clicks as well: only one orientation fits the neighbours.
 void MakeFaceTool::judge() {
   m_problem = JoinProblem::NoBorder;
   const auto near = m_corners.size() == 2 && m_hovered ? m_picking.near() : nullptr;
@@ -79,13 +79,13 @@ ToolReply MakeFaceTool::press(const PointerEvent& event) {
     return ToolReply::Used;
   }
   if (m_problem != JoinProblem::None) return ToolReply::Used;
-  std::vector<Vec3> places;
-  for (const Vertex v : m_face) places.push_back(mesh().position(v));
+  std::vector<Vec3> positions;
+  for (const Vertex v : m_face) positions.push_back(mesh().position(v));
   m_corners.clear();
   // Looked at again: by the time it is carried out the mesh may be another.
-  const auto isAsKnown = [face = m_face, places](const HalfEdgeMesh& mesh) {
+  const auto isAsKnown = [face = m_face, positions](const HalfEdgeMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (face[k] >= mesh.vertexSlots() || mesh.position(face[k]) != places[k]) return false;
+      if (face[k] >= mesh.vertexSlots() || mesh.position(face[k]) != positions[k]) return false;
     return true;
   };
   m_services.commit(onlyWhere(isAsKnown, faceChange(m_face)));

@@ -8,15 +8,15 @@
 namespace handwheel {
 
 // Tool that creates single faces from three clicked points of open edges. The points are clicked one after the other,
-// counter-clockwise as seen from outside, and the third click creates the face. It must share an edge with the surface,
-// whose orientation it takes, and touch it in no other point.
+// counter-clockwise as seen from outside, and the third click creates the face. The face must share an edge with the
+// surface, whose orientation it takes, and touch the surface in no other point.
 class MakeFaceTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
   MakeFaceTool(MeshDocument& document, MeshServices services);
 
   std::size_t cornerCount() const { return m_corners.size(); }
-  // The problem of the face with the point under the pointer as its last corner.
+  // The problem of the face whose last corner is the point under the pointer.
   JoinProblem problem() const { return m_problem; }
 
   static std::span<const ToolKey> keys();
@@ -42,7 +42,7 @@ class MakeFaceTool : public Tool {
   std::vector<Vertex> m_corners;  // at most two
   std::optional<Vertex> m_hovered;
   double m_mark = 0.0;  // radius of the mark on a point, mm
-  Triangle m_face{};    // of the corners and the hovered point, when there are three
+  Triangle m_face{};    // the corners and the hovered point, if there are three
   JoinProblem m_problem = JoinProblem::NoBorder;
 };
 

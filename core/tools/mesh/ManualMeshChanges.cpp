@@ -114,16 +114,16 @@ MeshChange bridgeChange(const BoundaryPair& ends) {
                   pairStep("bridge", ends));
 }
 
-MeshChange pullChange(Vertex vertex, const Vec3& place) {
+MeshChange pullChange(Vertex vertex, const Vec3& position) {
   return withStep(
       {meshOperation("pull").title,
-       [vertex, place](HalfEdgeMesh& mesh, Progress) {
+       [vertex, position](HalfEdgeMesh& mesh, Progress) {
          if (vertex >= mesh.vertexSlots()) return;
          const Vec3& start = mesh.position(vertex);
-         VertexDrag(std::make_shared<const FaceLocator>(mesh, Box(start, start)), vertex).apply(mesh, place);
+         VertexDrag(std::make_shared<const FaceLocator>(mesh, Box(start, start)), vertex).apply(mesh, position);
        },
        kEdgeChanged},
-      ScriptLineWriter("pull").word(std::to_string(vertex)).word(pointText(place)).text());
+      ScriptLineWriter("pull").word(std::to_string(vertex)).word(pointText(position)).text());
 }
 
 MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Manual changes of faces or open edges, each with its step. Each of these functions creates one. Indices that are
-// invalid in the mesh that it is applied to change nothing.
+// Manual changes of faces or open edges, each with its step. Each of these functions creates one change. Indices that
+// are invalid in the mesh to which it is applied change nothing.
 
 // Removes faces. text, reason: as in MeshChange.
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason = nullptr);
@@ -26,8 +26,8 @@ MeshChange faceChange(const Triangle& face);
 MeshChange joinChange(const BoundaryPair& ends);
 // Adds a bridge of faces between two points of open edges.
 MeshChange bridgeChange(const BoundaryPair& ends);
-// Moves a point of an open edge, with all vertices at its place. As far as no face flips or crosses another.
-MeshChange pullChange(Vertex vertex, const Vec3& place);
+// Moves a point of an open edge, with all vertices at its position, as far as no face flips or crosses another.
+MeshChange pullChange(Vertex vertex, const Vec3& position);
 // Smooths a boundary loop by smoothBoundary(). loop: its key.
 MeshChange smoothEdgeChange(Vertex loop, const SmoothingOptions& options);
 

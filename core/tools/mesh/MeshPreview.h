@@ -9,15 +9,15 @@ namespace handwheel {
 
 struct ClayState;
 
-// What a tool previews on the mesh of a document.
+// Preview of a tool on the mesh of a document.
 struct MeshPreview : KindPreview {
   FaceSelection highlighted;                       // faces under the pointer or about to be selected
   FaceSelection selected;                          // faces that are selected now
   std::shared_ptr<const PreviewMesh> previewMesh;  // null: the document's mesh
-  std::shared_ptr<const ClayState> voxels;         // whose surface is shown beside it; null: nothing
+  std::shared_ptr<const ClayState> voxels;         // voxels whose surface is shown beside the mesh; null: none
 };
 
-// The part of a preview that is on the mesh; empty when there is none.
+// Returns the part of a preview that is on the mesh; empty if there is none.
 inline MeshPreview meshPreviewOf(const ToolPreview& preview) {
   const auto* own = dynamic_cast<const MeshPreview*>(preview.ofKind.get());
   return own ? *own : MeshPreview();

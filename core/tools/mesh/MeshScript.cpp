@@ -161,7 +161,7 @@ ScriptLineOutcome sculpt(ScriptLineReader& reader, const OperationValues& values
   return {changed, made.problem, FillFailure::None};
 }
 
-// What undoes the reversal on opening elsewhere is its undo here, too.
+// A step that undoes the reversal on opening in the window is its undo here, too.
 ScriptLineOutcome orient(ScriptLineReader& reader, const OperationValues&, MeshDocument& document, Progress progress) {
   const FaceSelection faces = readFaces(reader, document);
   if (!reader.status()) return {};
@@ -187,7 +187,7 @@ ScriptLineOutcome setUnit(ScriptLineReader& reader, const OperationValues&, Mesh
   return {before != document.displayUnit(), nullptr, FillFailure::None};
 }
 
-// What makes the change of an operation, or makes and commits it.
+// The function that makes the change of an operation, or makes and commits it.
 struct Verb {
   std::string_view verb;
   MakeChange make;
@@ -196,7 +196,7 @@ struct Verb {
 
 constexpr Verb kVerbs[] = {
     {"place",
-     [](ScriptLineReader&, const OperationValues& v, const MeshDocument&) { return placeChange(placementOf(v)); },
+     [](ScriptLineReader&, const OperationValues& v, const MeshDocument&) { return placementChange(placementOf(v)); },
      nullptr},
     {"delete",
      [](ScriptLineReader& r, const OperationValues& v, const MeshDocument& d) {
@@ -279,7 +279,7 @@ constexpr Verb kVerbs[] = {
 // The stroke of a HistoryPoint before the first command, where the turn of faces on opening is undone.
 constexpr int kAsInFile = -1;
 
-// In a window the edge has changed while the change was on its way; here it never was so.
+// In a window the edge has changed while the change was pending; here it never existed.
 constexpr const char* kImpossible =
     "there is no open edge, or a triangle would flip, intersect another or double an edge";
 
@@ -309,12 +309,12 @@ Result<ScriptLineOutcome> addFile(ScriptLineReader& reader, MeshDocument& docume
 Result<ScriptLineOutcome> applyOperation(ScriptLineReader& reader, const Operation& operation, std::string_view step,
                                          MeshDocument& document, Progress progress) {
   const OperationValues values = reader.values(operation);
-  const auto places = standardPlaces();
-  const auto place =
-      std::find_if(places.begin(), places.end(), [&](const StandardPlace& p) { return operation.id == p.id; });
-  if (place != places.end()) {
+  const auto standards = standardPlacements();
+  const auto standard = std::find_if(standards.begin(), standards.end(),
+                                     [&](const StandardPlacement& p) { return operation.id == p.id; });
+  if (standard != standards.end()) {
     const Status read = reader.status();
-    return read ? applyChange(document, placeChange(*place), progress) : read.error();
+    return read ? applyChange(document, placementChange(*standard), progress) : read.error();
   }
   const auto* verb =
       std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const Verb& v) { return v.verb == operation.id; });
@@ -367,7 +367,7 @@ std::optional<std::vector<std::string>> scriptLinesSince(const MeshDocument& doc
   std::vector<std::string> steps;
   const std::vector<Face> asInFile = document.facesAsInFile();
   if (state == HistoryPoint{0, kAsInFile} && asInFile.empty()) return std::nullopt;
-  // What opened the file has turned these faces.
+  // Opening the file has reversed these faces.
   if (state == HistoryPoint() && !asInFile.empty()) steps.push_back(orientFix(FaceSelection(asInFile)).step);
   for (int i = std::max(state.commands, document.openingSteps()); i < history.index(); ++i) {
     if (!at(i).step().empty()) {

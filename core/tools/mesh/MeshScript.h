@@ -12,19 +12,19 @@
 #include <string_view>
 #include <vector>
 
-// Mesh edits as lines of a script (steps), so that they work without a window. What a tool or a job did is written as a
-// step, and the step does it once more, by the same code. ScriptLine.h describes the syntax of a line.
+// Mesh edits as lines of a script (steps), so that they work without a window. The work of a tool or a job is written
+// as a step, and the step repeats it by the same code. ScriptLine.h describes the syntax of a line.
 namespace handwheel {
 
 // The result of applying one line of an edit script, a step.
 struct ScriptLineOutcome {
   bool changed = true;
-  // Why nothing changed, where it did not; one of them or none.
+  // The reason why nothing changed, in one of these members at most.
   const char* reason = nullptr;  // English, contexts "Tool" and "Property"
   FillFailure failure = FillFailure::None;
-  SheetOutcomes sheets = {};            // of a step that thickens some
-  std::optional<double> distance = {};  // as MeshChange::distance
-  std::optional<Error> error = {};      // why nothing changed, where figures belong to it
+  SheetOutcomes sheets = {};            // outcomes of a step that thickens sheets
+  std::optional<double> distance = {};  // distance, as MeshChange::distance
+  std::optional<Error> error = {};      // the reason why nothing changed, if numbers belong to it
 };
 
 // Reads the mesh of another file, for "add".
@@ -38,18 +38,18 @@ Result<ScriptLineOutcome> applyScriptLine(MeshDocument& document, std::string_vi
 // Adds the mesh of a file to another mesh, without moving it.
 MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh);
 
-// A state in the undo history of a document. It is the state after so many commands, the last of which belongs to this
-// stroke; by default that in which the file was opened.
+// A state in the undo history of a document. It is the state after `commands` commands, the last of which belongs to
+// the stroke `stroke`; the default is the state in which the file was opened.
 struct HistoryPoint {
   int commands = 0;
   int stroke = 0;
   auto operator<=>(const HistoryPoint&) const = default;
 };
-// The present state in the history of a document.
+// Returns the present state in the history of a document.
 HistoryPoint presentPoint(const MeshDocument& document);
 
-// The steps from a state to the present one, without undone steps. None if the state is not on the way to the present
-// one, or if an edit of the mesh has no step. Edits of properties and recordings are skipped.
+// Returns the steps from a state to the present one, without undone steps. Nothing if the state does not precede the
+// present one, or if an edit of the mesh has no step. Edits of properties and recordings are skipped.
 std::optional<std::vector<std::string>> scriptLinesSince(const MeshDocument& document, const HistoryPoint& state = {});
 
 }  // namespace handwheel

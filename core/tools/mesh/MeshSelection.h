@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Finds a loop by its keyOf(); null when there is none. O(all loops).
+// Finds a loop by its keyOf(); null if there is none. O(all loops).
 const BoundaryLoop* loopWithKey(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, Vertex key);
 
 // The closed polyline of a boundary loop.
@@ -20,7 +20,7 @@ std::vector<Vec3> outlineOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
 // The closed polylines around a set of faces. They separate the faces from others and run along open edges. O(faces).
 std::vector<std::vector<Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const FaceSelection& faces);
 
-// Selected faces and boundary loops of a mesh. Loops by their keys.
+// Selected faces and boundary loops of a mesh. Loops are stored by their keys.
 struct MeshSelection {
   FaceSelection faces;
   std::set<Vertex> loops;
@@ -43,7 +43,7 @@ class SelectionHistory {
   const MeshSelection& present() const { return m_steps[m_at]; }
   // Adds a step, unless it selects the same.
   void change(MeshSelection selection);
-  // Replaces the present selection without a step: part of it no longer exists.
+  // Replaces the present selection without a step, because part of it no longer exists.
   void replacePresent(MeshSelection selection) { m_steps[m_at] = std::move(selection); }
 
   bool canGoBack() const { return m_at > 0; }

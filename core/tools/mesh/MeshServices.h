@@ -17,49 +17,50 @@ namespace handwheel {
 class MeshDocument;
 struct SheetOutcomes;
 
-// What became of a repair by volume.
+// Outcome of a repair by volume.
 struct VolumeOutcome {
-  std::optional<Error> error;  // why there is none
-  bool hasLostWalls = false;   // thinner than a voxel
+  std::optional<Error> error;  // the reason if there is no result
+  bool hasLostWalls = false;   // walls thinner than a voxel are lost
 };
 
-// A change of a mesh as a repeatable function. It can run on another thread, and once more when the mesh has changed
+// A change of a mesh as a repeatable function. It can run on another thread, and again if the mesh has changed
 // meanwhile. Faces keep their indices.
 struct MeshChange {
-  const char* text;  // of the undo step; English, context "Tool"
+  const char* text;  // text of the undo step; English, context "Tool"
   std::function<void(HalfEdgeMesh&, Progress)> apply;
-  // Why it may have changed nothing; English, context "Tool". Null where that needs no reason.
+  // The reason if it has changed nothing; English, context "Tool". Null if that needs no reason.
   const char* reason = nullptr;
   // Called on the window thread when the change is finished, whether it was committed or not.
   std::function<void()> ended = [] {};
-  // Called on the window thread, before that and once it is committed, with the number of pairs of faces that cross
-  // because of it. Null if it cannot cause any: then they are not searched for.
+  // Called on the window thread, before `ended` and once the change is committed, with the number of pairs of faces
+  // that cross because of it. Null if the change cannot cause any: then they are not searched for.
   std::function<void(std::size_t)> crossed = nullptr;
-  // The change as a line of text, as MeshScript.h reads it; empty where it has no such form.
+  // The change as a line of text, as MeshScript.h reads it; empty if it has no such form.
   std::string step = {};
-  // Set by apply: why it changed nothing, as `reason`, where only trying shows it. Null where it need not be tried.
+  // Set by apply: the reason why it changed nothing, as `reason`, if only the attempt shows it. Null if no attempt is
+  // needed.
   std::shared_ptr<std::atomic<const char*>> found = nullptr;
-  // Set by apply: what became of the sheets that were to be thickened, which the log says. Null for other changes.
+  // Set by apply: the outcomes of the sheets to be thickened, for the log. Null for other changes.
   std::shared_ptr<SheetOutcomes> sheets = nullptr;
-  // Set by apply: the largest distance between the surfaces before and after, mm, where it was measured. Null for other
+  // Set by apply: the largest distance between the surfaces before and after, mm, if it was measured. Null for other
   // changes.
   std::shared_ptr<std::optional<double>> distance = nullptr;
   // Set by apply of a repair by volume. Null for other changes.
   std::shared_ptr<VolumeOutcome> volume = nullptr;
-  // Removes faces that the user has chosen, perhaps more than were meant.
+  // The change removes faces that the user has chosen, perhaps more than were meant.
   bool isDeletion = false;
-  // Repairs listed defects: it is said how many of each kind there were before and are afterwards.
+  // The change repairs listed defects: the log says how many of each kind there were before and are afterwards.
   bool isFix = false;
 };
 
-// Why a change has changed nothing, once it was applied; as MeshChange::reason.
+// Returns the reason why an applied change has changed nothing; as MeshChange::reason.
 const char* reasonOf(const MeshChange& change);
 
-// A change that finds out why it changes nothing. work: returns that reason, or null for the one given here.
+// Creates a change that finds out why it changes nothing. work: returns that reason, or null for the reason given here.
 MeshChange explainedChange(const char* text, std::function<const char*(HalfEdgeMesh&, Progress)> work,
                            const char* reason = nullptr);
 
-// A computation that takes too long for the window thread. It uses only what it captured by value, and returns a
+// A computation that takes too long for the window thread. It uses only values that it captured by copy, and returns a
 // function that processes the result on the window thread.
 struct ToolJob {
   const char* name;  // English, context "Tool"
@@ -67,18 +68,18 @@ struct ToolJob {
 };
 
 // Services for mesh tools, provided by the owner of the document's jobs. All of them are called on the window thread.
-// The result of a job reaches the tool by way of ToolRunner::deliver().
+// The result of a job reaches the tool through ToolRunner::deliver().
 struct MeshServices {
   // "picking": the faces of the present mesh, or of an older version until their hierarchy is built; null until the
-  // first one is.
+  // first hierarchy exists.
   std::function<std::shared_ptr<const FaceHierarchy>()> faces;
-  // Starts a job in place of the previous one. A job that is cancelled has no effect.
+  // Starts a job, which replaces the previous one. A job that is cancelled has no effect.
   std::function<void(ToolJob)> run;
   std::function<void()> cancel;
-  // Applies a change, finds the defects of the result, and commits it as one step, now or later, but after those
-  // requested before. Nothing happens when it changes nothing.
+  // Applies a change, finds the defects of the result, and commits it as one step, now or later, but after the changes
+  // requested before. A change that changes nothing adds no step.
   std::function<void(MeshChange)> commit;
-  // Whether a change of the document waits or runs. Then a long one should not be offered again.
+  // Returns true while a change of the document waits or runs. Then a long change should not be offered again.
   std::function<bool()> isBusy = [] { return false; };
 };
 
@@ -88,15 +89,15 @@ inline MeshChange withStep(MeshChange change, std::string step) {
   return change;
 }
 
-// Applies a change to a document and commits it as one step, at once. The defects of the result are found, too. False
-// if nothing differs, or it was cancelled.
+// Applies a change to a document and commits it as one step, at once. Also finds the defects of the result. Returns
+// false if nothing differs, or if cancelled.
 bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress = {});
 
-// Restricts a change to meshes that are still as known when it was requested. For others it does nothing.
+// Restricts a change to meshes that are still as they were when it was requested. It does nothing to others.
 MeshChange onlyWhere(std::function<bool(const HalfEdgeMesh&)> isAsKnown, MeshChange change);
 
-// Services that run everything at once, on the calling thread. For programs without a window. The document must outlive
-// them.
+// Returns services that run everything at once, on the calling thread. For programs without a window. The document must
+// outlive them.
 MeshServices immediateServices(MeshDocument& document);
 
 }  // namespace handwheel

@@ -16,10 +16,10 @@ namespace {
 constexpr int kMostHalvings = 40;  // then the faces meet in one point
 
 // False when there are too many; the first of them then.
-bool collect(const ContactSurface& surface, const Vec3& place, double reach, std::vector<Face>& faces) {
+bool collect(const ContactSurface& surface, const Vec3& position, double reach, std::vector<Face>& faces) {
   faces.clear();
   const Vec3 half = Vec3::Constant(reach);
-  return surface.forEachInBox(Box(place - half, place + half), [&](const ContactTriangle& triangle) {
+  return surface.forEachInBox(Box(position - half, position + half), [&](const ContactTriangle& triangle) {
     const Face face = triangle.id / 2;
     if (touchableNumber(face) != triangle.id) return true;  // a strip in a seam
     if (faces.size() == NearFeatures::kMostFaces) return false;
@@ -77,11 +77,11 @@ class Gatherer {
 }  // namespace
 
 NearFeatures nearFeatures(const HalfEdgeMesh& mesh, const ContactSurface& surface, const SnapTargets& snapTargets,
-                          const Vec3& place, double reach) {
+                          const Vec3& position, double reach) {
   NearFeatures near;
-  if (!place.allFinite() || !(reach > 0.0) || !std::isfinite(reach)) return near;
+  if (!position.allFinite() || !(reach > 0.0) || !std::isfinite(reach)) return near;
   std::vector<Face> faces;
-  for (int i = 0; !collect(surface, place, reach, faces) && i < kMostHalvings; ++i) reach *= 0.5;
+  for (int i = 0; !collect(surface, position, reach, faces) && i < kMostHalvings; ++i) reach *= 0.5;
   Gatherer gatherer(mesh, snapTargets, near.features);
   for (const Face face : faces) gatherer.add(face);
   near.reach = reach;

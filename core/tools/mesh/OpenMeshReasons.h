@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Why OpenMesh changed nothing, as MeshChange::reason. Null where it did what was asked for.
+// Return the reason why OpenMesh changed nothing, as MeshChange::reason. Null if it changed something.
 const char* reasonOf(OpenMeshRefusal refusal);
 const char* reasonOf(const SchemeOutcome& outcome);
 

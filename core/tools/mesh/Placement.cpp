@@ -17,12 +17,12 @@ constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Tool", "coordinates would b
 constexpr const char* kInPlace = QT_TRANSLATE_NOOP("Tool", "it is already in place");
 constexpr const char* kNoArea = QT_TRANSLATE_NOOP("Tool", "it has no area");
 
-// What cannot be placed stays as it is. Returns why nothing changed, if nothing did.
+// Places the mesh, or leaves it unchanged if that is impossible. Returns the reason if nothing changed.
 const char* place(HalfEdgeMesh& mesh, const Eigen::Affine3d& by) {
   return transform(mesh, by) ? kInPlace : kTooLarge;
 }
 
-constexpr StandardPlace kStandards[] = {
+constexpr StandardPlacement kStandards[] = {
     {"flat", QT_TRANSLATE_NOOP("Tool", "place on the largest flat face"),
      QT_TRANSLATE_NOOP("Tool", "Place on the largest flat face"),
      QT_TRANSLATE_NOOP("Tool", "there is no flat face that the part can stand on"),
@@ -65,17 +65,17 @@ OperationValues valuesOf(const Placement& placement) {
   return values;
 }
 
-MeshChange placeChange(const Placement& placement) {
+MeshChange placementChange(const Placement& placement) {
   return withStep({meshOperation("place").title,
                    [placement](HalfEdgeMesh& mesh, Progress) { place(mesh, placement.of(boundsOf(mesh))); }, kTooLarge},
                   ScriptLineWriter("place").options(valuesOf(placement)).text());
 }
 
-std::span<const StandardPlace> standardPlaces() {
+std::span<const StandardPlacement> standardPlacements() {
   return kStandards;
 }
 
-MeshChange placeChange(const StandardPlace& standard) {
+MeshChange placementChange(const StandardPlacement& standard) {
   return withStep(explainedChange(standard.text,
                                   [find = standard.find, reason = standard.reason](HalfEdgeMesh& mesh, Progress p) {
                                     const auto pose = find(mesh, p);

@@ -11,15 +11,15 @@
 
 namespace handwheel {
 
-// Placement of a mesh by unit, scale, rotation and translation. The mesh is first brought to millimetres, about the
-// origin; then scaled, and turned about x, y and z, in this order, all about the centre of its box; then moved.
+// Placement of a mesh by unit, scale, rotation and translation. The mesh is first converted to millimetres, about the
+// origin; then scaled, and rotated about x, y and z, in this order, all about the centre of its box; then translated.
 struct Placement {
   std::array<double, 3> shift{};  // mm
   std::array<double, 3> turn{};   // radian
   double scale = 1.0;
-  std::size_t unit = 0;  // that the file was written in, of kUnits
+  std::size_t unit = 0;  // index in kUnits of the unit of the file
 
-  // More than lengths are shown in.
+  // Units of files, more than those in which lengths are shown.
   struct Unit {
     const char* symbol;
     double millimetres;
@@ -27,27 +27,27 @@ struct Placement {
   static constexpr Unit kUnits[] = {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"um", 0.001}};
 
   bool operator==(const Placement&) const = default;
-  // The transformation. box: bounding box of the mesh.
+  // Returns the transformation. box: bounding box of the mesh.
   Eigen::Affine3d of(const Box& box) const;
 };
 
-// A placement as the values of the operation "place", and back.
+// Convert a placement from and to the values of the operation "place".
 Placement placementOf(const OperationValues& values);
 OperationValues valuesOf(const Placement& placement);
 
 // Creates the change for a placement. Step: "place --unit in --scale 2 --turn 0,0,90 --move 0,0,5"
-MeshChange placeChange(const Placement& placement);
+MeshChange placementChange(const Placement& placement);
 
-// A predefined placement that is computed from the mesh. From its state when the change is made: "flat", "axes",
-// "centre", "corner". The id is the step, too.
-struct StandardPlace {
+// A predefined placement that is computed from the mesh when the change is applied. "flat", "axes", "centre", "corner".
+// The id is the step, too.
+struct StandardPlacement {
   const char* id;
   const char* effect;  // English, context "Tool"
   const char* text;
-  const char* reason;  // why there is none
+  const char* reason;  // the reason if there is none
   std::optional<Pose> (*find)(const HalfEdgeMesh&, Progress);
 };
-std::span<const StandardPlace> standardPlaces();
-MeshChange placeChange(const StandardPlace& place);
+std::span<const StandardPlacement> standardPlacements();
+MeshChange placementChange(const StandardPlacement& standard);
 
 }  // namespace handwheel

@@ -153,7 +153,7 @@ ScriptLineReader::Option* ScriptLineReader::find(std::string_view name) {
   return nullptr;
 }
 
-// What follows a flag is an operand after all.
+// A word after a flag is an operand after all.
 OperationValues ScriptLineReader::values(const Operation& operation) {
   OperationValues values(operation);
   for (const Parameter& parameter : operation.parameters) {

@@ -18,8 +18,8 @@ struct SelectSettings {
   Unit brushUnit = Unit::Pixels;
   double brushLength = 5.0;   // mm; radius
   double brushPixels = 24.0;  // logical pixels; radius
-  double angle = 0.35;        // radian: between the normals of neighbours
-  bool through = false;       // the lasso also selects what is back-facing or hidden
+  double angle = 0.35;        // radian, between the normals of neighbours
+  bool through = false;       // the lasso also selects back-facing or hidden faces
 
   // The radius of the brush at a point, mm.
   double brushRadius(const PickRay& pickRay, const Vec3& at) const {
@@ -28,9 +28,9 @@ struct SelectSettings {
   // Scales the brush by a factor, in its unit.
   void scaleBrush(double factor);
 
-  // The settings that apply in the present mode.
+  // Returns the settings that apply in the present mode.
   std::vector<Property> properties() const;
-  // Numbers are clamped to their limits. False, and nothing changed, for an unknown id or a value of another type.
+  // Sets a setting. Numbers are clamped to their limits. Returns false for an unknown id or a value of another type.
   bool set(std::string_view id, const PropertyValue& value);
 };
 

@@ -116,7 +116,7 @@ ToolReply SelectTool::hover(const PointerEvent& event) {
   return ToolReply::Used;
 }
 
-// What a click there would select, as far as it is quickly known.
+// Returns the faces that a click there would select, as far as they are quickly found.
 FaceSelection SelectTool::regionOf(Face seed) const {
   const GrowthLimit limit{kMostHovered, {}};
   std::optional<FaceSelection> region;
@@ -163,8 +163,8 @@ void SelectTool::extend(const PointerEvent& event) {
 
 void SelectTool::paint(Stroke& stroke, const PointerEvent& event) {
   const auto hit = stroke.brush.faces().firstHit(event.ray);
-  const Vec3 place = hit ? hit->point : m_circle ? m_circle->first : event.ray.origin;
-  const double radius = m_settings.brushRadius(event.pickRay(), place);
+  const Vec3 position = hit ? hit->point : m_circle ? m_circle->first : event.ray.origin;
+  const double radius = m_settings.brushRadius(event.pickRay(), position);
   m_circle.reset();
   if (hit) m_circle = {hit->point, radius};
   for (const Face f : stroke.brush.moveTo({event.ray, radius})) {

@@ -15,15 +15,15 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that selects faces and holes. By click, brush, lasso, connected component, or smooth region up to an angle.
-// Shift adds, Control removes. Selecting is not an edit of the document; deleting what is selected is one.
+// Tool that selects faces and holes. Modes: click, brush, lasso, connected component, or smooth region up to an angle.
+// Shift adds, Control removes. Selecting is not an edit of the document; deleting the selection is one.
 class SelectTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
   SelectTool(MeshDocument& document, MeshServices services, MeshSelection selection = {});
   ~SelectTool() override;
 
-  // The selection, including what the present stroke has painted so far.
+  // The selection, including the faces that the present stroke has painted so far.
   const MeshSelection& selection() const { return m_live ? *m_live : m_steps.present(); }
   // Sets the selection, for example from a list.
   void select(MeshSelection selection);
@@ -44,7 +44,7 @@ class SelectTool : public Tool {
   using Mode = SelectSettings::Mode;
   enum class Combine { Replace, Add, Remove };
 
-  // What a ray points at.
+  // The loop or face under a ray.
   struct Target {
     std::optional<Vertex> loop;
     std::optional<FaceHierarchy::Hit> hit;
@@ -63,7 +63,7 @@ class SelectTool : public Tool {
     std::shared_ptr<const FaceHierarchy> faces;
     Lasso lasso;
     Combine how;
-    double depth;  // mm along the rays, where the line is drawn
+    double depth;  // distance along the rays, mm, at which the line is drawn
   };
 
   ToolReply press(const PointerEvent& event);
@@ -72,7 +72,7 @@ class SelectTool : public Tool {
   ToolReply hover(const PointerEvent& event);
 
   Target targetOf(const PointerEvent& event) const;
-  // Takes a stroke or a lasso on.
+  // Extends the stroke or the lasso.
   void extend(const PointerEvent& event);
   void paint(Stroke& stroke, const PointerEvent& event);
   void selectTarget(const Target& target, Combine how);
@@ -99,7 +99,7 @@ class SelectTool : public Tool {
   std::optional<Vertex> m_hoveredLoop;
   std::optional<std::pair<Vec3, double>> m_circle;
 
-  // The job under way; results of others come too late. Gone with the tool.
+  // The running job; results of others are late and ignored. Dies with the tool.
   std::shared_ptr<const int> m_job;
 };
 

@@ -10,7 +10,7 @@
 #include <QtGlobal>
 #include <utility>
 
-// What SelectTool does besides following the pointer.
+// The actions of SelectTool other than following the pointer.
 namespace handwheel {
 namespace {
 
@@ -172,7 +172,7 @@ void SelectTool::step(bool forward) {
   } else {
     m_steps.goBack();
   }
-  m_steps.replacePresent(presentAlive());  // what was there then may be gone
+  m_steps.replacePresent(presentAlive());  // its faces may no longer exist
 }
 
 MeshSelection SelectTool::presentAlive() const {

@@ -10,7 +10,7 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that subdivides a whole mesh by a scheme (subdivideAll()). At first by the one that leaves the surface as it is.
+// Tool that subdivides a whole mesh by a scheme (subdivideAll()). The initial scheme leaves the surface unchanged.
 class SubdivideTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.

@@ -26,12 +26,12 @@ ToolReply TransformTool::perform(std::string_view action) {
     return ToolReply::Used;
   }
   if (action == "commit") {
-    m_services.commit(placeChange(std::exchange(m_placement, {})));
+    m_services.commit(placementChange(std::exchange(m_placement, {})));
     return ToolReply::Used;
   }
-  for (const StandardPlace& standard : standardPlaces()) {
+  for (const StandardPlacement& standard : standardPlacements()) {
     if (action != standard.id) continue;
-    m_services.commit(placeChange(standard));
+    m_services.commit(placementChange(standard));
     return ToolReply::Used;
   }
   return ToolReply::Ignored;
@@ -40,7 +40,7 @@ ToolReply TransformTool::perform(std::string_view action) {
 std::span<const ToolKey> TransformTool::keys() {
   static const std::vector<ToolKey> all = [] {
     std::vector<ToolKey> keys = {{"commit", "Return", QT_TRANSLATE_NOOP("Tool", "apply the placement")}};
-    for (const StandardPlace& standard : standardPlaces()) keys.push_back({standard.id, "", standard.effect});
+    for (const StandardPlacement& standard : standardPlacements()) keys.push_back({standard.id, "", standard.effect});
     keys.push_back({"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "reset")});
     return keys;
   }();
@@ -49,7 +49,7 @@ std::span<const ToolKey> TransformTool::keys() {
 
 std::vector<ToolAction> TransformTool::actions() const {
   std::vector<ToolAction> all = {actionOf(keys(), "commit", !isIdle())};
-  for (const StandardPlace& standard : standardPlaces()) all.push_back(actionOf(keys(), standard.id));
+  for (const StandardPlacement& standard : standardPlacements()) all.push_back(actionOf(keys(), standard.id));
   all.push_back(actionOf(keys(), "revert", true, isIdle() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr));
   return all;
 }

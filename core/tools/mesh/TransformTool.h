@@ -10,8 +10,8 @@ namespace handwheel {
 class MeshDocument;
 
 // Tool that moves, rotates and scales a whole mesh by numbers. It also has standard placements: onto its largest flat
-// face, along its main axes, to the origin. The resulting bounding box is shown. The numbers are those of the next
-// edit: applied or not, the tool begins with none, so that nothing is scaled twice.
+// face, along its main axes, to the origin. The resulting bounding box is shown. The numbers are those of the next edit
+// and are reset after each, so that nothing is scaled twice.
 class TransformTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.

@@ -63,9 +63,9 @@ ToolReply BodyDragTool::press(const PointerEvent& event) {
 
 void BodyDragTool::follow(const PointerEvent& event) {
   Pose pose = m_drag->body.pose;
-  const auto place = m_drag->way.placeFor(event, pose.translation(), millimetresPer(m_document.displayUnit()));
-  if (!place) return;
-  pose.translation() = *place;
+  const auto position = m_drag->floor.positionFor(event, pose.translation(), millimetresPer(m_document.displayUnit()));
+  if (!position) return;
+  pose.translation() = *position;
   if (isRigid(pose)) m_drag->body.pose = pose;
 }
 
@@ -124,24 +124,24 @@ std::vector<ToolAction> BodyDragTool::actions() const {
 // The body where it would stand.
 ToolPreview BodyDragTool::preview() const {
   ToolPreview preview;
-  if (m_drag && m_drag->way.hasMoved())
+  if (m_drag && m_drag->floor.hasMoved())
     preview.parts = displayPartsOf(BodySet().with(std::make_shared<const Body>(m_drag->body)));
   return preview;
 }
 
-// Where the held body stands.
+// Returns the position of the held body.
 std::vector<Property> BodyDragTool::settings() const {
   if (!m_drag) return {};
-  std::vector<Property> place;
+  std::vector<Property> shown;
   for (Property& property : propertiesOf(m_drag->body)) {
     if (!property.id.ends_with(".x") && !property.id.ends_with(".y") && !property.id.ends_with(".z")) continue;
     property.editable = false;
     // The end of the scene is no limit that anybody works at.
     property.least = -std::numeric_limits<double>::infinity();
     property.largest = std::numeric_limits<double>::infinity();
-    place.push_back(std::move(property));
+    shown.push_back(std::move(property));
   }
-  return place;
+  return shown;
 }
 
 void BodyDragTool::documentChanged() {

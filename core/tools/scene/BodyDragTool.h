@@ -13,7 +13,7 @@ namespace handwheel {
 
 class Document;
 
-// The undo text of removing these bodies.
+// Returns the undo text of removing these bodies.
 QString removeBodiesText(const BodySet& bodies, const std::set<BodyId>& ids);
 
 // The first hit of a ray on a body.
@@ -28,14 +28,14 @@ struct BodyPick {
 class BodyDragTool : public Tool {
  public:
   using Pick = std::function<std::optional<BodyPick>(const Ray&)>;
-  // Document: one that is a BodyOwner, too. The selection must outlive the tool.
+  // document: must be a BodyOwner, too. selection: must outlive the tool.
   template <class OwningDocument>
   BodyDragTool(OwningDocument& document, BodySelection& selection, Pick pick)
       : m_document(document), m_owner(document), m_selection(selection), m_pick(std::move(pick)) {}
 
   bool isDragging() const { return m_drag.has_value(); }
-  // The body where it is dragged to; null: none, or it has not moved.
-  const Body* moved() const { return m_drag && m_drag->way.hasMoved() ? &m_drag->body : nullptr; }
+  // Returns the body at its dragged pose; null if none is dragged, or it has not moved.
+  const Body* moved() const { return m_drag && m_drag->floor.hasMoved() ? &m_drag->body : nullptr; }
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "bodies"; }
@@ -49,8 +49,8 @@ class BodyDragTool : public Tool {
 
  private:
   struct Drag {
-    Body body;  // where it stands now
-    FloorDrag way;
+    Body body;  // Body at its present pose
+    FloorDrag floor;
   };
 
   ToolReply press(const PointerEvent& event);

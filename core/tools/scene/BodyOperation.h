@@ -9,37 +9,37 @@
 
 namespace handwheel {
 
-// The operation "body", which edits the bodies of a document. It adds one, removes it, reads its linked file again,
-// links it to another or cuts the link. A body is named by its name or its number.
+// Returns the operation "body", which edits the bodies of a document. It adds one, removes it, reads its linked file
+// again, links it to another or cuts the link. A body is given by its name or its number.
 const Operation& bodyOperation();
 
-// The body of this name, or else this number. Errors: BodyMissing; Ambiguous where these are two.
+// Returns the body with this name, or else this number. Errors: BodyMissing; Ambiguous if these are two.
 Result<BodyPointer> bodyCalled(const BodySet& bodies, const std::string& text);
 
-// What is wrong with a combination of values, as a clause; empty when they fit together.
+// Returns the fault of a combination of values, as a clause; empty if they fit together.
 std::string problemOfBodyValues(const OperationValues& values);
 
 // An edit of bodies, with the file that was read for it.
 struct BodyChange {
-  std::unique_ptr<Edit> edit;  // null: nothing changes
-  DocumentFile file = {};      // with damage, losses and notes; empty when none was read
-  std::string name = {};       // of the body that changes
+  std::unique_ptr<Edit> edit;  // Null: nothing changes
+  DocumentFile file = {};      // With damage, losses and notes; empty if none was read
+  std::string name = {};       // Name of the body that changes
 };
 
-// Whether a file has to be read for the values, which may take long.
+// Returns true if a file has to be read for the values, which may take long.
 bool readsFile(const OperationValues& values);
 
-// The body that the values make, or read anew for the present one; an empty one for others. Any thread. folder: of the
-// document; empty for one that was never saved. Errors: those of readBody(), updatedFromLink(); BodyMissing, Ambiguous;
-// NumberMalformed.
+// Returns the body that the values make, or read anew for the present one; an empty one for other values. Any thread.
+// folder: of the document; empty for one that was never saved. Errors: those of readBody(), updatedFromLink();
+// BodyMissing, Ambiguous; NumberMalformed.
 Result<ImportedBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress = {});
 
-// Creates the edit for values that fit together, with what bodyFrom() has made of them. Errors: BodyMissing, Ambiguous;
-// those of addBodyEdit().
+// Creates the edit for values that fit together, with the result of bodyFrom(). Errors: BodyMissing, Ambiguous; those
+// of addBodyEdit().
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ImportedBody read);
 
-// Both in one.
+// Calls bodyFrom() and the function above.
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress = {});
 

@@ -15,7 +15,7 @@ class BodySelection {
  public:
   const std::set<BodyId>& bodies() const { return m_bodies; }
   bool empty() const { return m_bodies.empty(); }
-  // The selected body; none unless exactly one is selected.
+  // Returns the selected body; nothing unless exactly one is selected.
   std::optional<BodyId> body() const { return m_bodies.size() == 1 ? std::optional(*m_bodies.begin()) : std::nullopt; }
 
   void select(BodyId body) { selectAll({body}); }
@@ -25,7 +25,7 @@ class BodySelection {
     m_bodies = std::move(bodies);
     if (m_listener) m_listener();
   }
-  // Forgets those that are not in the document any more.
+  // Deselects the bodies that are no longer in the document.
   void keepOnly(const BodySet& present) {
     std::set<BodyId> kept = m_bodies;
     std::erase_if(kept, [&](BodyId id) { return !present.withId(id); });

@@ -8,11 +8,11 @@ namespace handwheel {
 
 // Parameters of operations that place objects.
 
-// A text without a default.
+// Returns a text parameter without a default.
 Parameter wordParameter(const char* id, const char* word, std::string meaning);
-// Three numbers between -largest and largest, 0 by default; mm, or rad.
+// Returns a parameter of three numbers between -largest and largest, 0 by default; mm, or rad.
 Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest);
-// The value of such a parameter.
+// Returns the value of such a parameter.
 Vec3 vectorIn(const OperationValues& values, std::string_view id);
 
 }  // namespace handwheel

@@ -10,9 +10,9 @@ namespace handwheel {
 namespace {
 
 constexpr int kRingPieces = 64;
-constexpr double kGrip = 0.15;      // of an arrow from its centre, where the arrows cannot be distinguished
-constexpr double kArrowHead = 0.1;  // of an arrow
-constexpr int kArrowPieces = 24;    // of an arrow that are looked at
+constexpr double kGrip = 0.15;      // Share of an arrow from its centre, where the arrows cannot be distinguished
+constexpr double kArrowHead = 0.1;  // Share of an arrow
+constexpr int kArrowPieces = 24;    // Number of tested pieces of an arrow
 
 }  // namespace
 
@@ -57,12 +57,12 @@ std::optional<PlacingHandles::Handle> PlacingHandles::under(const PickRay& pickR
   return found;
 }
 
-std::optional<PlacingHandles::Handle> PlacingHandles::near(const Vec3& place, double distance) const {
+std::optional<PlacingHandles::Handle> PlacingHandles::near(const Vec3& position, double distance) const {
   std::optional<Handle> found;
   double nearest = distance;
   for (const Handle& handle : all()) {
     for (const Vec3& point : outlineOf(handle)) {
-      const double apart = (point - place).norm();
+      const double apart = (point - position).norm();
       if (apart > nearest) continue;
       nearest = apart;
       found = handle;

@@ -19,16 +19,16 @@ struct PlacingHandles {
   };
 
   Vec3 centre = Vec3::Zero();                                             // mm
-  std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};  // at right angles, of unit length
-  double length = 100.0;  // mm, of the arrows; the rings are within them
+  std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};  // At right angles, of unit length
+  double length = 100.0;  // mm, length of the arrows; the rings are within them
 
   double ringRadius() const { return 0.75 * length; }  // mm
-  // What the ray points to within `pixels` logical pixels: an arrow before a ring, which is seen as a line from some
-  // sides; of several the nearest to the viewer.
+  // Returns the handle within `pixels` logical pixels of the ray: an arrow before a ring, which looks like a line from
+  // some sides; of several the nearest to the viewer.
   std::optional<Handle> under(const PickRay& pickRay, double pixels) const;
-  // What is within so much of a place; mm.
-  std::optional<Handle> near(const Vec3& place, double distance) const;
-  // The lines of a handle as they are drawn.
+  // Returns the handle within this distance of a point; mm.
+  std::optional<Handle> near(const Vec3& position, double distance) const;
+  // Returns the lines of a handle as they are drawn.
   std::vector<std::vector<Vec3>> linesOf(const Handle& handle) const;
   std::array<Handle, 6> all() const;
 

@@ -17,11 +17,11 @@
 namespace handwheel {
 namespace {
 
-constexpr double kLeastVoxels = 1.5;   // of a radius
-constexpr double kRadiusShare = 0.05;  // of the extent of a volume, for a first radius
-constexpr double kMostPlaces = 1e7;    // of the hand: some hours at 1 kHz
-constexpr double kMostRadii = 1e6;     // that a hand goes: a dab takes a millisecond and more
-constexpr double kRadiiAtOnce = 50.0;  // that it goes between two places, or in a step: no list of dabs is longer
+constexpr double kLeastVoxels = 1.5;   // least radius
+constexpr double kRadiusShare = 0.05;  // initial radius, as a share of the volume's extent
+constexpr double kMostSamples = 1e7;   // samples of a stroke, some hours at 1 kHz
+constexpr double kMostRadii = 1e6;     // length of a stroke, in radii; a dab takes a millisecond or more
+constexpr double kRadiiAtOnce = 50.0;  // length between two samples, or of a step, in radii; limits the list of dabs
 
 // In the order of ClayAction.
 constexpr std::array<const char*, 10> kActionNames = {
@@ -86,20 +86,20 @@ std::shared_ptr<const ClayState> stateOf(const ClaySimulation& simulation) {
   return std::static_pointer_cast<const ClayState>(simulation.state());
 }
 
-// Leads a simulation along a stroke, and lets it finish each of its steps. It fails as VolumeGrowth does.
+// Runs a simulation along a stroke, and lets it finish each of its steps. It fails as VolumeGrowth does.
 class LedStroke {
  public:
   LedStroke(ClaySimulation& simulation, double radius, VolumeGrowth& growth)
       : m_simulation(simulation), m_growth(growth), m_longest(kRadiiAtOnce * radius) {}
 
-  Status add(const Vec3& place, double time) {
-    const double way = m_inputs.empty() ? 0.0 : (place - m_inputs.back().proxy).norm();
-    if (!m_inputs.empty() && (time >= m_begin + kPeriod || m_way + way > m_longest))
+  Status add(const Vec3& position, double time) {
+    const double distance = m_inputs.empty() ? 0.0 : (position - m_inputs.back().proxy).norm();
+    if (!m_inputs.empty() && (time >= m_begin + kPeriod || m_distance + distance > m_longest))
       if (const Status stepped = step(); !stepped) return stepped;
     if (m_inputs.empty()) m_begin = time;
-    m_way += way;
+    m_distance += distance;
     SimulationInput input;
-    input.tip.position = input.proxy = place;
+    input.tip.position = input.proxy = position;
     input.tip.time = time;
     input.gesture = 1;
     m_inputs.push_back(input);
@@ -120,43 +120,43 @@ class LedStroke {
     m_simulation.step(kPeriod, m_inputs);
     m_simulation.finish();
     m_inputs.clear();
-    m_way = 0.0;
+    m_distance = 0.0;
     if (const auto refusal = m_growth.refusalAt(bytesOf(*stateOf(m_simulation)))) return *refusal;
     return Done{};
   }
 
   ClaySimulation& m_simulation;
   VolumeGrowth& m_growth;
-  double m_longest;                       // mm, in a step
-  std::vector<SimulationInput> m_inputs;  // of the next step
-  double m_begin = 0.0;                   // s, of that
-  double m_way = 0.0;                     // mm, in that
+  double m_longest;                       // mm, largest length of a step
+  std::vector<SimulationInput> m_inputs;  // inputs of the next step
+  double m_begin = 0.0;                   // s, start of the step
+  double m_distance = 0.0;                // mm, length of the step
 };
 
-// How many places there are on the way from one pose to the next, with the latter.
-double placesBetween(const HandPose& from, const HandPose& to, double radius, double rate) {
-  const double byTime = (to.time - from.time) * rate, byWay = (to.position - from.position).norm() / radius;
-  return std::max(1.0, std::ceil(std::max(byTime, byWay / kRadiiAtOnce)));
+// Returns the number of samples from one pose to the next, including the latter.
+double samplesBetween(const HandPose& from, const HandPose& to, double radius, double rate) {
+  const double byTime = (to.time - from.time) * rate, byDistance = (to.position - from.position).norm() / radius;
+  return std::max(1.0, std::ceil(std::max(byTime, byDistance / kRadiiAtOnce)));
 }
 
 Status canBeLed(const std::vector<HandStroke>& strokes, double radius, double rate) {
-  double seconds = 0.0, way = 0.0;
+  double seconds = 0.0, distance = 0.0;
   for (const HandStroke& stroke : strokes)
     for (std::size_t i = 1; i < stroke.size(); ++i) {
       seconds += stroke[i].time - stroke[i - 1].time;
-      way += (stroke[i].position - stroke[i - 1].position).norm();
+      distance += (stroke[i].position - stroke[i - 1].position).norm();
     }
-  if (!(seconds * rate <= kMostPlaces))
-    return Error{VolumeErrors::PathTooLong, {roundedText(seconds), roundedText(kMostPlaces / rate)}, {}, {}};
-  if (!(way <= kMostRadii * radius))
+  if (!(seconds * rate <= kMostSamples))
+    return Error{VolumeErrors::PathTooLong, {roundedText(seconds), roundedText(kMostSamples / rate)}, {}, {}};
+  if (!(distance <= kMostRadii * radius))
     return Error{VolumeErrors::StrokesTooLong,
-                 {roundedText(way), roundedText(radius), roundedText(kMostRadii * radius)},
+                 {roundedText(distance), roundedText(radius), roundedText(kMostRadii * radius)},
                  {},
                  {}};
   return Done{};
 }
 
-// What one surface encloses and the other does not, in blocks of two volumes; mm³.
+// The volume that only one of two surfaces encloses, from the blocks of two volumes; mm³.
 struct MaterialDifference {
   double added = 0.0, removed = 0.0;
 
@@ -168,7 +168,7 @@ struct MaterialDifference {
                                    : view.isFull ? VolumeBlock::kFull
                                                  : VolumeBlock::kEmpty);
     };
-    int more = 0, less = 0;  // of a block they are below 2^22
+    int more = 0, less = 0;  // below 2^22 for a block
     for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
       const int change = enclosed(now, i) - enclosed(old, i);
       (change < 0 ? less : more) += std::abs(change);
@@ -255,7 +255,7 @@ Result<Sculpted> sculptAlong(const std::shared_ptr<const VolumeSnapshot>& part, 
     Status isLed = led.add(stroke.front().position, stroke.front().time);
     for (std::size_t i = 1; i < stroke.size(); ++i) {
       const HandPose &from = stroke[i - 1], &to = stroke[i];
-      const double count = placesBetween(from, to, brush.radius, rate);
+      const double count = samplesBetween(from, to, brush.radius, rate);
       for (double k = 1.0; k <= count; ++k) {
         if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
         const double share = k / count, gone = static_cast<double>(i) - 1.0 + share;

@@ -10,15 +10,15 @@
 
 namespace handwheel {
 
-// The stamps that a clay tool offers: those built in, and those loaded since. Window thread.
+// The stamps that a clay tool offers: the built-in ones, and those that were loaded. Window thread.
 class ClayStamps {
  public:
-  // What the setting offers; the first is no stamp. English, context "Property", or the names of files.
+  // Names of the choices in the setting; the first means no stamp. English, context "Property", or the names of files.
   std::vector<std::string> names() const;
   std::size_t count() const { return 1 + kBuiltInStamps + m_loaded.size(); }
-  // By its number there; null: no stamp. Those built in are made with the first use of each.
+  // Returns a stamp by its index in names(); null: no stamp. Each built-in stamp is made on its first use.
   std::shared_ptr<const ClayStamp> at(std::size_t number) const;
-  // Adds one, or takes the place of one that was loaded under this name. Returns its number.
+  // Adds a stamp, or replaces the one that was loaded under this name. Returns its index.
   std::size_t add(const std::string& name, std::shared_ptr<const ClayStamp> stamp);
 
  private:

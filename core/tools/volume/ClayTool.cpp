@@ -22,7 +22,7 @@ bool isShape(ClayAction action) {
   return action == ClayAction::Add || action == ClayAction::Carve;
 }
 
-// Of a stroke in the history; English, context "Tool".
+// Returns the text of a stroke in the history; English, context "Tool".
 const char* historyText(const ClayBrush& brush) {
   switch (brush.action) {
     case ClayAction::Add:
@@ -49,12 +49,12 @@ const char* historyText(const ClayBrush& brush) {
   return brush.strength < 0.0 ? QT_TRANSLATE_NOOP("Tool", "Unmask clay") : QT_TRANSLATE_NOOP("Tool", "Mask clay");
 }
 
-// Three digits, as many decimals as that takes: strokes of a dental drill and of a boat's hull have both a size.
+// Three significant digits, for strokes of a dental drill as well as of a boat's hull.
 QString amountText(double volume) {
   constexpr int kDigits = 3, kMostDecimals = 9;
   const double size = std::abs(volume);
-  const int places = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
-  const int decimals = std::clamp(kDigits - 1 - places, 0, kMostDecimals);
+  const int exponent = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) : 0;
+  const int decimals = std::clamp(kDigits - 1 - exponent, 0, kMostDecimals);
   if (size < 0.5 * std::pow(10.0, -kMostDecimals)) return QStringLiteral("0");
   return (volume < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + QLocale().toString(size, 'f', decimals);
 }
@@ -88,7 +88,7 @@ ClayFeel ClayTool::feelAtDevice() const {
   return feel;
 }
 
-// Shift smooths whatever is set; Ctrl does the opposite.
+// Shift smooths instead of the selected action; Ctrl inverts it.
 ClayBrush ClayTool::brushFor(const Modifiers& modifiers) const {
   ClayBrush brush = m_brush;
   if (modifiers.shift) {
@@ -113,8 +113,8 @@ std::shared_ptr<const ClayState> ClayTool::state() const {
   return std::static_pointer_cast<const ClayState>(m_gesture.state());
 }
 
-// How far outside of the surface the mouse holds the middle of the tool, mm: a ball that adds or carves goes into it,
-// or stands out of it, by its strength.
+// Returns the height of the tool's centre above the surface for the mouse, mm: a ball that adds or carves penetrates
+// the surface, or protrudes from it, by its strength.
 double ClayTool::lift(double pressure) const {
   if (!isShape(m_present.action) || m_present.stamp) return 0.0;
   const ClayBrush pressed = m_present.at(pressure);
@@ -122,7 +122,7 @@ double ClayTool::lift(double pressure) const {
   return m_present.action == ClayAction::Carve ? out : -out;
 }
 
-std::optional<Vec3> ClayTool::placeOf(const PointerEvent& event) const {
+std::optional<Vec3> ClayTool::positionOf(const PointerEvent& event) const {
   if (event.device) return event.proxy ? *event.proxy : Vec3(event.device->translation());
   if (!m_grip) return std::nullopt;
   if (m_present.action == ClayAction::Move) {
@@ -160,7 +160,7 @@ ToolReply ClayTool::press(const PointerEvent& event) {
     m_gesture.restart();
   }
   m_gesture.begin(event.device.has_value());
-  if (const auto place = placeOf(event); place && !event.device) feed(*place, event);
+  if (const auto position = positionOf(event); position && !event.device) feed(*position, event);
   reportUpdated();
   return ToolReply::Used;
 }
@@ -190,25 +190,25 @@ ToolReply ClayTool::pointer(const PointerEvent& event) {
   if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
   hover(event);
   if (!isOwn) return ToolReply::Ignored;
-  if (const auto place = placeOf(event); place && !isOfDevice) feed(*place, event);
+  if (const auto position = positionOf(event); position && !isOfDevice) feed(*position, event);
   return ToolReply::Used;
 }
 
-void ClayTool::feed(const Vec3& place, const PointerEvent& event) {
-  m_gesture.feed(place, event.time, TipState().period, event.pressure.value_or(1.0));
+void ClayTool::feed(const Vec3& position, const PointerEvent& event) {
+  m_gesture.feed(position, event.time, TipState().period, event.pressure.value_or(1.0));
 }
 
 void ClayTool::hover(const PointerEvent& event) {
   m_hovered.reset();
   if (event.device || (m_grip && m_present.action == ClayAction::Move)) {
-    m_hovered = placeOf(event);
+    m_hovered = positionOf(event);
   } else if (const auto hit = firstHit(m_grip ? m_grip->surface->volume : m_document.volume()->volume, event.ray.origin,
                                        event.ray.direction)) {
     m_hovered = hit->point;
   }
 }
 
-// The simulation goes on with what a fast hand has left; the stroke is live until then.
+// The simulation continues with the remaining input of a fast hand; the stroke is live until then.
 ToolReply ClayTool::release() {
   m_isEnding = true;
   m_isClosed = m_gesture.close();

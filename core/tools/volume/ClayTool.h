@@ -11,15 +11,15 @@
 
 namespace handwheel {
 
-// Tool that sculpts a volume like clay. While the button is held it adds, carves, inflates, smooths, flattens, moves,
-// attracts, pinches or masks what it passes; that is one undo step. The mouse draws it over the surface as that was
-// when the button was pressed; a haptic device feels the clay and works where its tip is.
+// Tool that sculpts a volume like clay. While the button is held, it adds, carves, inflates, smooths, flattens, moves,
+// attracts, pinches or masks the material that it passes; this is one undo step. The mouse moves it over the surface as
+// it was when the button was pressed; a haptic device feels the clay and sculpts at its tip.
 class ClayTool : public VolumeTool {
  public:
-  static constexpr double kRate = 60.0;  // steps of the simulation a second
+  static constexpr double kRate = 60.0;  // steps of the simulation per second
 
-  // Where stamps come from. load: asks for a file and adds its stamp, which the setting "stamp" then chooses by its
-  // number; none: nothing can be loaded.
+  // The source of stamps. load: asks for a file and adds its stamp, which the setting "stamp" then selects by its
+  // index; none: stamps cannot be loaded.
   struct StampServices {
     std::shared_ptr<ClayStamps> stamps = std::make_shared<ClayStamps>();
     std::function<void()> load = {};
@@ -30,7 +30,7 @@ class ClayTool : public VolumeTool {
 
   ClayFeel feelAtDevice() const override;
 
-  // Sets what is called when a stroke is refused: the topmost layer does not take it, or the volume is to be drilled.
+  // Sets the listener for refused strokes: the topmost layer does not accept them, or the volume is to be drilled.
   void whenRefused(std::function<void()> listener) { m_refused = std::move(listener); }
 
   static std::span<const ToolKey> keys();
@@ -50,43 +50,43 @@ class ClayTool : public VolumeTool {
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
  private:
-  // Where the mouse has a gesture.
+  // The geometry of a gesture with the mouse.
   struct Grip {
-    std::shared_ptr<const VolumeSnapshot> surface;  // it is drawn over this
-    Vec3 point, across;                             // a move stays in this plane
+    std::shared_ptr<const VolumeSnapshot> surface;  // surface that the gesture follows
+    Vec3 point, across;                             // plane of a move
   };
 
   ClayBrush brushFor(const Modifiers& modifiers) const;
   std::unique_ptr<Simulation> simulation() const;
   std::shared_ptr<const ClayState> state() const;
   double lift(double pressure) const;
-  std::optional<Vec3> placeOf(const PointerEvent& event) const;
-  // Why strokes with a brush change nothing; English, context "Tool". Null: they do.
+  std::optional<Vec3> positionOf(const PointerEvent& event) const;
+  // Returns the reason why strokes with a brush have no effect; English, context "Tool". Null: they have.
   const char* obstacle(const ClayBrush& brush) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
   void complete();
   void restart();
-  void feed(const Vec3& place, const PointerEvent& event);
+  void feed(const Vec3& position, const PointerEvent& event);
   void hover(const PointerEvent& event);
   Limits radiusLimits() const;
   void invertMask();
   void setMask(const char* text, std::shared_ptr<const ClayMask> mask);
 
   VolumeDocument& m_document;
-  ClayBrush m_brush;    // as it is set
-  ClayBrush m_present;  // of the gesture: with the modifiers that were held
+  ClayBrush m_brush;    // brush of the settings
+  ClayBrush m_present;  // brush of the gesture, with the modifiers that were held
   double m_resistance = 0.05;
   StampServices m_stamps;
-  std::size_t m_stamp = 0;  // its number
+  std::size_t m_stamp = 0;  // index of the stamp
   SimulatedGesture m_gesture;
-  // A stroke has ended, and the simulation applies the rest of it; whether it knows. What the hand does meanwhile
-  // waits.
+  // True while the simulation applies the rest of a finished stroke, and after it was told of the end. Events of the
+  // hand wait meanwhile.
   bool m_isEnding = false, m_isClosed = false;
   std::vector<PointerEvent> m_waiting;
   std::optional<Grip> m_grip;
   std::function<void()> m_refused;
-  std::optional<Vec3> m_hovered;  // on the surface
+  std::optional<Vec3> m_hovered;  // hovered point on the surface
 };
 
 }  // namespace handwheel

@@ -55,7 +55,7 @@ void ClayTool::invertMask() {
           mask.isFree() ? nullptr : std::make_shared<const ClayMask>(std::move(mask)));
 }
 
-// One undo step. What was is held by it.
+// One undo step, which holds the previous mask.
 void ClayTool::setMask(const char* text, std::shared_ptr<const ClayMask> mask) {
   const auto& before = m_document.volume();
   const std::size_t blocks = before->mask ? before->mask->values().blockCount() : 0;

@@ -69,7 +69,7 @@ Operation makeOperation() {
   return operation;
 }
 
-// As drillAlong(), without what is left. goesOn: whether the next cycle is to be gone, or why not.
+// Implements drillAlong(), without the remaining volume. goesOn: decides about the next cycle, or returns an error.
 template <class GoesOn>
 Result<Drilled> drillCycles(DrillRun run, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                             GoesOn goesOn, Progress progress) {

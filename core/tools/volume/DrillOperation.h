@@ -14,27 +14,27 @@ namespace handwheel {
 // Drills a volume along a path.
 const Operation& drillOperation();
 
-// The drill that the parameters describe. Errors: VolumeErrors::NoSuchDrill, NoSuchDrillMaterial.
+// Returns the drill that the parameters describe. Errors: VolumeErrors::NoSuchDrill, NoSuchDrillMaterial.
 Result<DrillSetup> drillSetupOf(const OperationValues& values);
 
 struct Drilled {
-  SparseVolume volume;                      // what is left; empty where it was of a HybridPart
-  std::shared_ptr<const DrillRecord> hole;  // that it can be drilled by again
-  std::vector<DrillTick> ticks;             // with thrust or removal
+  SparseVolume volume;                      // remaining volume; empty for a HybridPart
+  std::shared_ptr<const DrillRecord> hole;  // record for replaying the hole
+  std::vector<DrillTick> ticks;             // ticks with thrust or removal
   double removed = 0.0;                     // mm³
   double maxThrust = 0.0;                   // N
   double maxTorque = 0.0;                   // N·mm
   double energy = 0.0;                      // J
   std::optional<double> breakthrough;       // s
-  double seconds = 0.0;                     // of the path
+  double seconds = 0.0;                     // duration of the path
 };
 
-// Goes along a path of the head's centre in cycles of `rate` Hz, the shank as the poses turn +z. Errors:
+// Drills along a path of the head's centre in cycles of `rate` Hz; the shank is the +z axis of the poses. Errors:
 // VolumeErrors::PathTooLong (more poses than DrillRecord::kMostPoses), Cancelled.
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
-// The same with voxels of a part that are made where the head goes. It ends where they turn out not to be exact. Error:
-// VolumeErrors::TooLarge, too, once what was cut takes more memory than the system has.
+// Drills a part whose voxels are made along the path. Ends early if they turn out not to be exact. Additional error:
+// VolumeErrors::TooLarge, once the cut takes more memory than the system has.
 Result<Drilled> drillAlong(HybridPart& part, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
 

@@ -25,22 +25,22 @@ DrillingTool::DrillingTool(VolumeDocument& document, const SimulationServices& s
   begin(services);
 }
 
-// As the task has it to the last bit, where there is one: the marks compare it.
+// Returns exactly the setup of the task, if there is one, as the marks compare it.
 DrillSetup DrillingTool::setup() const {
   return m_task ? m_task->setup() : HandDrill::setup();
 }
 
-std::optional<HandDrill::SurfacePlace> DrillingTool::placeAt(const Ray& ray) const {
+std::optional<HandDrill::SurfaceHit> DrillingTool::hitAt(const Ray& ray) const {
   const auto hit = firstHit(m_document.volume()->volume, ray.origin, ray.direction);
   if (!hit) return std::nullopt;
-  return SurfacePlace{hit->point, hit->normal};
+  return SurfaceHit{hit->point, hit->normal};
 }
 
-bool DrillingTool::isMaterialAlong(const Vec3& from, const Vec3& way) const {
+bool DrillingTool::isMaterialAlong(const Vec3& from, const Vec3& displacement) const {
   const VolumeSampler material(m_document.volume()->volume);
-  const double length = way.norm(), step = std::max(voxelOfPart(), 0.01 * length);
+  const double length = displacement.norm(), step = std::max(voxelOfPart(), 0.01 * length);
   for (double gone = step; gone < length; gone += step)
-    if (material.depthAt(from + gone / length * way).depth > 0.0) return true;
+    if (material.depthAt(from + gone / length * displacement).depth > 0.0) return true;
   return false;
 }
 
@@ -82,7 +82,7 @@ void DrillingTool::drop(const DrillState& hole) {
   if (m_task) m_document.addTried(recordOf(hole), hole.figures.forbidden);
 }
 
-// What is undone is not shown any more.
+// An undone hole is no longer shown.
 void DrillingTool::documentChanged() {
   if (m_document.volume()->holes.size() != m_lastCount) forgetHole();
   restart();

@@ -8,14 +8,14 @@
 
 namespace handwheel {
 
-// Tool that drills a volume by hand. A hole is one undo step, and how it was drilled is kept with it. In work on an
-// exercise the drill is that of its task, and is judged by the planned path.
+// Tool that drills a volume by hand. A hole is one undo step, and its record is stored with it. In an exercise the
+// drill is that of the task, and the hole is compared with the planned path.
 class DrillingTool : public HandDrill {
  public:
   DrillingTool(VolumeDocument& document, const SimulationServices& services);
 
   void documentChanged() override;
-  // Work on an exercise is handed in with the hole that is being drilled: no try is lost by leaving it.
+  // Completes the hole that is being drilled, so that it counts as a try of an exercise.
   void settle() override;
   std::vector<Property> settings() const override;
   DrillSetup setup() const override;
@@ -23,8 +23,8 @@ class DrillingTool : public HandDrill {
 
  private:
   double voxelOfPart() const override { return m_document.volume()->volume.voxel(); }
-  std::optional<SurfacePlace> placeAt(const Ray& ray) const override;
-  bool isMaterialAlong(const Vec3& from, const Vec3& way) const override;
+  std::optional<SurfaceHit> hitAt(const Ray& ray) const override;
+  bool isMaterialAlong(const Vec3& from, const Vec3& displacement) const override;
   double slack() const override { return 2.0 * voxelOfPart(); }
   const DrillRecord* holeBefore() const override;
   std::unique_ptr<DrillSimulation> simulation(const std::optional<DrillFeed>& feed) const override;
@@ -33,8 +33,8 @@ class DrillingTool : public HandDrill {
   void drop(const DrillState& hole) override;
 
   VolumeDocument& m_document;
-  std::shared_ptr<const DrillingTask> m_task;  // null: it is work on no exercise
-  std::size_t m_lastCount = 0;                 // of the document's holes, with the one drilled last
+  std::shared_ptr<const DrillingTask> m_task;  // null: not an exercise
+  std::size_t m_lastCount = 0;                 // number of the document's holes after the last one was added
 };
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kLeastLength = 1e-9, kLargestLength = 1e6;  // mm
-constexpr double kMostPasses = 50.0;                         // of smoothing: more are a change of the shape
+constexpr double kMostPasses = 50.0;                         // passes of smoothing; more would change the shape
 
 Parameter sideParameter() {
   return {.property = {.id = "side",
@@ -27,7 +27,7 @@ Parameter sideParameter() {
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Inside the surface"),
                                    QT_TRANSLATE_NOOP("Property", "Outside the surface"),
-                                   QT_TRANSLATE_NOOP("Property", "On both sides of it")}},  // as WallSide
+                                   QT_TRANSLATE_NOOP("Property", "On both sides of it")}},  // in the order of WallSide
           .meaning = "Where the wall is: inside of the surface, outside, or with the surface in its middle",
           .word = "SIDE",
           .words = {"inside", "outside", "middle"}};
@@ -52,7 +52,7 @@ const Operation& booleanOperation() {
                         .label = QT_TRANSLATE_NOOP("Property", "Result"),
                         .value = 0.0,
                         .choices = {QT_TRANSLATE_NOOP("Property", "Unite"), QT_TRANSLATE_NOOP("Property", "Subtract"),
-                                    QT_TRANSLATE_NOOP("Property", "Intersect")}},  // as VolumeBoolean
+                                    QT_TRANSLATE_NOOP("Property", "Intersect")}},  // in the order of VolumeBoolean
            .meaning = "What is in either, in the first alone, or in both",
            .word = "HOW",
            .words = {"unite", "subtract", "intersect"}}}};
@@ -164,7 +164,7 @@ Result<SparseVolume> closeGaps(const SparseVolume& volume, const OperationValues
 Result<SparseVolume> smoothWhole(const SparseVolume& volume, const OperationValues& values, Progress progress) {
   SparseVolume smoothed = volume;
   const std::size_t passes = values.whole("passes");
-  // A pass makes each block anew beside what the last one made.
+  // A pass computes each block from the result of the previous pass.
   const double anew = static_cast<double>(std::min<std::size_t>(passes, 2) * volume.blockCount());
   if (const auto error = memoryRefusal(volume.voxel(), anew * (sizeof(VolumeBlock) + 64.0))) return *error;
   for (std::size_t i = 0; i < passes && !progress.cancelled(); ++i) {

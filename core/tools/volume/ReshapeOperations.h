@@ -10,28 +10,28 @@
 
 namespace handwheel {
 
-// Leaves a wall along the surface of a volume: its thickness, and on which side.
+// Leaves a wall along the surface of a volume, with a thickness and a side.
 const Operation& shellOperation();
-// Moves the surface of a volume out or in.
+// Moves the surface of a volume outwards or inwards.
 const Operation& offsetOperation();
-// Unites a volume with another, or takes what is in it, or what is not.
+// Unites a volume with another, subtracts it, or intersects them.
 const Operation& booleanOperation();
-// Takes parts away that are smaller than a ball of a diameter; the largest part stays.
+// Removes parts that are smaller than a ball of a diameter; the largest part stays.
 const Operation& debrisOperation();
-// Fills what a ball of a radius does not get into.
+// Fills gaps that a ball of a radius cannot enter.
 const Operation& gapsOperation();
-// Takes small bumps and dents off the whole surface.
+// Smooths small bumps and dents of the whole surface.
 const Operation& smoothOperation();
 
-// The diameter of a ball of so many voxels, mm, and the voxels of a ball of this diameter, to the next whole one.
+// Converts between the number of voxels of a ball, rounded to an integer, and its diameter, mm.
 double diameterOf(std::uint64_t voxels, double voxel);
 std::uint64_t voxelsOf(double diameter, double voxel);
 
-// How many of the parts stay, by the values of debrisOperation().
+// Returns the number of parts that stay, by the values of debrisOperation().
 std::size_t keptParts(const VolumeParts& parts, const OperationValues& values, double voxel);
 
-// The volume after one of these. Errors: Cancelled, VolumeErrors::NothingLeft; those of shellOf(), movedSurface(),
-// combined() and withoutGaps().
+// Returns the volume after one of these operations. Errors: Cancelled, VolumeErrors::NothingLeft; those of shellOf(),
+// movedSurface(), combined() and withoutGaps().
 Result<SparseVolume> makeShell(const SparseVolume& volume, const OperationValues& values, Progress progress);
 Result<SparseVolume> makeOffset(const SparseVolume& volume, const OperationValues& values, Progress progress);
 Result<SparseVolume> makeBoolean(const SparseVolume& volume, const SparseVolume& other, const OperationValues& values,

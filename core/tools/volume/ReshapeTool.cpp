@@ -90,7 +90,7 @@ ReshapeTool::ReshapeTool(VolumeDocument& document, ReshapeServices services, Cha
   propose();
 }
 
-// By the voxels and the size of the part, whatever that is.
+// Depends on the voxels and the size of the part.
 void ReshapeTool::chooseUsual() {
   const double voxel = m_document.volume()->volume.voxel();
   const Box box = m_document.volume()->surface.box();
@@ -111,7 +111,7 @@ void ReshapeTool::drop() {
   m_made.reset();
 }
 
-// Why nothing can be made of the settings; null: it can.
+// Returns the reason why the settings have no result; null: they have.
 const char* ReshapeTool::obstacle() const {
   if (const char* const why = shapingObstacle(m_document)) return why;
   if (m_document.volume()->volume.isEmpty()) return QT_TRANSLATE_NOOP("Tool", "there is no material");
@@ -120,7 +120,7 @@ const char* ReshapeTool::obstacle() const {
   return nullptr;
 }
 
-// Why what was made is not worth a step; null: it is, or nothing is made.
+// Returns the reason why the result is not worth a step; null: it is, or there is none.
 const char* ReshapeTool::needless() const {
   const bool isSame = m_change == Change::Debris && m_made && m_made->kept == m_made->parts;
   return isSame ? QT_TRANSLATE_NOOP("Tool", "no part is that small") : nullptr;
@@ -232,7 +232,7 @@ ToolReply ReshapeTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
-// A proposal is taken back before a step of the document.
+// Undo drops a proposal before it undoes a step of the document.
 ToolReply ReshapeTool::undo() {
   if (!m_made && !m_isWorking) return ToolReply::Ignored;
   drop();
@@ -296,8 +296,8 @@ std::vector<Property> ReshapeTool::settings() const {
   return all;
 }
 
-// By its key, or by its number among those that are shown: others may have come and gone since. One that is chosen and
-// no longer offered stays as it was.
+// Selects a body by its key, or by its index among the displayed ones, as the list may have changed since. A chosen
+// body that is no longer offered stays.
 void ReshapeTool::chooseBody(const PropertyValue& value) {
   std::vector<OtherBody> shown = std::exchange(m_bodies, m_services.bodies());
   std::size_t number = std::min(m_body, shown.size());

@@ -14,36 +14,36 @@ namespace handwheel {
 
 // A body that a volume can be combined with.
 struct OtherBody {
-  std::string key;   // the same for as long as it is offered, and no other's
-  std::string name;  // of its document or file; UTF-8
-  // Its material, best in the grid of the other. Any thread.
+  std::string key;   // unique and constant while the body is offered
+  std::string name;  // name of its document or file; UTF-8
+  // Returns its material, preferably in this grid. Any thread.
   std::function<Result<SparseVolume>(const SparseVolume& grid, Progress)> material;
 };
 
-// What the owner of the jobs does for the tool. All of it is called on the window thread.
+// The services of the owner of the jobs for the tool. All are called on the window thread.
 struct ReshapeServices {
   struct Job {
     const char* name;  // English, context "Tool"
     std::function<std::function<void()>(Progress)> work;
   };
-  // Starts a job in place of the previous one; its result reaches the tool by way of ToolRunner::deliver(). A job that
-  // is cancelled calls stopped instead.
+  // Starts a job and cancels the previous one; its result reaches the tool through ToolRunner::deliver(). A cancelled
+  // job calls stopped instead.
   std::function<void(Job, std::function<void()> stopped)> run;
   std::function<void()> cancel;
-  std::function<std::vector<OtherBody>()> bodies;  // what there is to be combined with at present
-  std::function<void()> addFile;                   // lets a person choose a file that becomes one of them
+  std::function<std::vector<OtherBody>()> bodies;  // bodies that can be combined with the volume at present
+  std::function<void()> addFile;                   // lets the user choose a file that is added to the bodies
   std::function<void(const Error&)> failed;
 };
 
-// Tool that changes a volume as a whole: shell, moved surface, boolean, debris, gaps, smoothing. What would come of it
-// is computed as a job and shown in place of the volume until it is committed as one step.
+// Tool that changes a volume as a whole: shell, offset, boolean, debris, gaps, smoothing. The result is computed as a
+// job and shown instead of the volume until it is committed as one step.
 class ReshapeTool : public Tool {
  public:
   enum class Change { Shell, Offset, Boolean, Debris, Gaps, Smooth };
   static constexpr int kChanges = 6;
   static const Operation& operation(Change change);
 
-  // The document must outlive all calls but the destructor's.
+  // The document must outlive all calls except the destructor.
   ReshapeTool(VolumeDocument& document, ReshapeServices services, Change change);
 
   static std::span<const ToolKey> keys();
@@ -59,11 +59,11 @@ class ReshapeTool : public Tool {
   void documentChanged() override;
 
  private:
-  // What a job has made.
+  // The result of a job.
   struct Made {
     std::shared_ptr<const VolumePreview> shown;
-    std::shared_ptr<const DisplayPart> gone;  // of debris; null: nothing
-    std::size_t kept = 0, parts = 0;          // of debris
+    std::shared_ptr<const DisplayPart> gone;  // removed debris; null: none
+    std::size_t kept = 0, parts = 0;          // number of kept parts and of all parts, for debris
   };
 
   OperationValues& values() { return m_values[static_cast<std::size_t>(m_change)]; }
@@ -80,16 +80,17 @@ class ReshapeTool : public Tool {
   VolumeDocument& m_document;
   ReshapeServices m_services;
   Change m_change;
-  std::vector<OperationValues> m_values;  // of each change
-  std::vector<OtherBody> m_bodies;        // as the settings show them
+  std::vector<OperationValues> m_values;  // values of each change
+  std::vector<OtherBody> m_bodies;        // bodies in the order of the setting
   std::size_t m_body = 0;
-  std::optional<Made> m_made;                                          // of the present settings
-  std::shared_ptr<const VolumeParts> m_parts;                          // of the volume as it is; null: not known
-  std::uint64_t m_request = 0;                                         // the last one
-  std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // until the tool goes: a result comes later
+  std::optional<Made> m_made;                  // result for the present settings
+  std::shared_ptr<const VolumeParts> m_parts;  // parts of the present volume; null: unknown
+  std::uint64_t m_request = 0;                 // number of the last request
+  std::shared_ptr<const int> m_alive =
+      std::make_shared<const int>();  // expires with the tool, for results that arrive later
   bool m_isWorking = false;
-  bool m_isProposing = true;  // what the settings say is computed without being asked for
-  bool m_isToCommit = false;  // as soon as it is made
+  bool m_isProposing = true;  // results for the settings are computed automatically
+  bool m_isToCommit = false;  // commit as soon as the result is available
 };
 
 }  // namespace handwheel

@@ -14,23 +14,23 @@
 
 namespace handwheel {
 
-// The operation that makes a volume of an image. Its values are the range, how many of the largest parts, the voxel,
-// whether it is smoothed.
+// The operation that makes a volume of an image. Its values are the range, the number of largest parts to keep, the
+// voxel, and a flag for smoothing.
 const Operation& segmentOperation();
 
-// A range as it is typed: "300:2000", or open at an end, "300:" or ":50". None for anything else.
+// Parses a range: "300:2000", or open at an end, "300:" or ":50". None for any other text.
 std::optional<ValueRange> rangeIn(std::string_view text);
 
 struct Segmented {
   SparseVolume volume;
-  ValueRange range;       // that was taken
-  std::size_t parts = 0;  // that hang together, before the smaller ones were taken away
+  ValueRange range;       // range that was used
+  std::size_t parts = 0;  // number of connected parts before the smaller ones were removed
   std::size_t kept = 0;
 };
 
-// The range must be one, or empty: then it is what is above the threshold that parts the image best (otsuThreshold()).
-// begin: called before the volume is made, with its voxel, mm, and the bytes that it needs; its error ends the work.
-// Errors: those of volumeOfImage(); VolumeErrors::NothingInRange also where smoothing leaves nothing.
+// Makes a volume of an image. An empty range means all values above otsuThreshold(). begin: called before the volume is
+// made, with its voxel, mm, and the bytes that it needs; an error of it ends the work. Errors: those of
+// volumeOfImage(); VolumeErrors::NothingInRange also where smoothing leaves nothing.
 using BeginMaking = std::function<Status(double voxel, double bytes)>;
 Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress,
                           const BeginMaking& begin = {});

@@ -6,7 +6,7 @@ namespace handwheel {
 
 class VolumeDocument;
 
-// Why tools other than the drill are not to change a volume; English, context "Tool". Null: they may.
+// Returns the reason why only the drill may change a volume. Null: all tools may. English, context "Tool".
 const char* shapingObstacle(const VolumeDocument& document);
 
 }  // namespace handwheel

@@ -19,7 +19,7 @@ Parameter methodParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Method"),
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Distances"),
-                                   QT_TRANSLATE_NOOP("Property", "Density")}},  // as VoxelMethod
+                                   QT_TRANSLATE_NOOP("Property", "Density")}},  // in the order of VoxelMethod
           .meaning =
               "sign: distances from the surface, signed by winding numbers; density: the share of each voxel that "
               "is inside, by rays along three axes, less exact",

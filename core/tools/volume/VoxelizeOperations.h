@@ -14,24 +14,24 @@
 
 namespace handwheel {
 
-// A length in mm, without a default.
+// Returns a parameter for a length in mm, without a default.
 Parameter lengthParameter(const char* id, const char* label, std::string meaning, double least = 1e-9,
                           double largest = 1e9);
 
 // Makes a volume of a surface: its parameters are the voxel, the method and the thickness of walls.
 const Operation& voxelizeOperation();
 
-// Makes a mesh of a volume's surface, with fewer triangles where the parameters ask for it.
+// Makes a mesh of a volume's surface, with fewer triangles if the parameters require it.
 const Operation& remeshOperation();
 
 struct Remeshed {
   HalfEdgeMesh mesh;
   std::size_t before = 0;                 // triangles of the surface
-  std::optional<double> largestDistance;  // mm from it; none where nothing was reduced
+  std::optional<double> largestDistance;  // largest distance from it, mm; none: not reduced
 };
 
-// About how many triangles remesh() leaves: those of the surface, or the number that is asked for; for a distance, by
-// trying it on pieces of the surface spread over it. Cancelled: 0.
+// Returns the approximate number of triangles of remesh(): that of the surface, or the requested one; for a distance it
+// is estimated on sample pieces of the surface. 0 if cancelled.
 double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress = {});
 
 // Errors: Cancelled.

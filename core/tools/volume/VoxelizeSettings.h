@@ -13,25 +13,25 @@
 
 namespace handwheel {
 
-// The settings of making a volume of a surface, with what it needs. The voxel is proposed until one is
-// chosen: as a share of the extent; of a part to be drilled by the rule of drilling, where that suits its size.
+// The settings for making a volume of a surface, with the cost. The voxel is proposed until one is chosen: as a share
+// of the extent, or for drilling by the rule of drilling, if that suits the size of the part.
 class VoxelizeSettings {
  public:
-  // Why the voxel is as large as it is.
+  // The reason for the size of the voxel.
   enum class Reason {
     Drilling,  // whole steps of density at 1 mm/s and 1 kHz (drillVoxel())
     Extent,    // usualVoxel()
-    Wall,      // four to a wall
+    Wall,      // four voxels per wall
     Chosen,
   };
 
-  // What the volume is for.
+  // The purpose of the volume.
   enum class Purpose { Any, Drilling };
 
   // O(n).
   explicit VoxelizeSettings(const TriangleSoup& surface, Purpose purpose = Purpose::Any);
 
-  // Voxel, method and wall thickness; 0: none.
+  // Returns voxel, method and wall thickness; 0: none.
   std::vector<Property> properties() const;
   void change(std::string_view id, const PropertyValue& value);
 
@@ -45,7 +45,7 @@ class VoxelizeSettings {
 
  private:
   double proposed(Reason& reason) const;
-  double area() const;  // mm², with both sides of walls
+  double area() const;  // mm², including both sides of walls
 
   Purpose m_purpose;
   WallMeasure m_measure;

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-std::optional<Vec3> placeInAxisPlane(const Ray& ray) {
+std::optional<Vec3> intersectAxisPlane(const Ray& ray) {
   const Vec3 across(ray.direction.x(), ray.direction.y(), 0.0);
   const double facing = across.norm();
   if (!(facing > 1e-3)) return std::nullopt;

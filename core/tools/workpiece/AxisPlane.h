@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The point (mm) where a ray meets the plane of the axis facing the viewer. The plane contains the axis, z, and faces
-// the viewer as far as it can. Seen along the axis there is none, nor behind the viewer.
-std::optional<Vec3> placeInAxisPlane(const Ray& ray);
+// Returns the intersection of a ray and the plane of the axis facing the viewer. The plane contains the axis, z, and
+// faces the viewer as far as it can; mm. None: the ray is along the axis, or the intersection is behind the viewer.
+std::optional<Vec3> intersectAxisPlane(const Ray& ray);
 
 }  // namespace handwheel

@@ -46,18 +46,19 @@ Parameter textParameter(const char* id, const char* word, std::string meaning) {
 }
 
 Parameter trainerParameter() {
-  return {.property = {.id = "trainer",
-                       .group = {},
-                       .label = QT_TRANSLATE_NOOP("Property", "Trainer"),
-                       .value = 0.0,
-                       .choices = {QT_TRANSLATE_NOOP("Property", "Levenberg-Marquardt"),
-                                   QT_TRANSLATE_NOOP("Property", "BFGS"),
-                                   QT_TRANSLATE_NOOP("Property", "Scaled conjugate gradient"),
-                                   QT_TRANSLATE_NOOP("Property", "Gradient descent with momentum"),
-                                   QT_TRANSLATE_NOOP("Property", "Gradient descent")}},  // as NetworkTrainer
-          .meaning = "How the network is trained",
-          .word = "NAME",
-          .words = {"lm", "bfgs", "scg", "gdm", "gd"}};
+  return {
+      .property = {.id = "trainer",
+                   .group = {},
+                   .label = QT_TRANSLATE_NOOP("Property", "Trainer"),
+                   .value = 0.0,
+                   .choices = {QT_TRANSLATE_NOOP("Property", "Levenberg-Marquardt"),
+                               QT_TRANSLATE_NOOP("Property", "BFGS"),
+                               QT_TRANSLATE_NOOP("Property", "Scaled conjugate gradient"),
+                               QT_TRANSLATE_NOOP("Property", "Gradient descent with momentum"),
+                               QT_TRANSLATE_NOOP("Property", "Gradient descent")}},  // in the order of NetworkTrainer
+      .meaning = "How the network is trained",
+      .word = "NAME",
+      .words = {"lm", "bfgs", "scg", "gdm", "gd"}};
 }
 
 Parameter thrustParameter() {
@@ -67,7 +68,7 @@ Parameter thrustParameter() {
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "By depth and nose"),
                                    QT_TRANSLATE_NOOP("Property", "Constant share"),
-                                   QT_TRANSLATE_NOOP("Property", "Laws of the table")}},  // as ThrustLaw
+                                   QT_TRANSLATE_NOOP("Property", "Laws of the table")}},  // in the order of ThrustLaw
           .meaning = "Feed and radial force: by depth and nose, a constant share, or the table's own laws",
           .word = "LAW",
           .words = {"depth", "constant", "table"}};
@@ -79,7 +80,7 @@ Parameter toolParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Tool material"),
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Carbide"),
-                                   QT_TRANSLATE_NOOP("Property", "High-speed steel")}},  // as ToolMaterial
+                                   QT_TRANSLATE_NOOP("Property", "High-speed steel")}},  // in the order of ToolMaterial
           .meaning = "Material of the tool",
           .word = "NAME",
           .words = {"carbide", "hss"}};
@@ -182,7 +183,7 @@ std::optional<SlenderWork> slenderWorkOf(const OperationValues& values) {
   work.diameter = *values.given("diameter");
   work.length = *values.given("length");
   work.hasTailstock = values.flag("tailstock");
-  work.place = work.hasTailstock ? 0.5 * work.length : work.length;
+  work.position = work.hasTailstock ? 0.5 * work.length : work.length;
   return work;
 }
 

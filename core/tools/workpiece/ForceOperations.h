@@ -13,15 +13,15 @@ namespace handwheel {
 const Operation& trainOperation();
 TrainingOptions trainingOptionsOf(const OperationValues& values);
 
-// The description of 'force': the forces of a cut by each law.
+// Returns the description of 'force': the forces of a cut by each law.
 const Operation& forceOperation();
-// What is missing, as a clause; empty where nothing is.
+// Returns the missing values as a clause; empty if none is missing.
 std::string problemOfForceValues(const OperationValues& values);
 CutConditions cutOf(const OperationValues& values);
 CuttingEdge edgeOf(const OperationValues& values);
 ThrustSettings thrustOf(const OperationValues& values);
 
-// The work that is bent: null where it is not given.
+// Returns the work that bends: null if it is not given.
 std::optional<SlenderWork> slenderWorkOf(const OperationValues& values);
 SpindleDrive driveOf(const OperationValues& values);
 

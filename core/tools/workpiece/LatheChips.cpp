@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPerCoil = 16;                           // points
 constexpr double kLeastCoils = 1.5, kMostCoils = 6.0;  // coils
-constexpr double kCoilsPerWidth = 1.5;                 // of each mm of depth
+constexpr double kCoilsPerWidth = 1.5;                 // coils per mm of depth
 constexpr double kTightest = 0.6;                      // mm, radius of a coil
 constexpr double kRadiusPerFeed = 8.0;                 // mm for each mm in a turn: a thick chip curls less
 constexpr double kWidest = 4.0;                        // mm, radius of a coil

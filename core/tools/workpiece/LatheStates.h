@@ -16,9 +16,9 @@ class LatheStates {
  public:
   using Part = std::shared_ptr<const TurnedPart>;
 
-  // part: null for the bar, of which nothing was cut.
+  // part: null for the uncut bar.
   void note(const Part& part, const LatheState& state);
-  std::optional<LatheState> of(const Part& part) const;  // none: it came from elsewhere. O(parts)
+  std::optional<LatheState> of(const Part& part) const;  // none: not noted. O(parts)
 
  private:
   std::optional<LatheState> m_ofBar;

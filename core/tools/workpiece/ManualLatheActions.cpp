@@ -17,7 +17,7 @@ using LatheKind = LatheCommand::Kind;
 struct SlideKey {
   const char* action;
   LatheAxis axis;
-  double divisions;  // of the power traverse: only its sign counts
+  double divisions;  // for the power traverse only the sign counts
   const char* hint;
   bool isRapid = false;
 };

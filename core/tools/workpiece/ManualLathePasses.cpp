@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Ends the simulation, and goes on with the lathe as it leaves it.
+// Ends the simulation, and keeps its last state of the lathe.
 std::unique_ptr<LatheSimulation> ManualLatheTool::endSimulation() {
   std::unique_ptr<LatheSimulation> ended(static_cast<LatheSimulation*>(m_gesture.end().release()));
   ended->finish();
@@ -42,7 +42,7 @@ bool ManualLatheTool::hasToCommit() const {
   return isDue(*now) || now->collisions->size() > m_recorded;
 }
 
-// Whatever the simulation has made by now: what the window has seen of it is some milliseconds old.
+// Commits the present state of the simulation: the state that the window has seen is some milliseconds old.
 void ManualLatheTool::settle() {
   m_gesture.rethrow();
   if (!isLive()) return recordCrashes(*moment());
@@ -77,7 +77,7 @@ QString ManualLatheTool::underWay() const {
   const auto now = moment();
   if (!now->isCut) return {};
   const QString number = QLocale().toString((m_part ? m_part->passes.size() : 0) + 1);
-  // Where a drill is fitted it may be what cuts: that is known at the end.
+  // If a drill is fitted, only the end of the pass tells which tool cuts.
   if (setup().tailstock.fitting == LatheFitting::Drill)
     return QCoreApplication::translate("Tool", "Pass %1").arg(number);
   return passName(now->tool.get(), TurningSide::Outside, number);
@@ -92,19 +92,19 @@ void ManualLatheTool::commitPasses(const LatheSimulation& lathe) {
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(part)));
   m_isCommitting = false;
   m_part = m_document.workpiece().part;
-  m_places.note(m_part, *m_machine);
+  m_states.note(m_part, *m_machine);
 }
 
-// What was struck stays struck: it does not wait for a pass, and no undo takes it back.
+// Crashes are recorded at once, without waiting for a pass, and undo does not remove them.
 void ManualLatheTool::recordCrashes(const LatheMoment& moment) {
   const std::vector<LatheCollision>& all = *moment.collisions;
   if (all.size() <= m_recorded) return;
   m_document.addCrashes(std::span(all).subspan(std::exchange(m_recorded, all.size())));
 }
 
-// The tool with its cross slide drawn back beside the work, a millimetre clear of its thickest place: at the same Z or,
-// where the jaws are there, as far along the bed as it takes to be clear of these. None: that is not clear either, as
-// of a boring bar.
+// Returns the state with the cross slide drawn back beside the work, a millimetre clear of its largest radius: at the
+// same Z or, if the jaws are there, just as far along the bed as clears them. None: that is not clear either, for
+// example for a boring bar.
 std::optional<LatheState> ManualLatheTool::drawnBack(const LatheSetup& lathe, LatheState state) const {
   constexpr double kClear = 1.0;      // mm
   constexpr double kWideTool = 40.0;  // mm, of one that reaches so far towards the chuck
@@ -132,8 +132,8 @@ std::optional<LatheState> ManualLatheTool::drawnBack(const LatheSetup& lathe, La
   return std::nullopt;
 }
 
-// With another part, as by undo, the slides come to rest where they are; the spindle goes on. A tool that is in
-// material that came back is drawn back or, where that does not help, put where the lathe had made that part.
+// With another part, for example after undo, the slides come to rest where they are; the spindle continues. A tool that
+// is in material that came back is drawn back or, if that does not help, moved to its position when that part was made.
 void ManualLatheTool::follow(const LatheSetup& lathe) {
   LatheState now = *m_machine;
   now.demands = {};
@@ -141,18 +141,18 @@ void ManualLatheTool::follow(const LatheSetup& lathe) {
   now.feed = now.lead = 0.0;
   now.isNutClosed = false;
   if (!LatheRun(lathe, m_tools, m_present.of(m_document.workpiece()).profile, now).isClear()) {
-    const LatheState place =
+    const LatheState restored =
         drawnBack(lathe, now)
-            .value_or(m_places.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock)));
-    now.wheels = place.wheels;
-    now.slides = place.slides;
-    now.tool = place.tool;
+            .value_or(m_states.of(m_part).value_or(LatheMachine::initialState(lathe, m_document.workpiece().stock)));
+    now.wheels = restored.wheels;
+    now.slides = restored.slides;
+    now.tool = restored.tool;
     ++m_returns;
   }
   m_machine = now;
 }
 
-// What was cut and is not in the document yet is dropped.
+// Cuts that are not in the document yet are dropped.
 void ManualLatheTool::documentChanged() {
   if (m_isCommitting) return;
   m_isDragging = false;

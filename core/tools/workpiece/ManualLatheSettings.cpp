@@ -49,7 +49,7 @@ std::vector<Property> ManualLatheTool::settings() const {
                         static_cast<int>(lathe.tailstock.fitting),
                         {QT_TRANSLATE_NOOP("Property", "Nothing"), QT_TRANSLATE_NOOP("Property", "Centre"),
                          QT_TRANSLATE_NOOP("Property", "Drill")}),
-          numberSetting("tailstock", QT_TRANSLATE_NOOP("Property", "Tailstock at Z"), lathe.tailstock.place,
+          numberSetting("tailstock", QT_TRANSLATE_NOOP("Property", "Tailstock at Z"), lathe.tailstock.position,
                         Quantity::Length, kLengths)};
 }
 
@@ -71,7 +71,7 @@ void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value
   if (id == "grip") isSet = assignNumber(lathe.chuck.grip, value, kLengths);
   if (id == "grips_inside") isSet = assignSwitch(lathe.chuck.gripsInside, value);
   if (id == "fitting") isSet = assignChoice(lathe.tailstock.fitting, value, 3);
-  if (id == "tailstock") isSet = assignNumber(lathe.tailstock.place, value, kLengths);
+  if (id == "tailstock") isSet = assignNumber(lathe.tailstock.position, value, kLengths);
   if (!isSet) return;
   if (id == "backlash") setBacklash(lathe, backlash);
   if (lathe.tailstock.fitting == LatheFitting::Drill && lathe.tailstock.drill.empty())

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/workpiece/ManualLatheTool.h"
 
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "tools/workpiece/AxisPlane.h"
 #include "tools/workpiece/LatheChips.h"
 
@@ -19,13 +19,13 @@ using LatheKind = LatheCommand::Kind;
 
 // The tool is on the side of +x.
 std::optional<Vec3> inPlaneOfTool(const Ray& ray) {
-  const std::optional<Vec3> place = placeInAxisPlane(ray);
-  if (!place) return std::nullopt;
-  const double r = std::hypot(place->x(), place->y());
-  return Vec3(place->x() < 0.0 ? -r : r, 0.0, place->z());
+  const std::optional<Vec3> position = intersectAxisPlane(ray);
+  if (!position) return std::nullopt;
+  const double r = std::hypot(position->x(), position->y());
+  return Vec3(position->x() < 0.0 ? -r : r, 0.0, position->z());
 }
 
-// With all levers off.
+// Returns the state with all levers off.
 LatheState atRest(LatheState state) {
   state.demands = {};
   state.rapids = {};
@@ -57,7 +57,7 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_isWhereLeft(m_machine.has_value()),
       m_gesture(services, m_channel->inputs, 1e3 / start.step, [this] { return simulation(); }) {
   showLathe(setup());
-  m_places.note(m_part, moment()->machine);
+  m_states.note(m_part, moment()->machine);
 }
 
 ManualLatheTool::~ManualLatheTool() {
@@ -65,7 +65,7 @@ ManualLatheTool::~ManualLatheTool() {
   if (m_left) *m_left = Left{*m_displayed, atRest(machine), machine.direction != 0};
 }
 
-// Unless it is another lathe by now, or there is material in the way.
+// Returns the state to resume; none: the lathe has changed, or material is in the way.
 std::optional<LatheState> ManualLatheTool::whereLeft() const {
   if (!m_left || !*m_left || !((*m_left)->setup == setup())) return std::nullopt;
   const LatheState& state = (*m_left)->state;
@@ -143,7 +143,7 @@ void ManualLatheTool::command(const LatheCommand& command) {
 
 double ManualLatheTool::touchGap(bool isX) const {
   constexpr double kStep = 0.05;              // mm, in r between two samples: more is a face
-  constexpr double kLean = 0.1, kNear = 1.0;  // of a surface that is nearly a cylinder; mm along the work
+  constexpr double kLean = 0.1, kNear = 1.0;  // slope of a surface that is nearly a cylinder; mm along the work
   const auto now = moment();
   const TurnedProfile& work = now->profile;
   const bool isBore = now->tool && now->tool->side == TurningSide::Bore;
@@ -204,7 +204,7 @@ void ManualLatheTool::showLathe(const LatheSetup& lathe) {
   m_display = std::make_shared<const LatheDisplay>(lathe, m_tools, run.gripped(), base());
 }
 
-std::optional<Vec3> ManualLatheTool::placeOf(const PointerEvent& event) const {
+std::optional<Vec3> ManualLatheTool::positionOf(const PointerEvent& event) const {
   if (event.device) return Vec3(event.device->translation());
   return inPlaneOfTool(event.ray);
 }
@@ -212,14 +212,14 @@ std::optional<Vec3> ManualLatheTool::placeOf(const PointerEvent& event) const {
 // The tool is taken where it is: it follows the mouse from there.
 ToolReply ManualLatheTool::press(const PointerEvent& event) {
   if (event.button != PointerButton::First || m_isDragging || m_gesture.isOn()) return ToolReply::Ignored;
-  const std::optional<Vec3> place = placeOf(event);
-  if (!place) return ToolReply::Ignored;
+  const std::optional<Vec3> position = positionOf(event);
+  if (!position) return ToolReply::Ignored;
   if (event.device) {
     m_gesture.begin(true);
     return ToolReply::Used;
   }
   const ProfilePoint tip = moment()->tip;
-  m_grab = Vec3(tip.x(), 0.0, tip.y() + base()) - *place;
+  m_grab = Vec3(tip.x(), 0.0, tip.y() + base()) - *position;
   m_isDragging = true;
   reportUpdated();
   return ToolReply::Used;
@@ -248,9 +248,9 @@ ToolReply ManualLatheTool::pointer(const PointerEvent& event) {
       return release(event.device.has_value());
     case PointerEvent::Kind::Drag: {
       if (!m_isDragging || event.device) return ToolReply::Ignored;
-      if (const auto place = placeOf(event)) {
-        const Vec3 tip = *place + m_grab;
-        command({LatheKind::Place, LatheAxis::Carriage, tip.x(), tip.z() - base()});
+      if (const auto position = positionOf(event)) {
+        const Vec3 tip = *position + m_grab;
+        command({LatheKind::MoveTip, LatheAxis::Carriage, tip.x(), tip.z() - base()});
       }
       return ToolReply::Used;
     }

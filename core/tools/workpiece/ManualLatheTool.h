@@ -18,28 +18,28 @@
 namespace handwheel {
 
 // Tool that works a part on a manual lathe. Keys and commands turn the handwheels and work the levers; the mouse drags
-// the tool in the plane through the axis, a haptic device holds it. What is cut until the tool has been clear for
-// kIdle, or the tool ends, is one undo step; undo stops the slides, and
-// takes a tool out of the material that comes back. A crash stops the
-// lathe, is listed, and recorded in the document at once; no undo takes it back.
+// the tool in the plane through the axis, a haptic device holds it. All cuts until the tool has been clear for kIdle,
+// or the tool ends, are one undo step; undo stops the slides, and takes a tool out of the material that comes back. A
+// crash stops the lathe, is listed, and recorded in the document at once; undo does not remove it.
 class ManualLatheTool : public Tool, public UnfinishedGesture {
  public:
   static constexpr double kIdle = 0.8;  // s
 
-  // A lathe that was left, for when it is used again.
+  // The state of a lathe when its tool ended, for the next start.
   struct Left {
     LatheSetup setup;
-    LatheState state;         // with all levers off
-    bool wasTurning = false;  // its spindle, until then
+    LatheState state;         // state with all levers off
+    bool wasTurning = false;  // the spindle was turning until then
   };
 
-  // What it begins with, by the settings turn.spacing, turn.force_model and turn.step.
+  // Initial values, from the settings turn.spacing, turn.force_model and turn.step.
   struct Start {
-    double spacing = 0.0;  // mm between the samples of a part that was not cut yet
+    double spacing = 0.0;  // mm, distance between the samples of an uncut bar
     ForceLaw law = ForceLaw::Kienzle;
-    double step = turnStepSetting().standard;  // ms, of the simulation
-    double forceLimit = 0.0;                   // N, that the work may take; 0: any
-    // Where the slides of this document were left, and are left again at the end; null: at the beginning.
+    double step = turnStepSetting().standard;  // ms, step of the simulation
+    double forceLimit = 0.0;                   // N, limit of the exercise; 0: any
+    // State of the lathe at the end of the previous tool for this document, updated at the end of this one; null: the
+    // initial state.
     std::shared_ptr<std::optional<Left>> left{};
   };
 
@@ -50,51 +50,52 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
   const LatheTools& tools() const { return m_tools; }
-  double forceLimit() const { return m_forceLimit; }  // N, of the exercise that it is worked on for; 0: none
-  // What the part is made of; never null, and another one when the document says another material.
+  double forceLimit() const { return m_forceLimit; }  // N, limit of the exercise that it is work on; 0: none
+  // The material of the part; never null. It changes when the document names another material.
   const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }
   LatheSetup setup() const { return latheOf(m_document.workpiece()); }
 
-  // Whether it began where the lathe was left: all slides and wheels are as they were.
+  // Returns true if it began with all slides and wheels as they were left.
   bool isWhereLeft() const { return m_isWhereLeft; }
 
-  // The lathe now; never null.
+  // Returns the present state; never null.
   std::shared_ptr<const LatheMoment> moment() const;
-  // All crashes since the tool began, in order.
+  // Returns all crashes since the tool began, in order.
   std::vector<LatheCollision> collisions() const;
-  // All warnings, likewise.
+  // Returns all warnings, likewise.
   std::vector<LatheWarning> warnings() const;
-  // From where crashes tell their Z, mm above the lower end of the bar: shownZero() of the document.
+  // Returns the zero of the Z of crashes, mm above the lower end of the bar: shownZero() of the document.
   double eventsZero() const;
-  // What the read-out shows: X as diameter or radius, as the setup has it, and Z; mm.
+  // Returns the values of the read-out: X as diameter or radius, by the setup, and Z; mm.
   ProfilePoint readout() const;
-  // Whether the tool in use was touched off, in X and in Z: before that the read-out means nothing.
+  // Returns whether the tool in use was touched off, in X and in Z; the read-out is meaningless before.
   std::array<bool, 2> isTouchedOff() const;
 
-  // How often the tool had to be taken out of material that undo or redo brought back.
+  // Number of times that the tool was taken out of material that undo or redo brought back.
   int returnCount() const { return m_returns; }
 
-  // The roughness Ra of the part where the tip is, µm; none: it is not known, or there is no part. Of a file, paper or
-  // disk: at the middle of its width.
+  // Returns the roughness Ra of the part at the tip, µm; none: it is not known, or there is no part. For a file, paper
+  // or disk: at the middle of its width.
   std::optional<double> roughnessHere() const;
 
-  // Works a lever or a wheel.
+  // Executes a command of a lever or a wheel.
   void command(const LatheCommand& command);
-  // Ends the power traverse that an action began, as when its key is released.
+  // Ends the power traverse that an action began, for example when its key is released.
   void stopRapids();
-  // mm from the tip to what one touches off at: of X to the nearest radius of the work, of Z to the nearest face,
-  // wherever along the work these are, since a turner draws the tool away along the other axis before measuring.
+  // Returns the distance from the tip to the face to touch off at, mm: in X to the nearest radius of the work, in Z to
+  // the nearest face, anywhere along the work, since a turner draws the tool away along the other axis before
+  // measuring.
   double touchGap(bool isX) const;
-  static constexpr double kTouching = 0.05;  // mm, of that: a sheet of paper is between them
-  // Touches off: the read-out shows this value for the tool in use, X as diameter or radius; one undo step.
+  static constexpr double kTouching = 0.05;  // mm, touchGap() that counts as touching: a sheet of paper
+  // Touches off: sets the read-out of the tool in use to this value, X as diameter or radius; one undo step.
   void touchOff(bool isX, double value);
   // Mounts a tool on a side of the post, or a drill in the tailstock; an empty id takes the tool off. One undo step.
-  // Returns why it was not done.
+  // Returns the reason for a refusal.
   std::optional<MountRefusal> mount(std::size_t station, const std::string& id);
-  // Sets the lathe up anew; one undo step. False: such a setup is impossible, and nothing was changed.
+  // Replaces the setup of the lathe; one undo step. False: the setup is impossible, and nothing was changed.
   bool setUp(const LatheSetup& setup, const QString& text);
-  // Records crashes, and ends the pass if the tool has been clear for kIdle, or at once. Returns whether there was one.
-  // To be called as soon as hasToCommit() says so.
+  // Records crashes, and ends the pass if the tool has been clear for kIdle, or at once. Returns true if there was a
+  // pass. To be called as soon as hasToCommit() is true.
   bool endPass(bool isAtOnce = false);
   bool hasToCommit() const;
 
@@ -121,7 +122,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   void renewMaterial();
   void turn(LatheAxis axis, double divisions);
   void stop();
-  std::optional<Vec3> placeOf(const PointerEvent& event) const;
+  std::optional<Vec3> positionOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release(bool isDevice);
   std::unique_ptr<LatheSimulation> endSimulation();
@@ -139,26 +140,26 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   LatheTools m_tools;
   ForceLaw m_law;
   double m_forceLimit;
-  std::shared_ptr<std::optional<Left>> m_left;  // null: nobody keeps it
-  std::string m_materialName;                   // as the document says it, of m_material
+  std::shared_ptr<std::optional<Left>> m_left;  // null: not kept
+  std::string m_materialName;                   // name in the document of m_material
   std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
-  std::shared_ptr<const TurnedPart> m_part;  // of the document; null: nothing was cut yet
-  LatheStates m_places;
-  std::optional<LatheState> m_machine;  // with which the next simulation begins; none: at the beginning
+  std::shared_ptr<const TurnedPart> m_part;  // part of the document; null: nothing was cut yet
+  LatheStates m_states;
+  std::optional<LatheState> m_machine;  // state for the next simulation; none: the initial one
   bool m_isWhereLeft;
-  std::vector<LatheCollision> m_collisions;  // of simulations before
-  std::vector<LatheWarning> m_warnings;      // likewise
-  std::size_t m_recorded = 0;                // crashes of this simulation that the document has
+  std::vector<LatheCollision> m_collisions;  // crashes of previous simulations
+  std::vector<LatheWarning> m_warnings;      // warnings of previous simulations
+  std::size_t m_recorded = 0;                // number of crashes of this simulation that the document has
   int m_returns = 0;
   bool m_isCommitting = false;
-  bool m_isDragging = false;  // by the mouse
+  bool m_isDragging = false;  // the mouse drags the tool
   bool m_isRapid = false;     // an action began a power traverse
   bool m_showsChips = true;
-  Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip, in its drag
+  Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip during a drag
   std::shared_ptr<const LatheDisplay> m_display;
-  std::shared_ptr<const LatheSetup> m_displayed;  // the setup that m_display is of
-  mutable PartedBlock m_parted;                   // in the part that the preview shows
+  std::shared_ptr<const LatheSetup> m_displayed;  // the setup that m_display shows
+  mutable PartedBlock m_parted;                   // parted block of the shown part
   SimulatedGesture m_gesture;
 };
 

@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// A pass called by what its tool does: "Drilling pass 3". number: from 1; tool: null for a round nose on this side.
+// Returns the name of a pass by its tool: "Drilling pass 3". number: from 1; tool: null for a round nose on this side.
 QString passName(const LatheTool* tool, TurningSide side, const QString& number);
 
-// What the last passes of a part have done, for the history: "Boring pass 2–3: −41 mm³". before: passes that were there
-// before; removed: mm³, by the others.
+// Returns a text on the last passes of a part for the history: "Boring pass 2–3: −41 mm³". before: number of earlier
+// passes; removed: mm³, by the later ones.
 QString passesText(const TurnedPart& part, std::size_t before, double removed);
 
 }  // namespace handwheel

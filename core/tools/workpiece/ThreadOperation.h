@@ -11,8 +11,8 @@ namespace handwheel {
 // The operation "thread": cuts a thread into a workpiece, between two heights of the document.
 const Operation& threadOperation();
 
-// The pass that cuts it. Without a depth it is that of the ISO metric profile, from the surface that is there: outside
-// the largest radius of the range, in a bore the least. Errors: ElementMalformed {"thread", what is wrong}.
+// Returns the pass that cuts the thread. The default depth is that of the ISO metric profile, from the present surface:
+// the largest radius of the range outside, the least in a bore. Errors: ElementMalformed {"thread", what is wrong}.
 Result<TurningPass> threadPass(const WorkpieceSnapshot& workpiece, const OperationValues& values);
 
 }  // namespace handwheel

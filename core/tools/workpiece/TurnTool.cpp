@@ -3,7 +3,7 @@
 #include "tools/workpiece/TurnTool.h"
 
 #include "document/workpiece/LatheSetupEdit.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "tools/ToolProperty.h"
 #include "tools/workpiece/AxisPlane.h"
 #include "tools/workpiece/PassNames.h"
@@ -45,7 +45,7 @@ double radiusAt(const WorkpieceSnapshot& workpiece, double z, TurningSide side) 
   return std::lerp(radius(i), radius(i + 1), at - static_cast<double>(i));
 }
 
-// What a pass has done, for the history. removed: mm³.
+// Returns the text of a pass for the history. removed: mm³.
 QString passText(const TurnedPart& part, double removed) {
   QString text = passesText(part, part.passes.size() - 1, removed);
   if (const std::size_t pieces = part.profile.pieces(); pieces > 1)
@@ -67,7 +67,7 @@ std::span<const ToolKey> TurnTool::keys() {
   return kKeys;
 }
 
-// What cuts, for a pass that has no points yet.
+// Returns a pass with the present tool that has no points yet.
 TurningPass TurnTool::blankPass() const {
   TurningPass blank;
   blank.noseRadius = m_tool.noseRadius;
@@ -89,18 +89,18 @@ std::shared_ptr<const TurningState> TurnTool::state() const {
   return std::static_pointer_cast<const TurningState>(m_gesture.state());
 }
 
-std::optional<Vec3> TurnTool::placeOf(const PointerEvent& event) const {
+std::optional<Vec3> TurnTool::positionOf(const PointerEvent& event) const {
   if (event.device) return event.proxy ? *event.proxy : Vec3(event.device->translation());
-  const std::optional<Vec3> place = placeInAxisPlane(event.ray);
-  if (!place) return std::nullopt;
-  return Vec3(*place + (m_gesture.isOn() ? m_lift : wayOut(*place)));
+  const std::optional<Vec3> position = intersectAxisPlane(event.ray);
+  if (!position) return std::nullopt;
+  return Vec3(*position + (m_gesture.isOn() ? m_lift : liftAt(*position)));
 }
 
 // Straight away from the axis, or towards it in a bore, until the nose touches the part only. Where it does not fit in
 // the bore, beyond the upper end.
-Vec3 TurnTool::wayOut(const Vec3& place) const {
-  const Vec3 across(place.x(), place.y(), 0.0);
-  const double r = across.norm(), z = place.z() - base(), nose = m_tool.noseRadius;
+Vec3 TurnTool::liftAt(const Vec3& position) const {
+  const Vec3 across(position.x(), position.y(), 0.0);
+  const double r = across.norm(), z = position.z() - base(), nose = m_tool.noseRadius;
   const TurnedProfile& profile = state()->profile;
   const ProfilePatch patch = patchAround(profile, z, nose, m_tool.side);
   const double depth = patch.penetration({sideways(m_tool.side, r), z}, nose);
@@ -111,12 +111,12 @@ Vec3 TurnTool::wayOut(const Vec3& place) const {
 
 ToolReply TurnTool::press(const PointerEvent& event) {
   if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
-  const std::optional<Vec3> place = placeOf(event);
-  if (!place) return ToolReply::Ignored;
-  if (!event.device) m_lift = *place - *placeInAxisPlane(event.ray);
+  const std::optional<Vec3> position = positionOf(event);
+  if (!position) return ToolReply::Ignored;
+  if (!event.device) m_lift = *position - *intersectAxisPlane(event.ray);
   m_gesture.begin(event.device.has_value());
-  m_place = place;
-  if (!event.device) m_gesture.feed(*place, event.time);
+  m_position = position;
+  if (!event.device) m_gesture.feed(*position, event.time);
   reportUpdated();
   return ToolReply::Used;
 }
@@ -130,7 +130,7 @@ ToolReply TurnTool::pointer(const PointerEvent& event) {
     case PointerEvent::Kind::Release:
       return isOwn ? release() : ToolReply::Ignored;
     case PointerEvent::Kind::Leave:
-      if (!m_gesture.isOn()) m_place.reset();
+      if (!m_gesture.isOn()) m_position.reset();
       return ToolReply::Used;
     case PointerEvent::Kind::Hover:
     case PointerEvent::Kind::Drag:
@@ -139,8 +139,8 @@ ToolReply TurnTool::pointer(const PointerEvent& event) {
       return ToolReply::Ignored;
   }
   if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
-  m_place = placeOf(event);
-  if (m_place && isOwn && !isOfDevice) m_gesture.feed(*m_place, event.time);
+  m_position = positionOf(event);
+  if (m_position && isOwn && !isOfDevice) m_gesture.feed(*m_position, event.time);
   return isOwn ? ToolReply::Used : ToolReply::Ignored;
 }
 
@@ -188,15 +188,15 @@ std::vector<ToolAction> TurnTool::actions() const {
 // Diameter and height of the theoretical corner of the tool, which is at the work and at the chuck's side of its nose:
 // where a shoulder comes to be. And how deep the nose is below the surface before the pass.
 std::optional<ToolLabel> TurnTool::label() const {
-  if (!m_place) return std::nullopt;
+  if (!m_position) return std::nullopt;
   const WorkpieceSnapshot& workpiece = m_document.workpiece();
   const StockCylinder& stock = workpiece.stock;
-  const double centre = std::hypot(m_place->x(), m_place->y());
+  const double centre = std::hypot(m_position->x(), m_position->y());
   const double r = std::max(0.0, centre - sideways(m_tool.side, m_tool.noseRadius));
-  const double z = m_place->z() - base(), near = 0.5 * stock.diameter;
+  const double z = m_position->z() - base(), near = 0.5 * stock.diameter;
   if (r > 0.5 * stock.diameter + near || z < -near || z > stock.length + near) return std::nullopt;
   const double zero = shownZero(workpiece, bool(m_document.file().assigned));
-  ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z - m_tool.noseRadius - zero}}};
+  ToolLabel label{*m_position, {{"⌀", 2.0 * r}, {"Z", z - m_tool.noseRadius - zero}}};
   if (z >= 0.0 && z <= stock.length)
     label.figures.push_back({"", std::min(0.0, sideways(m_tool.side, r - radiusAt(workpiece, z, m_tool.side)))});
   if (m_start.largestFeed > 0.0 && m_gesture.isOn()) label.figures.push_back({"f", state()->fastest});
@@ -205,7 +205,7 @@ std::optional<ToolLabel> TurnTool::label() const {
 
 ToolPreview TurnTool::preview() const {
   ToolPreview preview;
-  if (m_place) preview.lines.push_back(noseOutline(*m_place, m_tool.noseRadius));
+  if (m_position) preview.lines.push_back(noseOutline(*m_position, m_tool.noseRadius));
   if (const auto now = state(); now != m_shownState) {
     m_shownState = now;
     DisplayModel model = displayOf(now->surface, base());

@@ -12,34 +12,34 @@
 
 namespace handwheel {
 
-// Tool that cuts a turning workpiece by hand. While the button is held the round nose of a lathe tool removes what it
-// passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that faces the viewer, and
-// begins at the surface where it is pressed inside of the part, so that a click alone cuts nothing; a haptic device
-// feels the part and moves it anywhere, since the part turns (turning(), source()).
+// Tool that cuts a turning workpiece by hand. While the button is held the round nose of a lathe tool removes the
+// material that it passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that
+// faces the viewer, and begins at the surface if pressed inside of the part, so that a click alone cuts nothing. A
+// haptic device feels the part and moves the tool anywhere, since the part turns (turning(), source()).
 class TurnTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
 
-  // What a tool starts with, from the fidelity settings.
+  // Initial values of a tool, from the fidelity settings.
   struct Start {
-    double spacing = 0.013;  // mm, between the samples of a part that was not cut yet (turn.spacing)
+    double spacing = 0.013;                        // mm, distance between the samples of an uncut bar (turn.spacing)
     TurningMethod method = TurningMethod::Trim;    // turn.method
     double resolution = 0.5;                       // mm (turn.resolution)
-    double noseRadius = TurningTool().noseRadius;  // mm, that of an exercise
-    double largestFeed = 0.0;                      // mm per revolution, that an exercise allows; 0: any
+    double noseRadius = TurningTool().noseRadius;  // mm, may be that of an exercise
+    double largestFeed = 0.0;                      // mm per revolution, limit of an exercise; 0: any
   };
   TurnTool(WorkpieceDocument& document, const SimulationServices& services, const Start& start);
 
-  // What the force source of the tool exchanges with its simulation, for the haptic scene.
+  // The channel between the force source of the tool and its simulation, for the haptic scene.
   const std::shared_ptr<TurningChannel>& channel() const { return m_channel; }
   TurningTool settingsAtDevice() const { return m_tool; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the lower end
 
-  // The largest feed of the pass that was cut last, where it was above what an exercise allows, mm per revolution.
+  // Returns the largest feed of the last pass if it exceeded the limit of an exercise, mm per revolution.
   std::optional<double> tooFast() const { return m_tooFast; }
   double largestFeed() const { return m_start.largestFeed; }
 
-  // The part as the simulation has it now; never null.
+  // Returns the part in the simulation; never null.
   std::shared_ptr<const TurningState> state() const;
 
   static std::span<const ToolKey> keys();
@@ -60,8 +60,8 @@ class TurnTool : public Tool {
   std::unique_ptr<Simulation> simulation() const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
-  std::optional<Vec3> placeOf(const PointerEvent& event) const;
-  Vec3 wayOut(const Vec3& place) const;
+  std::optional<Vec3> positionOf(const PointerEvent& event) const;
+  Vec3 liftAt(const Vec3& position) const;
   std::optional<ToolLabel> label() const;
   bool isTooFast(double feed) const { return m_start.largestFeed > 0.0 && feed > 1.01 * m_start.largestFeed; }
 
@@ -71,12 +71,12 @@ class TurnTool : public Tool {
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;
-  Vec3 m_lift = Vec3::Zero();  // from the mouse to the tool, in its pass
+  Vec3 m_lift = Vec3::Zero();  // from the mouse to the tool during its pass
   std::optional<double> m_tooFast;
-  std::optional<Vec3> m_place;                               // of the tool's centre, where it is shown
-  mutable std::shared_ptr<const TurningState> m_shownState;  // of which the preview shows the part
+  std::optional<Vec3> m_position;                            // displayed position of the tool's centre
+  mutable std::shared_ptr<const TurningState> m_shownState;  // the state whose part the preview shows
   mutable std::shared_ptr<const DisplayModel> m_shown;
-  mutable PartedBlock m_parted;  // in it
+  mutable PartedBlock m_parted;  // parted block of m_shown
 };
 
 }  // namespace handwheel

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kDepths = DepthWindow::kMargin;  // voxels from the surface that depths reach
 constexpr double kInflation = 0.5;                // voxels that a dab of full strength moves the surface by
-constexpr double kLargestShift = 0.25;            // of the radius that material goes in a dab
-constexpr double kSmudging = 0.3;                 // of what Smooth does, that Smudge does
+constexpr double kLargestShift = 0.25;            // largest displacement of material in a dab, as a share of the radius
+constexpr double kSmudging = 0.3;                 // smoothing by Smudge, as a share of that by Smooth
 
 bool isShapeAction(ClayAction action) {
   return action == ClayAction::Add || action == ClayAction::Carve;
@@ -29,7 +29,7 @@ struct VoxelDab : SweptBall {
   ClayAction action;
   Vec3 direction, right, up;
   double strength, falloff;
-  const ClayStamp* stamp;  // of Add and Carve; null: a ball
+  const ClayStamp* stamp;  // stamp of Add and Carve; null: a ball
   const ClayMask* mask;    // null: all is free
 
   VoxelDab(const SparseVolume& volume, const ClayDab& dab, const ClayMask* protecting)
@@ -46,17 +46,18 @@ struct VoxelDab : SweptBall {
     if (stamp) strength = std::copysign(strength, dab.action == ClayAction::Add ? 1.0 : -1.0);
     if (action == ClayAction::Smudge) {
       strength = std::abs(strength);
-      way -= way.dot(direction) * direction;
+      displacement -= displacement.dot(direction) * direction;
     }
-    if (isWay() && way.norm() > kLargestShift * radius) way *= kLargestShift * radius / way.norm();
+    if (isDisplacing() && displacement.norm() > kLargestShift * radius)
+      displacement *= kLargestShift * radius / displacement.norm();
   }
 
   bool isBall() const { return isShapeAction(action) && !stamp; }
-  bool isWay() const { return action == ClayAction::Move || action == ClayAction::Smudge; }
-  // How far from the middle something may be affected: a stamp works in a cylinder.
+  bool isDisplacing() const { return action == ClayAction::Move || action == ClayAction::Smudge; }
+  // Returns the largest distance from the centre with an effect: a stamp acts in a cylinder.
   double reach() const { return stamp ? std::sqrt(2.0) * radius : radius; }
 
-  // How much a place is affected; 0 outside the radius.
+  // Returns the weight of the dab at a point; 0 outside the radius.
   double weight(const Vec3& p) const {
     if (stamp) return stampAt(p);
     const double share = (p - centre).squaredNorm() / (radius * radius);
@@ -64,24 +65,24 @@ struct VoxelDab : SweptBall {
     return 1.0 - falloff + falloff * (1.0 - share) * (1.0 - share);
   }
 
-  // Where what comes to a place was before, in voxels from it, at full weight.
+  // Returns the source of the material that moves to a point, in voxels relative to it, at full weight.
   Vec3 source(const Vec3& p) const {
     const Vec3 from = p - centre;
     if (stamp) return -ClayDab::kStampHeight * radius * direction;
-    if (isWay()) return -way;
+    if (isDisplacing()) return -displacement;
     if (action == ClayAction::Attract) return kLargestShift * from;
     return kLargestShift * (from - direction.dot(from) * direction);
   }
   // The longest of those.
   double longestShift() const {
-    if (isWay()) return std::abs(strength) * way.norm();
+    if (isDisplacing()) return std::abs(strength) * displacement.norm();
     if (stamp) return std::abs(strength) * ClayDab::kStampHeight * radius;
     const bool isShift = action == ClayAction::Attract || action == ClayAction::Pinch;
     return isShift ? std::abs(strength) * kLargestShift * radius : 1.0;
   }
 
-  // The height of the stamp over a place. Along the direction it ends within the radius, so slowly that nothing is
-  // folded, as the far side of what is thin stays.
+  // Returns the height of the stamp over a point. Along the direction it fades out within the radius, slowly enough to
+  // avoid folds, so that the far side of thin walls is not moved.
   double stampAt(const Vec3& p) const {
     const Vec3 from = p - centre;
     const double along = 2.0 - 2.0 * std::abs(direction.dot(from)) / radius;
@@ -98,7 +99,7 @@ struct VoxelDab : SweptBall {
   bool isProtected(const VoxelIndex& block) const {
     return mask && mask->block(block).isUniform() && !mask->block(block).isFree();
   }
-  // What is protected entirely keeps its samples bit for bit.
+  // Fully protected samples are preserved exactly.
   bool isProtected(const VoxelIndex& block, std::size_t sample) const {
     return mask && mask->block(block).at(sample) >= 1.0;
   }
@@ -127,7 +128,7 @@ void correctAtMask(SparseVolume& volume, const VoxelDab& dab, const std::vector<
 std::vector<VoxelIndex> applyBall(SparseVolume& volume, const VoxelDab& dab) {
   const bool isAdding = dab.action == ClayAction::Add;
   const auto blocks =
-      blocksAround(dab.centre, dab.centre - dab.way, dab.radius + kDepths, [&](const VoxelIndex& block) {
+      blocksAround(dab.centre, dab.centre - dab.displacement, dab.radius + kDepths, [&](const VoxelIndex& block) {
         const SparseVolume::View view = volume.view(block);
         return (view.block || view.isFull != isAdding) && dab.inside(middleOf(block)) > -kDepths - kHalfDiagonal;
       });
@@ -147,7 +148,7 @@ std::vector<VoxelIndex> applyBall(SparseVolume& volume, const VoxelDab& dab) {
     return contentOf(std::move(samples));
   });
   if (dab.mask) correctAtMask(volume, dab, changed);
-  // What was near a surface that has gone.
+  // Blocks near a surface that has vanished.
   const SparseVolume result = volume;
   const std::vector<VoxelIndex> gone = replace(volume, blocks, [&](const VoxelIndex& block) -> SparseVolume::Content {
     const SparseVolume::Content content = result.content(block);
@@ -229,7 +230,7 @@ class Reshaping {
   }
 
  private:
-  // Whether a surface is in the block or in those around it, so many blocks away.
+  // Returns true if a surface is in the block or at most `away` blocks from it.
   bool isSurfaceNear(const VoxelIndex& block, int away) const {
     const SparseVolume::View here = m_volume.view(block);
     if (here.block) return true;
@@ -278,7 +279,7 @@ class Reshaping {
     return contentOf(samples);
   }
 
-  // A tool smooths what is small beside it.
+  // A tool smooths details that are small compared with it.
   int smoothingReach() const { return std::clamp(static_cast<int>(m_dab.radius / 8.0), 1, DepthWindow::kMargin - 1); }
 
   const SparseVolume& m_volume;  // before the dab
@@ -291,9 +292,9 @@ class Reshaping {
 
 bool isSoundDab(const ClayDab& dab, const SparseVolume& grid) {
   const double limit = SparseVolume::kMostVoxels * grid.voxel();
-  return dab.centre.allFinite() && dab.way.allFinite() && dab.direction.allFinite() && dab.right.allFinite() &&
+  return dab.centre.allFinite() && dab.displacement.allFinite() && dab.direction.allFinite() && dab.right.allFinite() &&
          dab.up.allFinite() && std::isfinite(dab.strength) && std::isfinite(dab.falloff) &&
-         dab.way.norm() <= ClayDab::kMostRadii * dab.radius && dab.radius > 0.0 &&
+         dab.displacement.norm() <= ClayDab::kMostRadii * dab.radius && dab.radius > 0.0 &&
          dab.radius <= ClayDab::kMostVoxels * grid.voxel() &&
          (dab.centre - grid.origin()).cwiseAbs().maxCoeff() < limit;
 }
@@ -309,7 +310,7 @@ std::vector<VoxelIndex> applyDab(SparseVolume& volume, const ClayDab& dab, const
 ClayDab mirrored(const ClayDab& dab, const Vec3& point, int axis) {
   ClayDab other = dab;
   other.centre[axis] = 2.0 * point[axis] - dab.centre[axis];
-  other.way[axis] = -dab.way[axis];
+  other.displacement[axis] = -dab.displacement[axis];
   for (Vec3 ClayDab::*vector : {&ClayDab::direction, &ClayDab::right, &ClayDab::up})
     (other.*vector)[axis] = -(dab.*vector)[axis];
   return other;

@@ -35,7 +35,7 @@ std::vector<Neighbours> neighboursOf(const std::vector<VoxelIndex>& blocks) {
   return all;
 }
 
-// Blocks that hang together have the same number.
+// Connected blocks have the same number.
 std::vector<std::size_t> groupsOf(const std::vector<Neighbours>& neighbours) {
   std::vector<std::size_t> groups(neighbours.size(), kNoBlock), waiting;
   for (std::size_t first = 0; first < groups.size(); ++first) {
@@ -65,38 +65,39 @@ class DistanceFront {
         m_isInside(m_distances.size(), 0),
         m_isFixed(m_distances.size(), 0) {
     for (std::size_t i = 0; i < blocks.size(); ++i) seed(volume.view(blocks[i]), i * VolumeBlock::kCount);
-    for (std::size_t place = 0; place < m_distances.size(); ++place)
-      if (m_isFixed[place]) reach(place);
+    for (std::size_t index = 0; index < m_distances.size(); ++index)
+      if (m_isFixed[index]) reach(index);
     for (; m_bucket < m_buckets.size(); ++m_bucket) {
       // reach() adds to this bucket and to those after it.
       for (std::size_t i = 0; i < m_buckets[m_bucket].size(); ++i) {
-        const std::size_t place = m_buckets[m_bucket][i];
-        if (m_isFixed[place]) continue;
-        m_isFixed[place] = 1;
-        reach(place);
+        const std::size_t index = m_buckets[m_bucket][i];
+        if (m_isFixed[index]) continue;
+        m_isFixed[index] = 1;
+        reach(index);
       }
       m_buckets[m_bucket] = {};
     }
     for (std::size_t i = 0; i < blocks.size(); ++i) keepSamples(volume.view(blocks[i]), i * VolumeBlock::kCount);
   }
 
-  float distance(std::size_t place) const { return m_distances[place]; }  // infinite: no surface is in the blocks
-  bool isInside(std::size_t place) const { return m_isInside[place] != 0; }
+  float distance(std::size_t index) const { return m_distances[index]; }  // infinite: no surface is in the blocks
+  bool isInside(std::size_t index) const { return m_isInside[index] != 0; }
 
  private:
   void seed(const SparseVolume::View& view, std::size_t first) {
     for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
-      const std::size_t place = first + i;
-      m_isInside[place] = view.block ? view.block->depths[i] > 0 : view.isFull;
+      const std::size_t index = first + i;
+      m_isInside[index] = view.block ? view.block->depths[i] > 0 : view.isFull;
       if (!view.block) continue;
       const float depth =
           std::abs(static_cast<float>(view.block->depths[i])) * static_cast<float>(1.0 / VolumeBlock::kUnit);
       if (depth >= kKnown) continue;
-      m_distances[place] = depth;
-      m_isFixed[place] = 1;
+      m_distances[index] = depth;
+      m_isFixed[index] = 1;
     }
   }
-  // What samples tell is what they tell, so that a share of nearly all gives nearly the samples of the layer.
+  // Distances near the surface are those of the samples, so that a share close to 1 gives nearly the samples of the
+  // layer.
   void keepSamples(const SparseVolume::View& view, std::size_t first) {
     for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
       float& distance = m_distances[first + i];
@@ -107,20 +108,20 @@ class DistanceFront {
     }
   }
   // The voxel beside another one along an axis; kNoBlock: it is in none of the blocks.
-  std::size_t beside(std::size_t place, std::size_t side) const {
-    const std::size_t axis = side / 2, stride = std::size_t{1} << 3 * axis, along = place >> 3 * axis & 7;
+  std::size_t beside(std::size_t index, std::size_t side) const {
+    const std::size_t axis = side / 2, stride = std::size_t{1} << 3 * axis, along = index >> 3 * axis & 7;
     const bool isUp = side & 1;
-    if (isUp ? along < 7 : along > 0) return isUp ? place + stride : place - stride;
-    const std::size_t block = m_neighbours[place / VolumeBlock::kCount][side];
+    if (isUp ? along < 7 : along > 0) return isUp ? index + stride : index - stride;
+    const std::size_t block = m_neighbours[index / VolumeBlock::kCount][side];
     if (block == kNoBlock) return kNoBlock;
-    const std::size_t in = place % VolumeBlock::kCount;
+    const std::size_t in = index % VolumeBlock::kCount;
     return block * VolumeBlock::kCount + (isUp ? in - 7 * stride : in + 7 * stride);
   }
   // Tells the neighbours of a voxel whose distance is fixed.
-  void reach(std::size_t place) {
+  void reach(std::size_t index) {
     for (std::size_t side = 0; side < 6; ++side) {
-      const std::size_t next = beside(place, side);
-      if (next == kNoBlock || m_isFixed[next] || m_isInside[next] != m_isInside[place]) continue;
+      const std::size_t next = beside(index, side);
+      if (next == kNoBlock || m_isFixed[next] || m_isInside[next] != m_isInside[index]) continue;
       std::array<float, 3> nearest{kUnknown, kUnknown, kUnknown};
       for (std::size_t k = 0; k < 6; ++k) {
         const std::size_t other = beside(next, k);
@@ -130,7 +131,7 @@ class DistanceFront {
       const float distance = std::max(kKnown, eikonalDistance(nearest));
       if (!(distance < m_distances[next])) continue;
       m_distances[next] = distance;
-      // Never one that was dealt with, whatever the rounding.
+      // Never an already processed bucket, regardless of rounding.
       const std::size_t bucket = std::max(m_bucket, static_cast<std::size_t>(distance / kBucket));
       if (bucket >= m_buckets.size()) m_buckets.resize(bucket + 1);
       m_buckets[bucket].push_back(next);
@@ -142,11 +143,11 @@ class DistanceFront {
   std::vector<std::uint8_t> m_isInside;
   std::vector<std::uint8_t> m_isFixed;
   std::vector<std::vector<std::size_t>> m_buckets;  // voxels that the front has come to, by their distance
-  std::size_t m_bucket = 0;                         // that is being dealt with
+  std::size_t m_bucket = 0;                         // bucket that is being processed
 };
 
-// Full where a surface is near: where the two volumes differ in their samples. Nothing where both are far inside, or
-// far outside, so that a change ends without a step at the border of its blocks.
+// Weight 1 near a surface, where the samples of the two volumes differ, and 0 where both are far inside or far outside,
+// so that a change ends without a step at the border of its blocks.
 float shareOfChange(float base, float top) {
   if ((base > 0.0f) != (top > 0.0f)) return 1.0f;
   return std::clamp(kKnown + 1.0f - std::min(std::abs(base), std::abs(top)), 0.0f, 1.0f);
@@ -157,20 +158,20 @@ std::vector<ClayLayerChange::Distances> layerDistances(const SparseVolume& base,
   const std::vector<Neighbours> neighbours = neighboursOf(blocks);
   const std::vector<std::size_t> groups = groupsOf(neighbours);
   const DistanceFront before(base, blocks, neighbours), after(top, blocks, neighbours);
-  // Where there is no surface at all, as before a ball in the air, it is as far away as the other one is at most.
-  std::vector<float> farthest(blocks.size(), kKnown + 1.0f);  // of each group
+  // Without any surface, as before a ball in the air, its distance is the largest distance of the other surface.
+  std::vector<float> farthest(blocks.size(), kKnown + 1.0f);  // largest distance in each group
   const std::size_t count = blocks.size() * VolumeBlock::kCount;
-  for (std::size_t place = 0; place < count; ++place) {
-    float& most = farthest[groups[place / VolumeBlock::kCount]];
+  for (std::size_t index = 0; index < count; ++index) {
+    float& most = farthest[groups[index / VolumeBlock::kCount]];
     for (const DistanceFront* front : {&before, &after})
-      if (front->distance(place) < kUnknown) most = std::max(most, front->distance(place));
+      if (front->distance(index) < kUnknown) most = std::max(most, front->distance(index));
   }
   std::vector<ClayLayerChange::Distances> all(blocks.size());
-  for (std::size_t place = 0; place < count; ++place) {
-    const std::size_t block = place / VolumeBlock::kCount, i = place % VolumeBlock::kCount;
+  for (std::size_t index = 0; index < count; ++index) {
+    const std::size_t block = index / VolumeBlock::kCount, i = index % VolumeBlock::kCount;
     const auto depth = [&](const DistanceFront& front) {
-      const float distance = std::min(front.distance(place), farthest[groups[block]]);
-      return front.isInside(place) ? distance : -distance;
+      const float distance = std::min(front.distance(index), farthest[groups[block]]);
+      return front.isInside(index) ? distance : -distance;
     };
     const float from = depth(before), to = depth(after);
     all[block].base[i] = from;

@@ -11,41 +11,41 @@
 
 namespace handwheel {
 
-// What a layer of clay changes: blocks of a volume before it and after it. No others are held, so that a layer keeps
-// nothing of what the volume has been elsewhere.
+// The change that a layer of clay makes: the changed blocks before and after. Other blocks of the volume are not held.
 //
-// Depths end at four voxels, and a stroke may be deeper than that. So that a share of it moves the surface by that
-// share, distances are also known beyond: from the samples near the surface the others of the changed blocks follow
-// from neighbour to neighbour (Sethian 1996; of first order). They are computed when they are first asked for.
+// Stored depths end at four voxels, and a stroke may be deeper. So that a fraction of the stroke moves the surface by
+// that fraction, distances beyond that are propagated from the samples near the surface through the changed blocks
+// (Sethian 1996; of first order). They are computed on first use.
 //
 // Immutable; reading on several threads is safe.
 class ClayLayerChange {
  public:
-  // Of what a share of a layer gives: it never makes a block full or empty. From it on a depth is "at least so much".
+  // Largest sample that a fraction of a layer produces, so that it never makes a block full or empty. A depth from here
+  // on means "at least so much".
   static constexpr int kDeepestSample = VolumeBlock::kFull - 1;
-  static constexpr float kKnownDepth = 3.0f;  // voxels, up to which depths of all volumes are distances
+  static constexpr float kKnownDepth = 3.0f;  // voxels; up to this depth all volumes hold exact distances
 
   ClayLayerChange(const SparseVolume& base, const SparseVolume& top);
   ClayLayerChange(const ClayLayerChange&) = delete;
   ClayLayerChange& operator=(const ClayLayerChange&) = delete;
 
-  // Of the changed blocks; there is nothing else in them.
+  // Volumes before and after the change, with only the changed blocks.
   const SparseVolume& base() const { return m_base; }
   const SparseVolume& top() const { return m_top; }
-  // That differ, in the order of isBlockBefore().
+  // The blocks that differ, in the order of isBlockBefore().
   const std::vector<VoxelIndex>& blocks() const { return m_blocks; }
   bool changes(const VoxelIndex& block) const;
 
   // Depths of the voxels of a changed block, in voxels.
   struct Distances {
-    std::array<float, VolumeBlock::kCount> base;    // below the surface before the change, as far as it is
-    std::array<float, VolumeBlock::kCount> change;  // what is to be added to have those after it; 0 where neither
-                                                    // surface is near
+    std::array<float, VolumeBlock::kCount> base;  // distance below the surface before the change
+    std::array<float, VolumeBlock::kCount>
+        change;  // difference of the distance after the change; 0 where neither surface is near
   };
-  // Null where nothing is changed. The first time O(voxels of all changed blocks).
+  // Returns the distances of a block, or null if it is unchanged. The first call takes O(voxels of all changed blocks).
   const Distances* distances(const VoxelIndex& block) const;
 
-  // Of the changed blocks, before and after.
+  // Memory of the changed blocks before and after.
   std::size_t bytes() const;
 
  private:

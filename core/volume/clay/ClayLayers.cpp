@@ -21,22 +21,22 @@ using BlockDepths = std::array<float, VolumeBlock::kCount>;
 float slopeAt(const BlockDepths& depths, int x, int y, int z) {
   constexpr int kLast = VolumeBlock::kSize - 1;
   const std::array<int, 3> at{x, y, z}, strides{1, VolumeBlock::kSize, VolumeBlock::kSize * VolumeBlock::kSize};
-  const int place = static_cast<int>(VolumeBlock::at(x, y, z));
+  const int index = static_cast<int>(VolumeBlock::at(x, y, z));
   float squares = 0.0f;
   for (std::size_t k = 0; k < 3; ++k) {
     const int low = at[k] > 0 ? -strides[k] : 0, high = at[k] < kLast ? strides[k] : 0;
     const float difference =
-        depths[static_cast<std::size_t>(place + high)] - depths[static_cast<std::size_t>(place + low)];
+        depths[static_cast<std::size_t>(index + high)] - depths[static_cast<std::size_t>(index + low)];
     const float slope = difference * static_cast<float>(strides[k]) / static_cast<float>(high - low);
     squares += slope * slope;
   }
   return std::sqrt(squares);
 }
 
-// A share of what a layer changes, added to the depths of a block. Sums of distances are none where the surfaces lie at
-// an angle to each other: their slope makes them distances again, to first order. It is compared to that of the depths
-// below the layer and of its own, by their shares: at edges and in thin walls differences say less than the slope is,
-// and what comes of a share near 0 or 1 has to come near to these.
+// A share of what a layer changes, added to the depths of a block. Sums of distances are not distances where the
+// surfaces are at an angle to each other: dividing by their slope makes them distances again, to first order. The slope
+// is compared with that of the depths below the layer and of its own, by their shares: at edges and in thin walls
+// differences underestimate it, and the result for a share near 0 or 1 must approach these depths.
 SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLayerChange::Distances& layer,
                                 double share) {
   constexpr float kMostFactor = 4.0f, kNoSlope = 0.01f;
@@ -47,14 +47,14 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
   for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
     const std::int16_t sample = block->depths[i];
     float depth = static_cast<float>(sample) * static_cast<float>(1.0 / VolumeBlock::kUnit);
-    // Where the surface below is further away than depths tell, it is about as far as when the layer was made.
+    // If the surface below is beyond the stored depths, its distance is taken from when the layer was made.
     if (std::abs(static_cast<int>(sample)) >= kDeepestSample)
       depth = std::copysign(std::max(ClayLayerChange::kKnownDepth, std::abs(layer.base[i])), depth);
     before[i] = depth;
     own[i] = layer.base[i] + layer.change[i];
     depths[i] = depth + part * layer.change[i];
   }
-  // Beyond the depths of samples it is 1, whatever is known of them.
+  // Beyond the stored depths it is 1.
   const auto slopeOf = [](const BlockDepths& of, int x, int y, int z) {
     return std::abs(of[VolumeBlock::at(x, y, z)]) < kLimit ? slopeAt(of, x, y, z) : 1.0f;
   };
@@ -62,8 +62,8 @@ SparseVolume::Content withShare(const SparseVolume::Content& below, const ClayLa
     for (int y = 0; y < VolumeBlock::kSize; ++y)
       for (int x = 0; x < VolumeBlock::kSize; ++x) {
         const std::size_t i = VolumeBlock::at(x, y, z);
-        // Nothing that the layer leaves alone is touched. What it changes never makes a block full or empty: a surface
-        // lies between it and its neighbours whatever these are.
+        // Blocks that the layer does not change are not touched. Changed blocks never become full or empty, so that a
+        // surface lies between them and any neighbours.
         if (layer.change[i] == 0.0f) continue;
         float depth = depths[i];
         if (std::abs(depth) < kLimit) {
@@ -111,8 +111,8 @@ void ClayLayers::record(const SparseVolume& before, const SparseVolume& after) {
   assert(canBeSculpted());
   const std::size_t below = m_layers.size() - 1;
   const ClayLayerChange& change = *m_layers[below].change;
-  // What is visible is what lies below where the layer changes nothing. Blocks that it was made on already are shared
-  // with what it was: no stroke takes the memory of those before it once more.
+  // The visible volume is the volume below wherever the layer changes nothing. Blocks that are already in its base are
+  // shared, so that no stroke stores those before it again.
   SparseVolume base = before;
   replace(base, change.blocks(), [&](const VoxelIndex& block) {
     SparseVolume::Content content = visibleContent(block, below);

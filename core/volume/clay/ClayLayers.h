@@ -8,19 +8,19 @@
 
 namespace handwheel {
 
-// A layer of clay: strokes that can be weakened, turned off and taken away.
+// A layer of clay: strokes that can be weakened, turned off and removed.
 struct ClayLayer {
   std::string name;       // UTF-8
-  double strength = 1.0;  // 0 to 1, the share of the change that is visible
+  double strength = 1.0;  // 0 to 1, the visible fraction of the change
   bool isOn = true;
   std::shared_ptr<const ClayLayerChange> change;  // never null
 
   double share() const { return isOn ? strength : 0.0; }
 };
 
-// A volume and the layers on it, the lowest first. What is visible is the volume with the share of each layer, added in
-// depths. A layer whose share is 1 and that finds below it what it was made on gives its own samples, bit for bit; one
-// with a share of 0 changes nothing.
+// A volume and the layers on it, the lowest first. The visible volume is the root with the visible fraction of each
+// layer's change, added to the depths. A layer with a share of 1, on top of the same blocks that it was made on,
+// reproduces its own samples exactly; a layer with a share of 0 changes nothing.
 //
 // A value; copies share the volumes.
 class ClayLayers {
@@ -34,28 +34,29 @@ class ClayLayers {
   const SparseVolume& root() const { return m_root; }
   const std::vector<ClayLayer>& all() const { return m_layers; }
 
-  // Adds an empty layer on top. visible: visible() of these layers. There must be fewer than kMostLayers.
+  // Adds an empty layer on top. visible: the present visible(). There must be fewer than kMostLayers.
   void add(std::string name, const SparseVolume& visible);
   void rename(std::size_t layer, std::string name) { m_layers[layer].name = std::move(name); }
-  // Blocks of what is visible may be others then: those that the layer changes. strength: 0 to 1.
+  // Sets the strength (0 to 1) of a layer and turns it on or off. The visible blocks that the layer changes may differ
+  // afterwards.
   void setShare(std::size_t layer, double strength, bool isOn);
   void remove(std::size_t layer);
-  // Makes a layer one with that below it, or with the volume: of both what is visible now. The result is on, with a
-  // strength of 1; nothing visible changes.
+  // Merges the visible part of a layer with that of the layer below, or with the root. The result is on, with a
+  // strength of 1; the visible volume does not change.
   void mergeDown(std::size_t layer);
-  // Whether strokes can go on the topmost layer: it is on, with a strength of 1. There must be one.
+  // Returns true if the topmost layer accepts strokes: it is on, with a strength of 1. There must be a layer.
   bool canBeSculpted() const { return m_layers.back().share() == 1.0; }
-  // Takes into the topmost layer, which can be sculpted, what a stroke has made of visible(). O(blocks that the layer
-  // changes, and regions of 64³ voxels that the stroke does).
+  // Records in the topmost layer, which must accept strokes, how a stroke changed visible(). O(blocks that the layer
+  // changes, and regions of 64³ voxels that the stroke changes).
   void record(const SparseVolume& before, const SparseVolume& after);
 
-  // What is visible of the first layers. On all threads of the arena.
+  // Returns the visible volume of the root with the first layers. On all threads of the arena.
   SparseVolume visible(std::size_t layers) const;
   SparseVolume visible() const { return visible(m_layers.size()); }
-  // Makes these blocks of a volume those of visible(). Returns those that are others now. On all threads of the arena.
+  // Sets these blocks of a volume to those of visible(). Returns the blocks that changed. On all threads of the arena.
   std::vector<VoxelIndex> show(const std::vector<VoxelIndex>& blocks, SparseVolume& volume) const;
 
-  // Of what the layers change.
+  // Memory of the layers' changes.
   std::size_t bytes() const;
 
  private:

@@ -26,8 +26,8 @@ double smoothStep(double t) {
 
 }  // namespace
 
-double ClayMask::shareAt(const Vec3& place) const {
-  const Vec3 at = (place - m_values.origin()) / m_values.voxel();
+double ClayMask::shareAt(const Vec3& point) const {
+  const Vec3 at = (point - m_values.origin()) / m_values.voxel();
   if (!at.allFinite() || !(at.cwiseAbs().maxCoeff() < SparseVolume::kMostVoxels)) return 0.0;
   const VoxelIndex voxel = at.array().round().cast<int>();
   return block(SparseVolume::blockOf(voxel)).at(VolumeBlock::at(voxel.x() & 7, voxel.y() & 7, voxel.z() & 7));
@@ -45,11 +45,12 @@ std::vector<VoxelIndex> ClayMask::paint(const ClayDab& dab) {
   const SweptBall ball(m_values, dab);
   const double most = std::min(1.0, std::abs(dab.strength));
   const double edge = std::clamp(0.5 * std::clamp(dab.falloff, 0.0, 1.0) * ball.radius, kLeastEdge, kWidestEdge);
-  const bool isRaising = (dab.strength > 0.0) != m_isInverted;  // of the values
-  const auto blocks = blocksAround(ball.centre, ball.centre - ball.way, ball.radius, [&](const VoxelIndex& block) {
-    const SparseVolume::View view = m_values.view(block);
-    return (view.block || view.isFull != isRaising) && ball.inside(middleOf(block)) > -kHalfDiagonal;
-  });
+  const bool isRaising = (dab.strength > 0.0) != m_isInverted;  // direction of the stored values
+  const auto blocks =
+      blocksAround(ball.centre, ball.centre - ball.displacement, ball.radius, [&](const VoxelIndex& block) {
+        const SparseVolume::View view = m_values.view(block);
+        return (view.block || view.isFull != isRaising) && ball.inside(middleOf(block)) > -kHalfDiagonal;
+      });
   return replace(m_values, blocks, [&](const VoxelIndex& block) -> SparseVolume::Content {
     if (most == 1.0 && ball.inside(middleOf(block)) > edge + kHalfDiagonal) return {nullptr, isRaising};
     const std::shared_ptr<VolumeBlock> samples = samplesOf(m_values.content(block));

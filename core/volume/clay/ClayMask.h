@@ -11,21 +11,21 @@ namespace handwheel {
 
 struct ClayDab;
 
-// Where clay is protected from dabs. For each voxel of a grid, also where there is no material, it is a share from 0,
-// free, to 1, protected.
+// The protection of clay from dabs. It is a fraction from 0 (free) to 1 (protected) for each voxel of a grid, also
+// where there is no material.
 //
-// A value, stored as a SparseVolume is, so copies share blocks. What it protects outside of all that was painted is
-// uniform: nothing, or everything once it was inverted.
+// A value, stored as a SparseVolume, so copies share blocks. Outside the painted blocks the mask is uniform: free, or
+// protected after it was inverted.
 class ClayMask {
  public:
-  // Of a grid without voxels; to be replaced.
+  // Constructs a mask without a grid, to be assigned to.
   ClayMask() = default;
-  // Protects nothing, in the grid of a volume.
+  // Constructs a mask that protects nothing, in the grid of a volume.
   explicit ClayMask(const SparseVolume& volume) : m_values(volume.origin(), volume.voxel()) {}
-  // From what values() and isInverted() gave.
+  // Restores a mask from values() and isInverted().
   ClayMask(SparseVolume values, bool isInverted) : m_values(std::move(values)), m_isInverted(isInverted) {}
 
-  // The shares of the voxels of one block. Valid as long as the mask stays as it is.
+  // The protected fractions of one block. Valid until the mask changes.
   class Block {
    public:
     Block(const SparseVolume::View& view, bool isInverted)
@@ -33,10 +33,10 @@ class ClayMask {
 
     bool isUniform() const { return !m_block; }
     bool isFree() const { return !m_block && m_uniform == 0.0; }
-    // Of a voxel by its place in the block, as in VolumeBlock.
+    // Returns the fraction of a voxel by its index in the block, as in VolumeBlock.
     double at(std::size_t i) const {
       if (!m_block) return m_uniform;
-      const double share = (m_block->depths[i] - VolumeBlock::kEmpty) / kRange;  // exactly 1 of kFull
+      const double share = (m_block->depths[i] - VolumeBlock::kEmpty) / kRange;  // exactly 1 for kFull
       return m_isInverted ? 1.0 - share : share;
     }
 
@@ -48,36 +48,38 @@ class ClayMask {
     bool m_isInverted;
   };
   Block block(const VoxelIndex& block) const { return {m_values.view(block), m_isInverted}; }
-  // Of the voxel nearest to a place, mm; 0 where that is not finite, or farther away than a volume can be.
-  double shareAt(const Vec3& place) const;
+  // Returns the fraction of the voxel nearest to a point, mm; 0 if that is not finite, or beyond the largest index of a
+  // volume.
+  double shareAt(const Vec3& point) const;
 
-  // Whether it protects nothing.
+  // Returns true if nothing is protected.
   bool isFree() const { return m_values.isEmpty() && !m_isInverted; }
-  // Whether its grid is that of a volume: else it says nothing about it.
+  // Returns true if the mask has the grid of a volume; otherwise it does not apply to it.
   bool fits(const SparseVolume& volume) const {
     return m_values.origin() == volume.origin() && m_values.voxel() == volume.voxel();
   }
-  // Whether it is the same as another one in the cells of a piece of 64³ voxels and beside them; false: not known to
-  // be. O(1).
+  // Returns true if the mask certainly equals another one in a piece of 64³ cells and beside it; false means unknown.
+  // O(1).
   bool isKnownSame(const ClayMask& other, const VoxelIndex& region) const;
 
-  // Protects what a swept ball covers, up to the strength of the dab, or frees it with a strength below 0. Towards the
-  // surface of the ball it does so less and less, over half of the radius with a falloff of 1, at most kWidestEdge and
-  // at least kLeastEdge voxels. What is protected more than that already, or less, stays. Returns the blocks that are
-  // others now; nothing happens for dabs that applyDab() refuses. On all threads of the arena; O(voxels of the edge).
+  // Protects the voxels in a swept ball up to the strength of the dab, or frees them if the strength is negative. The
+  // effect fades towards the surface of the ball over half of the radius for a falloff of 1, at least kLeastEdge and at
+  // most kWidestEdge voxels. Painting never reduces a higher protection, and freeing never raises a lower one. Returns
+  // the blocks that changed; dabs that applyDab() refuses have no effect. On all threads of the arena; O(voxels of the
+  // edge).
   std::vector<VoxelIndex> paint(const ClayDab& dab);
-  // Protects what was free and frees what was protected. O(1).
+  // Exchanges free and protected. O(1).
   void invert() { m_isInverted = !m_isInverted; }
 
   const SparseVolume& values() const { return m_values; }
   bool isInverted() const { return m_isInverted; }
   std::size_t bytes() const { return m_values.bytes(); }
 
-  static constexpr double kLeastEdge = 2.0;    // voxels: no steps of voxels are left in the clay
-  static constexpr double kWidestEdge = 24.0;  // voxels: what a large brush takes of memory
+  static constexpr double kLeastEdge = 2.0;    // voxels; avoids visible steps in the clay
+  static constexpr double kWidestEdge = 24.0;  // voxels; limits the memory of a large brush
 
  private:
-  SparseVolume m_values;  // shares from kEmpty (0) to kFull (1), before they are inverted
+  SparseVolume m_values;  // fractions from kEmpty (0) to kFull (1), before inversion
   bool m_isInverted = false;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMadeSide = 128;  // cells of a stamp by formula
 
-// A dome of a radius around a place; 0 outside.
+// Returns the height of a dome of a radius around the origin; 0 outside.
 double domeAt(double x, double y, double radius) {
   return std::sqrt(std::max(0.0, 1.0 - (x * x + y * y) / (radius * radius)));
 }
@@ -101,7 +101,7 @@ class HeightGrid {
         const double u = across(p, b, c) / area, v = across(a, p, c) / area, w = 1.0 - u - v;
         constexpr double kStampRounding = -1e-9;  // on an edge between two triangles one has it
         if (u < kStampRounding || v < kStampRounding || w < kStampRounding) continue;
-        double& height = m_heights[placeOf(column, row)];
+        double& height = m_heights[indexOf(column, row)];
         height = std::max(height, u * a.z() + v * b.z() + w * c.z());
       }
   }
@@ -118,7 +118,7 @@ class HeightGrid {
     shares.reserve(m_heights.size());
     for (int row = m_height - 1; row >= 0; --row)
       for (int column = 0; column < m_width; ++column) {
-        const double height = m_heights[placeOf(column, row)];
+        const double height = m_heights[indexOf(column, row)];
         shares.push_back(height != kNothing ? static_cast<float>((height - least) / (most - least)) : 0.0f);
       }
     return shares;
@@ -131,7 +131,7 @@ class HeightGrid {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   }
   int numberOf(double along) const { return static_cast<int>(std::floor(along / m_cell)); }
-  std::size_t placeOf(int column, int row) const {
+  std::size_t indexOf(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(column);
   }
 

@@ -11,41 +11,41 @@
 #include <cmath>
 #include <vector>
 
-// What dabs on volumes and on masks share: a swept ball, and its blocks.
+// Helpers shared by dabs on volumes and on masks: a swept ball, and its blocks.
 namespace handwheel {
 
-// A ball that is swept along a way, in voxels of a grid.
+// A ball that is swept along a segment, in voxels of a grid.
 struct SweptBall {
-  Vec3 centre, way;  // the way ends at the centre
+  Vec3 centre, displacement;  // the displacement ends at the centre
   double radius;
 
   SweptBall(const SparseVolume& grid, const ClayDab& dab)
       : centre((dab.centre - grid.origin()) / grid.voxel()),
-        way(dab.way / grid.voxel()),
+        displacement(dab.displacement / grid.voxel()),
         radius(dab.radius / grid.voxel()) {}
 
-  // How deep a place is in it.
+  // Returns the depth of a point inside the swept ball.
   double inside(const Vec3& p) const {
-    const double length = way.squaredNorm();
-    const double share = length > 0.0 ? std::clamp((centre - p).dot(way) / length, 0.0, 1.0) : 0.0;
-    return radius - (p - centre + share * way).norm();
+    const double length = displacement.squaredNorm();
+    const double share = length > 0.0 ? std::clamp((centre - p).dot(displacement) / length, 0.0, 1.0) : 0.0;
+    return radius - (p - centre + share * displacement).norm();
   }
 };
 
-// Whether a dab is finite, and small enough for a grid.
+// Returns true if a dab is finite and small enough for a grid.
 bool isSoundDab(const ClayDab& dab, const SparseVolume& grid);
 
 inline VoxelIndex firstOf(const VoxelIndex& block) {
   return VolumeBlock::kSize * block;
 }
 
-inline constexpr double kHalfDiagonal = 6.1;  // voxels, from the middle of a block to its farthest samples
+inline constexpr double kHalfDiagonal = 6.1;  // voxels, distance from the centre of a block to its farthest samples
 
 inline Vec3 middleOf(const VoxelIndex& block) {
   return firstOf(block).cast<double>() + Vec3::Constant(3.5);
 }
 
-// The blocks that match within a box around two places, in voxels.
+// Returns the matching blocks within the bounding box of two points, extended by reach; in voxels.
 template <class Matches>
 std::vector<VoxelIndex> blocksAround(const Vec3& a, const Vec3& b, double reach, Matches matches) {
   const VoxelIndex low = SparseVolume::blockOf((a.cwiseMin(b).array() - reach).floor().cast<int>().matrix());
@@ -58,7 +58,7 @@ std::vector<VoxelIndex> blocksAround(const Vec3& a, const Vec3& b, double reach,
   return blocks;
 }
 
-// Replaces the content of the blocks by what make(block) gives. Returns those that are others now.
+// Replaces the content of the blocks by the result of make(block). Returns the blocks that changed.
 template <class Make>
 std::vector<VoxelIndex> replace(SparseVolume& volume, const std::vector<VoxelIndex>& blocks, Make make) {
   std::vector<SparseVolume::Content> made(blocks.size());

@@ -32,7 +32,7 @@ bool isWidth(double x, double diameter) {
   return isWithin(x, DrillBit::kLeastWidth, diameter);
 }
 
-// Empty: nothing is wrong with it.
+// Empty: valid.
 std::string problemOf(const DrillBitType& type, const std::vector<DrillBitType>& before) {
   const DrillBit& tool = type.tool;
   const bool isKnown =

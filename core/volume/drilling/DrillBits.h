@@ -17,17 +17,17 @@ struct DrillBitType {
   std::string id;  // stable, for files and the command line: "twist"
   DrillBit tool;
 
-  static constexpr std::size_t kMost = 100;  // in a table
+  static constexpr std::size_t kMost = 100;  // largest number of types in a table
 };
 
 // Reads a table of drill bits as in resources/drilling/tools.json. Errors: those of parseJson(), ElementMalformed {the
-// table, what is wrong with which drill}.
+// table, the problem and its drill}.
 Result<std::vector<DrillBitType>> drillBitsFromJson(std::string_view text);
-// The drill bits that ship; the first is the usual one.
+// Returns the built-in drill bits; the first is the default.
 const std::vector<DrillBitType>& drillBits();
 
-// The drill bit of a word, as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8": the id and the diameter in mm,
-// and the width of a saw. None where it is no such word.
+// Returns the drill bit for a word such as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8": the id, the
+// diameter in mm, and the width of a saw. None if the word is not valid.
 std::optional<DrillBit> drillBitOf(std::string_view word);
 // The inverse of drillBitOf().
 std::string wordOf(const DrillBit& bit);

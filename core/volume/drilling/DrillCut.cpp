@@ -13,11 +13,12 @@
 namespace handwheel {
 namespace {
 
-constexpr double kNear = 6.1;               // voxels, from the middle of a block to its farthest samples
-constexpr double kMostRadius = 500.0;       // voxels
-constexpr std::size_t kFewBlocks = 200;     // to wake other threads for would take longer
-constexpr double kWideHead = 256.0;         // voxels, of a head that is looked for where there is material alone
-constexpr double kTwistStep = 0.25;         // voxels, between the places of a head that is not swept exactly
+constexpr double kNear = 6.1;            // voxels, from the middle of a block to its farthest samples
+constexpr double kMostRadius = 500.0;    // voxels
+constexpr std::size_t kFewBlocks = 200;  // to wake other threads for would take longer
+constexpr double kWideHead = 256.0;      // voxels, of a head that is looked for where there is material alone
+constexpr double kTwistStep =
+    0.25;  // voxels, distance between the sampled positions of a head that is not swept exactly
 constexpr double kSampleRounding = 0.4999;  // a lower sample is further away than what is rounded to this one
 
 // The share of a voxel that is below the surface.
@@ -27,7 +28,7 @@ double share(std::int16_t depth) {
 
 using Row = Eigen::Array<double, VolumeBlock::kSize, 1>;
 
-// What a block becomes and what that takes of it.
+// The new content of a block, and the material removed from it.
 struct BlockCut {
   SparseVolume::Content content;
   bool isChanged = false;
@@ -55,25 +56,26 @@ class HeadSweep {
         m_along(std::abs((m_to - m_from).dot(m_axis))),
         m_across((m_to - m_from - (m_to - m_from).dot(m_axis) * m_axis).norm()),
         m_erosion(move.erosion * (m_to - m_from).norm()),
-        m_places(m_head.isBall() ? 1 : 1 + static_cast<int>((m_to - m_from).norm() / kTwistStep)) {}
+        m_positions(m_head.isBall() ? 1 : 1 + static_cast<int>((m_to - m_from).norm() / kTwistStep)) {}
 
   const Vec3& centre() const { return m_to; }
   double inside(const Vec3& p) const {
     if (m_head.isBall()) {
-      const Vec3 way = m_to - m_from;
-      const double length = way.squaredNorm(), at = length > 0.0 ? (p - m_from).dot(way) / length : 1.0;
-      return m_head.inside(p - m_from - std::clamp(at, 0.0, 1.0) * way, m_axis);
+      const Vec3 displacement = m_to - m_from;
+      const double length = displacement.squaredNorm(),
+                   at = length > 0.0 ? (p - m_from).dot(displacement) / length : 1.0;
+      return m_head.inside(p - m_from - std::clamp(at, 0.0, 1.0) * displacement, m_axis);
     }
     double most = -1e9;
-    for (int i = 0; i <= m_places; ++i)
-      most = std::max(most, m_head.inside(p - m_from - static_cast<double>(i) / m_places * (m_to - m_from), m_axis));
+    for (int i = 0; i <= m_positions; ++i)
+      most = std::max(most, m_head.inside(p - m_from - static_cast<double>(i) / m_positions * (m_to - m_from), m_axis));
     return most;
   }
-  // The most that inside() can be for a row of a block, from this place along x.
+  // Returns upper bounds of inside() for a row of a block, from this point along x.
   Row boundOfRow(const Vec3& first) const {
     return m_head.row<VolumeBlock::kSize>(first - m_from, m_axis, m_across, m_along);
   }
-  // Of a box around all of it.
+  // Returns a bounding box of the sweep.
   Box box() const {
     Box box(m_from.cwiseMin(m_to), m_from.cwiseMax(m_to));
     const double out = std::max(m_tool.radius(), m_tool.reach()) + DepthWindow::kMargin;
@@ -89,12 +91,12 @@ class HeadSweep {
   Vec3 m_from, m_to, m_axis;
   DrillBit m_tool;
   DrillHead m_head;
-  double m_along, m_across;  // of the move, voxels
+  double m_along, m_across;  // extent of the move, voxels
   double m_erosion;          // voxels
-  int m_places;
+  int m_positions;
 };
 
-// The cubes of so many voxels within a box, in voxels, whose blocks a head comes near and that matter.
+// Returns the cubes of `edge` voxels within a box, in voxels, with blocks near the head that matter.
 template <class Matters>
 std::vector<VoxelIndex> cubesNear(const HeadSweep& head, const Box& box, int edge, Matters matters) {
   std::vector<VoxelIndex> cubes;
@@ -141,12 +143,12 @@ BlockCut cutBlock(const SparseVolume& volume, const VoxelIndex& block, const Hea
 
 bool isSound(const SparseVolume& volume, const DrillBit& tool, const DrillMove& move) {
   const double limit = SparseVolume::kMostVoxels * volume.voxel();
-  const auto isPlace = [&](const Vec3& p) {
+  const auto isInRange = [&](const Vec3& p) {
     return p.allFinite() && (p - volume.origin()).cwiseAbs().maxCoeff() < limit;
   };
-  return isPlace(move.from) && isPlace(move.to) && move.axis.allFinite() && move.erosion > 0.0 &&
+  return isInRange(move.from) && isInRange(move.to) && move.axis.allFinite() && move.erosion > 0.0 &&
          tool.radius() <= kMostRadius * volume.voxel() && tool.diameter > 0.0 &&
-         (move.to - move.from).norm() <= kMostDrillWay * tool.diameter;
+         (move.to - move.from).norm() <= kMostDrillTravel * tool.diameter;
 }
 
 }  // namespace

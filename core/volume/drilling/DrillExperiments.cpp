@@ -21,8 +21,8 @@ using CheckKind = DrillShapeCheck::Kind;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // The plate is thicker than the ball's radius by the even stage, mm.
-constexpr double kEvenWay = 4.0;
-// Fewer cycles on it say nothing of an even thrust.
+constexpr double kSteadyTravel = 4.0;
+// Fewer cycles do not show a steady thrust.
 constexpr double kLeastEvenCycles = 10.0;
 // mm at either end of it that do not count: voxels at the faces of the plate.
 constexpr double kStockMargin = 0.6;
@@ -43,7 +43,7 @@ SteppedHole holeOf(DrillExperiment experiment, double value) {
       hole.feed = value;
       break;
   }
-  hole.thickness = 0.5 * hole.diameter + kEvenWay + 2.0 * kStockMargin;
+  hole.thickness = 0.5 * hole.diameter + kSteadyTravel + 2.0 * kStockMargin;
   return hole;
 }
 
@@ -73,24 +73,24 @@ Result<std::vector<float>> drilled(const SteppedHole& hole, const DrillSetup& se
   Result<SparseVolume> plate = plateOf(hole, progress.part(0.0, 0.1));
   if (!plate) return plate.error();
   DrillRun run(*plate, setup);
-  const double way = hole.feed / hole.rate, all = hole.diameter + hole.thickness;
+  const double travel = hole.feed / hole.rate, all = hole.diameter + hole.thickness;
   std::vector<float> thrust;
   // It is placed a cycle before the touch.
-  for (double cycle = -1.0; cycle * way < all; ++cycle) {
+  for (double cycle = -1.0; cycle * travel < all; ++cycle) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     const DrillTick tick =
-        run.move((0.5 * hole.diameter - cycle * way) * Vec3::UnitZ(), Vec3::UnitZ(), cycle / hole.rate);
+        run.move((0.5 * hole.diameter - cycle * travel) * Vec3::UnitZ(), Vec3::UnitZ(), cycle / hole.rate);
     if (cycle >= 0.0) thrust.push_back(static_cast<float>(tick.thrust));
-    progress.set(0.1 + 0.9 * std::max(0.0, cycle * way / all));
+    progress.set(0.1 + 0.9 * std::max(0.0, cycle * travel / all));
   }
   return thrust;
 }
 
 EvenLoad evenLoadOf(const SteppedHole& hole, const DrillSetup& setup, const std::vector<float>& thrust) {
-  const double way = hole.feed / hole.rate, radius = 0.5 * hole.diameter;
+  const double travel = hole.feed / hole.rate, radius = 0.5 * hole.diameter;
   // From the centre in the plate on, until the tip comes out.
-  const double first = std::ceil((radius + kStockMargin) / way),
-               last = std::floor((hole.thickness - kStockMargin) / way);
+  const double first = std::ceil((radius + kStockMargin) / travel),
+               last = std::floor((hole.thickness - kStockMargin) / travel);
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (double cycle = first; cycle <= last && cycle < static_cast<double>(thrust.size()); ++cycle, ++count) {
     const auto value = static_cast<double>(thrust[static_cast<std::size_t>(cycle)]);
@@ -255,7 +255,8 @@ std::vector<double> valuesOf(DrillExperiment experiment) {
 
 bool isDrillable(DrillExperiment experiment, double value) {
   const SteppedHole hole = holeOf(experiment, value);
-  return isDrillable(hole) && 2.0 * hole.voxel <= hole.diameter && kLeastEvenCycles * hole.feed <= kEvenWay * hole.rate;
+  return isDrillable(hole) && 2.0 * hole.voxel <= hole.diameter &&
+         kLeastEvenCycles * hole.feed <= kSteadyTravel * hole.rate;
 }
 
 Result<DrillExperimentHole> drillExperimentHole(DrillExperiment experiment, double value, Progress progress) {

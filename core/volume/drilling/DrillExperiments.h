@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// What a reference run of He (2008, 3.3) changes from hole to hole.
+// The parameter that a reference run of He (2008, 3.3) varies from hole to hole.
 enum class DrillExperiment { Resolution, Erosion, Radius, Feed };
 inline constexpr std::array kDrillExperiments{DrillExperiment::Resolution, DrillExperiment::Erosion,
                                               DrillExperiment::Radius, DrillExperiment::Feed};
@@ -21,49 +21,50 @@ inline constexpr std::array kDrillExperiments{DrillExperiment::Resolution, Drill
 // Stable, for the command line: "resolution".
 std::string_view idOf(DrillExperiment experiment);
 std::optional<DrillExperiment> drillExperimentOf(std::string_view id);
-// The values that it runs through: mm of a voxel, steps of 255 levels, mm of the radius, mm/s. All else is that of a
-// ball of 6 mm at 1 mm/s and 1 kHz, in voxels of 0.255 mm and a plate of cortical bone, at 1000 r/min.
+// Returns the values of the parameter: voxel in mm, erosion in steps of 255 levels, radius in mm, feed in mm/s. The
+// other parameters are those of a ball of 6 mm at 1 mm/s, 1 kHz and 1000 r/min, in voxels of 0.255 mm and a plate of
+// cortical bone.
 std::vector<double> valuesOf(DrillExperiment experiment);
-// Whether a hole with this value comes to an end (isDrillable()) and has an even load: voxels of no more than the
+// Returns true if a hole with this value can be finished (isDrillable()) and has a steady load: voxels of at most the
 // ball's radius, and at least ten cycles.
 bool isDrillable(DrillExperiment experiment, double value);
 
-// Where all of the front half of the ball is in the plate.
+// The load while the whole front half of the ball is in the plate.
 struct EvenLoad {
   DrillLoad mean;
   double ripple = 0.0;  // standard deviation of the thrust, as a share of its mean
 };
 
-// One hole, by each way.
+// One hole, simulated by each method.
 struct DrillExperimentHole {
   double value = 0.0;
   EvenLoad ours;        // DrillRun
   EvenLoad stepped;     // removedBySteps(), with the loads of
-  DrillLoad balance;    // of the energy, with the section of the ball: what an even cut takes
-  DrillLoad reference;  // (3-22) and (3-23), with constants that agree with the balance
-  // N, of each cycle from the touch on: of DrillRun, and of the steps.
+  DrillLoad balance;    // load of a steady cut by the balance of energy, with the cross-section of the ball
+  DrillLoad reference;  // load by (3-22) and (3-23), with constants that agree with the balance
+  // Thrust in each cycle from the contact on, N: by DrillRun, and by the stepped erosion.
   std::vector<float> ourThrust, itsThrust;
 };
 
-// What is stated of the curves, and what was found.
+// A stated property of the curves, and the value that was found.
 struct DrillShapeCheck {
   enum class Kind {
-    SteppedRippleByVoxel,    // smaller voxels, less ripple, down to the rule of resolution
-    SteppedRippleAtRule,     // with the voxel of the rule there is none
-    OurRippleByVoxel,        // ours falls, too
-    BuildUp,                 // thrust grows nearly linearly while the ball goes in: correlation
-    SteppedRippleByErosion,  // larger steps, more ripple
-    SteppedRippleAtFour,     // a tenth and more at four steps
-    OurRippleByErosion,      // ours stays below a tenth at all
-    ThrustByRadius,          // power of the radius
+    SteppedRippleByVoxel,    // smaller voxels give less ripple, down to the rule of resolution
+    SteppedRippleAtRule,     // no ripple with the voxel of the rule
+    OurRippleByVoxel,        // our ripple decreases, too
+    BuildUp,                 // thrust grows nearly linearly while the ball enters: correlation
+    SteppedRippleByErosion,  // larger steps give more ripple
+    SteppedRippleAtFour,     // ripple of a tenth or more at four steps
+    OurRippleByErosion,      // our ripple stays below a tenth for all steps
+    ThrustByRadius,          // exponent of the radius
     TorqueByRadius,
-    ThrustByFeed,  // power of the feed, below 6 mm/s
+    ThrustByFeed,  // exponent of the feed, below 6 mm/s
     TorqueByFeed,
-    SteppedThrustAboveSix  // what the thrust at 10 mm/s is of what the line through that at the least feed has there
+    SteppedThrustAboveSix  // ratio of the thrust at 10 mm/s to the line through that at the least feed
   };
   Kind kind;
   double found;
-  double least, most;  // between which it is as stated
+  double least, most;  // range in which the statement holds
   bool holds() const { return found >= least && found <= most; }
 };
 
@@ -73,13 +74,14 @@ struct DrillExperimentResult {
   std::vector<DrillExperimentHole> holes;
 };
 
-// One hole of an experiment with this value, which is drillable. Errors: those of volumeOfSurface(); Cancelled.
+// Drills one hole of an experiment with this value, which must be drillable. Errors: those of volumeOfSurface();
+// Cancelled.
 Result<DrillExperimentHole> drillExperimentHole(DrillExperiment experiment, double value, Progress progress);
-// A hole for each of these values, which are drillable.
+// Drills a hole for each of these values, which must be drillable.
 Result<DrillExperimentResult> runDrillExperiment(DrillExperiment experiment, const std::vector<double>& values,
                                                  Progress progress);
 
-// The stated shapes, of holes in ascending order of their values; those for which the holes are there.
+// Returns the checks that the holes suffice for. The holes must be in ascending order of their values.
 std::vector<DrillShapeCheck> shapeChecksOf(const DrillExperimentResult& result);
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The shape of a drill, for many places: sines and radii are computed once.
+// The shape of a drill, for evaluation at many points. Sines and radii are computed once.
 class DrillHead {
  public:
   explicit DrillHead(const DrillBit& tool)
@@ -23,12 +23,12 @@ class DrillHead {
 
   bool isBall() const { return m_isBall; }
 
-  // How deep a place is inside the head, in the tool's unit; below 0 outside, where it is less than the distance at
-  // most. from: from the centre; axis: to the shank, of length 1.
+  // Returns the depth of a point inside the head, in the tool's unit; negative outside, with at most the distance as
+  // its amount. from: the vector from the centre to the point; axis: unit vector to the shank.
   double inside(const Vec3& from, const Vec3& axis) const { return row<1>(from, axis, 0.0, 0.0)[0]; }
 
-  // The most that this can be for a head that is moved, by so much across and along its axis at most, for so many
-  // places: each is a unit further along x.
+  // Returns upper bounds of inside() for a head that moves by at most `across` and `along` its axis, at Count points,
+  // each one unit further along x.
   template <int Count>
   Eigen::Array<double, Count, 1> row(const Vec3& from, const Vec3& axis, double across, double along) const {
     using Row = Eigen::Array<double, Count, 1>;
@@ -48,7 +48,7 @@ class DrillHead {
   DrillShape m_shape;
   bool m_isBall;
   double m_radius, m_reach, m_length, m_halfWidth;
-  double m_sine, m_cosine;  // of half the point angle
+  double m_sine, m_cosine;  // sine and cosine of half the point angle
 };
 
 }  // namespace handwheel

@@ -14,17 +14,17 @@ namespace handwheel {
 struct DrillMaterial {
   std::string id;           // stable, for files and the command line: "cortical-bone"
   std::string name;         // English
-  double energy = 0.0;      // N/mm², kp of A-1: the work to a volume of chips
-  double tangential = 0.0;  // ktc of A-5: the tangential force of the edges by the thrust
+  double energy = 0.0;      // N/mm², kp of A-1: the work per volume of chips
+  double tangential = 0.0;  // ktc of A-5: the tangential force of the edges divided by the thrust
   std::string source;       // a sentence
   bool isVerified = false;  // measured, and the source was read
 };
 
 // Reads a table of materials as in resources/drilling/materials.json. Errors: those of parseJson(), ElementMalformed.
 Result<std::vector<DrillMaterial>> drillMaterialsFromJson(std::string_view text);
-// The materials that ship; the first is the usual one.
+// Returns the built-in materials; the first is the default.
 const std::vector<DrillMaterial>& drillMaterials();
-// Null when unknown.
+// Returns a built-in material, or null if the id is unknown.
 const DrillMaterial* drillMaterial(std::string_view id);
 
 }  // namespace handwheel

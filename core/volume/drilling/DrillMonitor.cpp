@@ -18,7 +18,7 @@ void DrillMonitor::beginHole(const DrillSetup& setup) {
   m_begin += m_time;
   m_time = 0.0;
   m_setup = setup;
-  m_place.reset();
+  m_position.reset();
   m_last.clear();
   m_contact.reset();
   m_exit.reset();
@@ -38,7 +38,7 @@ double DrillMonitor::forbiddenDepth(const Vec3& centre, const Vec3& axis) const 
 }
 
 DrillMoment DrillMonitor::add(const DrillTick& tick, const Vec3& axis, bool isThrough) {
-  const double dt = m_place ? tick.time - m_time : 0.0;
+  const double dt = m_position ? tick.time - m_time : 0.0;
   DrillMoment moment;
   moment.time = m_begin + tick.time;
   takeMeans(moment, tick, dt);
@@ -47,31 +47,31 @@ DrillMoment DrillMonitor::add(const DrillTick& tick, const Vec3& axis, bool isTh
     const double warming = DrillHeat::kShare * power / (DrillHeat::kHeat * DrillHeat::volume(m_setup.tool));
     m_temperature = m_temperature * std::exp(-dt / DrillHeat::kTime) + warming * dt;
   }
-  const Vec3 tip = tick.place + m_setup.tool.edge() * tick.ahead;
+  const Vec3 tip = tick.position + m_setup.tool.edge() * tick.ahead;
   moment.temperature = m_temperature;
   moment.depth = (tip - m_plan.entry).dot(m_plan.direction);
   if (tick.removed > 0.0 && !m_contact) m_contact = tip;
   moment.holeDepth = m_contact ? (tip - *m_contact).dot(tick.ahead) : 0.0;
-  moment.deviation = std::max(deviation(tick.place), deviation(tip));
-  moment.forbidden = forbiddenDepth(tick.place, axis);
+  moment.deviation = std::max(deviation(tick.position), deviation(tip));
+  moment.forbidden = forbiddenDepth(tick.position, axis);
   moment.isCutting = tick.removed > 0.0;
   moment.isThrough = isThrough;
-  m_place = tick.place;
+  m_position = tick.position;
   m_time = tick.time;
   count(moment, tip, tick.ahead);
   return moment;
 }
 
-// Summed anew, so that nothing is left of loads that have passed.
+// Summed again each time, so that no rounding errors of past loads remain.
 void DrillMonitor::takeMeans(DrillMoment& moment, const DrillTick& tick, double dt) {
   if (!(dt > 0.0)) return;
-  m_last.push_back({dt, (tick.place - *m_place).norm(), dt * tick.thrust, dt * tick.torque.norm()});
+  m_last.push_back({dt, (tick.position - *m_position).norm(), dt * tick.thrust, dt * tick.torque.norm()});
   Passage sum{};
   auto first = m_last.end();
   while (first != m_last.begin() && sum.seconds < DrillMoment::kMeanTime) {
     --first;
     sum.seconds += first->seconds;
-    sum.way += first->way;
+    sum.travel += first->travel;
     sum.impulse += first->impulse;
     sum.angular += first->angular;
   }
@@ -79,7 +79,7 @@ void DrillMonitor::takeMeans(DrillMoment& moment, const DrillTick& tick, double 
   const double seconds = std::max(sum.seconds, DrillMoment::kMeanTime);
   moment.thrust = sum.impulse / seconds;
   moment.torque = sum.angular / seconds;
-  moment.feed = sum.way / seconds;
+  moment.feed = sum.travel / seconds;
 }
 
 void DrillMonitor::count(const DrillMoment& moment, const Vec3& tip, const Vec3& ahead) {

@@ -18,7 +18,7 @@ namespace {
 struct Word {
   char letter;
   double value;
-  std::string text;  // as it stands in the program
+  std::string text;  // text in the program
 };
 
 constexpr double kLargestNumber = 1e6;  // mm, s, mm/min, of any number
@@ -42,7 +42,7 @@ std::optional<std::string> withoutComments(std::string_view line) {
   return left;
 }
 
-// What drives the drill, word by word.
+// The interpreter of a program, word by word.
 class Reader {
  public:
   Result<DrillProgram> read(std::string_view text) {
@@ -52,7 +52,7 @@ class Reader {
       if (const auto error = readLine(text.substr(from, end - from))) return *error;
       from = end + 1;
     }
-    if (m_program.places.empty()) return Error{VolumeErrors::ProgramMovesNothing, {}, {}, {}};
+    if (m_program.waypoints.empty()) return Error{VolumeErrors::ProgramMovesNothing, {}, {}, {}};
     return std::move(m_program);
   }
 
@@ -128,7 +128,8 @@ class Reader {
 
   bool takeMode(double code) {
     constexpr std::array kMotions{0.0, 1.0, 80.0, 81.0, 82.0, 83.0};
-    // Millimetres, absolute, mm/min, the plane across the shank, no compensation: as it is.
+    // Accepted without effect, as they are the state: millimetres, absolute, mm/min, the plane across the shank, no
+    // compensation.
     constexpr std::array kWithoutEffect{4.0, 17.0, 21.0, 40.0, 49.0, 54.0, 61.0, 64.0, 90.0, 94.0};
     if (std::find(kMotions.begin(), kMotions.end(), code) != kMotions.end()) {
       const bool wasCycle = m_mode > 80.0;
@@ -162,15 +163,15 @@ class Reader {
     const auto time = values.find('P');
     if (time == values.end()) return at(VolumeErrors::ProgramLacks, {"P", "G4"});
     if (!(time->second >= 0.0)) return at(VolumeErrors::ProgramValue, {"P", ">= 0"});
-    return m_program.places.empty() ? std::nullopt : wait(time->second);
+    return m_program.waypoints.empty() ? std::nullopt : wait(time->second);
   }
 
   MaybeError line(const Vec3& to, const std::array<bool, 3>& isNamed) {
-    if (m_program.places.empty()) {
+    if (m_program.waypoints.empty()) {
       for (std::size_t k = 0; k < 3; ++k)
         if (!isNamed[k]) return at(VolumeErrors::ProgramLacks, {std::string(1, "XYZ"[k]), "X, Y, Z"});
       m_at = to;
-      m_program.places.push_back({0.0, to});
+      m_program.waypoints.push_back({0.0, to});
       return std::nullopt;
     }
     if (m_mode == 0.0) return go(to, DrillProgram::kRapid);
@@ -184,7 +185,7 @@ class Reader {
 
   MaybeError cycle(const Vec3& to, const std::map<char, double>& values) {
     const std::string name = "G" + std::to_string(static_cast<int>(m_mode));
-    if (m_program.places.empty()) return at(VolumeErrors::ProgramLacks, {"G0", name});
+    if (m_program.waypoints.empty()) return at(VolumeErrors::ProgramLacks, {"G0", name});
     const auto take = [&](char letter, std::optional<double>& value) {
       if (const auto found = values.find(letter); found != values.end()) value = found->second;
       return value.has_value();
@@ -228,23 +229,23 @@ class Reader {
   MaybeError toHeight(double z) { return go({m_at.x(), m_at.y(), z}, DrillProgram::kRapid); }
 
   MaybeError go(const Vec3& to, double speed) {
-    const double way = (to - m_at).norm();
+    const double distance = (to - m_at).norm();
     m_at = to;
-    if (way == 0.0) return std::nullopt;
-    return add(way / speed);
+    if (distance == 0.0) return std::nullopt;
+    return add(distance / speed);
   }
   MaybeError wait(double time) { return time > 0.0 ? add(time) : std::nullopt; }
   MaybeError add(double time) {
-    if (m_program.places.size() >= DrillProgram::kMostPlaces)
-      return at(VolumeErrors::ProgramTooLong, {std::to_string(DrillProgram::kMostPlaces)});
-    m_program.places.push_back({m_program.places.back().time + time, m_at});
+    if (m_program.waypoints.size() >= DrillProgram::kMostWaypoints)
+      return at(VolumeErrors::ProgramTooLong, {std::to_string(DrillProgram::kMostWaypoints)});
+    m_program.waypoints.push_back({m_program.waypoints.back().time + time, m_at});
     return std::nullopt;
   }
 
   DrillProgram m_program;
   std::uint64_t m_line = 0;
   bool m_isOver = false, m_isBackToR = false;
-  double m_mode = 80.0;                                      // of motion, its code
+  double m_mode = 80.0;                                      // code of the motion mode
   Vec3 m_at = Vec3::Zero();                                  // mm
   double m_first = 0.0;                                      // mm, the height before the cycle
   std::optional<double> m_feed;                              // mm/s

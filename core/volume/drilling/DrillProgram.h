@@ -11,28 +11,29 @@
 
 namespace handwheel {
 
-// A drilling program as a path of the drill's foremost point over time. The shank is along z. Straight between.
+// A drilling program as a path of the drill's foremost point over time. The shank is along z. The path is straight
+// between waypoints.
 struct DrillProgram {
-  struct Place {
+  struct Waypoint {
     double time = 0.0;        // s
     Vec3 tip = Vec3::Zero();  // mm
   };
-  std::vector<Place> places;      // at least one
-  std::optional<double> spindle;  // r/min
+  std::vector<Waypoint> waypoints;  // at least one
+  std::optional<double> spindle;    // r/min
 
-  static constexpr double kRapid = 50.0;           // mm/s, of G0 and of what cycles do fast
-  static constexpr double kPeckClearance = 0.254;  // mm above the last depth, where a peck begins (LinuxCNC)
-  static constexpr std::size_t kMostPlaces = 1'000'000;
+  static constexpr double kRapid = 50.0;           // mm/s, speed of G0 and of the rapid moves of cycles
+  static constexpr double kPeckClearance = 0.254;  // mm above the last depth, start of the next peck (LinuxCNC)
+  static constexpr std::size_t kMostWaypoints = 1'000'000;
 };
 
 // Reads a drilling program (RS274/NGC as in LinuxCNC): G0, G1; the cycles G81, G82 (with a dwell P, s) and G83 (in
-// pecks of Q) with R, which hold until G80; G98 and G99 (back to the first height, or to R); G4 P; X, Y, Z in mm (G21),
-// absolute (G90), with F in mm/min (G94); S, M3, M5, M30 and M2; comments. The first move is to name all three axes:
-// there the drill appears.
+// pecks of Q) with R, which hold until G80; G98 and G99 (return to the initial height, or to R); G4 P; X, Y, Z in mm
+// (G21), absolute (G90), with F in mm/min (G94); S, M3, M5, M30 and M2; comments. The first move must give all three
+// axes: it is the start position of the drill.
 //
-// Whatever else is refused, with its line: nothing is skipped that would change the path. Errors, with the line:
-// NumberMalformed, VolumeErrors::ProgramWord {word}, ProgramLacks {word, what needs it}, ProgramValue {word, what it
-// must be}, ProgramTooLong {most moves}; VolumeErrors::ProgramMovesNothing.
+// All other words are refused, with their line: nothing is skipped that would change the path. Errors, with the line:
+// NumberMalformed, VolumeErrors::ProgramWord {word}, ProgramLacks {missing word, word that needs it}, ProgramValue
+// {word, requirement}, ProgramTooLong {most moves}; VolumeErrors::ProgramMovesNothing.
 Result<DrillProgram> readDrillProgram(std::string_view text);
 
 }  // namespace handwheel

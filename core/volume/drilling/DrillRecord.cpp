@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMostWhole = 9e15;  // up to there doubles hold all whole numbers
 
-// Whole, from least to kMostWhole; 0 for what is no number.
+// Returns an integer from least to kMostWhole; 0 for NaN.
 std::int64_t nearest(double value, double least) {
   if (std::isnan(value)) return 0;
   return static_cast<std::int64_t>(std::clamp(std::round(value), least, kMostWhole));
@@ -20,12 +20,12 @@ std::int64_t nearest(double value, double least) {
 
 }  // namespace
 
-DrillPose DrillPose::of(const Vec3& place, const Vec3& axis, double seconds) {
+DrillPose DrillPose::of(const Vec3& position, const Vec3& axis, double seconds) {
   DrillPose pose;
   pose.micros = static_cast<std::uint64_t>(nearest(1e6 * seconds, 0.0));
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    pose.at[k] = nearest(place[i] / kStep, -kMostWhole);
+    pose.at[k] = nearest(position[i] / kStep, -kMostWhole);
     pose.axis[k] = static_cast<float>(axis[i]);
   }
   return pose;

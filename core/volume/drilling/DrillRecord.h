@@ -10,23 +10,24 @@
 
 namespace handwheel {
 
-// A stored pose of a drill's head in a cycle. What is drilled by it is drilled again to the last bit.
+// A stored pose of a drill's head in a cycle. Replaying poses reproduces a hole to the last bit.
 struct DrillPose {
-  static constexpr double kStep = 1e-6;  // mm; so fine that the steps of a slow hand are even at 1 kHz
+  static constexpr double kStep = 1e-6;  // mm; fine enough for smooth steps of a slow hand at 1 kHz
 
-  std::uint64_t micros = 0;          // since the hole was begun
-  std::array<std::int64_t, 3> at{};  // of the centre, in kStep
-  std::array<float, 3> axis{};       // to the shank
+  std::uint64_t micros = 0;          // µs since the start of the hole
+  std::array<std::int64_t, 3> at{};  // position of the centre, in kStep
+  std::array<float, 3> axis{};       // direction to the shank
 
-  // What cannot be kept, as a time before the hole or a place too far away, becomes the nearest that can.
-  static DrillPose of(const Vec3& place, const Vec3& axis, double seconds);
+  // Rounds to a stored pose. Values that cannot be stored, such as a negative time or a position too far away, become
+  // the nearest ones that can.
+  static DrillPose of(const Vec3& position, const Vec3& axis, double seconds);
 
   double seconds() const { return 1e-6 * static_cast<double>(micros); }
-  Vec3 place() const {
+  Vec3 position() const {
     return kStep * Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));
   }
-  Vec3 direction() const;  // of length 1
-  // Whether numbers that were read can be one.
+  Vec3 direction() const;  // unit vector to the shank
+  // Returns true if numbers that were read form a valid pose.
   bool isSound() const;
   bool operator==(const DrillPose&) const = default;
 };
@@ -34,7 +35,7 @@ struct DrillPose {
 class Fingerprint;
 void addTo(Fingerprint& mark, const DrillPose& pose);
 
-// How a hole was drilled: from it the same hole follows, with thrust and torque.
+// The record of a drilled hole: replaying it reproduces the hole, with thrust and torque.
 struct DrillRecord {
   static constexpr std::size_t kMostPoses = 3'600'000;  // an hour at 1 kHz
 
@@ -42,9 +43,9 @@ struct DrillRecord {
   PagedArray<DrillPose> poses;  // in order of time
 };
 
-// Goes to a pose that is kept.
+// Moves to a stored pose.
 inline DrillTick move(DrillRun& run, const DrillPose& pose) {
-  return run.move(pose.place(), pose.direction(), pose.seconds());
+  return run.move(pose.position(), pose.direction(), pose.seconds());
 }
 
 }  // namespace handwheel

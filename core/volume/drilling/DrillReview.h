@@ -18,10 +18,10 @@ struct DrillReview {
   std::vector<DrillMoment> moments;
   DrillStatistics figures;
   std::optional<double> lastThrust;  // N, mean over time of the last kEndOfBone before the breakthrough
-  SparseVolume left;                 // of the volume
+  SparseVolume left;                 // remaining volume
 };
 
-// Drills a volume again as the records say, and judges it by the plan. The same each time. None: cancelled. O(poses).
+// Drills a volume again by the records, and compares it with the plan. Deterministic. None: cancelled. O(poses).
 std::optional<DrillReview> reviewDrilling(SparseVolume stock, const DrillPlan& plan,
                                           std::span<const std::shared_ptr<const DrillRecord>> holes,
                                           Progress progress = {});

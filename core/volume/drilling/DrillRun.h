@@ -13,62 +13,61 @@ namespace handwheel {
 
 class HybridPart;
 
-// How a volume is drilled.
+// The parameters of drilling.
 struct DrillSetup {
   DrillBit tool;
   DrillMaterial material = drillMaterials().front();
   double spindle = 2.0 * 3.14159265358979323846 * 1000.0 / 60.0;  // rad/s
-  double erosion = std::numeric_limits<double>::infinity();       // as in DrillMove
+  double erosion = std::numeric_limits<double>::infinity();       // see DrillMove
 };
 
 // A cycle of a drill.
 struct DrillTick {
-  double time = 0.0;           // s
-  Vec3 place = Vec3::Zero();   // mm, of the head's centre
-  Vec3 force = Vec3::Zero();   // N, on the head
-  Vec3 torque = Vec3::Zero();  // N·mm, on it
-  double thrust = 0.0;         // N, the length of force
-  double removed = 0.0;        // mm³, in this cycle
-  // From the centre to the foremost point, of length 1: against the axis; of a saw where it went when it took something
-  // first.
+  double time = 0.0;             // s
+  Vec3 position = Vec3::Zero();  // mm, of the head's centre
+  Vec3 force = Vec3::Zero();     // N, force on the head
+  Vec3 torque = Vec3::Zero();    // N·mm, torque on the head
+  double thrust = 0.0;           // N, the length of force
+  double removed = 0.0;          // mm³, in this cycle
+  // Unit vector from the centre to the foremost point: opposite to the axis; for a saw the direction of its first cut.
   Vec3 ahead = -Vec3::UnitZ();
 };
 
-// A simulation of drilling, cycle by cycle. The servo loop or a recording gives one place of the head after the other.
+// A simulation of drilling, cycle by cycle. The servo loop or a recording supplies the successive poses of the head.
 class DrillRun {
  public:
   // The volume must outlive it.
   DrillRun(SparseVolume& volume, const DrillSetup& setup);
-  // Voxels of the part are made where the head goes. It must outlive the run, too.
+  // Makes voxels of the part along the path of the head. The part must outlive the run, too.
   DrillRun(HybridPart& part, const DrillSetup& setup);
 
-  // Goes to a place, with its axis to the shank, at a time, s. The first call only places it. Long ways are gone in
-  // parts.
-  DrillTick move(const Vec3& place, const Vec3& axis, double time);
+  // Moves the head's centre to a position at a time, s. axis: unit vector to the shank. The first call only sets the
+  // initial position. Long moves are divided.
+  DrillTick move(const Vec3& position, const Vec3& axis, double time);
 
-  // Blocks that have changed since they were taken last.
+  // Returns the blocks that have changed since the last call.
   std::vector<VoxelIndex> takeChangedBlocks();
 
   double removed() const { return m_removed; }      // mm³
-  double energy() const { return m_energy; }        // J: ∫(−F·v − T·ω)dt of what was returned
+  double energy() const { return m_energy; }        // J: ∫(−F·v − T·ω)dt of the returned ticks
   double maxThrust() const { return m_maxThrust; }  // N
   double maxTorque() const { return m_maxTorque; }  // N·mm
-  // s, when the tip came out on the other side of the material that was there before; none: it did not.
+  // Time when the tip emerged on the other side of the original material, s; none: it did not.
   std::optional<double> breakthrough() const { return m_breakthrough; }
 
  private:
   DrillCut cut(const DrillMove& move);
-  double depthBefore(const Vec3& place) const;
-  Vec3 aheadOf(const Vec3& axis, const Vec3& way, bool isCutting);
-  void watchTip(const Vec3& ahead, double way, double time);
+  double depthBefore(const Vec3& position) const;
+  Vec3 aheadOf(const Vec3& axis, const Vec3& displacement, bool isCutting);
+  void watchTip(const Vec3& ahead, double travel, double time);
 
   SparseVolume& m_volume;
-  HybridPart* m_part = nullptr;  // whose volume it is; null: the volume is all there
-  const SparseVolume m_before;   // of such a volume
+  HybridPart* m_part = nullptr;  // owner of the volume; null: the volume is complete
+  const SparseVolume m_before;   // original of a complete volume
   DrillSetup m_setup;
-  std::optional<Vec3> m_place;
+  std::optional<Vec3> m_position;
   double m_time = 0.0;
-  std::optional<Vec3> m_ahead;  // of a saw that has cut
+  std::optional<Vec3> m_ahead;  // direction of a saw that has cut
   bool m_isTipInside = false;
   std::vector<VoxelIndex> m_changed;
   double m_removed = 0.0, m_energy = 0.0, m_maxThrust = 0.0, m_maxTorque = 0.0;

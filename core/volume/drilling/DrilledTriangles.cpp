@@ -42,8 +42,8 @@ std::set<BlockKey> withBlocksBeside(const std::vector<VoxelIndex>& blocks) {
   return all;
 }
 
-// What was taken of a block that was full. Where the block is at the end of the blocks, it has samples in any case: the
-// surface passes between it and nothing.
+// Returns the material removed from a full block. A block at the boundary of the region always has samples, as the
+// surface passes between it and the empty outside.
 SparseVolume::Content takenOf(const SparseVolume::Content& left, bool isAtEnd) {
   if (!left.block && left.isFull) return {};
   if (!left.block && !isAtEnd) return {nullptr, true};
@@ -74,19 +74,19 @@ ClosedPart closedAsForVoxels(const TriangleSoup& triangles, const SparseVolume& 
   return closed;
 }
 
-// How many of the first faces of a mesh have one of these corners, as a file of these numbers stores them.
+// Returns how many of the first faces of a mesh have one of these corners, in the precision of the file.
 std::size_t facesAtTips(const HalfEdgeMesh& mesh, std::size_t faces, const std::vector<Vec3>& tips,
                         NumberType numbers) {
-  std::set<std::array<double, 3>> places;
+  std::set<std::array<double, 3>> positions;
   for (const Vec3& tip : tips) {
     const Vec3 p = rounded(tip, numbers);
-    places.insert({p.x(), p.y(), p.z()});
+    positions.insert({p.x(), p.y(), p.z()});
   }
   std::size_t count = 0;
-  for (Face f = 0; f < faces && !places.empty(); ++f) {
+  for (Face f = 0; f < faces && !positions.empty(); ++f) {
     const TrianglePoints corners = mesh.points(f);
     count += std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) {
-      return places.contains({p.x(), p.y(), p.z()});
+      return positions.contains({p.x(), p.y(), p.z()});
     });
   }
   return count;

@@ -16,7 +16,8 @@ namespace {
 struct Ellipsoid {
   Vec3 centre, half;
 
-  // Depth below its surface by the length of the gradient; exact to first order beside the surface, and on the axes.
+  // Returns the depth below its surface, divided by the length of the gradient; exact to first order beside the
+  // surface, and on the axes.
   double depth(const Vec3& p) const {
     const Vec3 q = (p - centre).cwiseQuotient(half);
     const double out = q.norm(), slope = q.cwiseQuotient(half).norm();
@@ -26,7 +27,7 @@ struct Ellipsoid {
 
 const Ellipsoid kFace{{0.0, 50.0, -50.0}, {56.0, 38.0, 46.0}};
 
-// Bone is within one of the first, and in none of the second, which are taken out of them.
+// Bone is inside one of the first bodies and in none of the second, which are subtracted.
 struct SkullBodies {
   std::vector<Ellipsoid> solid{{Vec3::Zero(), Skull::kOuter}, kFace};
   std::vector<Ellipsoid> hollow{{Vec3::Zero(), Skull::kInner},               // the room within the inner table
@@ -59,7 +60,7 @@ SparseVolume::Content blockAt(const SparseVolume& skull, const VoxelIndex& block
   const double far = skull.voxel() * (kSkullDepths + kFarInBlock);
   const double depth = Skull::depthAt(middle);
   if (std::abs(depth) > far) return {nullptr, depth > 0.0};
-  // Of one body or two the surface is near; what the others say is beyond the depths of all samples.
+  // Keeps the one or two bodies with a surface nearby; the others are beyond the depths of all samples.
   SkullBodies near = allBodies();
   const auto isWithin = [&](const Ellipsoid& body) { return body.depth(middle) > far; };
   const auto isFarFrom = [&](const Ellipsoid& body) { return body.depth(middle) < -far; };
@@ -93,13 +94,13 @@ SparseVolume skullOfVoxels(double voxel) {
   const auto inLayer = static_cast<std::size_t>(count.x()) * static_cast<std::size_t>(count.y());
   std::vector<SparseVolume::Content> layer(inLayer);
   for (int z = from.z(); z <= to.z(); ++z) {
-    const auto place = [&](std::size_t i) {
+    const auto blockIndex = [&](std::size_t i) {
       const int at = static_cast<int>(i);
       return VoxelIndex(from.x() + at % count.x(), from.y() + at / count.x(), z);
     };
-    tbb::parallel_for(std::size_t{0}, inLayer, [&](std::size_t i) { layer[i] = blockAt(skull, place(i)); });
+    tbb::parallel_for(std::size_t{0}, inLayer, [&](std::size_t i) { layer[i] = blockAt(skull, blockIndex(i)); });
     for (std::size_t i = 0; i < inLayer; ++i) {
-      if (layer[i].block || layer[i].isFull) skull.setContent(place(i), std::move(layer[i]));
+      if (layer[i].block || layer[i].isFull) skull.setContent(blockIndex(i), std::move(layer[i]));
       layer[i] = {};
     }
   }

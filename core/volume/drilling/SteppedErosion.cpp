@@ -25,11 +25,11 @@ bool isDrillable(const SteppedHole& hole) {
 
 std::vector<double> removedBySteps(const SteppedHole& hole) {
   if (!isDrillable(hole)) return {};
-  const double radius = 0.5 * hole.diameter, way = hole.feed / hole.rate;  // mm; Δd
-  const auto cycles = static_cast<std::size_t>(std::ceil((hole.diameter + hole.thickness) / way)) + 1;
+  const double radius = 0.5 * hole.diameter, travel = hole.feed / hole.rate;  // mm; Δd
+  const auto cycles = static_cast<std::size_t>(std::ceil((hole.diameter + hole.thickness) / travel)) + 1;
   const double life = std::ceil(kLevels / hole.step);  // cycles until nothing of a voxel is left
   const double last = kLevels - (life - 1.0) * hole.step;
-  // How the loss of all voxels changes from cycle to cycle, in levels.
+  // Change of the loss of all voxels from cycle to cycle, in levels.
   std::vector<double> change(cycles + 2, 0.0);
   const auto add = [&](double cycle, double levels) {
     change[static_cast<std::size_t>(std::clamp(cycle, 0.0, static_cast<double>(cycles + 1)))] += levels;
@@ -40,15 +40,15 @@ std::vector<double> removedBySteps(const SteppedHole& hole) {
     for (int i = -most; i < most; ++i) {
       const double x = (i + 0.5) * hole.voxel, y = (j + 0.5) * hole.voxel, square = radius * radius - x * x - y * y;
       if (!(square > 0.0)) continue;
-      const double half = std::sqrt(square);  // of the ball, above the voxel
+      const double half = std::sqrt(square);  // half chord of the ball at the voxel
       for (int k = 0; k < layers; ++k) {
         // The ball's centre is above the plate by its radius at first.
         const double below = radius + (k + 0.5) * hole.voxel;
-        const double begin = std::ceil((below - half) / way), leave = std::ceil((below + half) / way);
+        const double begin = std::ceil((below - half) / travel), leave = std::ceil((below + half) / travel);
         const double end = std::min(begin + life, leave);
         add(begin, hole.step);
         add(end, -hole.step);
-        // The last step takes what is left.
+        // The last step removes the rest.
         if (end < begin + life) continue;
         add(end - 1.0, last - hole.step);
         add(end, hole.step - last);

@@ -6,24 +6,23 @@
 
 namespace handwheel {
 
-// A hole as He (2008, 3.3) drills it for his figures. A ball goes through a plate at a constant feed. In each cycle of
-// the servo loop a voxel of which the centre is in the ball loses one step of its density.
+// A hole as in the figures of He (2008, 3.3). A ball passes through a plate at a constant feed. In each cycle of the
+// servo loop, a voxel with its centre in the ball loses one step of its density.
 struct SteppedHole {
-  double diameter = 6.0;   // mm, of the ball
+  double diameter = 6.0;   // mm, diameter of the ball
   double voxel = 0.255;    // mm
   double feed = 1.0;       // mm/s
   double step = 1.0;       // Δs, of 255 levels
   double rate = 1000.0;    // Hz
-  double thickness = 8.0;  // mm, of the plate
+  double thickness = 8.0;  // mm, thickness of the plate
 };
 
-// Whether all of it are numbers that can be: above 0, at most 255 steps, and no more voxels and cycles than 100
-// million.
+// Returns true if all parameters are valid: above 0, at most 255 steps, and at most 100 million voxels and cycles.
 bool isDrillable(const SteppedHole& hole);
 
-// What each cycle removes, mm³, from the touch of the ball on until it is through; MR of A-8. Each voxel counts where
-// it begins and where it ends to lose, so the time is that of the voxels and the cycles and not of their product. Of a
-// hole that is not drillable: nothing.
+// Returns the volume removed in each cycle, mm³, from the contact of the ball until it is through; MR of A-8. Each
+// voxel is visited at the beginning and the end of its loss, so the time is proportional to the sum of voxels and
+// cycles and not to their product. Empty if the hole is not drillable.
 std::vector<double> removedBySteps(const SteppedHole& hole);
 
 }  // namespace handwheel

@@ -15,7 +15,7 @@ namespace {
 
 IsolatedReader dicomReader(std::size_t bytes) {
   IsolatedReader reader{readerProgram("dicom"), kDicomLibrary, {}};
-  // It unpacks some ten megabytes in a second; slow machines are to come to an end, too.
+  // The library unpacks about ten megabytes per second; the limit allows for slow machines.
   reader.limits.cpu += std::chrono::seconds(bytes >> 20);
   reader.limits.wall = 2 * reader.limits.cpu;
   reader.limits.mostOutput = std::size_t{5} << 30;  // the largest image, and a little
@@ -48,7 +48,7 @@ Result<ImageFile> imageInAnswer(std::string_view answer) {
   const auto figures = imageHeader::numbersOf(answer.substr(0, end), kFigures);
   if (!figures || std::any_of(figures->begin(), figures->end(), [](double f) { return f < 0.0 || f > 1e9; }))
     return senseless;
-  // Of the NRRD that the process writes nothing is in another file.
+  // The NRRD that the process writes never refers to another file.
   Result<ImageFile> read = readNrrd(answer.substr(end + 1),
                                     [&](const std::string&, std::size_t) -> Result<std::string> { return senseless; });
   if (!read) return senseless;
@@ -56,7 +56,7 @@ Result<ImageFile> imageInAnswer(std::string_view answer) {
   const auto& f = *figures;
   if (f[0] > 0.0) read->remarks.push_back({Kind::Tilted, {f[0]}});
   if (f[2] > 0.0) read->remarks.push_back({Kind::Uneven, {f[1], f[2]}});
-  const std::array counts{Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePlace, Kind::NotReadable};
+  const std::array counts{Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePosition, Kind::NotReadable};
   for (std::size_t k = 0; k < counts.size(); ++k)
     if (f[3 + k] > 0.0) read->remarks.push_back({counts[k], {f[3 + k]}});
   return read;

@@ -11,23 +11,23 @@ namespace handwheel {
 
 inline constexpr const char* kDicomLibrary = "GDCM";
 
-// Which series of several files is read.
+// The series that is read if the files contain several.
 enum class DicomChoice { OfFirst, Largest };
 
-// Appends a file to those that readDicom() reads.
+// Appends a file to the input of readDicom().
 void appendDicomFile(std::string_view file, std::string& files);
 
 // Reads the image of a series of DICOM from its files in any order, in a process of its own (IsolatedReader.h): its
-// slices in the order of their places, rescaled. Tilted slices stay as they are (ImageGrid); of uneven and missing ones
-// there is a remark, and values between them are linear. Nothing of the patient comes back.
+// slices in the order of their positions, rescaled. Tilted slices stay as they are (ImageGrid); for uneven and missing
+// slices there is a remark, and values between them are interpolated linearly. No data about the patient is returned.
 // Errors: LibraryFailed with the reason, OutOfMemory, Cancelled.
 Result<ImageFile> readDicom(std::string_view files, DicomChoice choice, Progress progress);
 
-// Reads the image in the answer of plugins/formats/dicom, which is as little trusted as any file. Errors: LibraryFailed
-// where it makes no sense.
+// Reads the image in the answer of plugins/formats/dicom, which is not trusted. Errors: LibraryFailed if it is
+// malformed.
 Result<ImageFile> imageInAnswer(std::string_view answer);
 
-// Whether the first bytes are those of a file of DICOM.
+// Returns true if the first bytes are those of a DICOM file.
 bool looksLikeDicom(std::string_view bytes);
 
 }  // namespace handwheel

@@ -10,13 +10,14 @@
 
 namespace handwheel {
 
-// The minimum and maximum of each cube of 8³ samples of an image. With it what no surface passes is found without a
-// look at its samples.
+// The minimum and maximum of each cube of 8³ samples of an image. Regions that no surface passes are found with it
+// without reading their samples.
 class ImageExtremes {
  public:
   explicit ImageExtremes(const ImageVolume& image);
 
-  // Of all samples in the cubes that these indices meet, which are limited to the image. O(cubes).
+  // Returns the range of all samples in the cubes that intersect the box [low, high] of indices, which is clipped to
+  // the image. O(cubes).
   ValueRange within(const Vec3& low, const Vec3& high) const;
 
  private:

@@ -19,7 +19,7 @@ Status checkLayout(const ImageGrid& grid, const SampleLayout& layout) {
   return Done{};
 }
 
-// Whether all numbers of a type are values of 16 bits.
+// Returns true if all numbers of a type are values of 16 bits.
 bool isShort(const SampleLayout& layout) {
   return (layout.type == SampleType::Int8 || layout.type == SampleType::UInt8 || layout.type == SampleType::Int16) &&
          layout.slope == 1.0 && layout.intercept == 0.0;

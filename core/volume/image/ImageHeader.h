@@ -8,22 +8,22 @@
 #include <string_view>
 #include <vector>
 
-// Pieces of the headers of images, which are lines of text.
+// Helpers for image headers that consist of lines of text.
 namespace handwheel::imageHeader {
 
-// Takes the next line off a text, without its end (LF or CR LF).
+// Removes and returns the next line of a text, without its end (LF or CR LF).
 std::string_view takeLine(std::string_view& text);
 std::string_view trimmed(std::string_view text);
-// The words between blanks, at most a hundred.
+// Returns the words between blanks, at most a hundred.
 std::vector<std::string_view> wordsOf(std::string_view text);
-// The numbers between blanks; none where a word is no finite number, or there are not so many.
+// Returns the numbers between blanks; none if a word is not a finite number, or if there are not exactly `count`.
 std::optional<std::vector<double>> numbersOf(std::string_view text, std::size_t count);
-// A whole number from 0 to 2^53; none where it is not.
+// Returns an integer from 0 to 2^53; none if the word is not one.
 std::optional<std::size_t> countOf(std::string_view word);
-// Small letters of ASCII.
+// Returns the text with ASCII letters in lower case.
 std::string lowered(std::string_view text);
 
-// ElementMalformed, of a field.
+// Returns ElementMalformed for a field.
 Error malformed(std::string_view field, const char* why);
 
 }  // namespace handwheel::imageHeader

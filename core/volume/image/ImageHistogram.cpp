@@ -64,7 +64,7 @@ double otsuThreshold(const ImageHistogram& histogram) {
     sum += static_cast<double>(counts[i]) * static_cast<double>(i);
   }
   double below = 0.0, sumBelow = 0.0, best = -1.0;
-  std::size_t first = 0, last = 0;  // of the bins that are equally good: between two peaks there are many
+  std::size_t first = 0, last = 0;  // range of equally good bins; between two peaks there are many
   for (std::size_t i = 0; i + 1 < counts.size(); ++i) {
     below += static_cast<double>(counts[i]);
     sumBelow += static_cast<double>(counts[i]) * static_cast<double>(i);

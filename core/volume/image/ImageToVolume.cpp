@@ -19,16 +19,16 @@ namespace {
 
 constexpr int kBlockSide = VolumeBlock::kSize;
 
-// The voxels of a volume as places between the samples of an image.
+// The positions of a volume's voxels in the samples of an image.
 struct Placement {
   Vec3 first;             // the index of voxel (0, 0, 0) in the image
-  Eigen::Matrix3d steps;  // of the index from voxel to voxel
+  Eigen::Matrix3d steps;  // step of the index from voxel to voxel
   VoxelIndex low, high;   // blocks that the image meets, both included
 
   Vec3 indexOf(const VoxelIndex& voxel) const { return first + steps * voxel.cast<double>(); }
 };
 
-// A value between samples, and where it is.
+// A value between samples, and its position.
 struct Sampled {
   Vec3 index;
   double value;
@@ -78,7 +78,7 @@ class Sampler {
     if (isWithin(a) == isWithin(b)) return {};
     return (isWithin(a) ? b : a).value < m_range.least ? m_range.least : m_range.largest;
   }
-  // The share of the way from a place in the image to one that is not at which it ends.
+  // Returns the fraction of the segment from a point inside the image to one outside at which the image ends.
   double shareInImage(const Sampled& in, const Sampled& out) const {
     double share = 1.0;
     for (Eigen::Index k = 0; k < 3; ++k) {
@@ -102,7 +102,7 @@ class SampledBlock {
     for (int z = -1; z <= kBlockSide; ++z)
       for (int y = -1; y <= kBlockSide; ++y)
         for (int x = -1; x <= kBlockSide; ++x)
-          m_around[place(x, y, z)] = sampler.at(placement.indexOf(kBlockSide * at + VoxelIndex(x, y, z)));
+          m_around[sampleIndex(x, y, z)] = sampler.at(placement.indexOf(kBlockSide * at + VoxelIndex(x, y, z)));
   }
 
   // The depths beside the surface: the lesser distance from where the range ends and where the image does. Others are
@@ -113,7 +113,7 @@ class SampledBlock {
       return {nullptr, isInside};
     auto block = std::make_shared<VolumeBlock>();
     for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
-      const std::size_t here = place(i & 7, i >> 3 & 7, i >> 6);
+      const std::size_t here = sampleIndex(i & 7, i >> 3 & 7, i >> 6);
       const double depth =
           isBeside(here) ? std::min({toRange(here), toBorder(here), DepthWindow::kLimit}) : DepthWindow::kLimit;
       block->depths[static_cast<std::size_t>(i)] = depthSample(m_around[here].isInside ? depth : -depth);
@@ -126,7 +126,7 @@ class SampledBlock {
   static constexpr std::array<std::size_t, 3> kSteps{1, kAround, kAround* kAround};
   static constexpr double kBeyond = 1e9, kLeast = 1e-4;  // voxels; the least is about a unit of samples
 
-  static std::size_t place(int x, int y, int z) {
+  static std::size_t sampleIndex(int x, int y, int z) {
     return static_cast<std::size_t>(z + 1) * kSteps[2] + static_cast<std::size_t>(y + 1) * kSteps[1] +
            static_cast<std::size_t>(x + 1);
   }
@@ -184,7 +184,7 @@ Box boxOf(const ImageGrid& grid, double beyond) {
     Vec3 corner;
     for (int axis = 0; axis < 3; ++axis)
       corner[axis] = (k >> axis & 1) != 0 ? grid.size[static_cast<std::size_t>(axis)] - 1 + beyond : -beyond;
-    box.extend(grid.place(corner));
+    box.extend(grid.position(corner));
   }
   return box;
 }
@@ -201,7 +201,7 @@ Placement placementOf(const ImageGrid& grid, const SparseVolume& volume) {
 
 enum class Side { Outside, Inside, Both };
 
-// Where the voxels of a block and those around it lie.
+// Classifies a block and its neighbourhood: inside, outside, or near the surface.
 Side sideOf(const VoxelIndex& block, const Placement& placement, const ImageExtremes& extremes, const ImageGrid& grid,
             const ValueRange& range) {
   constexpr double kHalf = 0.5 * (kBlockSide + 1);
@@ -242,7 +242,7 @@ std::vector<VoxelIndex> sorted(SparseVolume& volume, const Placement& placement,
   return both;
 }
 
-// What the blocks may take of memory, with those around; none where it is there.
+// Returns an error if there is not enough memory for the blocks and their neighbours.
 std::optional<Error> tooLarge(std::size_t blocks, double voxel) {
   return memoryRefusal(voxel, 2.0 * static_cast<double>(blocks) * (sizeof(VolumeBlock) + 64));
 }
@@ -259,7 +259,7 @@ Result<SparseVolume> volumeOfImage(const ImageVolume& image, const ValueRange& r
   if (!(edge > 0.0) || !std::isfinite(edge))
     return Error{ErrorCode::ValueOutOfRange, {"voxel", shortestText(edge), "0", "1e300"}, {}, {}};
   const Vec3 sizes = boxOf(image.grid(), 0.5).sizes();
-  // Each block is looked at, if only once.
+  // Each block is visited once.
   constexpr double kMostBlocks = 1 << 25, kMost = SparseVolume::kMostVoxels / 2;
   const double least = std::max(std::cbrt(sizes.prod() / kMostBlocks) / kBlockSide, sizes.maxCoeff() / kMost);
   if (edge < least)

@@ -32,7 +32,7 @@ Status checkGrid(const ImageGrid& grid) {
   const Vec3 spacing = grid.spacing();
   if (spacing.minCoeff() < 1e-6 || spacing.maxCoeff() > 1e6)
     return malformed("spacing", "it is not a distance of samples");
-  // Of the box of the steps, as a share of a cuboid's: what is flatter is no image of a body.
+  // Least volume of the parallelepiped of the steps, as a share of the cuboid's; flatter grids are rejected.
   constexpr double kFlattest = 0.05;
   if (!(std::abs(grid.steps.determinant()) > kFlattest * spacing.prod()))
     return malformed("directions", "the axes lie in one plane");

@@ -14,10 +14,10 @@
 
 namespace handwheel {
 
-// The grid of an image in space: an origin and three steps, mm. The first sample is at the origin, the others in steps
-// from it. The steps need neither be at right angles (slices of a tilted scanner are sheared) nor right-handed.
+// The grid of an image in space: an origin and three steps, mm. The first sample is at the origin. The steps need
+// neither be orthogonal (slices of a tilted scanner are sheared) nor right-handed.
 //
-// Places are of a patient lying down, as DICOM has them: x to his left, y to his back, z to his head.
+// Coordinates are those of a patient lying on the back, as in DICOM: x to the left, y to the back, z to the head.
 struct ImageGrid {
   std::array<int, 3> size{0, 0, 0};  // samples along each axis; the first axis is stored fastest
   Vec3 origin = Vec3::Zero();
@@ -30,11 +30,11 @@ struct ImageGrid {
     return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
   }
   Vec3 spacing() const { return steps.colwise().norm(); }
-  Vec3 place(const Vec3& index) const { return origin + steps * index; }
+  Vec3 position(const Vec3& index) const { return origin + steps * index; }
 };
 
-// Whether an image of this grid can be held and used. Errors: ElementMalformed (size, places that are not finite, steps
-// in one plane), FileTooLarge.
+// Checks that an image of this grid can be stored and used. Errors: ElementMalformed (invalid size, coordinates that
+// are not finite, coplanar steps), FileTooLarge.
 Status checkGrid(const ImageGrid& grid);
 
 // Scalar values on a regular grid, such as a CT. Immutable in use; copies copy the samples.
@@ -63,13 +63,13 @@ class ImageVolume {
   std::variant<std::vector<std::int16_t>, std::vector<float>> m_samples;
 };
 
-// Values from the least to the largest, both within; either may be infinite.
+// A closed range of values; either end may be infinite.
 struct ValueRange {
   double least;
   double largest;
 };
 
-// The least and the largest value of an image. O(samples).
+// Returns the least and the largest value of an image. O(samples).
 ValueRange valuesOf(const ImageVolume& image);
 
 }  // namespace handwheel

@@ -31,7 +31,7 @@ bool looksLikeGzip(std::string_view bytes) {
 
 Result<std::string> inflated(std::string_view packed, std::size_t most) {
   constexpr std::size_t kStep = std::size_t{1} << 20, kLongestInput = std::size_t{1} << 30;
-  const std::size_t allowed = systemMemory() / 4;  // what is made of the bytes needs memory, too
+  const std::size_t allowed = systemMemory() / 4;  // the result of parsing the bytes needs memory, too
   if (most > allowed)
     return Error{ErrorCode::FileTooLarge,
                  {"bytes of the unpacked image", std::to_string(most), std::to_string(allowed)},
@@ -45,7 +45,7 @@ Result<std::string> inflated(std::string_view packed, std::size_t most) {
     if (own.stream.avail_in == 0) {
       if (packed.empty()) return Error{ErrorCode::LibraryFailed, {"zlib", "the compressed data end too early"}, {}, {}};
       const std::string_view next = packed.substr(0, kLongestInput);
-      own.stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(next.data()));  // which it does not write to
+      own.stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(next.data()));  // not written to
       own.stream.avail_in = static_cast<uInt>(next.size());
       packed.remove_prefix(next.size());
     }

@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// Unpacks a gzip or zlib stream (RFC 1952, RFC 1950) up to a size limit. The format is found by its first bytes; what
-// follows so many bytes is not unpacked. Memory grows with what comes out, which deflate limits to 1032 times what went
-// in. Errors: FileTooLarge where the limit is more than a quarter of systemMemory(); LibraryFailed {zlib, reason} where
-// it is damaged or ends early before that.
+// Unpacks a gzip or zlib stream (RFC 1952, RFC 1950) up to a size limit. The format is detected by its first bytes;
+// bytes beyond the limit are not unpacked. Memory grows with the output, which deflate limits to 1032 times the input.
+// Errors: FileTooLarge if the limit is more than a quarter of systemMemory(); LibraryFailed {zlib, reason} if the
+// stream is damaged or truncated.
 Result<std::string> inflated(std::string_view packed, std::size_t most);
 
-// Whether the bytes begin as a gzip stream does.
+// Returns true if the bytes begin like a gzip stream.
 bool looksLikeGzip(std::string_view bytes);
 
 }  // namespace handwheel

@@ -19,7 +19,7 @@ Error metaUnsupported(const char* what) {
   return {ErrorCode::Unsupported, {what}, {}, {}};
 }
 
-// The fields of a header by their names, and where what follows the last of them begins.
+// The fields of a header by their names, and the offset of the data after the last one.
 struct MetaFields {
   std::map<std::string, std::string_view, std::less<>> values;
   std::size_t end = 0;
@@ -61,7 +61,7 @@ std::optional<SampleType> metaType(std::string_view name) {
   return found->second;
 }
 
-// The first of these fields that is there, as numbers; the default where none is.
+// Returns the first existing one of these fields, as numbers; the default if there is none.
 Result<std::vector<double>> metaNumbers(const MetaFields& fields, std::initializer_list<const char*> names,
                                         std::vector<double> otherwise) {
   for (const char* const name : names) {

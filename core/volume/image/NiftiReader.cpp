@@ -93,7 +93,7 @@ void setQuaternion(const NiftiHeader& header, const Vec3& spacing, ImageGrid& gr
   grid.origin = Vec3(header.real(268), header.real(272), header.real(276));
 }
 
-// Method 3: rows of the map from indices to places.
+// Method 3: rows of the map from indices to positions.
 void setRows(const NiftiHeader& header, ImageGrid& grid) {
   for (Eigen::Index row = 0; row < 3; ++row) {
     const std::size_t at = 280 + 16 * static_cast<std::size_t>(row);

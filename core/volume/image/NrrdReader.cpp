@@ -21,7 +21,7 @@ Error nrrdUnsupported(const char* what) {
   return {ErrorCode::Unsupported, {what}, {}, {}};
 }
 
-// The fields of a header by their names in small letters, and where the data after it begin.
+// The fields of a header by their names in lower case, and the offset of the data after it.
 struct NrrdFields {
   std::map<std::string, std::string, std::less<>> values;
   std::size_t end = 0;
@@ -30,7 +30,7 @@ struct NrrdFields {
     const auto found = values.find(name);
     return found == values.end() ? std::string_view() : std::string_view(found->second);
   }
-  // Of a field that has two spellings.
+  // Returns the value of a field that has two spellings.
   std::string_view either(std::string_view name, std::string_view other) const {
     return (*this)[name].empty() ? (*this)[other] : (*this)[name];
   }
@@ -47,7 +47,7 @@ Result<NrrdFields> fieldsOf(std::string_view bytes) {
     if (line.front() == '#') continue;
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos) return Error{ErrorCode::HeaderMalformed, {"a line \"field: value\""}, {}, {}};
-    if (line.substr(colon).starts_with(":=")) continue;  // what somebody else keeps there
+    if (line.substr(colon).starts_with(":=")) continue;  // custom key of another program
     fields.values[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
   }
   fields.end = static_cast<std::size_t>(rest.data() - bytes.data());
@@ -139,7 +139,7 @@ Result<std::vector<NrrdAxis>> axesOf(const NrrdFields& fields) {
   if (isInSpace || spacings.size() != *dimension) return axes;
   Eigen::Index along = 0;
   for (std::size_t k = 0; k < axes.size() && along < 3; ++k) {
-    const auto spacing = numbersOf(spacings[k], 1);  // of what has none it is "nan"
+    const auto spacing = numbersOf(spacings[k], 1);  // "nan" for axes without a spacing
     if (spacing) axes[k].step = spacing->front() * Vec3::Unit(along++);
   }
   return axes;
@@ -175,8 +175,8 @@ Result<NrrdImage> imageOf(const NrrdFields& fields) {
   Result<std::vector<NrrdAxis>> axes = axesOf(fields);
   if (!axes) return axes.error();
   NrrdImage image;
-  // Of four axes a first one that is in no space, while others are, is of a sample's parts; or else the last is of
-  // images one after the other.
+  // If the first of four axes is not in space, while others are, it has the components of a sample; otherwise the last
+  // axis is a sequence of images.
   const bool isAnyInSpace =
       std::any_of(axes->begin(), axes->end(), [](const NrrdAxis& axis) { return axis.step.has_value(); });
   if (axes->size() == 4 && isAnyInSpace && !axes->front().step) {
@@ -185,9 +185,9 @@ Result<NrrdImage> imageOf(const NrrdFields& fields) {
     axes->erase(axes->begin());
   }
   if (axes->size() == 4) image.images = axes->back().size;
-  const bool isPlace = !fields["space origin"].empty();
+  const bool hasOrigin = !fields["space origin"].empty();
   const auto origin = vectorIn(withoutInnerBlanks(fields["space origin"]));
-  if (isPlace && !origin) return malformed("space origin", "it is no place");
+  if (hasOrigin && !origin) return malformed("space origin", "it is no place");
   image.hasSpacing = axes->front().step.has_value();
   const double unit = unitOf(fields);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -211,7 +211,7 @@ Result<NrrdImage> imageOf(const NrrdFields& fields) {
   return image;
 }
 
-// The bytes after so many lines and, from behind where it is -1, bytes.
+// Returns the data after a number of lines and bytes; for bytes = -1 the data are at the end.
 Result<std::string_view> skipped(std::string_view data, const NrrdFields& fields, std::size_t needed) {
   const std::string_view bytes = fields.either("byte skip", "byteskip");
   if (bytes == "-1") return data.substr(data.size() - std::min(data.size(), needed));
@@ -261,7 +261,7 @@ Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling) {
   } else {
     if (name.starts_with("LIST") || name.find('%') != std::string_view::npos)
       return nrrdUnsupported("an image in several data files");
-    // What is packed or text may be larger than the samples, if hardly.
+    // Packed or text data may be larger than the samples, but hardly more than this.
     const std::size_t most = 32 * bytesOf(image->grid, image->layout) + (std::size_t{1} << 20);
     const Result<std::string> data = sibling(std::string(name), most);
     if (!data) return data.error();

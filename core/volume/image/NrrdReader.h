@@ -8,13 +8,12 @@ namespace handwheel {
 
 // Reads an image in NRRD, attached or detached. The format is defined at teem.sourceforge.net/nrrd/format.html,
 // versions 1 to 5; encodings raw, gzip and text (hex and bzip2 are refused). Axes may have space directions or
-// spacings; with a space that is named, places are turned to those of ImageGrid. Further axes than three, and one of a
-// vector's parts first, give the first image. Lines of a header to a megabyte.
-// Errors: HeaderMalformed, ElementMalformed {field, what is wrong}, Unsupported, those of imageOfBytes(), inflated(),
-// and of the sibling.
+// spacings; with a named space, coordinates are converted to those of ImageGrid. With more than three axes, or a first
+// axis of vector components, the first image is read. A header has at most a megabyte. Errors: HeaderMalformed,
+// ElementMalformed {field, what is wrong}, Unsupported, those of imageOfBytes(), inflated(), and of the sibling.
 Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling);
 
-// Whether the first bytes are those of such a file.
+// Returns true if the first bytes are those of such a file.
 bool looksLikeNrrd(std::string_view bytes);
 
 }  // namespace handwheel

@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// An image as a file in NRRD: raw, little-endian, with places as ImageGrid has them. content: what the
-// values are, one line; may be empty.
+// Returns an image as an NRRD file: raw, little-endian, in the coordinates of ImageGrid. content: the meaning of the
+// values, one line; may be empty.
 std::string nrrdOf(const ImageVolume& image, const std::string& content = {});
-// The same at the end of a text.
+// Appends an image as an NRRD file to a text.
 void appendNrrd(const ImageVolume& image, const std::string& content, std::string& file);
 
 }  // namespace handwheel

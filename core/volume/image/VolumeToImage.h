@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// What an image of VolumeToImage holds, as the field "content" of NRRD says it.
+// Content of an image made by distancesOf(), for the field "content" of NRRD.
 inline constexpr const char* kSignedDistance = "signed distance in mm, inside below 0";
 
-// The distances of a volume from its surface as an image of all its voxels, mm: below 0 inside, limited to nearly four
-// voxels. Errors: VolumeErrors::TooLarge (for a third of the memory that is left), those of checkGrid().
+// Returns the distances of a volume from its surface as an image of all its voxels, mm: negative inside, limited to
+// nearly four voxels. Errors: VolumeErrors::TooLarge (for more than a third of the free memory), those of checkGrid().
 Result<ImageVolume> distancesOf(const SparseVolume& volume);
 
 }  // namespace handwheel

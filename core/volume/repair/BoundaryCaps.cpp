@@ -29,7 +29,7 @@ struct Passed {
   std::uint32_t to() const { return times > 0 ? low : high; }
 };
 
-// The edges that are not passed equally often both ways.
+// Returns the edges that do not occur equally often in both directions.
 std::vector<Passed> openEdges(const std::vector<Triangle>& triangles) {
   std::vector<Passed> all;
   all.reserve(3 * triangles.size());
@@ -51,7 +51,7 @@ std::vector<Passed> openEdges(const std::vector<Triangle>& triangles) {
   return open;
 }
 
-// What is known of a boundary.
+// The data of a boundary.
 struct Boundary {
   std::vector<Passed> edges;
   Vec3 sum = Vec3::Zero();
@@ -71,7 +71,7 @@ struct Boundary {
   Vec3 middle(const std::vector<Vec3>& points) const {
     return length > 0.0 ? Vec3(sum / length) : points[edges.front().low];
   }
-  // Whether a cone from its middle is a flat lid.
+  // Returns true if a cone from the centre is a flat lid.
   bool isFlat(const std::vector<Vec3>& points) const {
     const Vec3 tip = middle(points);
     const auto area = [&](const Passed& edge) {

@@ -11,17 +11,17 @@ namespace handwheel {
 
 struct BoundaryCaps {
   std::size_t boundaries = 0;
-  std::vector<std::uint32_t> wide;  // the triangles of cones over holes that are wide and not flat
+  std::vector<std::uint32_t> wide;  // triangles of the cones over wide, curved holes
 };
 
-// Closes a welded soup: appends a cone from each boundary to the middle of it. A boundary are edges that are passed in
-// one direction more often than in the other, joined where they share a point; each is passed back as often as needed.
-// So every edge is then passed equally often both ways, whatever the soup was: holes, gaps and faces that are turned
-// round, too, and winding numbers are whole. O(n log n). The soup is as it was when cancelled.
+// Closes a welded soup: appends a cone from each boundary to its centre. A boundary consists of connected edges that
+// occur more often in one direction than in the other; the cone adds the missing occurrences. So every edge of the
+// result occurs equally often in both directions, whether the soup had holes, gaps or flipped faces, and winding
+// numbers are integers. O(n log n). The soup is unchanged if cancelled.
 //
-// Wide are boundaries that extend over more than wideFrom and are holes for the most part: their edges have one face.
-// The tips of their cones are a little beside the middle, so that no cone lies in a plane of a grid of edge 1. Flat are
-// those whose cones stay within a quarter of such a grid of a plane, without a fold.
+// A boundary is wide if it extends over more than wideFrom and most of its edges have one face. The tips of such cones
+// are slightly off the centre, so that no cone lies in a plane of a grid with spacing 1. A boundary is flat if its cone
+// stays within a quarter of that spacing of a plane, without a fold.
 BoundaryCaps closeBoundaries(TriangleSoup& welded, double wideFrom, Progress progress = {});
 
 }  // namespace handwheel

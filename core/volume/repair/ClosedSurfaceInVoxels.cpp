@@ -19,25 +19,25 @@
 namespace handwheel {
 namespace {
 
-// The origin of a grid for what begins at this place, mm.
+// Returns the origin of a grid for a surface whose box begins at this point, mm.
 Vec3 originBefore(const Vec3& first, double voxel, const std::optional<Vec3>& alignedTo) {
   if (!alignedTo) return first;
   const double block = VolumeBlock::kSize * voxel;
   return *alignedTo + block * ((first - *alignedTo) / block).array().floor().matrix();
 }
 
-bool isNearSurface(const VolumeSampler& sampler, const Vec3& place) {
-  const VoxelIndex first = place.array().floor().matrix().cast<int>() - VoxelIndex::Ones();
+bool isNearSurface(const VolumeSampler& sampler, const Vec3& point) {
+  const VoxelIndex first = point.array().floor().matrix().cast<int>() - VoxelIndex::Ones();
   bool isInside = false, isOutside = false;
   for (int i = 0; i < 64 && !(isInside && isOutside); ++i)
     (sampler.sample(first + VoxelIndex(i & 3, i >> 2 & 3, i >> 4)) > 0 ? isInside : isOutside) = true;
   return isInside && isOutside;
 }
 
-// The material as far as it reaches to the surface, mm³. A sample inside stands for half a voxel towards a neighbour
-// inside, and otherwise for all up to the surface, which is where depths between the two are 0. So a box along the grid
-// has its own volume wherever its faces lie; a count of samples has 27 of 64 for one of four voxels with faces on
-// samples. What has no sample inside has nothing.
+// Returns the volume of the material up to the surface, mm³. A sample inside stands for half a voxel towards a
+// neighbour inside, and otherwise for the distance to the surface, the zero of the interpolated depth. So an
+// axis-aligned box has its exact volume for any position of its faces; a count of samples would give 27 of 64 for a box
+// of four voxels with faces on samples. A part without samples inside has no volume.
 double materialToSurface(const SparseVolume& volume) {
   const VolumeSampler sampler(volume);
   double voxels = 0.0;
@@ -80,9 +80,9 @@ double ClosedSurfaceInVoxels::enclosed() const {
 
 double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed,
                                         const Progress& progress) const {
-  constexpr double kApart = 4.0;                 // voxels between places, about
+  constexpr double kApart = 4.0;                 // voxels, approximate distance of samples
   constexpr int kMost = 64;                      // parts of an edge
-  constexpr std::size_t kTrianglesPerPoll = 64;  // each with up to kMost² places
+  constexpr std::size_t kTrianglesPerPoll = 64;  // each with up to kMost² samples
   const VolumeSampler sampler(volume);
   double near = 0.0, all = 0.0;
   for (std::size_t i = 0; i < closed.triangles.size(); ++i) {
@@ -96,23 +96,23 @@ double ClosedSurfaceInVoxels::nearShare(const SparseVolume& volume, const std::v
     for (int j = 0; j < parts; ++j)
       for (int k = 0; k < 2 * (parts - j) - 1; ++k) {
         const double third = k % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
-        const Vec3 place = a + ((j + third) * ab + (k / 2 + third) * ac) / parts;
+        const Vec3 point = a + ((j + third) * ab + (k / 2 + third) * ac) / parts;
         const double share = area / (parts * parts);
         all += share;
-        if (isNearSurface(sampler, place)) near += share;
+        if (isNearSurface(sampler, point)) near += share;
       }
   }
   return all > 0.0 ? near / all : 0.0;
 }
 
-double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress) {
+double nearShare(const SparseVolume& volume, const std::vector<Vec3>& points, const Progress& progress) {
   const VolumeSampler sampler(volume);
   std::size_t near = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!pollProgress(i, places.size(), progress, kSearchesPerPoll)) return 0.0;
-    near += isNearSurface(sampler, places[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!pollProgress(i, points.size(), progress, kSearchesPerPoll)) return 0.0;
+    near += isNearSurface(sampler, points[i]);
   }
-  return places.empty() ? 1.0 : static_cast<double>(near) / static_cast<double>(places.size());
+  return points.empty() ? 1.0 : static_cast<double>(near) / static_cast<double>(points.size());
 }
 
 std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, double expected) {
@@ -132,7 +132,7 @@ std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, d
 }
 
 Error ClosedSurfaceInVoxels::nothingInside() const {
-  // What rounding leaves of a flat sheet is no volume.
+  // The rounding errors of a flat sheet are not a volume.
   const bool isThin = enclosed() > 1e-9 * std::pow(bounds.sizes().maxCoeff(), 3.0);
   return isThin ? Error{VolumeErrors::NoVoxelInside, {roundedText(grid.voxel())}, {}, {}}
                 : Error{VolumeErrors::NothingInside, {}, {}, {}};
@@ -151,7 +151,7 @@ Result<ClosedSurfaceInVoxels> closedInGrid(const TriangleSoup& soup, double voxe
   }
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const double extent = made.bounds.sizes().maxCoeff();
-  constexpr double kMost = SparseVolume::kMostVoxels - 64;  // a region less, for what is around the part
+  constexpr double kMost = SparseVolume::kMostVoxels - 64;  // minus a region, for the surroundings of the part
   if (!(extent / voxel < kMost))
     return Error{
         VolumeErrors::TooFine, {shortestText(voxel), shortestText(extent), shortestText(extent / kMost)}, {}, {}};

@@ -20,31 +20,32 @@ struct ClosedSurfaceInVoxels {
   SparseVolume grid;  // empty, with room around the surface
   Box bounds;         // mm
 
-  // How many blocks the grid has to hold along each axis, from its origin on.
+  // Number of blocks that the grid needs along each axis, from its origin on.
   VoxelIndex blocks() const;
-  // Signed volume inside, in mm³; of overlaps each counts.
+  // Signed volume inside, in mm³; overlaps count several times.
   double enclosed() const;
-  // The share of the area of some triangles that is near the volume's surface, by places all over them. 0 if cancelled.
+  // Returns the fraction of the area of the used triangles that is near the volume's surface, from samples all over
+  // them. 0 if cancelled.
   double nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed, const Progress& progress) const;
-  // Why a volume without material is none. Errors: VolumeErrors::NoVoxelInside, NothingInside.
+  // Returns the error for a volume without material: VolumeErrors::NoVoxelInside or NothingInside.
   Error nothingInside() const;
 };
 
-// The share of places, in voxels of the volume's grid, that have samples of both sides among the 4 x 4 x 4 around them.
-// All others are farther than a voxel from its surface. 1 of no places; 0 if cancelled.
-double nearShare(const SparseVolume& volume, const std::vector<Vec3>& places, const Progress& progress);
+// Returns the fraction of points, in voxels of the volume's grid, that have inside and outside samples among the 4³
+// around them. All others are farther than a voxel from its surface. 1 for no points; 0 if cancelled.
+double nearShare(const SparseVolume& volume, const std::vector<Vec3>& points, const Progress& progress);
 
-// The error where a volume is none of the surface that it was made of: it kept less than kLeastKept of what bounds it,
-// or of what it encloses, by its samples and up to its surface. Errors: VolumeErrors::SurfaceIsLost, MaterialIsLost.
-// expected: mm³, that it has to hold.
+// Returns an error if a volume does not represent its surface: it kept less than kLeastKept of the surface's area, or
+// of the enclosed volume, both by its samples and up to its own surface. Errors: VolumeErrors::SurfaceIsLost,
+// MaterialIsLost. expected: volume of the solid, mm³.
 std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, double expected);
 
-// wideFrom: as of closeBoundaries(). alignedTo: as of volumeOfSurface(). O(n log n). Errors: MeshError::NoTriangles,
-// NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine, TooLarge (what the volume and its triangles
-// take, and such cones); Cancelled.
+// Prepares a surface for voxelisation. wideFrom: see closeBoundaries(). alignedTo: see volumeOfSurface(). O(n log n).
+// Errors: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (for the voxel), VolumeErrors::TooFine, TooLarge
+// (for the volume, its triangles and the cones); Cancelled.
 Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double voxel, double wideFrom,
                                              const std::optional<Vec3>& alignedTo, Progress progress);
-// The same for voxels that are not all made at once: without TooLarge.
+// Prepares a surface whose voxels are not all made at once; without the error TooLarge.
 Result<ClosedSurfaceInVoxels> closedInGrid(const TriangleSoup& soup, double voxel, double wideFrom,
                                            const std::optional<Vec3>& alignedTo, Progress progress);
 

@@ -12,12 +12,12 @@ namespace handwheel {
 namespace {
 
 constexpr std::array<int, 3> kAxisSteps{1, DepthWindow::kSide, DepthWindow::kSide* DepthWindow::kSide};
-constexpr std::size_t kWindowPlaces = static_cast<std::size_t>(DepthWindow::kSide) * kAxisSteps[2];
-using Depths = std::array<float, kWindowPlaces>;
+constexpr std::size_t kWindowCount = static_cast<std::size_t>(DepthWindow::kSide) * kAxisSteps[2];
+using Depths = std::array<float, kWindowCount>;
 
 // Replaces depths by their means along an axis. These are all but the first and the last ones, more than a block needs,
-// in loops of constant length, which compilers make vector instructions of. Where the axis leaves the window, that is
-// at places that no mean of the block comes from, the neighbours are those of another row.
+// in loops of constant length, which compilers vectorise. At the ends of the axis, which do not affect the block, the
+// neighbours are those of another row.
 template <int kStep>
 void averageAlong(Depths& depths, int reach) {
   constexpr std::size_t kFirst = DepthWindow::kMargin * kStep;
@@ -25,9 +25,9 @@ void averageAlong(Depths& depths, int reach) {
   Depths sums{};
   for (int k = -reach; k <= reach; ++k) {
     const std::size_t from = kFirst + static_cast<std::size_t>(k * kStep);
-    for (std::size_t i = 0; i < kWindowPlaces - 2 * kFirst; ++i) sums[kFirst + i] += depths[from + i];
+    for (std::size_t i = 0; i < kWindowCount - 2 * kFirst; ++i) sums[kFirst + i] += depths[from + i];
   }
-  for (std::size_t i = kFirst; i < kWindowPlaces - kFirst; ++i) depths[i] = share * sums[i];
+  for (std::size_t i = kFirst; i < kWindowCount - kFirst; ++i) depths[i] = share * sums[i];
 }
 
 }  // namespace
@@ -58,17 +58,17 @@ void DepthWindow::average(int reach) {
 
 namespace {
 
-// Fast marching from the places beside the surface outwards, layer by layer, within a window but for its outermost
-// places: what these would change lies beyond the depths that are stored.
+// Fast marching outwards from the voxels beside the surface, layer by layer, within a window without its outermost
+// voxels, which only affect depths beyond the stored ones.
 class Marching {
  public:
   Marching(const Depths& depths, DepthWindow::Beside beside) : m_depths(depths), m_beside(beside) {
     m_distances.fill(kUnknown);
     constexpr std::size_t n = DepthWindow::kSide, border = n * n + n;
-    // Which places are beside the surface, in loops as those of the means: of most it is not so.
-    std::array<std::uint8_t, kWindowPlaces> isInside, isBeside{};
-    for (std::size_t i = 0; i < kWindowPlaces; ++i) isInside[i] = m_depths[i] > 0.0f ? 1 : 0;
-    for (std::size_t i = border; i < kWindowPlaces - border; ++i) {
+    // Finds the voxels beside the surface, in loops like those of the means: most are not beside it.
+    std::array<std::uint8_t, kWindowCount> isInside, isBeside{};
+    for (std::size_t i = 0; i < kWindowCount; ++i) isInside[i] = m_depths[i] > 0.0f ? 1 : 0;
+    for (std::size_t i = border; i < kWindowCount - border; ++i) {
       const std::uint8_t here = isInside[i];
       isBeside[i] = static_cast<std::uint8_t>((here ^ isInside[i - 1]) | (here ^ isInside[i + 1]) |
                                               (here ^ isInside[i - n]) | (here ^ isInside[i + n]) |
@@ -79,23 +79,23 @@ class Marching {
       for (std::size_t y = 1; y < n - 1; ++y) {
         const std::size_t row = (z * n + y) * n;
         std::fill_n(m_state.begin() + static_cast<std::ptrdiff_t>(row) + 1, n - 2, kFree);
-        for (std::size_t place = row + 1; place < row + n - 1; ++place)
-          if (isBeside[place] != 0) begin(place);
+        for (std::size_t index = row + 1; index < row + n - 1; ++index)
+          if (isBeside[index] != 0) begin(index);
       }
   }
 
   const Depths& run() {
     while (!m_layer.empty()) {
       m_next.clear();
-      for (const std::uint16_t place : m_layer)
+      for (const std::uint16_t index : m_layer)
         for (const int step : kAxisSteps)
-          for (const int to : {place - step, place + step})
+          for (const int to : {index - step, index + step})
             if (m_state[static_cast<std::size_t>(to)] == kFree) {
               m_state[static_cast<std::size_t>(to)] = kKnown;
               m_next.push_back(static_cast<std::uint16_t>(to));
             }
       m_found.clear();
-      for (const std::uint16_t place : m_next) m_found.push_back(eikonalDistance(nearest(place)));
+      for (const std::uint16_t index : m_next) m_found.push_back(eikonalDistance(nearest(index)));
       m_layer.clear();
       for (std::size_t i = 0; i < m_next.size(); ++i) {
         m_distances[m_next[i]] = m_found[i];
@@ -108,24 +108,24 @@ class Marching {
  private:
   enum State : std::uint8_t { kOutside, kFree, kKnown };
   static constexpr float kUnknown = 1e3f;
-  static constexpr float kLeastSlope = 0.7f;  // in thin walls differences say less than the slope is
+  static constexpr float kLeastSlope = 0.7f;  // in thin walls differences underestimate the slope
 
-  // A place beside the surface: its depth by the slope there.
-  void begin(std::size_t place) {
-    const float depth = m_depths[place];
+  // Starts at a voxel beside the surface, with its depth corrected by the slope.
+  void begin(std::size_t index) {
+    const float depth = m_depths[index];
     const bool isKept = m_beside == DepthWindow::Beside::Kept;
-    m_distances[place] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, slopeAt(place)));
-    m_state[place] = kKnown;
-    m_layer.push_back(static_cast<std::uint16_t>(place));
+    m_distances[index] = std::abs(depth) / (isKept ? 1.0f : std::max(kLeastSlope, slopeAt(index)));
+    m_state[index] = kKnown;
+    m_layer.push_back(static_cast<std::uint16_t>(index));
   }
 
   // Along each axis the steepest step across the surface, else the mean of both steps.
-  float slopeAt(std::size_t place) const {
-    const float depth = m_depths[place];
+  float slopeAt(std::size_t index) const {
+    const float depth = m_depths[index];
     float squares = 0.0f;
     for (const int step : kAxisSteps) {
-      const float a = m_depths[place - static_cast<std::size_t>(step)],
-                  b = m_depths[place + static_cast<std::size_t>(step)];
+      const float a = m_depths[index - static_cast<std::size_t>(step)],
+                  b = m_depths[index + static_cast<std::size_t>(step)];
       const bool crossesA = (a > 0.0f) != (depth > 0.0f), crossesB = (b > 0.0f) != (depth > 0.0f);
       float steepest = crossesA ? std::abs(depth - a) : 0.0f;
       if (crossesB) steepest = std::max(steepest, std::abs(depth - b));
@@ -135,11 +135,11 @@ class Marching {
     return std::sqrt(squares);
   }
 
-  std::array<float, 3> nearest(std::size_t place) const {
+  std::array<float, 3> nearest(std::size_t index) const {
     std::array<float, 3> least;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto step = static_cast<std::size_t>(kAxisSteps[k]);
-      least[k] = std::min(m_distances[place - step], m_distances[place + step]);
+      least[k] = std::min(m_distances[index - step], m_distances[index + step]);
     }
     return least;
   }

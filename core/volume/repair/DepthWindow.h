@@ -9,32 +9,34 @@
 
 namespace handwheel {
 
-// The depths of a block and of four voxels around it, in voxels. They are worked on and put back as the block's.
+// The depths of a block and of four voxels around it, in voxels. They are modified and written back as the content of
+// the block.
 class DepthWindow {
  public:
   static constexpr int kMargin = 4;
   static constexpr int kSide = VolumeBlock::kSize + 2 * kMargin;
-  static constexpr double kLimit = VolumeBlock::kFull / VolumeBlock::kUnit;  // of depths, voxels
+  static constexpr double kLimit = VolumeBlock::kFull / VolumeBlock::kUnit;  // largest depth, voxels
 
   DepthWindow(const SparseVolume& volume, const VoxelIndex& block);
 
-  // Whether it has both inside and outside.
+  // Returns true if the window has samples inside and outside.
   bool hasSurface() const;
-  // Of a voxel by its place in the block, -kMargin to 7 + kMargin.
+  // Returns the depth of a voxel by its coordinates in the block, -kMargin to 7 + kMargin.
   float at(int x, int y, int z) const { return m_depths[index(x, y, z)]; }
 
-  // Replaces each depth of the block by the mean over (2 reach + 1)³ voxels around; reach: 1 to kMargin.
+  // Replaces each depth of the block by the mean of the (2 reach + 1)³ voxels around it; reach: 1 to kMargin.
   void average(int reach);
-  // What becomes of the depths beside the surface when the others are made distances from it again.
+  // The treatment of the depths beside the surface when distances are restored.
   enum class Beside {
-    Corrected,  // distances, too, by what their slope says; for depths that went all one way or another near it
-    Kept,       // they are distances already
+    Corrected,  // corrected to distances by their slope; for depths with a wrong gradient near the surface
+    Kept,       // kept, as they are distances already
   };
-  // Makes all depths distances from the surface again: from those beside it the others follow from neighbour to
-  // neighbour (Sethian 1996, without his heap: depths end at four voxels).
+  // Restores distances from the surface in all depths, by propagation from those beside it (Sethian 1996, without the
+  // heap, as depths end at four voxels).
   void redistance(Beside beside = Beside::Corrected);
 
-  // The block of these depths; those of the old one where isKept(x, y, z). Uniform where all are at the limit.
+  // Returns the content for these depths, with those of the old content where isKept(x, y, z). Uniform if all are at
+  // the limit.
   template <class IsKept>
   SparseVolume::Content content(const SparseVolume::Content& old, IsKept isKept) const;
 
@@ -47,9 +49,9 @@ class DepthWindow {
   Depths m_depths;
 };
 
-// The content of a block with these samples: none where all are at the same limit.
+// Returns the content for these samples: uniform if all are at the same limit.
 SparseVolume::Content contentOf(std::shared_ptr<VolumeBlock> block);
-// The samples of a content to be written to.
+// Returns a copy of a content's samples for modification.
 std::shared_ptr<VolumeBlock> samplesOf(const SparseVolume::Content& content);
 
 template <class IsKept>

@@ -9,7 +9,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kLeaf = 8;
-constexpr double kFarGroup = 3.0;  // radii of a group beyond which its expansion is taken
+constexpr double kFarGroup = 3.0;  // radii of a group beyond which its expansion is used
 constexpr int kMostDepth = 64;
 
 Vec3 middleOf(const std::array<Vec3, 3>& t) {

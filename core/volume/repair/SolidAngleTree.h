@@ -12,9 +12,9 @@
 namespace handwheel {
 
 // A tree of triangles that evaluates their generalised winding number. That is the sum of their solid angles in turns,
-// whole only for a closed surface (Jacobson et al. 2013). Far from a group of triangles it is that of the first two
-// terms of their expansion (Barill et al., "Fast winding numbers for soups and clouds", 2018): within about 0.001. A
-// value that any thread may read.
+// an integer only for a closed surface (Jacobson et al. 2013). Far groups of triangles are replaced by the first two
+// terms of their expansion (Barill et al., "Fast winding numbers for soups and clouds", 2018), with an error of about
+// 0.001. Immutable; reading on several threads is safe.
 class SolidAngleTree {
  public:
   // O(n log n).
@@ -25,11 +25,11 @@ class SolidAngleTree {
  private:
   using Corners = std::array<Vec3, 3>;
   struct Node {
-    Vec3 centre, area;       // the middle of the triangles; the sum of their area vectors
-    Eigen::Matrix3d moment;  // the sum of (middle - centre) × area vector
+    Vec3 centre, area;       // centre of the triangles; sum of their area vectors
+    Eigen::Matrix3d moment;  // sum of (middle - centre) × area vector
     double radius = 0.0;
-    std::uint32_t first = 0, end = 0;  // triangles
-    std::uint32_t right = 0;           // the second of two halves, the first follows; 0: a leaf
+    std::uint32_t first = 0, end = 0;  // range of triangles
+    std::uint32_t right = 0;           // second child, the first follows the node; 0: a leaf
   };
   void build(std::uint32_t first, std::uint32_t end);
 

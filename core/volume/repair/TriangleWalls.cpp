@@ -14,10 +14,10 @@ namespace {
 constexpr double kFlatBend = 1e-6;      // rad, less leaves no notch, but faces that lie in one another
 constexpr double kBendStep = 0.35;      // rad, of a chord of the rounded outside of a bend
 constexpr double kOverlap = 0.05;       // rad and shares of half the thickness, of pieces that are to hang together
-constexpr std::size_t kMostLeaves = 8;  // that meet in one edge, of which each two are a bend
+constexpr std::size_t kMostLeaves = 8;  // leaves that meet in an edge; each two form a bend
 
 // Joins the prisms of triangles with a common edge. It closes the notches that they leave on the outside of a bend, and
-// around vertices. All that is added is within half of the thickness of the edge or vertex.
+// around vertices. The added triangles are within half of the thickness of the edge or vertex.
 class BendFiller {
  public:
   BendFiller(const TriangleSoup& surface, double thickness, TriangleSoup& walls)
@@ -70,7 +70,7 @@ class BendFiller {
     const std::uint32_t from = cornerOf(one, 0), to = cornerOf(one, 1);
     // The notch is on the side that the other triangle bends away from; that of a fold flat on itself may be either.
     const double side = (across(other) - point(from)).dot(first) > 0.0 ? -1.0 : 1.0;
-    const bool isTurned = cornerOf(other, 0) == from;  // it passes the edge the same way
+    const bool isTurned = cornerOf(other, 0) == from;  // it has the same direction along the edge
     const Vec3 a = side * first, b = (isTurned ? -side : side) * second, along = point(to) - point(from);
     const double bend = std::atan2(a.cross(b).norm(), a.dot(b));
     const Vec3 across = along.cross(a);  // to one side of the edge
@@ -88,16 +88,16 @@ class BendFiller {
     }
   }
 
-  // Directions from one, turned towards another by an angle, and a little further at either end: faces that lie in one
-  // another within the wall are no bounds, but rows of voxels could not tell.
+  // Returns directions rotated from one towards another by an angle, and slightly beyond both ends: coplanar faces
+  // within the wall are no boundary, but rows of voxels could not detect that.
   static std::vector<Vec3> arcBetween(const Vec3& from, const Vec3& towards, double angle) {
-    const Vec3 way = (towards - towards.dot(from) * from).normalized();
+    const Vec3 direction = (towards - towards.dot(from) * from).normalized();
     const double whole = angle + 2.0 * kOverlap;
     const int steps = 1 + static_cast<int>(whole / kBendStep);
     std::vector<Vec3> arc;
     for (int i = 0; i <= steps; ++i) {
       const double at = whole * i / steps - kOverlap;
-      arc.push_back(std::cos(at) * from + std::sin(at) * way);
+      arc.push_back(std::cos(at) * from + std::sin(at) * direction);
     }
     return arc;
   }

@@ -6,18 +6,19 @@
 
 namespace handwheel {
 
-// Thickens triangles to prisms, half of the thickness (mm) to either side. volumeOfSurface() takes such a surface also
-// where the triangles enclose nothing, as open sheets and triangles that share no edges. Prisms overlap where triangles
-// meet; on the outside of a bend what is between them is filled, round, at half of the thickness from the edge and its
-// ends. In voxels a wall has dents of up to half a voxel at vertices. Triangles without area are left out. O(n log n).
+// Thickens triangles to prisms, by half of the thickness (mm) to either side. volumeOfSurface() accepts such a surface
+// even if the triangles enclose nothing, such as open sheets and unconnected triangles. Prisms overlap where triangles
+// meet; on the outside of a bend the gap between them is filled by a rounding with a radius of half the thickness
+// around the edge and its ends. In voxels a wall has dents of up to half a voxel at vertices. Triangles without area
+// are skipped. O(n log n).
 TriangleSoup wallsOf(const TriangleSoup& surface, double thickness);
 
-// What the area of a surface and of its walls follows from.
+// Measures of a surface that give the area of its walls.
 struct WallMeasure {
-  double area = 0.0;   // mm², of the triangles
-  double edges = 0.0;  // mm, of each triangle by itself
+  double area = 0.0;   // mm², area of the triangles
+  double edges = 0.0;  // mm, sum of the perimeters of the triangles
 
-  // mm², of the prisms of wallsOf(); of the surface itself without a thickness (0).
+  // Returns the area of the prisms of wallsOf(), mm², or of the surface itself if the thickness is 0.
   double areaWith(double thickness) const { return thickness > 0.0 ? 2.0 * area + thickness * edges : area; }
 };
 // O(n).

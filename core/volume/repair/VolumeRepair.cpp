@@ -25,14 +25,14 @@
 namespace handwheel {
 namespace {
 
-// How far the places are from the mesh at most, mm.
-double distanceFrom(const HalfEdgeMesh& mesh, const std::vector<Vec3>& places, Progress progress) {
+// Returns the largest distance of the points from the mesh, mm.
+double distanceFrom(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Progress progress) {
   const SurfaceDistance surface(mesh, progress);
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, places.size(), 256), 0.0,
+      tbb::blocked_range<std::size_t>(0, points.size(), 256), 0.0,
       [&](const tbb::blocked_range<std::size_t>& range, double most) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-          if (const auto nearest = surface.from(places[i])) most = std::max(most, std::abs(nearest->distance));
+          if (const auto nearest = surface.from(points[i])) most = std::max(most, std::abs(nearest->distance));
         return most;
       },
       [](double a, double b) { return std::max(a, b); });
@@ -46,14 +46,14 @@ void roundTo(HalfEdgeMesh& mesh, NumberType numbers) {
 // Takes triangles away from a mesh that was sampled.
 class Reduction {
  public:
-  // kept: places of the original that are to stay within the distance.
+  // kept: points of the original that must stay within the distance.
   Reduction(const HalfEdgeMesh& sampled, const std::vector<Vec3>& kept, const VolumeRepairOptions& options)
       : m_sampled(sampled), m_kept(kept), m_within(options.within * options.voxel), m_numbers(options.numbers) {}
 
-  // The first of so many triangles, or twice, four times as many and so on, that is near enough; else all. Each is made
-  // of the next larger one, so that the triangles are reduced once and not for each.
+  // Returns the first near enough reduction to so many triangles, or twice, four times as many and so on; else all
+  // triangles. Each is made from the next larger one, so that the triangles are reduced only once.
   VolumeRepair reduced(VolumeRepair repair, std::size_t faces, Progress progress) const {
-    constexpr double kMaking = 0.6;  // of the time
+    constexpr double kMaking = 0.6;  // share of the time
     std::vector<std::size_t> wanted;
     for (std::size_t each = std::max<std::size_t>(faces, 100); each < m_sampled.liveFaceCount(); each *= 2)
       wanted.push_back(each);
@@ -83,7 +83,7 @@ class Reduction {
   bool takeIfNear(HalfEdgeMesh fewer, VolumeRepair& repair, Progress progress) const {
     roundTo(fewer, m_numbers);
     const double kept = distanceFrom(fewer, m_kept, progress.part(0.0, 0.2));
-    // Where the sampled surface is farther itself, nothing can be nearer.
+    // The result cannot be nearer than the sampled surface itself.
     if (kept > std::max(m_within, repair.keptDistance)) return false;
     const std::optional<double> distance = largestDistance(fewer, m_sampled, progress.part(0.2, 0.5));
     if (!distance || *distance > m_within) return false;
@@ -101,8 +101,8 @@ class Reduction {
   NumberType m_numbers;
 };
 
-// The volume of a surface, or of its back where the front encloses nothing: which side of an open surface is its front
-// is by chance.
+// Returns the volume of a surface, or of the reversed surface if it encloses nothing: the orientation of an open
+// surface is arbitrary.
 Result<SurfaceVolume> volumeOfEitherSide(const TriangleSoup& surface, double voxel, Progress progress) {
   Result<SurfaceVolume> made = volumeOfSurface(surface, voxel, progress);
   if (made || made.error().code != VolumeErrors::NothingInside) return made;
@@ -111,7 +111,7 @@ Result<SurfaceVolume> volumeOfEitherSide(const TriangleSoup& surface, double vox
   return volumeOfSurface(back, voxel, progress);
 }
 
-// Fills gaps, and forgets the places that are within what was filled. Returns its volume, mm³.
+// Fills gaps, and removes the kept points inside the filling. Returns its volume, mm³.
 Result<double> fillGaps(SurfaceVolume& made, double radius, Progress progress) {
   if (radius == 0.0) return 0.0;
   Result<SparseVolume> closed = withoutGaps(made.volume, radius, progress);

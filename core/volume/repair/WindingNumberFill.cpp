@@ -11,22 +11,22 @@ namespace handwheel {
 namespace {
 
 constexpr int kBlock = VolumeBlock::kSize;
-constexpr double kLook = 0.4;       // turns of the cones from which a block is looked at: at a half the side may differ
-constexpr double kBandReach = 8.0;  // voxels: half the diagonal between places that are looked at, and the band
+constexpr double kLook = 0.4;       // least turns of the cones for evaluating a block; at one half the side may differ
+constexpr double kBandReach = 8.0;  // voxels: half the diagonal between evaluated points, plus the band
 
 // The turns of the cones grow by 1 across them, which is no slope.
 double withoutJump(double difference) {
   return difference - std::round(difference);
 }
 
-// The turns at 27 places of a block: its first, middle and last voxels.
+// The turns at 27 points of a block: its first, middle and last voxels.
 class CoarseTurns {
  public:
   CoarseTurns(const SolidAngleTree& cones, const VoxelIndex& block) {
-    constexpr std::array<double, 3> kPlaces{0.0, 3.5, 7.0};
+    constexpr std::array<double, 3> kOffsets{0.0, 3.5, 7.0};
     for (std::size_t i = 0; i < 27; ++i)
       m_turns[i] =
-          cones.turns((kBlock * block).cast<double>() + Vec3(kPlaces[i % 3], kPlaces[i / 3 % 3], kPlaces[i / 9]));
+          cones.turns((kBlock * block).cast<double>() + Vec3(kOffsets[i % 3], kOffsets[i / 3 % 3], kOffsets[i / 9]));
   }
 
   double most() const {
@@ -34,7 +34,7 @@ class CoarseTurns {
     for (const double turns : m_turns) most = std::max(most, std::abs(turns));
     return most;
   }
-  // Whether a membrane can be within the band of the block's voxels, as far as the slope between the places tells.
+  // Returns true if a membrane may be within the band of the block's voxels, judging by the slope between the points.
   bool isHalfNear() const {
     double nearest = 1.0, slope = 0.0;
     for (std::size_t i = 0; i < 27; ++i) {
@@ -75,7 +75,7 @@ std::uint64_t WindingNumberFill::keyOf(const VoxelIndex& block) {
   return key;
 }
 
-// The turns of cones are harmonic beside them, so blocks with many hang together with those of the cones.
+// The turns of cones are harmonic beside them, so blocks with large turns are connected with those of the cones.
 WindingNumberFill::WindingNumberFill(const TriangleSoup& closed, std::span<const std::uint32_t> cones,
                                      const Progress& progress)
     : m_cones(closed, cones) {
@@ -84,7 +84,7 @@ WindingNumberFill::WindingNumberFill(const TriangleSoup& closed, std::span<const
     if (m_near.emplace(keyOf(block), false).second) wave.push_back(block);
   };
   for (const std::uint32_t i : cones) forBlocksOf(closed, closed.triangles[i], add);
-  // Around the edges of holes turns change within a voxel, between the places that are looked at.
+  // Around the edges of holes, turns change within a voxel, between the evaluated points.
   for (const VoxelIndex& block : std::vector<VoxelIndex>(wave))
     for (int k = 0; k < 27; ++k) add(block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
   while (!wave.empty() && !progress.cancelled()) {
@@ -131,7 +131,7 @@ WindingNumberFill::Samples WindingNumberFill::samples(const VoxelIndex& block, c
   Samples made;
   const VoxelIndex first = kBlock * block;
   constexpr int kSide = kBlock + 2;
-  const auto place = [](int x, int y, int z) {
+  const auto sampleIndex = [](int x, int y, int z) {
     return static_cast<std::size_t>(((z + 1) * kSide + y + 1) * kSide + x + 1);
   };
   const bool isSloped = isNear(block);
@@ -140,10 +140,10 @@ WindingNumberFill::Samples WindingNumberFill::samples(const VoxelIndex& block, c
   for (int z = -margin; z < kBlock + margin; ++z)
     for (int y = -margin; y < kBlock + margin; ++y)
       for (int x = -margin; x < kBlock + margin; ++x)
-        turns[place(x, y, z)] = m_cones.turns((first + VoxelIndex(x, y, z)).cast<double>());
+        turns[sampleIndex(x, y, z)] = m_cones.turns((first + VoxelIndex(x, y, z)).cast<double>());
   for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
     const VoxelIndex in(i & 7, i >> 3 & 7, i >> 6);
-    const std::size_t at = place(in.x(), in.y(), in.z());
+    const std::size_t at = sampleIndex(in.x(), in.y(), in.z());
     const double above = rows.winding(first + in) - turns[at] - 0.5;
     made.isInside[static_cast<std::size_t>(i)] = above > 0.0;
     float& distance = made.distance[static_cast<std::size_t>(i)];

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A brick of 16³ samples of an image, each in a segment or not. Bit x of row 16 z + y.
+// A brick of 16³ samples of an image, with a bit for each. It is bit x of row 16 z + y.
 struct SegmentBrick {
   static constexpr int kSide = 16;
   std::array<std::uint16_t, kSide * kSide> rows{};
@@ -27,8 +27,9 @@ struct SegmentBrick {
   }
 };
 
-// A part of an image, by a range of values and bricks. Its samples are those with values of the range, but where bricks
-// say which ones. So a range alone takes no memory, and what is painted takes that of the bricks that it meets.
+// A part of an image, defined by a range of values and by bricks. It contains the samples with values in the range,
+// except where bricks list its samples. So a range alone takes no memory, and painting takes that of the bricks that it
+// touches.
 //
 // A value: copies share bricks. Reading different copies on different threads is safe.
 class Segment {
@@ -37,29 +38,29 @@ class Segment {
 
   Segment() = default;
   explicit Segment(const ValueRange& range) : m_range(range) {}
-  // Of bricks for a whole image of this size, in the order of brickAt(); a null one is by the range.
+  // bricks: those of a whole image of this size, in the order of brickAt(); null: defined by the range.
   Segment(const ValueRange& range, const std::array<int, 3>& size, std::vector<Brick> bricks);
 
   const ValueRange& range() const { return m_range; }
   bool isByRangeAlone() const { return m_bricks.empty(); }
-  // Those of the whole image, in the order of brickAt(); empty: all is by the range.
+  // Bricks of the whole image, in the order of brickAt(); empty: all are defined by the range.
   std::span<const Brick> bricks() const { return m_bricks; }
   bool hasValue(double value) const { return value >= m_range.least && value <= m_range.largest; }
 
-  // The brick of a sample; null: its samples are by the range.
+  // Returns the brick of a sample; null: defined by the range.
   const SegmentBrick* brickOf(int x, int y, int z) const {
     return m_bricks.empty() ? nullptr : m_bricks[brickAt(x, y, z)].get();
   }
-  // Whether a sample is in it. O(1).
+  // Returns true if a sample is in the segment. O(1).
   bool contains(const ImageVolume& image, const VoxelIndex& sample) const;
 
-  // The brick of a sample by what is in it now, also where that is by the range. O(samples of a brick).
+  // Returns the present brick of a sample, evaluated if it is defined by the range. O(samples of a brick).
   SegmentBrick filledBrick(const ImageVolume& image, const VoxelIndex& sample) const;
-  // Gives a brick of an image of this size other samples.
+  // Replaces the brick of a sample in an image of this size.
   void setBrick(const std::array<int, 3>& size, const VoxelIndex& sample, Brick brick);
 
-  bool operator==(const Segment& other) const;  // by bricks that are shared, not by samples
-  // Memory of what it does not share with the other; bytes.
+  bool operator==(const Segment& other) const;  // compares shared bricks, not samples
+  // Memory of the bricks that are not shared with the other segment; bytes.
   std::size_t bytesBeside(const Segment& other) const;
 
   static std::array<int, 3> bricksOf(const std::array<int, 3>& size);
@@ -73,11 +74,11 @@ class Segment {
   }
 
   ValueRange m_range{0.0, 0.0};
-  std::array<int, 3> m_count{0, 0, 0};  // of bricks
-  std::vector<Brick> m_bricks;          // empty: all are by the range
+  std::array<int, 3> m_count{0, 0, 0};  // number of bricks along each axis
+  std::vector<Brick> m_bricks;          // empty: all are defined by the range
 };
 
-// Reads which samples of an image are in a segment. Both must outlive it.
+// Reads the membership of an image's samples in a segment. Both must outlive it.
 template <class Sample>
 class SegmentReader {
  public:
@@ -94,7 +95,7 @@ class SegmentReader {
     if (!brick) return m_segment.hasValue(static_cast<double>(m_samples[indexOf(x, y, z)]));
     return brick->at(x & 15, y & 15, z & 15);
   }
-  // The samples of a row along x: 1 for those in it.
+  // Reads a row along x: 1 for samples in the segment.
   void readRow(int y, int z, std::span<std::uint8_t> row) const {
     for (int x = 0; x < m_size[0]; ++x) row[static_cast<std::size_t>(x)] = at(x, y, z) ? 1 : 0;
   }

@@ -9,16 +9,16 @@ namespace handwheel {
 
 namespace {
 
-// What is within the radius of a line between two places; mm.
+// The points within a radius of a line segment; mm.
 struct Capsule {
-  Vec3 from, way;
+  Vec3 from, displacement;
   double radius;
 
-  // Of a place from the line.
+  // Returns the squared distance of a point from the line segment.
   double squaredDistance(const Vec3& p) const {
-    const double squares = way.squaredNorm();
-    const double share = squares > 0.0 ? std::clamp((p - from).dot(way) / squares, 0.0, 1.0) : 0.0;
-    return (p - from - share * way).squaredNorm();
+    const double squares = displacement.squaredNorm();
+    const double share = squares > 0.0 ? std::clamp((p - from).dot(displacement) / squares, 0.0, 1.0) : 0.0;
+    return (p - from - share * displacement).squaredNorm();
   }
 };
 
@@ -29,8 +29,8 @@ void applyBrush(Segment& segment, const ImageVolume& image, const SegmentBrush& 
   const ImageGrid& grid = image.grid();
   Vec3 start = from, end = to;
   if (brush.plane) start[*brush.plane] = end[*brush.plane] = std::round(to[*brush.plane]);
-  const Capsule capsule{grid.place(start), grid.steps * (end - start), brush.radius};
-  // A ball reaches as far along an axis of the index as the row of the inverse says.
+  const Capsule capsule{grid.position(start), grid.steps * (end - start), brush.radius};
+  // The row of the inverse gives the extent of a ball along an axis of the index.
   const Vec3 reach = brush.radius * grid.steps.inverse().rowwise().norm();
   VoxelIndex low, high;
   for (int k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ void applyBrush(Segment& segment, const ImageVolume& image, const SegmentBrush& 
       for (int bx = firstBrick.x(); bx <= high.x(); bx += SegmentBrick::kSide) {
         const VoxelIndex first(bx, by, bz);
         const double middle = std::sqrt(capsule.squaredDistance(
-            grid.place(first.cast<double>() + Vec3::Constant(0.5 * (SegmentBrick::kSide - 1)))));
+            grid.position(first.cast<double>() + Vec3::Constant(0.5 * (SegmentBrick::kSide - 1)))));
         if (middle > brush.radius + half) continue;
         const bool isWithin = middle < brush.radius - half;
         const VoxelIndex begin = first.cwiseMax(low), stop = (first.array() + 15).matrix().cwiseMin(high);
@@ -59,7 +59,7 @@ void applyBrush(Segment& segment, const ImageVolume& image, const SegmentBrush& 
         for (int z = begin.z(); z <= stop.z(); ++z)
           for (int y = begin.y(); y <= stop.y(); ++y)
             for (int x = begin.x(); x <= stop.x(); ++x)
-              if (isWithin || capsule.squaredDistance(grid.place(Vec3(x, y, z))) <= brush.radius * brush.radius)
+              if (isWithin || capsule.squaredDistance(grid.position(Vec3(x, y, z))) <= brush.radius * brush.radius)
                 brick->set(x & 15, y & 15, z & 15, !brush.isErasing);
         if (brick->rows != before.rows) segment.setBrick(grid.size, first, std::move(brick));
       }

@@ -12,11 +12,12 @@ namespace handwheel {
 struct SegmentBrush {
   double radius = 5.0;  // mm, above 0
   bool isErasing = false;
-  std::optional<int> plane;  // the axis of the image across which it is a disc in one slice; none: a ball
+  std::optional<int> plane;  // axis of the image perpendicular to the slice in which the brush is a disc; none: a ball
 };
 
-// Takes all samples within the radius of the way from one place to another; of a disc those in the slice of the
-// second place. Places are indices in the image, and may lie outside of it. O(samples of the box around the way).
+// Paints or erases all samples within the radius of the line segment between two positions; with a disc those in the
+// slice of the second position. Positions are indices in the image, and may lie outside it. O(samples of the bounding
+// box).
 void applyBrush(Segment& segment, const ImageVolume& image, const SegmentBrush& brush, const Vec3& from,
                 const Vec3& to);
 

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// How many of 3 by 3 in a slice are in the segment, for all slices; three of those are the 3³.
+// Counts the samples in the segment in 3² neighbourhoods of each slice; three of these counts add up to 3³.
 Segment smoothed(const ImageVolume& image, const Segment& segment, const Progress& progress) {
   const std::array<int, 3> size = image.grid().size;
   const auto width = static_cast<std::size_t>(size[0]), height = static_cast<std::size_t>(size[1]);
@@ -34,16 +34,16 @@ Segment smoothed(const ImageVolume& image, const Segment& segment, const Progres
     });
   });
   progress.set(0.5);
-  constexpr int kMost = 14;  // of 27
+  constexpr int kMost = 14;  // majority of 27 samples
   const std::array<int, 3> count = Segment::bricksOf(size);
   std::vector<Segment::Brick> bricks(static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
                                      static_cast<std::size_t>(count[2]));
   tbb::parallel_for(0, count[2], [&](int layer) {
     if (progress.cancelled()) return;
-    auto place =
+    auto index =
         static_cast<std::size_t>(layer) * static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]);
     for (int line = 0; line < count[1]; ++line)
-      for (int column = 0; column < count[0]; ++column, ++place) {
+      for (int column = 0; column < count[0]; ++column, ++index) {
         auto brick = std::make_shared<SegmentBrick>();
         for (int z = 16 * layer; z < std::min(16 * (layer + 1), size[2]); ++z)
           for (int y = 16 * line; y < std::min(16 * (line + 1), size[1]); ++y) {
@@ -54,7 +54,7 @@ Segment smoothed(const ImageVolume& image, const Segment& segment, const Progres
               if (below[i] + own[i] + above[i] >= kMost) brick->set(x & 15, y & 15, z & 15, true);
             }
           }
-        bricks[place] = std::move(brick);
+        bricks[index] = std::move(brick);
       }
   });
   return {segment.range(), size, std::move(bricks)};

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// The median filter of a segment over 3³ samples. A sample is in it where most around are, those at the border counting
-// for the ones beyond. Specks of one sample vanish, steps of one are evened. On all threads of the arena; O(samples),
-// and two bytes for each. After a cancel the result is not to be used.
+// Applies a median filter over 3³ samples to a segment. Beyond the border of the image its samples are repeated.
+// Isolated samples vanish, and steps of one sample are smoothed. On all threads of the arena; O(samples), and two bytes
+// of memory for each. The result must not be used if cancelled.
 Segment smoothed(const ImageVolume& image, const Segment& segment, const Progress& progress = {});
 
 }  // namespace handwheel

@@ -15,7 +15,7 @@
 namespace handwheel {
 namespace {
 
-// Values for samples that are on the other side of a range than the segment says.
+// Values for samples whose side of the range contradicts the segment.
 class OtherSide {
  public:
   OtherSide(const ValueRange& range, const ValueRange& all) : m_range(range) {
@@ -27,7 +27,7 @@ class OtherSide {
   }
 
   const ValueRange& range() const { return m_range; }
-  // As far above the end as the value is below it, at most to the middle of the range.
+  // Reflects a value at the end of the range, at most to the middle of the range.
   float inside(double value) const {
     const double middle = 0.5 * (m_range.least + m_range.largest);  // infinite where there is one end
     if (value < m_range.least) return static_cast<float>(std::min(2.0 * m_range.least - value, middle));
@@ -84,7 +84,7 @@ Result<SparseVolume> volumeOfSmoothed(const ImageVolume& image, const Segment& s
 double facesOf(const ImageVolume& image, const Segment& segment, const Progress& progress) {
   const ImageGrid& grid = image.grid();
   const std::array<int, 3> size = grid.size;
-  Vec3 areas;  // of a face across each axis
+  Vec3 areas;  // area of a face perpendicular to each axis
   for (int k = 0; k < 3; ++k) areas[k] = grid.steps.col((k + 1) % 3).cross(grid.steps.col((k + 2) % 3)).norm();
   std::vector<double> ofSlices(static_cast<std::size_t>(size[2]), 0.0);
   readSegment(image, segment, [&](const auto& reader) {

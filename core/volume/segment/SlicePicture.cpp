@@ -8,8 +8,7 @@
 namespace handwheel {
 namespace {
 
-// The axis of the image that is nearest to each of the patient's: of all ways to assign them the one with the largest
-// sum of cosines.
+// Returns the axis of the image for each axis of the patient: the assignment with the largest sum of cosines.
 std::array<int, 3> nearestAxes(const ImageGrid& grid) {
   const Eigen::Matrix3d cosines = grid.steps.colwise().normalized().cwiseAbs();
   std::array<int, 3> axes{0, 1, 2}, best = axes;
@@ -39,7 +38,7 @@ struct Colour {
 
 SliceView sliceView(const ImageGrid& grid, SlicePlane plane) {
   const std::array<int, 3> axes = nearestAxes(grid);
-  // Of the patient, and whether the screen's way is theirs: +x is his left, +y his back, +z his head.
+  // Axes of the patient, and their directions on the screen: +x is the left, +y the back, +z the head.
   const int right = plane == SlicePlane::Sagittal ? 1 : 0, down = plane == SlicePlane::Axial ? 1 : 2;
   const bool isDownAlong = plane == SlicePlane::Axial;
   SliceView view{};

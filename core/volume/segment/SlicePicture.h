@@ -8,34 +8,34 @@
 
 namespace handwheel {
 
-// The anatomical planes in which images of patients are viewed. A slice lies on the screen as if the patient were seen
-// from the feet (axial), from the front (coronal) and from his left (sagittal).
+// The anatomical planes in which images of patients are viewed. A slice is shown as if the patient were seen from the
+// feet (axial), from the front (coronal) and from the left (sagittal).
 enum class SlicePlane { Axial, Coronal, Sagittal };
 inline constexpr std::array<SlicePlane, 3> kSlicePlanes{SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal};
 
-// How the slices of an image across one of its axes are shown. The axes are those that are nearest to the patient's:
-// slices that are turned or sheared are shown as they are stored, not resampled.
+// The display of the slices of an image that are perpendicular to one of its axes. Each anatomical axis uses the
+// nearest axis of the image: rotated or sheared slices are shown as they are stored, not resampled.
 struct SliceView {
   int right, down, through;  // axes of the image: to the right and down on the screen, and from slice to slice
-  bool isRightReversed, isDownReversed;  // the index grows the other way
-  // What is at the edges: R, L right and left of the patient; A, P front and back; H, F head and feet.
+  bool isRightReversed, isDownReversed;  // the index increases in the opposite direction
+  // Letters at the edges: R, L right and left of the patient; A, P front and back; H, F head and feet.
   char atLeft, atRight, atTop, atBottom;
   int width, height, slices;         // samples
   double rightSpacing, downSpacing;  // mm
 
-  // The place in the image of a place in the picture, in samples from the middle of the first one; and back.
+  // Converts between positions in the picture and in the image, in samples from the centre of the first one.
   Vec3 indexAt(double x, double y, double slice) const;
   std::array<double, 2> pictureAt(const Vec3& index) const;
 };
 SliceView sliceView(const ImageGrid& grid, SlicePlane plane);
 
-// Which values are shown from black to white.
+// The range of values shown from black to white.
 struct GreyWindow {
-  double level = 0.0;  // grey
+  double level = 0.0;  // value of middle grey
   double width = 1.0;  // from black to white, above 0
 };
 
-// A slice as a picture of limited size. It has at most so many pixels along: of larger ones every second, third, …
+// A slice as a picture of limited size. It has at most kMostPixels per side: larger slices show every second, third, …
 // sample.
 struct SlicePicture {
   static constexpr int kMostPixels = 2048;
@@ -43,7 +43,7 @@ struct SlicePicture {
   std::vector<std::uint32_t> pixels;  // 0xffRRGGBB, row by row from the top
 };
 
-// overlay: 0xAARRGGBB laid over the samples in the segment. O(pixels).
+// overlay: 0xAARRGGBB, blended over the samples in the segment. O(pixels).
 SlicePicture pictureOf(const ImageVolume& image, const Segment& segment, const SliceView& view, int slice,
                        const GreyWindow& window, std::uint32_t overlay);
 

@@ -15,7 +15,7 @@ BlockCells::BlockCells(const SparseVolume& volume, const VoxelIndex& block)
     for (int z = 0; z < size.z(); ++z)
       for (int y = 0; y < size.y(); ++y)
         for (int x = 0; x < size.x(); ++x)
-          m_samples[place(n * next.x() + x, n * next.y() + y, n * next.z() + z)] =
+          m_samples[sampleIndex(n * next.x() + x, n * next.y() + y, n * next.z() + z)] =
               content.block ? content.block->depths[VolumeBlock::at(x, y, z)] : uniform;
   }
 }

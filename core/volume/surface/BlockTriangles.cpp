@@ -51,7 +51,7 @@ class CellCube {
   }
 
  private:
-  // Whether there are samples on both sides; of blocks near the surface about half have none.
+  // Returns true if there are samples on both sides; about half of the blocks near the surface have no surface.
   bool hasSurface() const {
     const bool isInside = m_samples.front() > 0;
     return std::any_of(m_samples.begin(), m_samples.end(), [&](std::int16_t s) { return (s > 0) != isInside; });
@@ -71,19 +71,19 @@ class CellCube {
           for (int z = begin.z(); z <= end.z(); ++z)
             for (int y = begin.y(); y <= end.y(); ++y)
               for (int x = begin.x(); x <= end.x(); ++x)
-                m_samples[place(VoxelIndex(x, y, z) - m_first)] =
+                m_samples[sampleIndex(VoxelIndex(x, y, z) - m_first)] =
                     view.block ? view.block->depths[VolumeBlock::at(x & 7, y & 7, z & 7)] : uniform;
         }
   }
 
-  std::size_t place(const VoxelIndex& at) const {
+  std::size_t sampleIndex(const VoxelIndex& at) const {
     return static_cast<std::size_t>(((at.z() + 1) * m_side + at.y() + 1) * m_side + at.x() + 1);
   }
-  int sample(const VoxelIndex& at) const { return m_samples[place(at)]; }
+  int sample(const VoxelIndex& at) const { return m_samples[sampleIndex(at)]; }
 
-  // Which of the four corners of a cell with this x are inside, as bits 0, 2, 4 and 6.
+  // Returns the inside flags of the four corners of a cell with this x, as bits 0, 2, 4 and 6.
   unsigned sideOf(int x, int y, int z) const {
-    const std::size_t at = place({x, y, z});
+    const std::size_t at = sampleIndex({x, y, z});
     const auto row = static_cast<std::size_t>(m_side), layer = row * row;
     return static_cast<unsigned>(m_samples[at] > 0) | static_cast<unsigned>(m_samples[at + row] > 0) << 2 |
            static_cast<unsigned>(m_samples[at + layer] > 0) << 4 |
@@ -95,7 +95,7 @@ class CellCube {
     const auto [low, high] = cornersOfCellEdge(edge);
     const VoxelIndex a = cell + VoxelIndex(low & 1, low >> 1 & 1, low >> 2);
     const VoxelIndex b = cell + VoxelIndex(high & 1, high >> 1 & 1, high >> 2);
-    std::int32_t& number = known[3 * place(a) + static_cast<std::size_t>(edge / 4)];
+    std::int32_t& number = known[3 * sampleIndex(a) + static_cast<std::size_t>(edge / 4)];
     if (number >= 0) return number;
     number = static_cast<std::int32_t>(made.points.size() / 3);
     const double from = sample(a), to = sample(b), share = shareToSurface(from, to);

@@ -12,21 +12,20 @@ namespace handwheel {
 // Triangles for a graphics card.
 struct VolumeTriangles {
   std::vector<float> points;          // x y z …, mm from an origin near them
-  std::vector<float> normals;         // of length 1, outwards
-  std::vector<std::int32_t> corners;  // three to a triangle
+  std::vector<float> normals;         // unit vectors, outwards
+  std::vector<std::int32_t> corners;  // three per triangle
 
   std::size_t count() const { return corners.size() / 3; }
-  // Adds others from the same origin: the points from firstPoint on, and the corners, which count from there, from
-  // firstCorner on.
+  // Appends a range of points and corners of others with the same origin. The corners count from firstPoint.
   void append(const VolumeTriangles& other, std::size_t firstPoint, std::size_t pointCount, std::size_t firstCorner,
               std::size_t cornerCount);
 };
 
-// The surface in the cells of one block, by marching cubes, with vertices of its own; normals are those of the depths,
-// so that neighbours are shaded alike. origin: mm. The same places as surfaceOf() gives.
+// Returns the surface in the cells of one block, by marching cubes, with vertices of its own at the positions of
+// surfaceOf(). Normals are gradients of the depths, so that neighbouring blocks are shaded alike. origin: mm.
 VolumeTriangles blockTriangles(const SparseVolume& volume, const VoxelIndex& block, const Vec3& origin);
 
-// The same of every `stride`-th sample, in (cells)³ of such cells from a voxel on.
+// Returns the surface of every `stride`-th sample in a cube of `cells`³ such cells, beginning at a voxel.
 VolumeTriangles coarseTriangles(const SparseVolume& volume, const VoxelIndex& first, int cells, int stride,
                                 const Vec3& origin);
 

@@ -29,7 +29,7 @@ std::vector<VoxelIndex> halvedBlocks(const SparseVolume& volume) {
   return blocks;
 }
 
-// Whether all that a block of the coarser volume reads is full or empty.
+// Returns the uniform value of all blocks that a coarse block reads; none: they are not uniform.
 std::optional<bool> uniformAround(const SparseVolume& volume, const VoxelIndex& block) {
   const bool isFull = volume.view(2 * block).isFull;
   for (int z = -1; z < 2; ++z)
@@ -44,21 +44,22 @@ std::optional<bool> uniformAround(const SparseVolume& volume, const VoxelIndex& 
 SparseVolume::Content halvedContent(const SparseVolume& volume, const VoxelIndex& block) {
   if (const auto isFull = uniformAround(volume, block)) return {nullptr, *isFull};
   constexpr int n = kHalvedWindow;
-  const auto place = [](int x, int y, int z) { return static_cast<std::size_t>((z * n + y) * n + x); };
+  const auto windowIndex = [](int x, int y, int z) { return static_cast<std::size_t>((z * n + y) * n + x); };
   std::array<std::int16_t, std::size_t{n} * n * n> window;
   const VolumeSampler sampler(volume);
   const VoxelIndex first = 2 * VolumeBlock::kSize * block - VoxelIndex::Ones();
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) window[place(x, y, z)] = sampler.sample(first + VoxelIndex(x, y, z));
+      for (int x = 0; x < n; ++x) window[windowIndex(x, y, z)] = sampler.sample(first + VoxelIndex(x, y, z));
   auto samples = std::make_shared<VolumeBlock>();
   for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i) {
     const VoxelIndex low = 2 * VoxelIndex(i & 7, i >> 3 & 7, i >> 6);
     std::int16_t deepest = VolumeBlock::kEmpty;
     for (int z = 0; z < 3; ++z)
       for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 3; ++x) deepest = std::max(deepest, window[place(low.x() + x, low.y() + y, low.z() + z)]);
-    // What is as deep as can be stored there can be as deep as can be stored here.
+        for (int x = 0; x < 3; ++x)
+          deepest = std::max(deepest, window[windowIndex(low.x() + x, low.y() + y, low.z() + z)]);
+    // Samples at the limit remain at the limit.
     const bool isLimit = deepest == VolumeBlock::kEmpty || deepest == VolumeBlock::kFull;
     samples->depths[static_cast<std::size_t>(i)] = isLimit ? deepest : depthSample(0.5 * deepest / VolumeBlock::kUnit);
   }

@@ -6,10 +6,9 @@
 
 namespace handwheel {
 
-// A volume in voxels twice as large, to be looked at. The origin stays, and each sample is the deepest of the 27 around
-// it. So no wall is torn, however thin: what keeps two voids apart keeps them apart still. Surfaces go outwards by up
-// to one voxel of the volume along each axis, and what is narrower than two closes. The depths are distances. On all
-// threads of the arena; O(blocks).
+// Returns a volume with voxels twice as large, for display. The origin stays, and each sample is the deepest of the 27
+// around it. So thin walls keep voids separate. Surfaces move outwards by up to one voxel of the original along each
+// axis, and gaps narrower than two voxels close. The depths are distances. On all threads of the arena; O(blocks).
 SparseVolume downsampledVolume(const SparseVolume& volume);
 
 }  // namespace handwheel

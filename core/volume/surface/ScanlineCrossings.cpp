@@ -28,7 +28,7 @@ Vec2 seenAlongX(const Vec3& p) {
 }
 
 // The side of a line on which a row lies, as if it were at (y + e, z + e²) for an infinitely small e. Opposite for the
-// line the other way round; 0 only where its ends coincide, and then the other two sides of a triangle are opposite.
+// reversed line; 0 only if its ends coincide, and then the other two sides of a triangle are opposite.
 int sideOfRow(const Vec2& from, const Vec2& to, const Vec2& row) {
   if (const int side = sideOfLine(from, to, row); side != 0) return side;
   if (from.y() != to.y()) return from.y() > to.y() ? 1 : -1;
@@ -47,7 +47,7 @@ std::pair<double, double> extentAt(double z, const std::array<Vec2, 3>& seen) {
     const double at = isLevel ? 0.0 : std::clamp((z - a.y()) / rise, 0.0, 1.0);
     const double from = isLevel ? std::min(a.x(), b.x()) : a.x() + at * (b.x() - a.x());
     const double to = isLevel ? std::max(a.x(), b.x()) : from;
-    // What a margin of z moves the point by.
+    // Displacement of the point by a margin of z.
     const double slack = isLevel ? kMargin : kMargin * (1.0 + std::abs((b.x() - a.x()) / rise));
     low = std::min(low, from - slack);
     high = std::max(high, to + slack);
@@ -144,7 +144,7 @@ ScanlineCrossings::Bounding ScanlineCrossings::boundingBy(const Turns& turns) co
   Bounding found{std::vector<bool>(m_crossed.size(), false), {}};
   if (m_range.isEmpty()) return found;
   const auto width = static_cast<std::size_t>(m_range.sizes().x() + 1);
-  const auto placeOf = [&](std::size_t row, std::size_t i) {
+  const auto pointOf = [&](std::size_t row, std::size_t i) {
     return Vec3(m_crossings[i].x, static_cast<double>(row % width) + m_range.min().x(),
                 static_cast<double>(row / width) + m_range.min().y());
   };
@@ -153,7 +153,7 @@ ScanlineCrossings::Bounding ScanlineCrossings::boundingBy(const Turns& turns) co
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t row = range.begin(); row < range.end(); ++row)
                         for (std::size_t i = m_begin[row]; i < m_begin[row + 1]; ++i) {
-                          const double after = turns(placeOf(row, i), m_after[i]);
+                          const double after = turns(pointOf(row, i), m_after[i]);
                           isBounding[i] = (after > 0.5) != (after - m_crossings[i].step > 0.5);
                         }
                     });
@@ -161,7 +161,7 @@ ScanlineCrossings::Bounding ScanlineCrossings::boundingBy(const Turns& turns) co
     for (std::size_t i = m_begin[row]; i < m_begin[row + 1]; ++i) {
       if (!isBounding[i]) continue;
       found.triangles[m_crossings[i].triangle] = true;
-      found.places.emplace_back(placeOf(row, i), m_crossings[i].triangle);
+      found.points.emplace_back(pointOf(row, i), m_crossings[i].triangle);
     }
   return found;
 }

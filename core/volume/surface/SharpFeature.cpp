@@ -14,18 +14,18 @@ namespace handwheel {
 namespace {
 
 constexpr double kDeepest = 1.9;                     // voxels: of samples whose neighbours have distances, too
-constexpr double kSlope = 0.02;                      // what the slope of distances may differ from 1 by
-constexpr double kSharp = 0.85;                      // cosine between normals of what is no smooth surface
+constexpr double kSlope = 0.02;                      // largest deviation of the slope of distances from 1
+constexpr double kSharp = 0.85;                      // largest cosine between normals at a sharp feature
 constexpr double kFarAlongEdge = 10.0;               // voxels, along an edge
-constexpr std::array kReaches{1.8, 1.4, 1.1, 0.85};  // voxels from the middle of a cell to places that count
+constexpr std::array kReaches{1.8, 1.4, 1.1, 0.85};  // voxels, distance of considered points from the centre of a cell
 constexpr std::size_t kLeastPlanes = 6;
 constexpr double kSame = 0.999;      // cosine between normals of the same plane
-constexpr double kResidual = 0.03;   // voxels, RMS, that planes may miss their common place by
-constexpr double kLeastShare = 0.1;  // of the largest eigenvalue, that counts as a direction
+constexpr double kResidual = 0.03;   // voxels, largest RMS distance of planes from their common point
+constexpr double kLeastShare = 0.1;  // least significant eigenvalue, as a share of the largest
 
-// The nearest places of the surface that a sample knows: those of the planes that explain its depth and those of the
-// samples towards one of the eight sides. Beside an edge these are on one side of it only, and half way between two
-// planes there are two.
+// Returns the tangent planes at the nearest points of the surface: those that explain the depth of a sample and of its
+// neighbours towards one of the eight octants. Beside an edge these are on one side only, and midway between two planes
+// there are two.
 std::vector<SharpFeature::Plane> planesAt(const VolumeSampler& sampler, const VoxelIndex& at) {
   std::vector<SharpFeature::Plane> planes;
   const auto depthAt = [&](const VoxelIndex& voxel) { return sampler.sample(voxel) / VolumeBlock::kUnit; };
@@ -50,7 +50,7 @@ std::vector<SharpFeature::Plane> planesAt(const VolumeSampler& sampler, const Vo
   return planes;
 }
 
-// Whether the samples of a cell show a smooth surface: by the means of the slopes on either side.
+// Returns true if the samples of a cell indicate a smooth surface, by the mean slopes on either side.
 bool isSmooth(const VolumeSampler& sampler, const VoxelIndex& cell) {
   std::array<Vec3, 8> slopes;
   for (std::size_t c = 0; c < 8; ++c) {
@@ -64,7 +64,7 @@ bool isSmooth(const VolumeSampler& sampler, const VoxelIndex& cell) {
   return true;
 }
 
-// Where a line passes a cell, the middle of that part; else its place that is nearest to the centre, which is given.
+// Returns the middle of a line's part in a cell, or the given nearest point to the centre if the line misses the cell.
 Vec3 inCell(const Vec3& nearest, const Vec3& along, const Vec3& centre) {
   double from = -kFarAlongEdge, to = kFarAlongEdge;
   for (int k = 0; k < 3; ++k) {
@@ -80,7 +80,8 @@ Vec3 inCell(const Vec3& nearest, const Vec3& along, const Vec3& centre) {
   return from < to ? Vec3(nearest + 0.5 * (from + to) * along) : nearest;
 }
 
-// The place that is nearest to all planes; where they leave a direction open, in the cell or beside its centre.
+// Returns the point that is nearest to all planes; in undetermined directions, a point in the cell or beside its
+// centre.
 Vec3 nearestToAll(const std::vector<SharpFeature::Plane>& planes, const Vec3& centre) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
@@ -100,7 +101,7 @@ Vec3 nearestToAll(const std::vector<SharpFeature::Plane>& planes, const Vec3& ce
   return isEdge ? inCell(centre + from, solver.eigenvectors().col(0), centre) : Vec3(centre + from);
 }
 
-// The feature of planes, some of which are no smooth surface and all of which pass nearly through one place.
+// Returns the feature of planes if they do not form a smooth surface and all pass nearly through one point.
 std::optional<SharpFeature> featureOfPlanes(std::vector<SharpFeature::Plane> planes, const Vec3& centre) {
   if (planes.size() < kLeastPlanes) return std::nullopt;
   const Vec3 some = planes.front().inwards;

@@ -9,26 +9,26 @@
 
 namespace handwheel {
 
-// A sharp edge or corner of a volume in or beside a cell. A cell is between eight samples. In voxels.
+// A sharp edge or corner of a volume in or beside a cell. A cell lies between eight samples. In voxels.
 struct SharpFeature {
   struct Plane {
-    Vec3 foot;     // on the surface
-    Vec3 inwards;  // of length 1
+    Vec3 foot;     // point on the surface
+    Vec3 inwards;  // unit vector
   };
 
   Vec3 point;
-  std::vector<Plane> planes;  // of the surface around
-  bool isConvex = true;       // material is within all of the planes, else within any
+  std::vector<Plane> planes;  // planes of the surface around the cell
+  bool isConvex = true;       // true: the intersection of the half-spaces is material; false: their union
 
-  // Where an edge of a cell, from its lower end along an axis, passes the surface by these planes: as a share of it.
-  // isInside: of the lower end. None where it passes none of them.
+  // Returns the crossing of these planes with the edge of a cell, from its lower end along an axis, from 0 to 1.
+  // isInside: true if the lower end is inside. None if the edge crosses no plane.
   std::optional<double> crossing(const VoxelIndex& from, int axis, bool isInside) const;
 };
 
-// The place that is nearest to the planes of the surface around a cell, by the quadratic error (Ju et al., "Dual
-// contouring of Hermite data", 2002). The planes are those of the samples within two voxels: where depths are distances
-// each sample knows the nearest place of the surface, also where the mean of two samples beside an edge does not. None
-// where the surface is smooth, or where depths are no distances.
+// Returns the point with the least quadratic error from the planes of the surface around a cell (Ju et al., "Dual
+// contouring of Hermite data", 2002). The planes are those of the samples within two voxels: if depths are distances,
+// each sample determines the nearest point of the surface, also near an edge, where an interpolation does not. None if
+// the surface is smooth, or if depths are not distances.
 std::optional<SharpFeature> featureOf(const SparseVolume& volume, const VoxelIndex& cell);
 
 }  // namespace handwheel

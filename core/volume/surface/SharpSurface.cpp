@@ -28,17 +28,17 @@ VoxelIndex indexOf(const Cell& cell) {
 constexpr double kBeside = 1.2;  // voxels, of the point of an edge from the cell that has it, at most
 constexpr double kApart = 0.05;  // voxels, of such points from one another, at least
 
-// As many files of meshes hold them.
+// Rounds points as many mesh files store them.
 std::vector<Vec3> inSinglePrecision(std::vector<Vec3> points) {
   for (Vec3& p : points) p = rounded(p, NumberType::Float32);
   return points;
 }
 
-// A cell with one polygon, its triangles in a row of the list, and what is sharp in it.
+// A cell with one polygon, its consecutive triangles in the list, and its sharp feature.
 struct SharpCell {
   Cell cell;
   std::vector<std::uint32_t> triangles;
-  std::vector<Edge> sides;  // of the polygon
+  std::vector<Edge> sides;  // sides of the polygon
   SharpFeature feature;
   double away = 0.0;  // voxels, of the feature's point from the cell
   bool isUsed = true;
@@ -83,7 +83,7 @@ class Sharpening {
             static_cast<int>(std::floor(voxels.z()))};
   }
 
-  // The sides of the polygon whose triangles these are; none where there are several polygons.
+  // Returns the sides of the polygon of these triangles; none if there are several polygons.
   std::vector<Edge> polygonOf(const std::vector<std::uint32_t>& triangles) const {
     std::vector<Edge> sides;
     std::vector<std::uint32_t> corners;
@@ -128,8 +128,8 @@ class Sharpening {
     }
   }
 
-  // Cells that an edge passes. Where it goes through one without a polygon, those around it join its ends: the nearer,
-  // the sooner.
+  // Cells that an edge passes. If it passes a cell without a polygon, the cells around it join its ends, the nearest
+  // first.
   void rank() {
     for (SharpCell& cell : m_cells) {
       const Vec3 off = (cell.feature.point - indexOf(cell.cell).cast<double>() - Vec3::Constant(0.5)).cwiseAbs();
@@ -138,7 +138,7 @@ class Sharpening {
     }
     std::stable_sort(m_cells.begin(), m_cells.end(),
                      [](const SharpCell& a, const SharpCell& b) { return a.away < b.away; });
-    // One cell for each place, so that no triangle is without an area.
+    // Each position belongs to one cell, so that no triangle is degenerate.
     std::map<Cell, std::vector<Vec3>> taken;
     for (SharpCell& cell : m_cells) {
       const Vec3& point = cell.feature.point;
@@ -154,7 +154,7 @@ class Sharpening {
 
   // Puts the corners of polygons beside an edge onto its planes, along the edges of cells that they are on.
   void moveCrossings() {
-    constexpr double kLeast = 0.01;  // as of shareToSurface()
+    constexpr double kLeast = 0.01;  // see shareToSurface()
     for (const SharpCell& cell : m_cells)
       for (const Edge& side : cell.sides) {
         const Vec3 at = inVoxels(m_plain.points[side.first]);
@@ -192,7 +192,7 @@ class Sharpening {
     };
     for (std::size_t t = 0; t < isReplaced.size(); ++t)
       if (!isReplaced[t]) add(m_plain.triangles[t], kNobody, kNobody);
-    std::map<std::pair<std::size_t, std::size_t>, int> joined;  // how often cells meet
+    std::map<std::pair<std::size_t, std::size_t>, int> joined;  // number of shared sides of two cells
     for (const auto& [side, i] : sides)
       if (const auto other = sides.find({side.second, side.first}); other != sides.end() && i < other->second)
         ++joined[{i, other->second}];
@@ -228,7 +228,7 @@ class Sharpening {
   const SparseVolume& m_volume;
   TriangleSoup m_plain;
   std::vector<SharpCell> m_cells;
-  std::vector<std::pair<std::size_t, std::size_t>> m_owners;  // of the triangles that were made: cells
+  std::vector<std::pair<std::size_t, std::size_t>> m_owners;  // cells of each triangle that was made
 };
 
 }  // namespace

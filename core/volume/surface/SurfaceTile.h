@@ -10,14 +10,14 @@
 
 namespace handwheel {
 
-// Distances of a cube of voxels from triangles, which become signed blocks. All in voxels. A block is the same whatever
-// else is added that does not come near it, so that tiles that are made apart fit together.
+// Distances of a cube of voxels from triangles, which become signed blocks. All in voxels. A block depends only on the
+// triangles near it, so that tiles that are made separately fit together.
 class SurfaceTile {
  public:
   static constexpr int kSide = 32;                            // voxels along an edge of a tile
-  static constexpr int kBlocks = kSide / VolumeBlock::kSize;  // along it
+  static constexpr int kBlocks = kSide / VolumeBlock::kSize;  // blocks along an edge
   static constexpr int kAllBlocks = kBlocks * kBlocks * kBlocks;
-  static constexpr double kBand = 3.0;  // from the surface, in which distances are exact
+  static constexpr double kBand = 3.0;  // distance from the surface up to which distances are exact
   static constexpr float kFar = static_cast<float>(kBand * kBand);
 
   struct Corners {
@@ -31,23 +31,24 @@ class SurfaceTile {
     Vec3 high() const { return a.cwiseMax(b).cwiseMax(c); }
   };
 
-  // first: the tile's voxel with the lowest numbers.
+  // first: the tile's voxel with the lowest indices.
   explicit SurfaceTile(const VoxelIndex& first);
 
-  // To be called for triangles in one order, so that results are the same to the last bit.
+  // Adds a triangle. The order of the calls must be fixed, for results that are identical to the last bit.
   void add(const Corners& t);
 
-  // The squared distance of a voxel, counted from the first; kFar where it is that or more.
+  // Returns the squared distance of a voxel, counted from the first, at most kFar.
   float squared(const VoxelIndex& inTile) const { return m_squared[index(inTile.x(), inTile.y(), inTile.z())]; }
-  // The block from this voxel on, signed; null where nothing of the band is in it. rows: of all triangles.
+  // Returns the signed block beginning at this voxel; null if the band does not reach it. rows: crossings of all
+  // triangles.
   SparseVolume::Block signedBlock(const VoxelIndex& inTile, const ScanlineCrossings& rows) const;
 
-  // The place of a block by its number from 0 to kAllBlocks, x fastest; in blocks, counted from the first.
+  // Returns the index of a block, counted from the first, for its number below kAllBlocks, x fastest.
   static VoxelIndex blockAt(int number) {
     return {number % kBlocks, number / kBlocks % kBlocks, number / kBlocks / kBlocks};
   }
 
-  // A sample so far from a surface, its square in voxels.
+  // Returns the sample for a squared distance from the surface.
   static std::int16_t sampleAt(float squared, bool isInside);
 
  private:

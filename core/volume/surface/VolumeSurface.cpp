@@ -16,9 +16,9 @@
 namespace handwheel {
 namespace {
 
-constexpr int kStride = 4;  // of the samples of coarse triangles
+constexpr int kStride = 4;  // stride of the samples of coarse triangles
 
-// How the blocks of a volume are divided among pieces.
+// The division of a volume's blocks among pieces.
 class PieceGrid {
  public:
   // cells: of a piece along each axis.
@@ -76,7 +76,7 @@ class PieceGrid {
 
  private:
   int m_cells;
-  int m_bits;  // of the number of a block along an axis
+  int m_bits;  // bits of a block's index in its piece along an axis
 };
 
 void extendBox(VolumePiece& piece) {
@@ -87,10 +87,10 @@ void extendBox(VolumePiece& piece) {
   if (!box.isEmpty()) piece.box = Box(box.min().cast<double>() + piece.origin, box.max().cast<double>() + piece.origin);
 }
 
-// The triangles of blocks that are made anew, by number.
+// The triangles of rebuilt blocks, by index.
 using Renewed = std::unordered_map<std::uint16_t, VolumeTriangles>;
 
-// A piece of what is renewed and, for the other blocks, of what it was before; null: nothing.
+// Returns a piece of the rebuilt blocks and, for the other blocks, of the previous piece; null: empty.
 VolumeSurface::Piece assembled(const SparseVolume& volume, const PieceGrid& grid, const VolumeSurface::Key& key,
                                const std::vector<std::uint16_t>& blocks, const Renewed& renewed,
                                const VolumePiece* before) {
@@ -173,7 +173,7 @@ void VolumeSurface::update(const SparseVolume& volume, std::span<const VoxelInde
     Piece made;
   };
   std::vector<Work> works;
-  std::vector<std::pair<std::size_t, VolumeTriangles*>> renewals;  // of a work; filled below
+  std::vector<std::pair<std::size_t, VolumeTriangles*>> renewals;  // pairs of work index and triangles; filled below
   std::vector<std::uint16_t> numbers;
   for (const auto& [key, dirty] : touched) {
     Work& work = works.emplace_back(Work{key, grid.blocksOf(volume, key), {}, nullptr});

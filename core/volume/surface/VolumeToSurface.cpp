@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBlocksAtOnce = 16;
 
-// Which of a block's own edges the surface crosses, and the number of its first point.
+// The edges of a block that the surface crosses, and the index of its first point.
 struct CrossedEdges {
   VoxelIndex block;
   std::array<std::uint64_t, BlockCells::kEdges / 64> bits{};

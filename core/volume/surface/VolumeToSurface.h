@@ -10,11 +10,11 @@
 
 namespace handwheel {
 
-// The surface of a volume by marching cubes (MarchingCubesTable). The triangles go through the cells of its samples and
-// share points. Closed, manifold, oriented and free of self-intersections, as long as the coordinates tell voxels apart
-// by a thousandth. O(blocks), on all threads of the arena; the same for any number of them. Empty when cancelled.
+// Returns the surface of a volume by marching cubes (MarchingCubesTable). The triangles share points. The surface is
+// closed, manifold, oriented and free of self-intersections, as long as the coordinates resolve a thousandth of a
+// voxel. O(blocks), on all threads of the arena; the result is the same for any number of them. Empty if cancelled.
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress = {});
-// The blocks in whose cells the surface can be: those with samples, and those whose high sides touch them.
+// Returns the blocks with cells that the surface may pass: those with samples, and those whose upper sides touch them.
 std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume);
 
 }  // namespace handwheel

@@ -9,8 +9,8 @@ namespace {
 
 Result<std::string> byProcess(const char* task, std::string_view bytes, Progress progress) {
   IsolatedReader reader{readerProgram("vdb"), kVdbLibrary, {}};
-  // It takes some ten megabytes in a second; slow machines are to come to an end, too. Of damaged files some take as
-  // long as they get.
+  // The process reads about ten megabytes per second; the limit allows for slow machines. Some damaged files take all
+  // the time they get.
   reader.limits.cpu = std::chrono::seconds(20 + (bytes.size() >> 20));
   reader.limits.wall = 2 * reader.limits.cpu;
   return readIsolated(reader, {task}, bytes, progress);

@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// A volume as it is exchanged with the process for VDB files. It is a line of its voxel and origin (mm), whether it was
-// a fog, and how many grids there are beside it; then its regions (VolumeSerialization.h), in the byte order of this
-// machine.
+// A volume as it is exchanged with the process for VDB files. It is serialised as a line with its voxel and origin
+// (mm), a flag for fog volumes, and the number of other grids, followed by its regions (VolumeSerialization.h) in the
+// byte order of this machine.
 struct VdbVolume {
   SparseVolume volume;
   bool isFog = false;
@@ -20,7 +20,7 @@ struct VdbVolume {
 };
 
 std::string bytesOf(const VdbVolume& volume);
-// None where they make no sense. Memory: at most 64 times the bytes.
+// Returns nothing if the bytes are malformed. Memory: at most 64 times the bytes.
 std::optional<VdbVolume> vdbVolumeIn(std::string_view bytes);
 
 }  // namespace handwheel

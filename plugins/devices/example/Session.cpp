@@ -47,7 +47,7 @@ Status ExampleSession::open(Progress) {
   if (!stream) return stream.error();
   m_stream = std::move(stream.value());
   m_state = {};
-  m_state.status = DeviceStatus::Starting;  // until it has said where it is
+  m_state.status = DeviceStatus::Starting;  // until it has reported its position
   return Done{};
 }
 
@@ -56,7 +56,7 @@ DeviceState ExampleSession::exchange(const DeviceForce& force) noexcept {
   if (!send(force.force)) m_stream.reset();
   if (m_stream && receive()) {
     m_state.status = DeviceStatus::Ready;
-    ++m_state.reading;  // else nothing new was said, and the force fades
+    ++m_state.reading;  // otherwise there is no new reading, and the force fades
   }
   return m_stream ? m_state : DeviceState();
 }

@@ -24,7 +24,7 @@ class ExampleSession final : public Session {
 
  private:
   bool send(const Vec3& force) noexcept;
-  bool receive() noexcept;  // whether a whole answer has come; else m_stream is null when the device is gone
+  bool receive() noexcept;  // returns true if a whole answer has come; m_stream is null when the device is gone
 
   Connect m_connect;
   std::unique_ptr<ByteStream> m_stream;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLoads = 10;                // the whole load
 constexpr int kGreetings = 100;           // within each
-constexpr int kProbes = 10;               // for firmware that runs
+constexpr int kProbes = 10;               // greetings within each load
 constexpr double kBootAnswerTime = 0.02;  // s
 constexpr double kPause = 0.1;            // s between two loads
 constexpr std::size_t kChunk = 62;        // bytes; more are not echoed
@@ -24,7 +24,7 @@ constexpr std::array<std::uint8_t, 1> kBegin = {0x41};
 
 using Buffer = std::array<std::uint8_t, 256>;
 
-// So many bytes, or fewer when no more come in time.
+// Reads so many bytes, or fewer if no more come in time.
 std::span<const std::uint8_t> readUpTo(FtdiPort& port, Clock& clock, Buffer& buffer, std::size_t wanted) {
   std::size_t filled = 0;
   const double end = clock.now() + kBootAnswerTime;
@@ -36,7 +36,7 @@ std::span<const std::uint8_t> readUpTo(FtdiPort& port, Clock& clock, Buffer& buf
   return std::span(buffer).first(filled);
 }
 
-// Some hosts see a zero before the answer, so it may stand anywhere.
+// Greets the device. Some hosts see a zero before the answer, so the answer may begin anywhere.
 bool greet(FtdiPort& port, Clock& clock, const Progress& progress) {
   for (int i = 0; i < kGreetings && !port.isGone() && !progress.cancelled(); ++i) {
     Buffer buffer{};
@@ -47,7 +47,7 @@ bool greet(FtdiPort& port, Clock& clock, const Progress& progress) {
   return false;
 }
 
-// Sends bytes of which the device echoes each.
+// Sends bytes, each of which the device echoes.
 bool sendEchoed(FtdiPort& port, Clock& clock, std::span<const std::uint8_t> bytes) {
   Buffer buffer{};
   if (!port.write(bytes)) return false;
@@ -55,7 +55,7 @@ bool sendEchoed(FtdiPort& port, Clock& clock, std::span<const std::uint8_t> byte
   return std::equal(echo.begin(), echo.end(), bytes.begin(), bytes.end());
 }
 
-// One try; what it did not answer, or null when the firmware is in.
+// Makes one try. Returns the part that the device did not answer, or null when the firmware is loaded.
 const char* tryLoad(FtdiPort& port, Clock& clock, const Firmware& firmware, Progress progress) {
   if (!port.toBootloader() || !greet(port, clock, progress)) return "the bootloader's greeting";
   if (!port.toFirmwareLoad() || !sendEchoed(port, clock, kBegin)) return "the echo of the first byte";

@@ -13,8 +13,8 @@ namespace handwheel::falcon {
 
 using Firmware = std::vector<std::uint8_t>;
 
-// Whether the firmware is already running. It stays loaded until the power is off. Leaves the port in running mode.
-// False also when the device is gone.
+// Returns true if the firmware is already running. It stays loaded until the power is off. Leaves the port in running
+// mode. False also when the device is gone.
 bool runs(FtdiPort& port, Clock& clock) noexcept;
 
 // Loads the firmware, which often fails and is tried ten times. Leaves the port in running mode.

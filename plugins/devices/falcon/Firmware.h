@@ -8,8 +8,8 @@
 
 namespace handwheel::falcon {
 
-// The path of the firmware file. The environment variable HANDWHEEL_FALCON_FIRMWARE, or handwheel/falcon.bin in the
-// user's data folder. The firmware belongs to the manufacturer of the device and cannot be distributed with this
+// Returns the path of the firmware file. The environment variable HANDWHEEL_FALCON_FIRMWARE, or handwheel/falcon.bin in
+// the user's data folder. The firmware belongs to the manufacturer of the device and cannot be distributed with this
 // program: the user puts the file there.
 std::string firmwarePath();
 

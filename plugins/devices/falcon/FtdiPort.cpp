@@ -9,7 +9,7 @@ namespace handwheel::falcon {
 
 namespace {
 
-// Vendor requests of the chip, and what they take.
+// Vendor requests of the chip, with their parameters.
 enum Request : std::uint8_t { kReset = 0, kModem = 1, kFlow = 2, kBaud = 3, kData = 4, kLatency = 9 };
 constexpr std::uint16_t kPurgeIn = 1, kPurgeOut = 2;
 constexpr std::uint16_t kDtrHigh = 0x0101, kDtrLow = 0x0100, kRtsLow = 0x0200;

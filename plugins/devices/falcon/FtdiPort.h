@@ -13,7 +13,7 @@ class FtdiPort {
  public:
   explicit FtdiPort(std::unique_ptr<UsbTransport> usb) : m_usb(std::move(usb)) {}
 
-  // Bootloader mode: 9600 baud, 8N1, no flow control, RTS low, DTR pulsed.
+  // Switches to bootloader mode: 9600 baud, 8N1, no flow control, RTS low, DTR pulsed.
   bool toBootloader() noexcept;
   bool toFirmwareLoad() noexcept;  // 142,857 baud, DTR low
   bool toRunning() noexcept;       // 1.5 Mbaud, answers within 1 ms

@@ -29,7 +29,7 @@ constexpr double kAtZero = 35.0 * kDegree;
 
 // The triangle of one leg, in the plane of its arm.
 struct Leg {
-  double cosine, sine;    // of its azimuth
+  double cosine, sine;    // cosine and sine of its azimuth
   double sideways;        // v + f, out of the plane
   double across, height;  // X, Z: of the grip's joint seen from the shaft
   double reach;           // L: the parallelogram's length in the plane

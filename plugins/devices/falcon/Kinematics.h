@@ -13,25 +13,26 @@ namespace handwheel::falcon {
 // radians, in the mechanism's own frame: the origin in the plane of the motors, z towards the user. Angles are those of
 // the three arms.
 using Angles = std::array<double, 3>;
-using Counts = std::array<int, 3>;  // of the encoders, from where homing puts zero
+using Counts = std::array<int, 3>;  // counts of the encoders, relative to their zero after homing
 
 // Converts encoder counts to angles.
 Angles anglesOf(const Counts& counts);
 
-// Inverse kinematics: the angles for a point; nothing when it is out of reach.
+// Inverse kinematics: returns the angles for a point; nothing when it is out of reach.
 std::optional<Angles> inverse(const Vec3& point);
 
-// The Jacobian at a reachable point. Row i is the gradient of arm i's angle, rad/m.
+// Returns the Jacobian at a reachable point. Row i is the gradient of arm i's angle, rad/m.
 Eigen::Matrix3d jacobian(const Vec3& point);
 
-// Forward kinematics: the point for angles, by Newton's method. From a guess to 1e-12 rad; nothing when it does not
-// converge, as may happen for angles that the mechanism cannot take.
+// Forward kinematics: returns the point for angles, by Newton's method. From a guess to 1e-12 rad; nothing when it does
+// not converge, as may happen for angles that the mechanism cannot take.
 std::optional<Vec3> forward(const Angles& angles, const Vec3& guess);
 
-inline const Vec3 kHome{0.0, 0.0, 0.12};      // m, a guess from which every reachable point is found
-inline const Vec3 kCentre{0.0, 0.0, 0.1346};  // m, where the encoders are zero; the origin of what the servo loop sees
+inline const Vec3 kHome{0.0, 0.0, 0.12};  // m, a guess from which every reachable point is found
+// m, the point where the encoders are zero; the origin of the servo loop's coordinates
+inline const Vec3 kCentre{0.0, 0.0, 0.1346};
 
-// The torques (N·m) of the motors' arms for a force (N). J^-T F, by virtual work.
+// Returns the torques (N·m) of the motors' arms for a force (N). J^-T F, by virtual work.
 Vec3 torques(const Vec3& force, const Vec3& point);
 
 inline constexpr int kMostTorque = 4096;           // counts

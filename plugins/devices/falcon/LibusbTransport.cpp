@@ -17,8 +17,8 @@ constexpr std::uint16_t kVendor = 0x0403;
 constexpr std::uint16_t kProduct = 0xcb48;
 constexpr std::uint8_t kOut = 0x02, kIn = 0x81;
 constexpr std::uint8_t kVendorRequest = 0x40;
-constexpr unsigned kMilliseconds = 100;  // that a transfer out may take while firmware is loaded
-constexpr unsigned kPacketTime = 10;     // ms, and that of a packet of the loop: an exchange waits 20 ms at most
+constexpr unsigned kMilliseconds = 100;  // time limit for a transfer out while firmware is loaded
+constexpr unsigned kPacketTime = 10;     // ms for a packet of the loop: an exchange waits 20 ms at most
 constexpr std::size_t kShort = 64;       // bytes
 constexpr int kMostErrors = 10;
 
@@ -48,7 +48,7 @@ class LibusbTransport final : public UsbTransport {
 
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept override {
     int received = 0;
-    const auto milliseconds = static_cast<unsigned>(std::max(1.0, std::ceil(timeout * 1e3)));  // 0 would be for ever
+    const auto milliseconds = static_cast<unsigned>(std::max(1.0, std::ceil(timeout * 1e3)));  // 0 would mean for ever
     const int size = static_cast<int>(into.size());
     noted(libusb_bulk_transfer(m_handle, kIn, into.data(), size, &received, milliseconds), kIn);
     return m_gone ? kGone : received;
@@ -57,8 +57,7 @@ class LibusbTransport final : public UsbTransport {
   bool isGone() const noexcept override { return m_gone; }
 
  private:
-  // A halted pipe is set going again. A line that errs again and again is as good as gone; that nothing came is no
-  // error.
+  // Restarts a halted pipe. A line with repeated errors counts as gone; a timeout is no error.
   int noted(int status, std::uint8_t pipe) noexcept {
     if (status == LIBUSB_ERROR_PIPE && pipe != 0) (void)libusb_clear_halt(m_handle, pipe);
     m_errors = status == 0 || status == LIBUSB_ERROR_TIMEOUT ? 0 : m_errors + 1;
@@ -68,11 +67,11 @@ class LibusbTransport final : public UsbTransport {
 
   std::shared_ptr<libusb_context> m_context;
   libusb_device_handle* m_handle;
-  int m_errors = 0;  // one after the other
+  int m_errors = 0;  // consecutive errors
   bool m_gone = false;
 };
 
-// The kernel may have taken the chip for a serial line; it gets it back on release.
+// Claims the interface. The kernel may have taken the chip for a serial line; it gets it back on release.
 int claim(libusb_device_handle* handle) {
   const int status = libusb_claim_interface(handle, 0);
   if (status != LIBUSB_ERROR_BUSY) return status;

@@ -13,7 +13,8 @@ struct libusb_context;
 
 namespace handwheel::falcon {
 
-// Finds and opens Falcons by libusb. An address is "bus-port.port": the same for as long as the plug stays where it is.
+// Finds and opens Falcons by libusb. An address is "bus-port.port": it stays the same while the plug stays in its
+// socket.
 class Usb {
  public:
   Usb();

@@ -71,7 +71,7 @@ int AnswerReader::take(std::span<const std::uint8_t> bytes) {
   return answers;
 }
 
-// A packet was cut short: the next may have begun within what looked like it.
+// Drops the beginning of a packet that was cut short: the next may have begun within it.
 void AnswerReader::dropToNextStart() {
   const auto start = std::find(m_partial.begin() + 1, m_partial.end(), kStart);
   m_filled = static_cast<std::size_t>(std::move(start, m_partial.end(), m_partial.begin()) - m_partial.begin());

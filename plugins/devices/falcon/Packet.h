@@ -23,7 +23,7 @@ PacketBytes encode(const Counts& torques, std::uint8_t lights);
 struct Reading {
   Counts encoders{};
   std::uint8_t buttons = 0;  // bits: plus, forward, centre, minus
-  std::uint8_t homed = 0;    // bits 0…2: the arms that know where they are
+  std::uint8_t homed = 0;    // bits 0…2: the arms that know their position
 
   bool isHomed() const { return homed == 7; }
 };

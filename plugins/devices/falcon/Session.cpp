@@ -9,14 +9,14 @@ namespace handwheel::falcon {
 
 namespace {
 
-// s: of one exchange, a packet out and one in. libnifalcon and other programs reach 1 kHz, in which the frames of a
-// full-speed bus are the limit.
+// Time of one exchange, a packet out and one in, s. libnifalcon and other programs reach 1 kHz, for which the frames of
+// a full-speed bus are the limit.
 constexpr double kExchange = 0.001;
 constexpr double kMillimetre = 1e-3;   // m
 constexpr double kAnswerTime = 0.004;  // s; it answers within one or two frames of the bus
-constexpr double kLateTime = 0.001;    // s that one that was missed is waited for
-constexpr double kSilence = 0.1;       // s without an answer, and it has failed
-constexpr int kFarewells = 3;          // zero packets on leaving: what it does when none come is not known
+constexpr double kLateTime = 0.001;    // s, wait for an answer that was missed
+constexpr double kSilence = 0.1;       // s without an answer until the device counts as failed
+constexpr int kFarewells = 3;          // zero packets on leaving: its behaviour without them is not known
 
 }  // namespace
 
@@ -73,8 +73,8 @@ void Session::close() noexcept {
   m_port.reset();
 }
 
-// One packet out, one in. An answer that was missed may still come: it is let in before the next question, or every
-// answer from then on would be that to the question before.
+// Sends one packet and receives one. A missed answer may still come: it is read before the next question, or every
+// later answer would belong to the question before.
 bool Session::converse(const Counts& torques, std::uint8_t lights) noexcept {
   if (m_missed) (void)listen(kLateTime);
   m_missed = !m_port->write(encode(torques, lights)) || !listen(kAnswerTime);
@@ -96,7 +96,7 @@ Counts Session::torquesFor(const Vec3& force) const noexcept {
   return torqueCounts(torques(force, m_point));
 }
 
-// The pose that the last answer tells. Angles that the mechanism cannot take are a fault of the line.
+// Computes the pose from the last answer. Angles that the mechanism cannot take are a fault of the line.
 void Session::understand() noexcept {
   const Reading& reading = m_answers.reading();
   ++m_state.reading;

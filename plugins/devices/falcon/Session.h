@@ -26,7 +26,7 @@ class Session final : public handwheel::Session {
   void close() noexcept override;
 
  private:
-  bool converse(const Counts& torques, std::uint8_t lights) noexcept;  // whether an answer came
+  bool converse(const Counts& torques, std::uint8_t lights) noexcept;  // returns true if an answer came
   bool listen(double timeout) noexcept;
   Counts torquesFor(const Vec3& force) const noexcept;
   void understand() noexcept;

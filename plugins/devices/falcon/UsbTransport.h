@@ -10,11 +10,11 @@ namespace handwheel {
 class UsbTransport {
  public:
   virtual ~UsbTransport() = default;
-  // A vendor request to the device without data. False: refused, or gone.
+  // Sends a vendor request without data. Returns false if it was refused or the device is gone.
   virtual bool control(std::uint8_t request, std::uint16_t value) noexcept = 0;
-  // One transfer out; false when it was not taken whole.
+  // Makes one transfer out. Returns false if it was not taken whole.
   virtual bool write(std::span<const std::uint8_t> bytes) noexcept = 0;
-  // One transfer in; how many bytes, 0 when none came in time (s), kGone.
+  // Makes one transfer in. Returns the number of bytes, 0 if none came in time (s), or kGone.
   virtual std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept = 0;
   virtual bool isGone() const noexcept = 0;
 };

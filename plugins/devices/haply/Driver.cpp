@@ -37,7 +37,8 @@ std::string addressOf(std::uint16_t number) {
 
 }  // namespace
 
-// Lines like "0: 0100007F:2711 00000000:0000 0A …": number, local address and port, remote ones, state (0A: listens).
+// Parses lines like "0: 0100007F:2711 00000000:0000 0A …": number, local address and port, remote ones, state (0A:
+// listens).
 bool listens(std::string_view table, std::uint16_t port) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string wanted = ":";

@@ -17,7 +17,7 @@ class Driver final : public DeviceDriver {
   std::unique_ptr<Device> make(const std::string& address) override;
 };
 
-// Whether a TCP socket listens on a port. table: the kernel's table of sockets (/proc/net/tcp or tcp6).
+// Returns true if a TCP socket listens on a port. table: the kernel's table of sockets (/proc/net/tcp or tcp6).
 bool listens(std::string_view table, std::uint16_t port);
 
 }  // namespace handwheel::haply

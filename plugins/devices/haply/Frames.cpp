@@ -64,7 +64,7 @@ std::optional<Message> FrameReader::next() {
   return {};
 }
 
-// Nothing when it has not come whole.
+// Returns nothing if the header is not complete.
 std::optional<FrameReader::Header> FrameReader::header() const {
   if (m_bytes.size() < 2) return {};
   Header head;
@@ -79,7 +79,8 @@ std::optional<FrameReader::Header> FrameReader::header() const {
   return head;
 }
 
-// A server's frames are not masked; control frames are short and whole; a fragment continues one, and only one.
+// Returns true if the frame is valid: a server's frames are not masked; control frames are short and whole; a fragment
+// continues one, and only one.
 bool FrameReader::isAllowed(const Header& head) const {
   if ((byteAt(m_bytes, 0) & kReserved) != 0 || (byteAt(m_bytes, 1) & kMasked) != 0) return false;
   if (isControl(head.opcode)) return head.opcode <= 10 && head.isLast && head.length <= kLargestControl;

@@ -26,16 +26,17 @@ struct Message {
 class FrameReader {
  public:
   void take(std::span<const std::uint8_t> bytes);
-  // The next whole message; nothing when more bytes are needed, or when the stream is broken.
+  // Returns the next whole message; nothing when more bytes are needed, or when the stream is broken.
   std::optional<Message> next();
-  // Whether the server violates the protocol, or a message is larger than any that is expected. Nothing more will come.
+  // Returns true if the server violates the protocol, or a message is larger than any that is expected. Nothing more
+  // will come.
   bool isBroken() const { return m_broken; }
 
  private:
   struct Header {
     bool isLast = false;
     std::uint8_t opcode = 0;
-    std::size_t start = 0;  // of the payload, from the frame's first byte
+    std::size_t start = 0;  // start of the payload, from the frame's first byte
     std::uint64_t length = 0;
   };
   std::optional<Header> header() const;
@@ -43,7 +44,7 @@ class FrameReader {
   std::optional<Message> finish(const Header& header, std::string payload);
 
   std::string m_bytes;
-  std::optional<Message> m_fragments;  // a message of which more frames are to come
+  std::optional<Message> m_fragments;  // a message with more frames to come
   bool m_broken = false;
 };
 

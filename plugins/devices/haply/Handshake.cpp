@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kProtocol = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";  // RFC 6455, section 1.3
 
-// The value of a field, without the blanks around it; empty where it is missing.
+// Returns the value of a field, without the blanks around it; empty if it is missing.
 QByteArray fieldOf(const QByteArray& head, const QByteArray& name) {
   for (const QByteArray& line : head.split('\n')) {
     const qsizetype colon = line.indexOf(':');

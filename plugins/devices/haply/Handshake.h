@@ -11,14 +11,14 @@ namespace handwheel::haply {
 
 // Creates a handshake key: 16 random bytes in base64, new for each connection.
 std::string handshakeKey();
-// The answer that a server must give to a key. It proves that the server supports the protocol, and has read this very
-// request.
+// Returns the answer that a server must give to a key. It proves that the server supports the protocol, and has read
+// this very request.
 std::string acceptFor(std::string_view key);
 
-// The HTTP request that opens a WebSocket.
+// Returns the HTTP request that opens a WebSocket.
 std::string upgradeRequest(std::string_view host, std::string_view key);
-// Whether the head of a server's response accepts the upgrade. From "HTTP/1.1" up to the empty line; names of fields in
-// any case.
+// Returns true if the head of a server's response accepts the upgrade. From "HTTP/1.1" up to the empty line; names of
+// fields in any case.
 bool isUpgradeAccepted(std::string_view head, std::string_view key);
 
 }  // namespace handwheel::haply

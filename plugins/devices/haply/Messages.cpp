@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 constexpr double kMetre = 1e3;         // mm
 constexpr double kMostPlausible = 10;  // m or m/s; beyond, it is no reading
 
-// The first of these keys that an object has; null otherwise.
+// Returns the first of these keys that an object has; null otherwise.
 const Json* member(const Json* object, std::initializer_list<const char*> keys) {
   if (!object || !object->is_object()) return nullptr;
   for (const char* const key : keys) {
@@ -32,7 +32,7 @@ std::optional<double> number(const Json* object, const char* key) {
   return std::isfinite(result) ? std::optional(result) : std::nullopt;
 }
 
-// The service has x right, y away from the user, z up; this turns it by -90° about x.
+// Converts a vector. The service has x right, y away from the user, z up; this turns it by -90° about x.
 std::optional<Vec3> vector(const Json* object) {
   const auto x = number(object, "x"), y = number(object, "y"), z = number(object, "z");
   if (!x || !y || !z) return {};
@@ -52,12 +52,12 @@ bool isOn(const Json* value) {
   return value && ((value->is_boolean() && value->get<bool>()) || (value->is_number() && value->get<double>() != 0.0));
 }
 
-// Lists of devices are arrays; the first entry, or null.
+// Returns the first entry of an array of devices, or null.
 const Json* first(const Json* list) {
   return list && list->is_array() && !list->empty() ? &list->front() : nullptr;
 }
 
-// Older versions have what is now in "state" directly in the device.
+// Returns the state of a device. Older versions have the members of "state" directly in the device.
 const Json* stateOf(const Json* device) {
   const Json* const state = member(device, {"state"});
   return state ? state : device;

@@ -9,12 +9,12 @@ namespace handwheel::haply {
 
 namespace {
 
-// s: of one exchange. Inverse3 devices answer at 1 kHz and more, as their maker recommends, through the library and
-// through the service.
+// Time of one exchange, s. Inverse3 devices answer at 1 kHz and more, as their manufacturer recommends, through the
+// library and through the service.
 constexpr double kExchange = 0.001;
 constexpr double kAnswerTime = 0.01;    // s
 constexpr double kInventoryTime = 2.0;  // s
-constexpr double kSilence = 0.1;        // s without a frame that makes sense, and it has failed
+constexpr double kSilence = 0.1;        // s without a valid frame until the device counts as failed
 
 }  // namespace
 
@@ -67,8 +67,8 @@ DeviceState Session::exchange(const DeviceForce& force) noexcept {
   return {};
 }
 
-// Commands do not outlive the message after them, so the service itself lets go when nothing more comes; this is
-// sooner.
+// Commands do not outlive the message after them, so the service itself releases the force when nothing more comes;
+// this is sooner.
 void Session::close() noexcept {
   if (m_socket && !m_deviceId.empty()) (void)m_socket->send(forceCommand(m_deviceId, Vec3::Zero()));
   if (m_socket) m_socket->sendClose();

@@ -31,7 +31,7 @@ class Session final : public handwheel::Session {
   std::unique_ptr<WebSocket> m_socket;  // null: not open, or gone
   std::string m_deviceId;
   bool m_hasGrip = false;
-  bool m_asked = false;  // and not answered
+  bool m_asked = false;  // a message was sent that is not answered yet
   double m_lastAnswer = 0.0;
   DeviceState m_state;
 };

@@ -20,7 +20,7 @@ class WebSocket {
                                                  const std::string& host);
 
   bool send(std::string_view text);
-  // The newest text received, waiting up to `timeout` (s) for one. Answers pings.
+  // Returns the newest text received, waiting up to `timeout` (s) for one. Answers pings.
   std::optional<std::string> receive(double timeout);
   bool isGone() const { return m_gone; }
   void sendClose();

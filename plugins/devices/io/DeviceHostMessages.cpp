@@ -51,7 +51,7 @@ class Out {
   std::size_t m_size = kHead;
 };
 
-// Reads them. What is not there, or too long, is zero, and isWhole() false.
+// Reads the parts of a message. Missing parts, and those that are too long, are zero, and isWhole() is false.
 class In {
  public:
   explicit In(std::span<const std::uint8_t> bytes) : m_rest(bytes) {}
@@ -80,7 +80,7 @@ class In {
   bool m_isWhole = true;
 };
 
-// Every number of a message, in the order of the format, for writing and reading alike.
+// Visits every number of a message, in the order of the format, for writing and reading alike.
 template <class Each, class Vector>
 void eachOf(Each& each, Vector& vector) {
   for (auto& x : vector) each(x);
@@ -220,7 +220,7 @@ std::span<const std::uint8_t> bytesOf(const Message& message, Buffer& buffer) {
   return std::span(buffer).first(out.size());
 }
 
-// Whether the message has so many bytes by now.
+// Returns true if the message has so many bytes by now.
 bool Reader::fill(std::size_t size) {
   const std::size_t count = std::min(size - std::min(size, m_filled), m_rest.size());
   std::copy_n(m_rest.begin(), count, m_message.begin() + static_cast<std::ptrdiff_t>(m_filled));

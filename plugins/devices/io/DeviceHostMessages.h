@@ -43,7 +43,7 @@ struct Refused {
 };
 // From the other process: the latest reading of the device.
 struct State {
-  std::uint32_t number = 0;  // of the force that it answers
+  std::uint32_t number = 0;  // number of the force that it answers
   DeviceState state;
 };
 

@@ -26,9 +26,9 @@ namespace handwheel {
 namespace {
 
 constexpr int kGuardEnd = 3;        // the descriptor of its end of the socket
-constexpr int kGuardPriority = 10;  // of SCHED_FIFO, low among real-time threads
+constexpr int kGuardPriority = 10;  // SCHED_FIFO priority, low among real-time threads
 constexpr double kWait = 0.001;
-constexpr int kWaits = 1000;  // and then it is ended
+constexpr int kWaits = 1000;  // after which it is killed
 
 std::atomic<bool> stopped{false};
 
@@ -59,7 +59,8 @@ class ProcessStream final : public ByteStream {
   pid_t m_process;
 };
 
-// What posix_spawn is to do in the new process: the socket at its place, no other file open, no signal blocked.
+// The set-up that posix_spawn makes in the new process: the socket at its descriptor, no other file open, no signal
+// blocked.
 class SpawnSetup {
  public:
   explicit SpawnSetup(int descriptor) {
@@ -100,7 +101,7 @@ void stopOnSignals() {
   action.sa_handler = [](int) { stopped = true; };
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) ::sigaction(signal, &action, nullptr);
   action.sa_handler = SIG_IGN;
-  ::sigaction(SIGPIPE, &action, nullptr);  // of messages to a terminal that is gone
+  ::sigaction(SIGPIPE, &action, nullptr);  // for messages to a terminal that is gone
 }
 
 }  // namespace

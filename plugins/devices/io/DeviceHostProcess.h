@@ -10,21 +10,20 @@
 
 namespace handwheel {
 
-// The path of a guard program. It is in the folder "guards" next to the folder of the calling plugin, or in the folder
-// in HANDWHEEL_GUARDS.
+// Returns the path of a guard program. It is in the folder "guards" next to the folder of the calling plugin, or in the
+// folder in HANDWHEEL_GUARDS.
 std::string guardPath(const std::string& name);
 
-// Starts a guard process, and connects to it by an unnamed socket. So no other process can connect. It is in a session
-// of its own: signals of the terminal to the program do not reach it. Error: Unreachable with the system's
-// reason.
+// Starts a guard process, and connects to it by an unnamed socket. No other process can connect. It is in a session of
+// its own: signals of the terminal to the program do not reach it. Error: Unreachable with the system's reason.
 Result<std::unique_ptr<ByteStream>> startGuard(const std::string& path, const std::string& address);
 
-// Creates a session with a device that a guard process holds. path: of its program; address: of the device; kind, name:
-// as in OutOfProcessSession.
+// Creates a session with a device that a guard process holds. path: its program; address: that of the device; kind,
+// name: see OutOfProcessSession.
 std::unique_ptr<Session> guarded(const std::string& path, const std::string& address, const DeviceCapabilities& kind,
                                  const std::string& name);
 
-// The main function of a guard process. Serves the session that make() creates for the address, until the program is
+// Runs a guard process; its main function. Serves the session that make() creates for the address, until the program is
 // gone. Returns the exit code.
 int runDeviceHost(int argc, char** argv,
                   const std::function<std::unique_ptr<Session>(const std::string& address)>& make);

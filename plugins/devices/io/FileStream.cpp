@@ -21,9 +21,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kWriteMilliseconds = 100;  // that a full buffer may take to drain
+constexpr int kWriteMilliseconds = 100;  // time that a full buffer may take to drain
 
-// True when the descriptor is ready, or has an end or an error to tell.
+// Returns true if the descriptor is ready, or reports an end or an error.
 bool waitFor(int descriptor, short events, int milliseconds) {
   pollfd entry{descriptor, events, 0};
   return ::poll(&entry, 1, milliseconds) > 0;

@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// A byte stream on a file descriptor. Does not allocate after it was made.
+// A byte stream on a file descriptor. Does not allocate after its construction.
 class FileStream final : public ByteStream {
  public:
-  explicit FileStream(int descriptor) : m_descriptor(descriptor) {}  // which it owns from here
+  explicit FileStream(int descriptor) : m_descriptor(descriptor) {}  // takes ownership
   ~FileStream() override;
   FileStream(const FileStream&) = delete;
   FileStream& operator=(const FileStream&) = delete;
@@ -28,7 +28,7 @@ class FileStream final : public ByteStream {
 // Connect to a Unix socket, or to a TCP port. Error: Unreachable with the system's reason.
 Result<std::unique_ptr<ByteStream>> connectUnix(const std::string& path);
 Result<std::unique_ptr<ByteStream>> connectLoopback(std::uint16_t port);  // TCP to 127.0.0.1
-// Opens a serial port in raw mode. No echo, no line editing, at 115,200 baud where that applies.
+// Opens a serial port in raw mode. No echo, no line editing, at 115,200 baud on ports that have a rate.
 Result<std::unique_ptr<ByteStream>> openSerial(const std::string& path);
 
 }  // namespace handwheel

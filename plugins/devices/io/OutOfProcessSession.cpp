@@ -11,10 +11,10 @@ namespace handwheel {
 namespace {
 
 constexpr double kHop = 0.0002;            // s, there and back
-constexpr double kOpeningLookTime = 0.05;  // s between looks whether the user has changed his mind
-constexpr double kOpeningSilence = 5.0;    // s without a word while it opens the device
+constexpr double kOpeningLookTime = 0.05;  // s between checks for a cancel
+constexpr double kOpeningSilence = 5.0;    // s without a message while it opens the device
 constexpr double kAnswerTime = 0.02;       // s
-constexpr double kSilence = 0.1;           // s without an answer, and it has failed
+constexpr double kSilence = 0.1;           // s without an answer until the device counts as failed
 constexpr double kClosingTime = 1.0;       // s that it may take to send zero force and go
 
 }  // namespace
@@ -49,7 +49,7 @@ Result<DeviceCapabilities> OutOfProcessSession::waitForDevice(Progress progress)
   return Error{DeviceError::Unreachable, {"the process that guards its motors has ended"}, {}, m_name};
 }
 
-// An answer that came late is that to a force before, and passed over.
+// A late answer is that to an earlier force, and skipped.
 DeviceState OutOfProcessSession::exchange(const DeviceForce& force) noexcept {
   if (!m_stream || !send(guard::Force{++m_number, force})) return {};
   const double end = m_clock->now() + kAnswerTime;
@@ -65,7 +65,7 @@ DeviceState OutOfProcessSession::exchange(const DeviceForce& force) noexcept {
   return m_state;
 }
 
-// The device has zero force when the process has closed its end.
+// The device has zero force once the process has closed its end.
 void OutOfProcessSession::close() noexcept {
   const double end = m_clock->now() + kClosingTime;
   if (m_stream && send(guard::Close{})) {
@@ -79,7 +79,7 @@ bool OutOfProcessSession::send(const guard::Message& message) noexcept {
   return m_stream != nullptr;
 }
 
-// The next message, or nothing: none came until then, or the process is gone.
+// Returns the next message, or nothing if none came until then or the process is gone.
 std::optional<guard::Message> OutOfProcessSession::receive(double until) noexcept {
   while (m_stream) {
     if (std::optional<guard::Message> message = m_reader.next()) return message;

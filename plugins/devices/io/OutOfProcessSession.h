@@ -12,12 +12,12 @@
 
 namespace handwheel {
 
-// Session with a device that another process holds (guard::SessionHost). So its motors stop when this program dies. The
+// Session with a device that another process holds (guard::SessionHost). The motors stop when this program dies. The
 // two communicate over a stream; each exchange costs a round trip, about 0.1 ms.
 class OutOfProcessSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;  // starts the process
-  // kind: the capabilities until the device itself was queried; name: of the device, for errors.
+  // kind: the capabilities until the device itself was queried; name: the device's name, for errors.
   OutOfProcessSession(Connect connect, std::shared_ptr<Clock> clock, const DeviceCapabilities& kind, std::string name)
       : m_connect(std::move(connect)), m_clock(std::move(clock)), m_capabilities(kind), m_name(std::move(name)) {}
 

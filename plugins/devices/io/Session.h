@@ -14,8 +14,8 @@ class Session {
   virtual DeviceCapabilities capabilities() const = 0;
   virtual Status open(Progress progress) = 0;
   // Sends a force and returns the latest reading. Waits up to 20 ms for the device, normally until its next reading:
-  // this paces the thread that calls it. If none came, returns the last once more with the same number: of a device
-  // with motors each new reading has another. Absent: the device is gone permanently.
+  // this paces the thread that calls it. If none came, returns the last once more with the same number: each new
+  // reading of a device with motors has another. Absent: the device is gone permanently.
   virtual DeviceState exchange(const DeviceForce& force) noexcept = 0;
   // Sends zero force, if the device is still there, and disconnects.
   virtual void close() noexcept = 0;

@@ -32,7 +32,7 @@ bool SessionHost::waitForOpen() {
   return false;
 }
 
-// The device may take its time. Meanwhile the program hears how far it is, and may change its mind.
+// Opens the device, which may take its time. Meanwhile the program is told the progress, and may cancel.
 bool SessionHost::open() {
   JobState job;
   auto opening = std::async(std::launch::async, [&] { return m_session.open(Progress(job)); });
@@ -64,7 +64,7 @@ void SessionHost::run() {
   }
 }
 
-// Takes what comes within the time; returns with the first that comes.
+// Processes messages that come within the time; returns with the first.
 bool SessionHost::listen(double timeout) {
   std::array<std::uint8_t, 2 * kLargestMessage> bytes{};
   const std::ptrdiff_t count = m_stream.read(bytes, timeout);

@@ -11,16 +11,16 @@
 
 namespace handwheel::guard {
 
-// Holds a device for a program in another process (OutOfProcessSession). So its motors do not depend on that program:
-// if it is gone, sends invalid messages, or sends nothing for kSilence, the device is sent zero force. After a silence
-// the device is reported as starting, and forces are treated as zero, for kRest at least and until the program asks for
+// Holds a device for a program in another process (OutOfProcessSession). The motors do not depend on that program: if
+// it is gone, sends invalid messages, or sends nothing for kSilence, the device is sent zero force. After a silence the
+// device is reported as starting, and forces are treated as zero, for kRest at least and until the program asks for
 // zero: long enough that its servo loop notices, and lets the force return by its ramp.
 class SessionHost {
  public:
   static constexpr double kSilence = 0.04;  // s
   static constexpr double kRest = 0.05;     // s
 
-  // All three outlive it. Setting `stop` ends it as if the program had gone.
+  // All three must outlive it. Setting `stop` ends it as if the program had gone.
   SessionHost(Session& session, ByteStream& stream, Clock& clock, const std::atomic<bool>& stop)
       : m_session(session), m_stream(stream), m_clock(clock), m_stop(stop) {}
 
@@ -41,11 +41,11 @@ class SessionHost {
   const std::atomic<bool>& m_stop;
   Reader m_reader;
   Buffer m_out{};
-  std::optional<Open> m_open;    // was asked for
-  std::optional<Force> m_force;  // the newest that was not answered yet
+  std::optional<Open> m_open;    // the request to open the device
+  std::optional<Force> m_force;  // the newest force that was not answered yet
   bool m_isLeft = false;         // the program is gone, or wants no more
   bool m_hasBeenSilent = false;
-  std::optional<double> m_restEnd;  // s, once messages have come again after a silence
+  std::optional<double> m_restEnd;  // s; set when messages come again after a silence
 };
 
 }  // namespace handwheel::guard

@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::int64_t kForceLife = 50'000'000;  // ns after the last write; a servo loop that is well writes each ms
-constexpr int kDevicePriority = 10;              // of SCHED_FIFO, low among real-time threads
+constexpr int kDevicePriority = 10;              // SCHED_FIFO priority, low among real-time threads
 
 std::int64_t nanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
@@ -28,8 +28,7 @@ bool isFinite(const DeviceForce& force) {
   return force.force.allFinite() && force.torque.allFinite() && std::isfinite(force.gripper);
 }
 
-// A device that drives is served in time where the system allows it. Where not, the servo loop measures what that
-// costs.
+// A device with motors is served in time if the system allows it. Otherwise the servo loop measures the cost.
 void askForPriority() {
   sched_param parameters{};
   parameters.sched_priority = kDevicePriority;
@@ -86,7 +85,7 @@ void ThreadedDevice::run() noexcept {
   DeviceState last;
   while (!m_stop.load(std::memory_order_relaxed)) {
     DeviceState state = m_session->exchange(forceNow());
-    if (!isFinite(state)) {  // it stays where it was last seen, and its controller learns that something is wrong
+    if (!isFinite(state)) {  // it keeps its last position, and its controller sees the fault
       state = last;
       state.velocity.setZero();
       state.status = DeviceStatus::Failed;

@@ -13,8 +13,8 @@
 
 namespace handwheel::openhaptics {
 
-// The stiffness is stated for the maker's scheduler of 1 kHz. A position of one of its ticks is answered in the next:
-// so in CHAI3D, whose loop only exchanges values with a callback.
+// The stiffness is stated for the manufacturer's scheduler of 1 kHz. A position of one of its ticks is answered in the
+// next, as in CHAI3D, whose loop only exchanges values with a callback.
 double touchDamping(double stiffness, double rate) {
   return inherentDampingFor(stiffness, rate, 1.0 / rate);
 }

@@ -3,7 +3,7 @@
 #include "io/DeviceHostProcess.h"
 #include "openhaptics/HdSession.h"
 
-// The bridge: loads the maker's library, and holds a device of theirs for the program.
+// The bridge: loads the manufacturer's library, and holds one of their devices for the program.
 int main(int argc, char** argv) {
   using namespace handwheel;
   return runDeviceHost(argc, argv, [](const std::string& address) {

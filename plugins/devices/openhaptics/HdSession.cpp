@@ -12,10 +12,10 @@ namespace handwheel::openhaptics {
 
 namespace {
 
-constexpr double kForceLife = 0.04;  // s after it was asked for; then the callback itself sends none
+constexpr double kForceLife = 0.04;  // s after the request; then the callback itself sends none
 constexpr double kLook = 0.0002;     // s between looks for a tick
 constexpr double kTickTime = 0.01;   // s that a tick may take
-constexpr double kSilence = 0.1;     // s without one, and it has failed
+constexpr double kSilence = 0.1;     // s without a tick until the device counts as failed
 constexpr int kFarewells = 3;        // ticks with zero force on leaving
 
 double number(HDenum what) {
@@ -24,8 +24,8 @@ double number(HDenum what) {
   return std::isfinite(value) && value > 0.0 ? value : 0.0;
 }
 
-// A device says which styles it knows, as bits; a calibration is of one. What the maker advises: first what needs
-// nobody, then the inkwell, then the reset of the encoders.
+// Returns the calibration style to use. A device reports its styles as bits; a calibration is of one. The manufacturer
+// advises: first the automatic one, then the inkwell, then the reset of the encoders.
 HDenum calibrationStyle() {
   HDint known = 0;
   hdGetIntegerv(HD_CALIBRATION_STYLE, &known);
@@ -35,7 +35,7 @@ HDenum calibrationStyle() {
   return HD_CALIBRATION_AUTO;
 }
 
-// Column after column.
+// The matrix is stored column by column.
 Eigen::Quaterniond orientationOf(const HDdouble* transform) {
   Eigen::Matrix3d turn;
   for (int column = 0; column < 3; ++column) {
@@ -76,7 +76,7 @@ Error HdSession::refusal(const HDErrorInfo& error) const {
   return {DeviceError::Unreachable, {reason ? reason : ""}, {}, "OpenHaptics"};
 }
 
-// What the device does not say is as a Touch has it.
+// Values that the device does not state are those of a Touch.
 void HdSession::askCapabilities() {
   DeviceCapabilities all = touchCapabilities();
   const auto take = [](double& value, double said) { value = said > 0.0 ? said : value; };
@@ -103,7 +103,7 @@ HDCallbackCode HDCALLBACK HdSession::tick(void* session) noexcept {
   return HD_CALLBACK_CONTINUE;
 }
 
-// The maker's thread.
+// Runs on the manufacturer's thread.
 void HdSession::serve() noexcept {
   hdBeginFrame(m_device);
   DeviceState state = read();

@@ -18,7 +18,7 @@ namespace handwheel::openhaptics {
 // user; mm, N, N·mm. One at a time.
 class HdSession final : public Session {
  public:
-  // name: as the manufacturer's set-up calls the device; "default": the manufacturer's choice.
+  // name: the device's name in the manufacturer's set-up; "default": the manufacturer's choice.
   HdSession(std::string name, std::shared_ptr<Clock> clock) : m_name(std::move(name)), m_clock(std::move(clock)) {}
   ~HdSession() override { close(); }
 
@@ -39,11 +39,11 @@ class HdSession final : public Session {
   std::string m_name;
   std::shared_ptr<Clock> m_clock;
   DeviceCapabilities m_capabilities;
-  Vec3 m_centre = Vec3::Zero();  // of its workspace, mm in the manufacturer's frame
+  Vec3 m_centre = Vec3::Zero();  // centre of its workspace, mm in the manufacturer's frame
   HHD m_device = HD_INVALID_HANDLE;
   HDSchedulerHandle m_callback = 0;
   HDenum m_calibrationStyle = 0;
-  // Between the manufacturer's thread and ours.
+  // Shared between the manufacturer's thread and ours.
   struct TimedForce {
     DeviceForce force;
     double time = 0.0;  // s
@@ -51,8 +51,8 @@ class HdSession final : public Session {
   TripleBuffer<DeviceState> m_states;
   TripleBuffer<TimedForce> m_forces;
   std::atomic<std::uint32_t> m_ticks{0};
-  std::atomic<bool> m_canCalibrate{false};  // it is at a place where its calibration can be updated
-  // Ours.
+  std::atomic<bool> m_canCalibrate{false};  // it is at a position where its calibration can be updated
+  // Used by our thread alone.
   double m_lastTick = 0.0;
   DeviceState m_last;
 };

@@ -24,7 +24,8 @@ std::string firstLine(const fs::path& file) {
   return line;
 }
 
-// A tty's "device" is the interface; the USB device is the folder above it.
+// Returns true for the serial port of a Teensy. A tty's "device" is the interface; the USB device is the folder above
+// it.
 bool isTeensy(const fs::path& tty) {
   std::error_code failed;
   const fs::path interface = fs::canonical(tty / "device", failed);

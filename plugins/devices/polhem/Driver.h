@@ -8,8 +8,8 @@ namespace handwheel::polhem {
 
 // Driver of the Polhem on a serial port. It finds the serial ports of the board that the Polhem is built on, a Teensy
 // (USB 16c0:0483). Other things are built on it, too: a port is opened only when the user chooses it.
-// HANDWHEEL_POLHEM_PORT is a port that is none of these. It is not known what its motors do when communication stops:
-// so a separate process holds it (Guard.cpp).
+// HANDWHEEL_POLHEM_PORT is a port that is none of these. The reaction of its motors to a loss of communication is not
+// known: so a separate process holds it (Guard.cpp).
 class Driver final : public DeviceDriver {
  public:
   explicit Driver(std::string sysfs = "/sys/class/tty", std::string dev = "/dev")

@@ -16,11 +16,11 @@ constexpr int kDrive = 2;          // the command that sets the force
 constexpr double kFarthest = 1e3;  // mm; ten times its reach
 // "% 8.3f % 8.3f % 8.3f % 7.4f % 7.4f % 7.4f % 7.4f %hd": columns of the decimal points, and of the last number. There
 // is firmware that writes the first angle one column wider.
-constexpr std::size_t kPlacePoints[] = {4, 13, 22};
+constexpr std::size_t kPositionPoints[] = {4, 13, 22};
 constexpr std::size_t kAnglePoints[] = {29, 37, 45, 53};
 constexpr std::size_t kLastNumber = 59;
 
-// The next word of a line, which is shortened by it; empty at its end.
+// Returns the next word of a line, which is shortened by it; empty at its end.
 std::string_view nextWord(std::string_view& line) {
   const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
   const std::size_t end = std::min(line.find(' ', start), line.size());
@@ -33,7 +33,7 @@ bool isInColumns(std::string_view line, std::size_t wider) {
   const auto isPoint = [&](std::size_t column) { return line[column] == '.'; };
   const auto isAnglePoint = [&](std::size_t column) { return line[column + wider] == '.'; };
   return line.find_last_not_of(' ') + 1 > kLastNumber + wider &&  // false for an empty one, too: npos + 1 is 0
-         std::all_of(std::begin(kPlacePoints), std::end(kPlacePoints), isPoint) && line[26] == ' ' &&
+         std::all_of(std::begin(kPositionPoints), std::end(kPositionPoints), isPoint) && line[26] == ' ' &&
          std::all_of(std::begin(kAnglePoints), std::end(kAnglePoints), isAnglePoint);
 }
 
@@ -58,7 +58,7 @@ Line forceLine(const Vec3& force) {
   char* const end = at + kLineSize - 1;
   for (const int number :
        {millinewtons(force.x()), millinewtons(force.y()), millinewtons(force.z()), kDrive, 0, 0, 0}) {
-    at = std::to_chars(at, end, number).ptr + 1;  // and a blank; 29 bytes at most
+    at = std::to_chars(at, end, number).ptr + 1;  // a blank follows; 29 bytes at most
   }
   return line;
 }

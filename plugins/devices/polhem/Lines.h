@@ -21,13 +21,14 @@ using Line = std::array<std::uint8_t, kLineSize>;
 // A reading from one line of the device, in its own frame.
 struct Reading {
   Vec3 position = Vec3::Zero();    // mm
-  std::array<double, 4> angles{};  // tA, lambda, tD, tE, rad: of the mechanism that holds the pen
+  std::array<double, 4> angles{};  // tA, lambda, tD, tE, rad: angles of the mechanism that holds the pen
 
-  // The pen's orientation: about z by tA, about y by -lambda, about x by tD, about y by tE, one after the other.
+  // Returns the pen's orientation: about z by tA, about y by -lambda, about x by tD, about y by tE, one after the
+  // other.
   Eigen::Quaterniond orientation() const;
 };
 
-// The line for a force in the device's own frame, N. Sent as mN by command 2.
+// Returns the line for a force in the device's own frame, N. Sent as mN by command 2.
 Line forceLine(const Vec3& force);
 
 // Parses a line from the device. Nothing when it is not eight numbers in the columns that the device writes, or when it

@@ -11,14 +11,15 @@ namespace handwheel::polhem {
 
 namespace {
 
-// s: of one exchange, a line out and one in, in a frame of a full-speed bus.
+// Time of one exchange, a line out and one in, in a frame of a full-speed bus, s.
 constexpr double kExchange = 0.001;
 constexpr double kAnswerTime = 0.005;  // s
-constexpr double kSilence = 0.1;       // s without a reading, and it has failed
-constexpr double kWakeTime = 0.1;      // s for one try to wake it: opening the line may have reset its board
+constexpr double kSilence = 0.1;       // s without a reading until the device counts as failed
+constexpr double kWakeTime = 0.1;      // s for one attempt to wake it: opening the line may have reset its board
 constexpr int kWakes = 30;
 
-// From x towards the user, y right, z up to x right, y up, z towards the user; the same axes in another order.
+// Returns the rotation from x towards the user, y right, z up to x right, y up, z towards the user; the same axes in
+// another order.
 const Eigen::Matrix3d& toOurs() {
   static const Eigen::Matrix3d kTurn = (Eigen::Matrix3d() << 0, 1, 0, 0, 0, 1, 1, 0, 0).finished();
   return kTurn;
@@ -30,7 +31,7 @@ DeviceCapabilities Session::capabilities() const {
   DeviceCapabilities all;
   all.inputs = 6;
   all.maxForce = 5.0;
-  all.maxStiffness = 1.5;  // the maker's CHAI3D, whose loop of 1 kHz waits for a line and answers it
+  all.maxStiffness = 1.5;  // the manufacturer's CHAI3D, whose loop of 1 kHz waits for a line and answers it
   all.maxDamping = 0.003;
   all.workspaceRadius = 100.0;
   all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate, kExchange);
@@ -55,7 +56,7 @@ Status Session::open(Progress progress) {
 
 DeviceState Session::exchange(const DeviceForce& force) noexcept {
   if (!m_stream) return {};
-  (void)receive(0.0);  // a line that came late; else every answer from then on would be that to the question before
+  (void)receive(0.0);  // a late line; else every later answer would belong to the question before
   if (m_stream && send(toOurs().transpose() * force.force) && !receive(kAnswerTime) &&
       m_clock->now() - m_lastAnswer > kSilence) {
     m_state.status = DeviceStatus::Failed;

@@ -26,7 +26,7 @@ class Session final : public handwheel::Session {
 
  private:
   bool send(const Vec3& force) noexcept;
-  bool receive(double timeout) noexcept;  // whether a reading came; m_stream is null when the device is gone
+  bool receive(double timeout) noexcept;  // returns true if a reading came; m_stream is null when the device is gone
 
   Connect m_connect;
   std::shared_ptr<Clock> m_clock;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kAskAgain = 30.0;  // s
 
-// Changes when the socket is made anew; empty when there is none.
+// Returns a text that changes when the socket is created anew; empty when there is none.
 std::string identityOf(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0 || !S_ISSOCK(found.st_mode)) return {};

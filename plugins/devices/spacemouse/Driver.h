@@ -34,7 +34,7 @@ class Driver final : public DeviceDriver {
   std::unique_ptr<Device> make(const std::string& address) override;
 
  private:
-  std::optional<std::string> daemon();  // the socket that somebody listens on
+  std::optional<std::string> daemon();  // finds the socket of a running daemon
   bool answers(const std::string& path);
 
   // A socket file, and whether a daemon listened there. Trying again would switch the lamp of the device on and off.

@@ -30,7 +30,7 @@ DeviceState HidSession::exchange(const DeviceForce&) noexcept {
   DeviceState state;
   state.status = DeviceStatus::Ready;
   state.buttons = m_reports.buttons();
-  place(m_reports.counts(), state);
+  setPose(m_reports.counts(), state);
   return state;
 }
 

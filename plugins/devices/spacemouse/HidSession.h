@@ -13,7 +13,7 @@
 namespace handwheel::spacemouse {
 
 // The time (s) without a report after which a displaced cap counts as released. Reports come every 16 ms while it is
-// held, so the report of its release was lost. Shorter gaps are radio trouble, and the cap stays where it was.
+// held, so the report of its release was lost. Shorter gaps are radio trouble, and the cap keeps its displacement.
 inline constexpr double kHeld = 1.0;
 
 // Session with a SpaceMouse by its HID reports. Its lamp is on while it is open.

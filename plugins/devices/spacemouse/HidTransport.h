@@ -10,7 +10,7 @@ namespace handwheel {
 class HidTransport {
  public:
   virtual ~HidTransport() = default;
-  // The length of the report, its number first; 0: none came in time; kGone.
+  // Reads a report, its number first. Returns its length; 0: none came in time; kGone.
   virtual std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept = 0;
   virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
 };

@@ -46,7 +46,7 @@ Hid::Entry entryOf(const hid_device_info& info) {
   return {info.path, name.empty() ? "SpaceMouse" : name, model ? model->buttons : 32};
 }
 
-// hidapi lists a device once for each of its collections.
+// Returns each device once, although hidapi lists it for each of its collections.
 std::vector<Hid::Entry> findAll() {
   std::vector<Hid::Entry> all;
   for (const std::uint16_t vendor : {kLogitech, k3Dconnexion}) {

@@ -6,7 +6,7 @@
 
 namespace handwheel::spacemouse {
 
-// The HID functions by hidapi on the kernel's hidraw nodes.
+// Returns the HID functions by hidapi on the kernel's hidraw nodes.
 Hid hidapi();
 
 }  // namespace handwheel::spacemouse

@@ -36,7 +36,7 @@ constexpr Model kModels[] = {
     {"Universal Receiver", 27, k3Dconnexion, 0xc65c},
 };
 
-// Mice, keypads and displays of the same makers.
+// Mice, keypads and displays of the same manufacturers.
 constexpr std::array<std::uint16_t, 13> kOthers = {0xc62c, 0xc650, 0xc651, 0xc654, 0xc655, 0xc656, 0xc657,
                                                    0xc658, 0xc659, 0xc664, 0xc665, 0xc668, 0xc640};
 

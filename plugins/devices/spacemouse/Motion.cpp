@@ -8,7 +8,7 @@ namespace handwheel::spacemouse {
 
 namespace {
 
-// -1…1, turned by -90° about x: from z down to y up.
+// Returns -1…1, turned by -90° about x: from z down to y up.
 Vec3 share(const std::array<int, 3>& counts) {
   const auto axis = [&](std::size_t i) {
     return static_cast<double>(std::clamp(counts[i], -kFullScale, kFullScale)) / kFullScale;
@@ -18,7 +18,7 @@ Vec3 share(const std::array<int, 3>& counts) {
 
 }  // namespace
 
-void place(const Counts& counts, DeviceState& state) {
+void setPose(const Counts& counts, DeviceState& state) {
   state.position = kTravel * share(counts.translation);
   const Vec3 turn = kFullTilt * share(counts.rotation);
   const double angle = turn.norm();

@@ -22,11 +22,11 @@ inline constexpr int kFullScale = 350;
 inline constexpr double kTravel = 1.4;    // mm at full scale, by the report descriptors (1400 times 1e-4 cm)
 inline constexpr double kFullTilt = 1.0;  // rad at full scale; by convention, the descriptors give no angle
 
-// Converts counts to position and orientation. In the frame of Device.h: x right, y up, z towards the user. Each axis
-// is clamped to full scale.
-void place(const Counts& counts, DeviceState& state);
+// Sets position and orientation from counts. In the frame of Device.h: x right, y up, z towards the user. Each axis is
+// clamped to full scale.
+void setPose(const Counts& counts, DeviceState& state);
 
-// The capabilities that all models share.
+// Returns the capabilities that all models share.
 DeviceCapabilities capabilitiesWith(int buttons);
 
 }  // namespace handwheel::spacemouse

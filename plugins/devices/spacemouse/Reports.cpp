@@ -8,7 +8,7 @@ namespace handwheel::spacemouse {
 
 namespace {
 
-constexpr std::uint8_t kMotion = 1;  // three axes, or six: the length tells, not the product
+constexpr std::uint8_t kMotion = 1;  // three axes, or six: determined by the length, not by the product
 constexpr std::uint8_t kRotation = 2;
 constexpr std::uint8_t kBitmap = 3;
 constexpr std::uint8_t kBattery = 0x17;
@@ -57,15 +57,15 @@ bool Reports::takeMotion(std::span<const std::uint8_t> axes) {
   return true;
 }
 
-// Bit n of byte k is button 8k + n, however short the report is.
+// Bit n of byte k is button 8k + n, for reports of any length.
 void Reports::takeBitmap(std::span<const std::uint8_t> bitmap) {
   if (bitmap.empty()) return;
   m_buttons = 0;
   for (std::size_t k = 0; k < bitmap.size() && k < 4; ++k) m_buttons |= std::uint32_t{bitmap[k]} << (8 * k);
 }
 
-// The numbers of the buttons that are held. 0 is an empty place; whether the menu button, number 0 in the bitmap, can
-// be read from it is not known.
+// The numbers of the buttons that are held. 0 is an empty entry; it is not known whether it can also mean the menu
+// button, number 0 in the bitmap.
 void Reports::takeNumbers(std::span<const std::uint8_t> numbers) {
   m_buttons = 0;
   for (std::size_t at = 0; at + 1 < numbers.size(); at += 2) {

@@ -9,11 +9,11 @@
 
 namespace handwheel::spacemouse {
 
-// Axes, buttons and battery according to the HID reports received. Any bytes are accepted; what is not a report of
-// these devices changes nothing.
+// Axes, buttons and battery according to the HID reports received. Any bytes are accepted; other reports than those of
+// these devices change nothing.
 class Reports {
  public:
-  // Processes one report, its number first. True when it has values of the axes, even the same as before.
+  // Processes one report, its number first. Returns true if it has values of the axes, even the same as before.
   bool take(std::span<const std::uint8_t> report);
   void rest() { m_counts = {}; }
 

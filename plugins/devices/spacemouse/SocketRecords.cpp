@@ -15,12 +15,12 @@ constexpr std::int32_t kMotionRecord = 0;
 constexpr std::int32_t kPressRecord = 1;
 constexpr std::int32_t kReleaseRecord = 2;
 
-// Far beyond full scale, and safe to negate.
+// Limits a number to a range far beyond full scale that is safe to negate.
 int limited(std::int32_t value) {
   return std::clamp(value, -32767, 32767);
 }
 
-// From right, up, away to the order and signs of HID reports: right, towards the user, down.
+// Converts right, up, away to the order and signs of HID reports: right, towards the user, down.
 std::array<int, 3> asReported(std::int32_t x, std::int32_t y, std::int32_t z) {
   return {limited(x), -limited(z), -limited(y)};
 }

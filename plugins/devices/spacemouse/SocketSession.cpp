@@ -24,7 +24,7 @@ DeviceState SocketSession::exchange(const DeviceForce&) noexcept {
   DeviceState state;
   state.status = DeviceStatus::Ready;
   state.buttons = m_records.buttons();
-  place(m_records.counts(), state);
+  setPose(m_records.counts(), state);
   return state;
 }
 

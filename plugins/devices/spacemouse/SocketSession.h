@@ -12,13 +12,14 @@
 namespace handwheel::spacemouse {
 
 // Session with a SpaceMouse by the daemon spacenavd. The kernel passes only changes to the daemon, so a cap that is
-// held still sends nothing: it stays where it was until the daemon reports otherwise or ends.
+// held still sends nothing: it keeps its displacement until the daemon reports otherwise or ends.
 class SocketSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
   explicit SocketSession(Connect connect) : m_connect(std::move(connect)) {}
 
-  DeviceCapabilities capabilities() const override { return capabilitiesWith(32); }  // whichever device it is
+  // Returns the number of buttons is not known.
+  DeviceCapabilities capabilities() const override { return capabilitiesWith(32); }
   Status open(Progress progress) override;
   DeviceState exchange(const DeviceForce& force) noexcept override;
   void close() noexcept override { m_stream.reset(); }

@@ -13,13 +13,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kAlike = 1e-4;  // directions, and spacings in mm, that are the same but for rounding
+constexpr double kAlike = 1e-4;  // tolerance of directions, and of spacings in mm, for rounding
 
-// Reads from memory without a copy, from any place.
+// Reads from memory without a copy, with random access.
 class SliceBuffer : public std::streambuf {
  public:
   explicit SliceBuffer(std::string_view bytes) {
-    char* const begin = const_cast<char*>(bytes.data());  // which nobody writes to
+    char* const begin = const_cast<char*>(bytes.data());  // never written to
     setg(begin, begin, begin + bytes.size());
   }
 
@@ -55,7 +55,7 @@ bool isGrey(const gdcm::PixelFormat& format, const gdcm::PhotometricInterpretati
           meaning == gdcm::PhotometricInterpretation::MONOCHROME2);
 }
 
-// The numbers in the bits that are used of so many bytes, with their sign.
+// Converts the used bits of the samples to signed or unsigned numbers, and rescales them.
 template <class Word>
 void putValues(const std::vector<char>& buffer, const gdcm::PixelFormat& format, double slope, double intercept,
                std::vector<float>& values) {

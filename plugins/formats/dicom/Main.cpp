@@ -10,9 +10,9 @@
 #include <new>
 
 // Reads a series of DICOM for core/volume/image/DicomReader.cpp. Its input are files one after the other, each after
-// its length (8 bytes, little-endian). The option is "first", for the series that the first file is of, or "largest".
-// The answer is one line: tilt in degrees, least and largest distance of uneven slices in mm, slices that are missing,
-// of other series, and in the same place, files that cannot be read (0: none); and then the image as an NRRD file.
+// its length (8 bytes, little-endian). The option is "first", for the series of the first file, or "largest". The
+// answer is one line: tilt in degrees, least and largest distance of uneven slices in mm, slices that are missing, of
+// other series, and at the same position, files that cannot be read (0: none); and then the image as an NRRD file.
 
 using namespace handwheel;
 
@@ -41,14 +41,14 @@ Result<std::string> answerOf(std::string_view bytes, bool ofFirst, Progress prog
   for (const double figure :
        {series->tilt, series->isUneven ? series->least : 0.0, series->isUneven ? series->largest : 0.0,
         static_cast<double>(series->missing), static_cast<double>(series->others),
-        static_cast<double>(series->samePlace), static_cast<double>(unreadable)})
+        static_cast<double>(series->samePosition), static_cast<double>(unreadable)})
     answer += shortestText(figure) + " ";
   answer.back() = '\n';
   appendNrrd(image->image, {}, answer);
   return answer;
 }
 
-// The library's exceptions as errors; what they say may be of the patient.
+// Converts exceptions of the library to errors; their messages may contain data about the patient.
 Result<std::string> readDicomFiles(std::string_view bytes, std::span<char* const> options, Progress progress) {
   try {
     return answerOf(bytes, !options.empty() && std::string_view(options[0]) == "first", progress);

@@ -13,7 +13,7 @@ Error seriesError(const char* reason) {
   return {ErrorCode::LibraryFailed, {reason}, {}, {}};
 }
 
-// Those that belong with one of them: the first, or the one that most belong with.
+// Returns the slices that belong to the series of the first slice, or to the largest series.
 std::vector<DicomSlice> chosen(const std::vector<DicomSlice>& slices, bool ofFirst) {
   std::vector<std::vector<DicomSlice>> groups;
   for (const DicomSlice& slice : slices) {
@@ -29,9 +29,9 @@ std::vector<DicomSlice> chosen(const std::vector<DicomSlice>& slices, bool ofFir
                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
 }
 
-// How many steps of the usual distance a distance is, where it is a multiple; 0 where it is not.
+// Returns the distance as a multiple of the usual distance; 0 if it is not a multiple.
 std::size_t multipleOf(double usual, double distance) {
-  constexpr double kShare = 0.05;  // of the usual one, by which a multiple may be off
+  constexpr double kShare = 0.05;  // tolerance of a multiple, as a share of the usual distance
   const double steps = std::round(distance / usual);
   return steps >= 1.0 && std::abs(distance - steps * usual) <= kShare * usual ? static_cast<std::size_t>(steps) : 0;
 }
@@ -45,7 +45,7 @@ Status setSteps(const std::vector<double>& heights, Series& series) {
   const double usual = ordered[ordered.size() / 2], all = heights.back() - heights.front();
   series.least = ordered.front();
   series.largest = ordered.back();
-  // mm; places are written with one or two digits.
+  // mm; positions are written with one or two digits.
   const double rounding = std::max(0.02 * usual, 0.011);
   series.count = heights.size();
   if (series.largest - series.least > rounding) {
@@ -77,16 +77,16 @@ Result<Series> seriesOf(std::vector<DicomSlice> slices, bool ofFirst) {
   series.others = slices.size() - own.size();
   std::stable_sort(own.begin(), own.end(),
                    [](const DicomSlice& a, const DicomSlice& b) { return a.height() < b.height(); });
-  constexpr double kSamePlace = 1e-3;  // mm
+  constexpr double kSamePosition = 1e-3;  // mm
   for (DicomSlice& slice : own) {
-    if (!series.slices.empty() && slice.height() - series.slices.back().height() < kSamePlace)
-      ++series.samePlace;
+    if (!series.slices.empty() && slice.height() - series.slices.back().height() < kSamePosition)
+      ++series.samePosition;
     else
       series.slices.push_back(std::move(slice));
   }
   const DicomSlice& first = series.slices.front();
   if (series.slices.size() == 1 || first.size[2] > 1) {
-    // Frames of one file, which say their distance; files of several are not put together.
+    // Frames of one file, with a stated distance; several files with frames are not combined.
     series.others += series.slices.size() - 1;
     series.slices.resize(1, first);
     series.step = first.spacing.z() * first.normal();
@@ -104,7 +104,7 @@ Result<Series> seriesOf(std::vector<DicomSlice> slices, bool ofFirst) {
       return seriesError("its slices do not lie along one line");
   }
   const double angle = std::acos(std::clamp(normal.dot(series.step.normalized()), -1.0, 1.0)) * 180.0 / M_PI;
-  constexpr double kLeastTilt = 0.1;  // degrees, as places are rounded
+  constexpr double kLeastTilt = 0.1;  // degrees, as positions are rounded
   series.tilt = angle > kLeastTilt ? angle : 0.0;
   if (const Status set = setSteps(heights, series); !set) return set.error();
   return series;

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The image of a series of slices. Between slices that are not in its steps values are linear. Errors: LibraryFailed
-// with the reason.
+// Makes the image of a series of slices. Values between slices are interpolated linearly. Errors: LibraryFailed with
+// the reason.
 Result<ImageFile> imageOf(const Series& series, Progress progress);
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Hands what Open CASCADE tells of its progress to a Progress.
+// Forwards the progress of Open CASCADE to a Progress.
 class LibraryProgress : public Message_ProgressIndicator {
  public:
   explicit LibraryProgress(Progress progress) : m_progress(progress) {}

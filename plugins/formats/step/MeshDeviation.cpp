@@ -21,7 +21,7 @@ double faceDeviation(const TopoDS_Face& face) {
   const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
   if (mesh.IsNull() || !mesh->HasUVNodes()) return 0.0;
   const BRepAdaptor_Surface surface(face, false);
-  const gp_Trsf place = location.Transformation();
+  const gp_Trsf placement = location.Transformation();
   double largest = 0.0;
   for (int i = 1; i <= mesh->NbTriangles(); ++i) {
     std::array<int, 3> nodes{};
@@ -29,7 +29,7 @@ double faceDeviation(const TopoDS_Face& face) {
     std::array<gp_XYZ, 3> points;
     std::array<gp_XY, 3> at;
     for (std::size_t k = 0; k < 3; ++k) {
-      points[k] = mesh->Node(nodes[k]).Transformed(place).XYZ();
+      points[k] = mesh->Node(nodes[k]).Transformed(placement).XYZ();
       at[k] = mesh->UVNode(nodes[k]).XY();
     }
     gp_XYZ normal = (points[1] - points[0]).Crossed(points[2] - points[0]);

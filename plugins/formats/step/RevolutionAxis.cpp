@@ -24,9 +24,9 @@ namespace {
 constexpr int kGrid = 5;                       // samples along each parameter
 constexpr double kSkew = 1e-4;                 // rad: how far a normal may miss the axis
 constexpr double kOneAxis = 1e-4;              // mm and rad: axes this near are one
-constexpr std::size_t kMostAxes = 30;          // that are tried on all faces
+constexpr std::size_t kMostAxes = 30;          // axes that are tried on all faces
 constexpr std::size_t kMostCandidates = 1000;  // each is compared with those before it
-constexpr std::size_t kMostOfFaces = 600;      // of them from cylinders, cones and tori
+constexpr std::size_t kMostOfFaces = 600;      // candidates from cylinders, cones and tori
 constexpr std::size_t kMostBalls = 10, kMostPlanes = 30;
 
 void sample(ExaminedFace& face) {
@@ -125,8 +125,8 @@ std::vector<const ExaminedFace*> largestOf(const std::vector<const ExaminedFace*
   return found;
 }
 
-// A ball has every axis through its middle; the normal of a flat face tells which. Of a part with hundreds of both,
-// such as a casting with its fillets, the largest are enough.
+// A ball has every axis through its centre; the normal of a flat face selects one. For a part with hundreds of both,
+// such as a casting with its fillets, the largest are sufficient.
 void addThroughBalls(const std::vector<const ExaminedFace*>& faces, std::vector<Candidate>& all) {
   const auto planes = largestOf(faces, GeomAbs_Plane, kMostPlanes);
   for (const ExaminedFace* const ball : largestOf(faces, GeomAbs_Sphere, kMostBalls)) {

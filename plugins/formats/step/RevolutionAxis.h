@@ -10,12 +10,12 @@
 
 namespace handwheel {
 
-// A face of a shape, with what decides whether it is of revolution.
+// A face of a shape, with data for detecting surfaces of revolution.
 struct ExaminedFace {
   TopoDS_Face face;
   BRepAdaptor_Surface surface;
   double u[2], v[2];  // bounds of its parameters
-  double area = 0.0;  // about
+  double area = 0.0;  // approximate
   struct Sample {
     gp_Pnt point;
     gp_Dir normal;
@@ -25,12 +25,12 @@ struct ExaminedFace {
 
 std::vector<ExaminedFace> examine(const TopoDS_Shape& shape);
 
-// Whether a face is of revolution about an axis: all its normals meet it (H. Pottmann, J. Wallner, "Computational Line
-// Geometry", 3.3.1).
+// Returns true if a face is of revolution about an axis: all its normals intersect it (H. Pottmann, J. Wallner,
+// "Computational Line Geometry", 3.3.1).
 bool isOfRevolution(const ExaminedFace& face, const gp_Ax1& axis);
 
-// The axis about which the largest area is of revolution. It looks along the positive side of the coordinate axis that
-// it is nearest to, and its location is next to the origin.
+// Returns the axis about which the largest area is of revolution. It points in the positive direction of the nearest
+// coordinate axis, and its location is the point nearest to the origin.
 std::optional<gp_Ax1> axisOf(const std::vector<ExaminedFace>& faces);
 
 }  // namespace handwheel

@@ -53,10 +53,10 @@ bool addFace(const TopoDS_Face& face, Triangles& all) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
   if (mesh.IsNull()) return false;
-  const gp_Trsf place = location.Transformation();
-  const bool isTurned = (face.Orientation() == TopAbs_REVERSED) != place.IsNegative();
+  const gp_Trsf placement = location.Transformation();
+  const bool isTurned = (face.Orientation() == TopAbs_REVERSED) != placement.IsNegative();
   const std::size_t first = all.points.size(), before = all.corners.size();
-  for (int i = 1; i <= mesh->NbNodes(); ++i) all.points.push_back(mesh->Node(i).Transformed(place));
+  for (int i = 1; i <= mesh->NbNodes(); ++i) all.points.push_back(mesh->Node(i).Transformed(placement));
   for (int i = 1; i <= mesh->NbTriangles(); ++i) {
     std::array<int, 3> nodes{};
     mesh->Triangle(i).Get(nodes[0], nodes[1], nodes[2]);

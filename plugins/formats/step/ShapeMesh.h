@@ -13,14 +13,14 @@ namespace handwheel {
 
 // The triangles of a shape.
 struct ShapeMesh {
-  double chord = 0.0;  // mm: how far they may be from its surfaces; the chord asked for, or more
+  double chord = 0.0;  // mm, largest distance from the surfaces; the requested chord, or more
   std::size_t faces = 0;
-  std::size_t facesLost = 0;  // that cannot be cut into triangles
+  std::size_t facesLost = 0;  // number of faces that cannot be triangulated
   std::string ply;            // binary, in the byte order of this machine
 };
 
-// Tessellates all faces of a shape. chordShare: of the diagonal of its box. Neighbouring faces of a shell have the very
-// same points along their edges. Errors: LibraryFailed with the reason.
+// Tessellates all faces of a shape. chordShare: chord as a share of the diagonal of the bounding box. Neighbouring
+// faces of a shell have identical points along their edges. Errors: LibraryFailed with the reason.
 Result<ShapeMesh> meshOf(const TopoDS_Shape& shape, double chordShare, Progress progress);
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ namespace handwheel {
 
 namespace {
 
-// mm; gaps of files between faces that are to meet, as their writers round.
+// mm; gaps between adjacent faces in files, due to rounding by their writers.
 constexpr double kSewing = 1e-3;
 
 Error notReadable(const char* reason) {
@@ -29,7 +29,7 @@ Error notReadable(const char* reason) {
 class ViewBuffer : public std::streambuf {
  public:
   explicit ViewBuffer(std::string_view bytes) {
-    char* const begin = const_cast<char*>(bytes.data());  // which nobody writes to
+    char* const begin = const_cast<char*>(bytes.data());  // never written to
     setg(begin, begin, begin + bytes.size());
   }
 };
@@ -40,7 +40,7 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum what, TopAbs_ShapeEnum not
   return number;
 }
 
-// The solids as they are, and what else there is sewn.
+// Returns the solids unchanged, and the other faces sewn.
 TopoDS_Shape sewn(const TopoDS_Shape& shape, const Message_ProgressRange& range) {
   BRepBuilderAPI_Sewing sewing(kSewing);
   bool isNeeded = false;
@@ -56,7 +56,8 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape, const Message_ProgressRange& range)
   return all;
 }
 
-// As the file names it, which may be anything: what is not printable ASCII becomes a question mark.
+// Returns the unit as named in the file, which is not trusted: characters outside printable ASCII become a question
+// mark.
 std::string lengthUnit(STEPControl_Reader& reader) {
   TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
   reader.FileUnits(lengths, angles, solidAngles);

@@ -11,18 +11,18 @@
 
 namespace handwheel {
 
-// What a STEP file holds.
+// The content of a STEP file.
 struct StepShape {
   TopoDS_Shape shape;  // mm
   int parts = 0;       // roots of the file
   int partsRead = 0;
   int solids = 0;
-  int openShells = 0;  // and single faces: what belongs to no solid
-  std::string unit;    // of its lengths: "millimetre", "inch"; empty where it does not say
+  int openShells = 0;  // open shells and single faces that belong to no solid
+  std::string unit;    // unit of its lengths: "millimetre", "inch"; empty: not stated
 };
 
-// Reads a STEP file. Faces that belong to no solid are sewn where they meet. May throw Standard_Failure and bad_alloc,
-// and much else may happen with hostile bytes. Errors: LibraryFailed with the reason.
+// Reads a STEP file. Adjacent faces that belong to no solid are sewn. May throw Standard_Failure and bad_alloc; with
+// hostile bytes the behaviour is undefined. Errors: LibraryFailed with the reason.
 Result<StepShape> readShape(std::string_view bytes, Progress progress);
 
 }  // namespace handwheel

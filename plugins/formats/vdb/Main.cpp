@@ -8,7 +8,7 @@
 #include <sstream>
 
 // Reads and writes VDB for core/volume/vdb/VdbFile.cpp. With the option "read" its input is the file, and the answer a
-// volume (VdbVolume.h); with "write" the other way round.
+// volume (VdbVolume.h); with "write" vice versa.
 
 using namespace handwheel;
 

@@ -68,7 +68,7 @@ bool isNearOrigin(const Coord& voxel) {
 
 // Depths in voxels of values of a grid.
 struct DepthOfValue {
-  double factor, offset, least;  // beyond the least depth it is as deep as can be
+  double factor, offset, least;  // beyond the least depth it is the largest depth
 
   std::int16_t operator()(float value) const {
     if (!std::isfinite(value)) return VolumeBlock::kEmpty;
@@ -89,7 +89,7 @@ Status addLeaves(const FloatGrid& grid, const DepthOfValue& depthOf, SparseVolum
   return Done{};
 }
 
-// What is inside in tiles of one value.
+// Adds the inside of tiles with one value.
 Status addTiles(const FloatGrid& grid, const DepthOfValue& depthOf, SparseVolume& volume) {
   std::size_t blocks = 0;
   auto tile = grid.tree().cbeginValueAll();
@@ -118,7 +118,7 @@ Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids) {
   if (!volume) return vdbError("its voxels are not cubes along the axes");
   const bool isFog = isFogGrid(*grid);
   const double band = std::abs(static_cast<double>(grid->background())) / volume->voxel();
-  // A fog grows from 0 to 1 within some voxels: steep enough for its sides to be seen, not its depths.
+  // A fog rises from 0 to 1 within some voxels: steep enough to show the side, but not the depth.
   const DepthOfValue depthOf =
       isFog ? DepthOfValue{6.0, 0.5, 3.5} : DepthOfValue{-1.0 / volume->voxel(), 0.0, band > 0.0 ? 0.999 * band : 1e3};
   if (const Status added = addTiles(*grid, depthOf, *volume); !added) return added.error();

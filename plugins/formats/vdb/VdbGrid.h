@@ -9,11 +9,10 @@
 
 namespace handwheel {
 
-// The volume of the first level set, or else of the first fog volume. Errors: LibraryFailed with the
-// reason.
+// Returns the volume of the first level set, or else of the first fog volume. Errors: LibraryFailed with the reason.
 Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids);
 
-// A level set of a volume, three voxels deep either way.
+// Returns a level set of a volume, three voxels deep on both sides.
 openvdb::FloatGrid::Ptr gridOf(const SparseVolume& volume);
 
 }  // namespace handwheel

@@ -10,17 +10,17 @@ namespace handwheel {
 
 namespace {
 
-// Places are written in the frame of the program, with a quaternion that has length 1 and its real part first.
-std::string placeText(const Pose& place) {
-  const Vec3 at = place.translation();
-  const Eigen::Quaterniond turn = Eigen::Quaterniond(place.linear()).normalized();
+// Poses are written in the frame of the program, with a quaternion that has length 1 and its real part first.
+std::string poseText(const Pose& pose) {
+  const Vec3 at = pose.translation();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(pose.linear()).normalized();
   std::string text;
   for (const double value : {at.x(), at.y(), at.z()}) text += " " + fixedText(value, 6);
   for (const double value : {turn.w(), turn.x(), turn.y(), turn.z()}) text += " " + fixedText(value, 9);
   return text;
 }
 
-// So many numbers with spaces between; fewer where the line ends.
+// Reads so many numbers separated by spaces; fewer at the end of the line.
 std::vector<double> numbersOf(LineReader& line, std::size_t most) {
   std::vector<double> numbers;
   while (numbers.size() < most) {
@@ -32,7 +32,7 @@ std::vector<double> numbersOf(LineReader& line, std::size_t most) {
   return numbers;
 }
 
-// The number after a word in the rest of the line.
+// Returns the number after a word in the rest of the line.
 std::optional<double> wordValue(const LineReader& line, std::string_view word) {
   const std::size_t at = line.rest().find(word);
   return at == std::string_view::npos ? std::nullopt : LineReader(line.rest().substr(at + word.size()), 0).number();
@@ -46,11 +46,11 @@ Result<ParsedMotion> jointMotion(LineReader& line, std::size_t joints) {
 
 Result<ParsedMotion> lineMotion(LineReader& line) {
   const std::vector<double> n = numbersOf(line, 7);
-  const bool isPlace = n.size() == 7 && Eigen::Vector4d(n[3], n[4], n[5], n[6]).norm() > 0.5;
-  if (!isPlace) return line.malformed("LINE", "a place and a quaternion were expected");
-  Pose place(Eigen::Translation3d(n[0], n[1], n[2]));
-  place.linear() = Eigen::Quaterniond(n[3], n[4], n[5], n[6]).normalized().toRotationMatrix();
-  return ParsedMotion{.kind = ProgramMotion::Kind::Linear, .pose = place};
+  const bool isPose = n.size() == 7 && Eigen::Vector4d(n[3], n[4], n[5], n[6]).norm() > 0.5;
+  if (!isPose) return line.malformed("LINE", "a place and a quaternion were expected");
+  Pose pose(Eigen::Translation3d(n[0], n[1], n[2]));
+  pose.linear() = Eigen::Quaterniond(n[3], n[4], n[5], n[6]).normalized().toRotationMatrix();
+  return ParsedMotion{.kind = ProgramMotion::Kind::Linear, .pose = pose};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::string ExamplePost::write(const RobotProgram& program) const {
       for (const double degrees : degreesOf(motion.joints)) text += " " + fixedText(degrees, 9);
       text += " SPEED " + fixedText(100.0 * motion.speed, 2);  // percent
     } else {
-      text += "LINE" + placeText(program.frame.inverse(Eigen::Isometry) * program.tipOf(motion));
+      text += "LINE" + poseText(program.frame.inverse(Eigen::Isometry) * program.tipOf(motion));
       text += " SPEED " + fixedText(motion.speed, 2);  // mm/s
     }
     text += " ZONE " + fixedText(motion.blend, 3) + "\n";
@@ -84,7 +84,7 @@ Result<std::vector<ParsedMotion>> ExamplePost::read(std::string_view text, const
     if (line.takeWord("END")) break;
     if (motions.size() >= kMostMotions) return line.malformed("motion", "there are too many motions");
     const bool isJoint = line.takeWord("JOINT");
-    // What may move the robot and is not understood is an error, never left out.
+    // A statement that may move the robot and is not understood is an error, never left out.
     if (!isJoint && !line.takeWord("LINE")) return line.malformed("motion", "JOINT or LINE was expected");
     Result<ParsedMotion> motion =
         isJoint ? jointMotion(line, static_cast<std::size_t>(frame.arm.size())) : lineMotion(line);

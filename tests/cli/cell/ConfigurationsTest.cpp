@@ -11,7 +11,8 @@
 
 using namespace handwheel;
 
-// What a cell keeps for planning, changed on the command line: configurations, their numbers, pairs that may touch.
+// Changes on the command line of the data that a cell keeps for planning: configurations, their numbers, pairs that may
+// touch.
 class ConfigurationsTest : public QObject {
   Q_OBJECT
 
@@ -38,7 +39,7 @@ class ConfigurationsTest : public QObject {
     }
     const Ran verified = cell.run({"verify", "cell.handwheel", "straight.json"});
     QCOMPARE(verified.code, 0);
-    // What is proven then is so but for these: reports and programs say it.
+    // The proof holds except for these pairs: reports and programs say so.
     const nlohmann::json left = jsonOf(cell.run({"verify", "cell.handwheel", "straight.json", "--json"}).out);
     const Ran written =
         cell.run({"post", "cell.handwheel", "straight.json", "--controller", "rapid", "-o", "straight.mod"});
@@ -105,7 +106,7 @@ class ConfigurationsTest : public QObject {
     QVERIFY2(cell.read("swing.mod").contains("! Outdated: home was changed"), cell.read("swing.mod"));
   }
 
-  // Numbers are given to the ways that can be chosen, in their order; no other number can be.
+  // Numbers are given to the solutions that can be chosen, in their order; no other number is accepted.
   void numbersOfSolutions() {
     const PlannedCell cell;
     const auto at = [&](const QStringList& words) {
@@ -115,14 +116,14 @@ class ConfigurationsTest : public QObject {
     const nlohmann::json listed = jsonOf(at({"--solutions", "--json"}).out)["solutions"];
     const QList<QByteArray> lines = at({"--solutions"}).out.split('\n');
     int numbers = 0, beyond = 0;
-    for (const nlohmann::json& way : listed) {
+    for (const nlohmann::json& solution : listed) {
       const QByteArray head = lines[2 * (numbers + beyond)];
-      const bool isWithin = way["within_limits"].get<bool>();
+      const bool isWithin = solution["within_limits"].get<bool>();
       isWithin ? ++numbers : ++beyond;
-      QCOMPARE(way["number"].is_null(), !isWithin);
+      QCOMPARE(solution["number"].is_null(), !isWithin);
       QVERIFY(head.startsWith(isWithin ? QByteArray::number(numbers) + ": " : QByteArray("-: ")));
       if (!isWithin) continue;
-      QCOMPARE(way["number"].get<int>(), numbers);
+      QCOMPARE(solution["number"].get<int>(), numbers);
       const Ran chosen = at({"--solution", QString::number(numbers), "--add", "way", "-o", "chosen.handwheel"});
       QVERIFY2(chosen.code == 0, chosen.err);
     }
@@ -156,21 +157,21 @@ class ConfigurationsTest : public QObject {
     QVERIFY(read.out.contains("configuration folded"));
   }
 
-  // All ways in which the arm reaches a pose, one of them taken, and a target that a path goes to.
+  // Lists all solutions for a pose, takes one of them, and plans a path to a target.
   void waysAndTargets() {
     const PlannedCell cell;
     const QStringList pose{"--at", "-250,200,500", "--turn", "160,20,0"};
     const Ran listed = cell.run(QStringList{"configuration", "cell.handwheel", "--solutions", "--json"} + pose);
     QVERIFY2(listed.code == 0, listed.err);
-    const nlohmann::json ways = jsonOf(listed.out)["solutions"];
-    QVERIFY(ways.size() >= 2 && ways[1]["within_limits"].get<bool>());
+    const nlohmann::json solutions = jsonOf(listed.out)["solutions"];
+    QVERIFY(solutions.size() >= 2 && solutions[1]["within_limits"].get<bool>());
     const Ran moved = cell.run(QStringList{"configuration", "cell.handwheel", "--add", "second", "--solution", "2",
                                            "-o", "moved.handwheel", "--json"} +
                                pose);
     QVERIFY2(moved.code == 0, moved.err);
     const nlohmann::json stored = jsonOf(moved.out)["configurations"].back();
     QCOMPARE(stored["name"].get<std::string>(), std::string("second"));
-    for (const auto& [joint, value] : ways[1]["joints"].items())
+    for (const auto& [joint, value] : solutions[1]["joints"].items())
       QVERIFY(std::abs(stored["joints"][joint].get<double>() - value.get<double>()) < 1e-9);
     const Ran target =
         cell.run(QStringList{"configuration", "cell.handwheel", "--add-target", "drop", "-o", "cell.handwheel"} + pose);

@@ -49,7 +49,7 @@ class PlanTest : public QObject {
     QVERIFY(cell.run({"post", "cell.handwheel", "way", "--controller", "rapid", "-o", "way.mod"}).code != 0);
   }
 
-  // The straight way is not free; all of it is looked at.
+  // The straight line is not free; all of it is tested.
   void straightThroughABox() {
     const PlannedCell cell;
     cell.put("straight.json",
@@ -90,7 +90,7 @@ class PlanTest : public QObject {
     QCOMPARE(described()["frames"][0]["name"].get<std::string>(), std::string("fixture"));
     QVERIFY(described()["frames"][0]["link"].is_null() && !described()["frames"][0]["chosen"].get<bool>());
     QCOMPARE(described()["targets"][0]["frame"].get<std::string>(), std::string("fixture"));
-    // Of -650, 150, 490 mm between them the frame sees 150 mm along its x and 650 mm along its y.
+    // Between them lie -650, 150, 490 mm: the frame measures 150 mm along its x and 650 mm along its y.
     QVERIFY(std::abs(described()["targets"][0]["position"][0].get<double>() - 150.0) < 1e-6);
     QVERIFY(std::abs(described()["targets"][0]["position"][1].get<double>() - 650.0) < 1e-6);
 
@@ -100,14 +100,14 @@ class PlanTest : public QObject {
           cell.run(QStringList{"post", "cell.handwheel", "short.json", "--controller", "csv", "-o", "p.csv"} + words);
       return ran.code == 0 ? cell.read("p.csv") : ran.err;
     };
-    const auto place = [](const QByteArray& csv) {  // of the last motion
+    const auto position = [](const QByteArray& csv) {  // Position of the last motion
       const QList<QByteArray> fields = csv.trimmed().split('\n').back().split(',');
       const qsizetype at = fields.size() - 7;
       return std::array{fields[at].toDouble(), fields[at + 1].toDouble(), fields[at + 2].toDouble()};
     };
     const QByteArray plain = posted({}), framed = posted({"--frame", "fixture"});
     QVERIFY2(!plain.contains("frame") && framed.contains("# frame,fixture,400.0"), framed);
-    const auto inBase = place(plain), inFrame = place(framed);
+    const auto inBase = position(plain), inFrame = position(framed);
     QVERIFY(std::abs(inBase[0] - (400.0 - inFrame[1])) < 1e-5 && std::abs(inBase[1] - (50.0 + inFrame[0])) < 1e-5 &&
             std::abs(inBase[2] - (10.0 + inFrame[2])) < 1e-5);
     QCOMPARE(cell.run({"set", "cell.handwheel", "frame=fixture", "-o", "cell.handwheel"}).code, 0);
@@ -141,7 +141,7 @@ class PlanTest : public QObject {
     QVERIFY(report["min_clearance_mm"].get<double>() > 0.0);
     QCOMPARE(cell.run({"verify", "c.handwheel", "deburr"}).code, 0);
     QCOMPARE(cell.run({"post", "c.handwheel", "deburr", "--controller", "csv", "-o", "deburr.csv"}).code, 0);
-    // Two of the tool's places are beside the ends of the edge: 2 mm from x 360, z 100 at y ±100.
+    // Two of the waypoints are beside the ends of the edge: 2 mm from x 360, z 100 at y ±100.
     int ends = 0;
     for (const QByteArray& line : cell.rowsOf("deburr.csv")) {
       const QList<QByteArray> words = line.split(',');
@@ -244,9 +244,9 @@ class PlanTest : public QObject {
     QCOMPARE(cell.run({"verify", "c.handwheel", "drawn"}).code, 0);
     QCOMPARE(cell.run({"post", "c.handwheel", "drawn", "--controller", "csv", "-o", "drawn.csv"}).code, 0);
     const QByteArray table = cell.read("drawn.csv");
-    for (const char* place : {"380.000000000,-60.000000000,105.000000000", "400.000000000,0.000000000,105.000000000",
-                              "380.000000000,60.000000000,105.000000000"})
-      QVERIFY2(table.contains(place), table);
+    for (const char* position : {"380.000000000,-60.000000000,105.000000000", "400.000000000,0.000000000,105.000000000",
+                                 "380.000000000,60.000000000,105.000000000"})
+      QVERIFY2(table.contains(position), table);
     const Ran broken = cell.run(words + QStringList{"--through", "400,0,100;400,0,0"});
     QCOMPARE(broken.code, 1);
     QVERIFY2(broken.err.contains("Places 2 and 3 of the curve"), broken.err);
@@ -254,7 +254,7 @@ class PlanTest : public QObject {
     QVERIFY(cell.run(words).code != 0);
   }
 
-  // By way of a critical configuration, into the cell, and repeatable.
+  // Passes a critical configuration, is stored in the cell, and is repeatable.
   void throughACriticalConfiguration() {
     const PlannedCell cell;
     const QStringList words{"plan", "cell.handwheel", "--from", "left", "--via", "up",
@@ -295,7 +295,7 @@ class PlanTest : public QObject {
     QCOMPARE(cell.run(words + QStringList{"-o", "no.json"}).code, 1);
   }
 
-  // The places of a path in another order, into the cell under its name; the roadmap planner serves as well.
+  // The waypoints of a path in another order, stored in the cell under its name; the roadmap planner works as well.
   void optimised() {
     const PlannedCell cell;
     cell.put("path.json", R"({"waypoints": [[1.2, 0.5, 0, 0, 0, 0], [-1, 0.5, 0, 0, 0, 0], [0.9, 0.5, 0, 0, 0, 0],
@@ -426,7 +426,7 @@ class PlanTest : public QObject {
         cell.run({"configuration", "cell.handwheel", "--open", "second.mod", "-o", "other.handwheel", "--json"});
     QVERIFY2(back.code == 0, back.err);
     QCOMPARE(jsonOf(back.out)["frames_used"][0].get<std::string>(), std::string("jig"));
-    // What cannot be read leaves the cell as it is.
+    // A file that cannot be read leaves the cell unchanged.
     const QByteArray before = cell.read("cell.handwheel");
     cell.put("loop.mod", "MODULE m\nPROC main()\nMoveC p1,p2,v100,fine,tool0;\nENDPROC\nENDMODULE\n");
     for (const char* file : {"loop.mod", "none.mod"}) {

@@ -12,7 +12,7 @@ inline nlohmann::json jsonOf(const QByteArray& text) {
   return nlohmann::json::parse(text.toStdString());
 }
 
-// A cell of a built-in robot between two configurations, with a box between them. The box is in the straight way.
+// A cell of a built-in robot between two configurations, with a box between them. The box is on the straight line.
 class PlannedCell {
  public:
   PlannedCell() {
@@ -25,7 +25,7 @@ class PlannedCell {
   }
   Ran run(const QStringList& words) const { return m_fixture.run(words); }
   QByteArray read(const QString& name) const { return m_fixture.content(name); }
-  // Of a table of motions: its heading and rows, without remarks.
+  // Returns the heading and rows of a table of motions, without remarks.
   QList<QByteArray> rowsOf(const QString& name) const {
     QList<QByteArray> lines = read(name).split('\n');
     lines.removeIf([](const QByteArray& line) { return line.startsWith('#'); });

@@ -9,7 +9,7 @@
 
 using namespace handwheel;
 
-// What "inspect" tells of the paths of a cell.
+// Output of "inspect" about the paths of a cell.
 class PlansTextTest : public QObject {
   Q_OBJECT
 

@@ -70,7 +70,7 @@ class RobotCommandsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The place of the flange with all joints at 0 is in the data sheet of the IRB 120: 374 mm ahead, 630 mm up.
+  // The position of the flange with all joints at 0 is in the data sheet of the IRB 120: 374 mm ahead, 630 mm up.
   void theHomeOfABuiltInRobot() {
     const Fixture fixture;
     const QString half = QString::number(std::sqrt(0.5), 'g', 17);
@@ -125,7 +125,7 @@ class RobotCommandsTest : public QObject {
     QVERIFY2(noLink.code == 1 && noLink.err.contains("l9"), noLink.err);
     QCOMPARE(fixture.run({"ik", "irb120"}).code, 1);
     QCOMPARE(fixture.run({"ik", "irb120", "--pose=0,0,0,0,0,0,0"}).code, 1);
-    // Of a robot that is no cell there are no others.
+    // A robot that is no cell has no other robots.
     for (const char* robot : {"irb120", "arm.urdf", "scara.json"}) {
       const Ran chosen = fixture.run({"ik", robot, "--pose=300,0,300,1,0,0,0", "--arm", "nonsense"});
       QVERIFY2(chosen.code == 1 && chosen.err.contains("--arm") && chosen.err.contains(robot), chosen.err);
@@ -135,7 +135,7 @@ class RobotCommandsTest : public QObject {
     QCOMPARE(fixture.run({"ik", "bad.json", "--pose=0,0,0,1,0,0,0"}).code, 1);
   }
 
-  // Where a program of a cell says that its tool is, the joints stand as the program says.
+  // The joint values are those of the program whose tool pose is given.
   void ofACell() {
     const Fixture fixture;
     const QString cell = QStringLiteral(SOURCE_SAMPLES "/robot-cell.handwheel");
@@ -202,9 +202,9 @@ class RobotCommandsTest : public QObject {
     fixture.put("arm.urdf", planarUrdf());
     fixture.put("set.json", planarSet());
     QVERIFY(QDir(fixture.path()).mkpath("folder"));
-    for (const QString place : {"", "folder/"}) {
-      fixture.put(place + "ball_scene0001.yaml", kPlanarScene);
-      fixture.put(place + "ball_request0001.yaml", kPlanarRequest);
+    for (const QString folder : {"", "folder/"}) {
+      fixture.put(folder + "ball_scene0001.yaml", kPlanarScene);
+      fixture.put(folder + "ball_request0001.yaml", kPlanarRequest);
     }
     const auto planned = [&](const QString& set) {
       return reportOf(fixture.run({"benchmark-planning", set, "--robot", "arm.urdf", "--json", "--time", "60"}));
@@ -263,8 +263,8 @@ class RobotCommandsTest : public QObject {
     QVERIFY2(said.contains("1 with overlapping links allowed") && said.contains("certified but for these pairs"), said);
   }
 
-  // Of the sets for the UR5 ten goals have links that overlap in their model of spheres: by 0.71 to 8.91 mm, the
-  // forearm with the second or third wrist. That was counted by another program, sphere by sphere.
+  // Ten goals in the sets for the UR5 have links that overlap in their model of spheres: by 0.71 to 8.91 mm, the
+  // forearm with the second or third wrist. They were counted by another program, sphere by sphere.
   void theOverlapsOfTheUr5() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA") + "/planning/motionbenchmaker-ur5/";
     if (!QFile::exists(data)) QSKIP("HANDWHEEL_DATA is not set or has no motionbenchmaker-ur5.");

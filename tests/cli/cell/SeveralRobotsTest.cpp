@@ -71,23 +71,23 @@ class SeveralRobotsTest : public QObject {
     QVERIFY(cell.run({"robot", "cell.handwheel", "--remove", "left", "-o", "t.handwheel"}).code != 0);
   }
 
-  // Each turns freely as long as the other one is out of the way.
+  // Each robot turns freely while the other one is away.
   void planned() {
     const TwoBars cell;
     const QStringList ends{"--from", "right up", "--to", "right down", "--time", "0.2"};
-    // The first one points to the second: whichever way that goes, it meets it.
+    // The first one points to the second: in either direction it collides.
     const Ran blocked = cell.run(QStringList{"plan", "cell.handwheel", "--arm", "right", "--json"} + ends);
     QCOMPARE(blocked.code, 2);
     cell.done({"set", "cell.handwheel", "joint.right_turn=20"});
     cell.done({"configuration", "cell.handwheel", "--go", "bar up"});
     QCOMPARE(cell.described()["joints"][0]["value"].get<double>(), 1.0);
-    QVERIFY(cell.described()["joints"][1]["value"].get<double>() > 0.3);  // of the other one, as it is
+    QVERIFY(cell.described()["joints"][1]["value"].get<double>() > 0.3);  // Value of the other robot, unchanged
     cell.done({"configuration", "cell.handwheel", "--joints", "turn=2.5", "--add", "away"});
     cell.done({"configuration", "cell.handwheel", "--go", "away"});
     const QStringList named = ends + QStringList{"--name", "swing"};
     const Ran free = cell.done(QStringList{"plan", "cell.handwheel", "--arm", "right", "--json"} + named);
     QVERIFY(jsonOf(free.out)["certified"].get<bool>());
-    // The path is of the second one, without a word about it; the way of the first one's configurations is not.
+    // The path is of the second robot, which needs no option; a path through configurations of the first one is not.
     const Ran verified = cell.run({"verify", "cell.handwheel", "swing", "--json"});
     QVERIFY2(verified.code == 0, verified.err);
     QVERIFY(jsonOf(verified.out)["robots_moved"].empty());

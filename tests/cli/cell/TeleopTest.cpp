@@ -11,13 +11,13 @@ using namespace handwheel;
 
 namespace {
 
-struct ToolPlace {
+struct ToolPosition {
   double x, y, z;
 };
 
-// Where the tool is at the places of a path, as the table of its program has them.
-std::vector<ToolPlace> toolPlaces(const QByteArray& table) {
-  std::vector<ToolPlace> places;
+// Returns the tool positions at the waypoints of a path, from the table of its program.
+std::vector<ToolPosition> toolPositions(const QByteArray& table) {
+  std::vector<ToolPosition> positions;
   const QList<QByteArray> lines = table.trimmed().split('\n');
   qsizetype x = -1;
   for (const QByteArray& line : lines) {
@@ -26,20 +26,21 @@ std::vector<ToolPlace> toolPlaces(const QByteArray& table) {
       x = words.indexOf("x_mm");
       continue;
     }
-    places.push_back({words.at(x).toDouble(), words.at(x + 1).toDouble(), words.at(x + 2).toDouble()});
+    positions.push_back({words.at(x).toDouble(), words.at(x + 1).toDouble(), words.at(x + 2).toDouble()});
   }
-  return places;
+  return positions;
 }
 
-// A hand along these places at 40 mm/s that shakes across them, along x, by so many mm, every 50 mm once.
-QByteArray shakingHand(const std::vector<ToolPlace>& places, double amplitude) {
+// Makes a hand motion along these positions at 40 mm/s that shakes across them, along x, by this amplitude in mm, once
+// every 50 mm.
+QByteArray shakingHand(const std::vector<ToolPosition>& positions, double amplitude) {
   QByteArray hand = "t_s,x_mm,y_mm,z_mm\n";
   double along = 0.0;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const ToolPlace a = places[i - 1], b = places[i];
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    const ToolPosition a = positions[i - 1], b = positions[i];
     const double length = std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
-    for (double way = 0.0; way < length; way += 0.5, along += 0.5) {
-      const double share = way / length;
+    for (double travel = 0.0; travel < length; travel += 0.5, along += 0.5) {
+      const double share = travel / length;
       hand += QByteArray::number(along / 40.0);
       for (const double value : {a.x + share * (b.x - a.x) + amplitude * std::sin(2.0 * M_PI * along / 50.0),
                                  a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)})
@@ -87,10 +88,10 @@ class TeleopTest : public QObject {
                                   "--standoff", "20", "--name", "edge", "-o", "c.handwheel"});
     QVERIFY2(planned.code == 0, planned.err);
     QCOMPARE(cell.run({"post", "c.handwheel", "edge", "--controller", "csv", "-o", "edge.csv"}).code, 0);
-    const std::vector<ToolPlace> places = toolPlaces(cell.read("edge.csv"));
-    QVERIFY(places.size() >= 2);
-    cell.put("a.csv", shakingHand(places, 8.0));
-    cell.put("b.csv", shakingHand(places, 4.0));
+    const std::vector<ToolPosition> positions = toolPositions(cell.read("edge.csv"));
+    QVERIFY(positions.size() >= 2);
+    cell.put("a.csv", shakingHand(positions, 8.0));
+    cell.put("b.csv", shakingHand(positions, 4.0));
     const QStringList words{"teleop", "c.handwheel", "--follow", "edge"};
     const Ran ran =
         cell.run(words + QStringList{"--eyes", "a.csv", "--force", "b.csv", "--fixture", "b.csv", "--json"});

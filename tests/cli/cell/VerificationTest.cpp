@@ -12,23 +12,23 @@ namespace {
 
 // A path file: joint 1 comes to these values (rad), along straight lines of the tool. bent: joint 5, rad.
 QByteArray lineThrough(std::initializer_list<double> values, double bent) {
-  nlohmann::json places = nlohmann::json::array();
+  nlohmann::json waypoints = nlohmann::json::array();
   for (const double value : values) {
-    nlohmann::json place;
-    place["joints"]["joint_1"] = value;
-    place["joints"]["joint_2"] = 0.5;
-    place["joints"]["joint_5"] = bent;
-    if (!places.empty()) place["motion"] = "linear";
-    places.push_back(place);
+    nlohmann::json waypoint;
+    waypoint["joints"]["joint_1"] = value;
+    waypoint["joints"]["joint_2"] = 0.5;
+    waypoint["joints"]["joint_5"] = bent;
+    if (!waypoints.empty()) waypoint["motion"] = "linear";
+    waypoints.push_back(waypoint);
   }
   nlohmann::json path;
-  path["places"] = places;
+  path["places"] = waypoints;
   return QByteArray::fromStdString(path.dump());
 }
 
 }  // namespace
 
-// What the command "verify" lists of paths that are not free.
+// Output of the command "verify" for paths that are not free.
 class VerificationTest : public QObject {
   Q_OBJECT
 
@@ -70,8 +70,8 @@ class VerificationTest : public QObject {
     for (const nlohmann::json& each : report["collisions"]) {
       const double from = each["from"].get<double>(), to = each["to"].get<double>();
       QVERIFY(from >= 0.0 && from <= to && to <= 1.0);
-      const QByteArray place = QByteArray::number(each["place"].get<int>() + 1);
-      QVERIFY(text.contains("motion to place " + place + ", "));
+      const QByteArray waypoint = QByteArray::number(each["place"].get<int>() + 1);
+      QVERIFY(text.contains("motion to place " + waypoint + ", "));
     }
   }
 
@@ -83,8 +83,8 @@ class VerificationTest : public QObject {
     QVERIFY2(ran.err.contains("too near") && ran.err.contains("box") && !ran.err.contains("collides"), ran.err);
   }
 
-  // At its limit joint 1 cannot go on, as the straight line wants it to, and with the arm stretched in a plane no other
-  // joint moves the tool out of that: the line is not begun. What meets there is listed with the first place.
+  // At its limit joint 1 cannot continue, as the straight line requires, and with the arm stretched in a plane no other
+  // joint moves the tool out of that: the line is not begun. Collisions there are listed with the first waypoint.
   void aLineThatCannotBeBegun() {
     const PlannedCell cell;
     cell.run({"body", "cell.handwheel", "--add", "box:400,600,1200", "--at", "-450,0,400", "-o", "cell.handwheel"});

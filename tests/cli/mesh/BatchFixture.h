@@ -8,7 +8,7 @@
 #include <QTest>
 #include <csignal>
 
-// Folders of files to repair, and a batch under way.
+// Folders of files to repair, and a running batch.
 namespace handwheel {
 
 // An open tube that keeps the program busy for a second or more, also on a fast machine.
@@ -26,14 +26,14 @@ inline void putInto(const Fixture& fixture, const QString& name, const QByteArra
   fixture.put(name, content);
 }
 
-// Good files of which one has a hole, and one in a folder below.
+// Adds good files, one of them with a hole, two of them in a subfolder.
 inline void putGoodFiles(const Fixture& fixture) {
   putInto(fixture, "in/a.off", openCube().off());
   putInto(fixture, "in/sub/b.off", cube().off());
   putInto(fixture, "in/sub/c.off", tetrahedron().off());
 }
 
-// "a.off closed", for each file in the order of the report.
+// Returns a text such as "a.off closed" for each file in the order of the report.
 inline QStringList states(const nlohmann::json& report) {
   QStringList list;
   for (const nlohmann::json& file : report.at("files")) {
@@ -62,13 +62,13 @@ inline QList<QByteArray> stateAndParent(pid_t process) {
 inline pid_t parentOf(pid_t process) {
   return stateAndParent(process).value(1).toInt();
 }
-// Or only its parent has not heard of its end yet.
+// Returns true if the process has ended, even if its parent has not collected its exit status yet.
 inline bool isGone(pid_t process) {
   const QByteArray state = stateAndParent(process).value(0);
   return state.isEmpty() || state == "Z";
 }
 
-// A batch that is under way.
+// A running batch.
 class Batch {
  public:
   Batch(const Fixture& fixture, const QStringList& words) {
@@ -80,7 +80,7 @@ class Batch {
     m_process.start(HANDWHEEL_PROGRAM, QStringList{"repair"} + words);
     if (!m_process.waitForStarted()) qFatal("the program does not start");
   }
-  // The processes that repair a file: those that have become the program.
+  // Returns the processes that repair a file: child processes that already execute the program.
   QList<pid_t> children() const {
     QList<pid_t> found;
     for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
@@ -90,7 +90,7 @@ class Batch {
     }
     return found;
   }
-  // The one that repairs a file of this name; 0: none at present.
+  // Returns the process that repairs a file of this name; 0: none at present.
   pid_t childFor(const QByteArray& name) const {
     for (pid_t child : children()) {
       if (contentOf(child, "cmdline").contains(name)) return child;

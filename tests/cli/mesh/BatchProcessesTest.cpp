@@ -12,7 +12,7 @@ class BatchProcessesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // As a crash or the system would end it.
+  // Ends a child like a crash or the system would.
   void endedChildStopsNoOther_data() {
     QTest::addColumn<int>("signal");
     QTest::addColumn<QByteArray>("reason");

@@ -164,7 +164,7 @@ class BatchRepairTest : public QObject {
              (QStringList{"in/a.off closed", "in/sub/b.off closed", "in/sub/c.off closed"}));
   }
 
-  // Whatever bytes a name has, its file is repaired and its line is one.
+  // Files are repaired regardless of the bytes in their names, and each has one line.
   void anyName() {
     const Fixture fixture;
     QVERIFY(QDir(fixture.path()).mkpath("in"));
@@ -182,7 +182,8 @@ class BatchRepairTest : public QObject {
     for (const QByteArray& name : names) QCOMPARE(::access((folder + "/out/" + name).constData(), R_OK), 0);
     QCOMPARE(fixture.run({"repair", "in", "-o", "out", "--resume"}).code, 0);
     QCOMPARE(fixture.json("out/repair-report.json").at("files").size(), std::size_t(4));
-    for (const char* place : {"in/", "out/"}) QCOMPARE(::unlink((folder + "/" + place + names[2]).constData()), 0);
+    for (const char* folderName : {"in/", "out/"})
+      QCOMPARE(::unlink((folder + "/" + folderName + names[2]).constData()), 0);
   }
 };
 

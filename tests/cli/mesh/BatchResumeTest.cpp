@@ -47,7 +47,7 @@ class BatchResumeTest : public QObject {
       return ran.code == 1 ? ran.out.count("done before") : -1;
     };
     QCOMPARE(doneBefore({}), 0);  // there is no earlier run
-    QCOMPARE(doneBefore({}), 3);  // what failed is tried again
+    QCOMPARE(doneBefore({}), 3);  // failed files are tried again
     QCOMPARE(doneBefore({"-j", "2", "--time-limit", "1000"}), 3);
     QVERIFY(QFile::remove(fixture.path() + "/out/a.off"));
     QCOMPARE(doneBefore({}), 2);

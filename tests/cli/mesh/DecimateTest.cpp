@@ -62,7 +62,7 @@ class DecimateTest : public QObject {
     QVERIFY(fixture.json("r.json")["largest_distance_mm"].get<double>() <= 0.1);
   }
 
-  // What the file holds is as near as is said, rounding to its numbers included.
+  // The surface in the file is as near as reported, including the rounding to its number type.
   void roundingIsCounted() {
     const Fixture fixture;
     fixture.put("a.off", Shape().add(wavyRing(120), {1e4, 1e4, 1e4}).off());
@@ -109,7 +109,7 @@ class DecimateTest : public QObject {
     QCOMPARE(decimateInspected(fixture, "b.off")["triangles"].get<int>(), 12);
   }
 
-  // What OpenMesh does not support is reported with what to do, and that helps.
+  // Meshes that OpenMesh does not support are reported with a remedy that works.
   void quadricsOfADefectiveScan() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
     if (data.isEmpty()) QSKIP("HANDWHEEL_DATA is not set");

@@ -13,7 +13,7 @@ class RepairBothWaysTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A hole in a cube is closed by either way. That by triangles moves nothing, and is written.
+  // Both methods close a hole in a cube. The triangle repair moves nothing, and its result is written.
   void trianglesKeepWhatIsSound() {
     const Fixture fixture;
     Shape open = cube(10.0);
@@ -45,7 +45,7 @@ class RepairBothWaysTest : public QObject {
     const auto mesh = fixture.inspected("b.stl");
     QCOMPARE(mesh.at("components").get<int>(), 1);
     QVERIFY(std::abs(mesh.at("volume_mm3").get<double>() / 1875.0 - 1.0) < 0.02);
-    // The other way can do it, too, and then it is the one that is written.
+    // The other method succeeds too, and then its result is written.
     const Ran cut =
         fixture.run({"repair", "a.off", "-o", "c.off", "--by", "both", "--voxel", "0.25", "--cut-crossings"});
     QCOMPARE(cut.code, 0);
@@ -70,7 +70,7 @@ class RepairBothWaysTest : public QObject {
     QCOMPARE(fixture.inspected("b.off").at("triangles").get<int>(), 13);
   }
 
-  // What encloses nothing has no volume: the row says so, and the result is that of the triangles.
+  // A surface that encloses nothing has no volume: the row says so, and the result of the triangle repair is written.
   void withoutVolume() {
     const Fixture fixture;
     fixture.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");
@@ -96,7 +96,7 @@ class RepairBothWaysTest : public QObject {
     QCOMPARE(table.code, 1);
     QVERIFY2(table.out.contains("encloses no volume"), table.out.constData());
     const QList<QByteArray> lines = fixture.content("t.csv").trimmed().split('\n');
-    QCOMPARE(lines.size(), 6);  // of a header, twice two ways, and a failure
+    QCOMPARE(lines.size(), 6);  // a header, two files with two methods each, and a failure
     QVERIFY2(lines[1].startsWith("\"a, open.off\",triangles,yes,") && lines[1].contains(",12,"), lines[1]);
     QVERIFY2(lines[2].startsWith("\"a, open.off\",volume,yes,"), lines[2]);
     QVERIFY2(lines[3].startsWith("flat.off,triangles,no,") && lines[4].startsWith("flat.off,volume,no,"), lines[4]);

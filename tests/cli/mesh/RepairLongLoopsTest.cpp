@@ -92,8 +92,8 @@ class RepairLongLoopsTest : public QObject {
       QVERIFY(std::abs(report.at("after").at("volume_mm3").get<double>() / (discArea() * 40) - 1.0) < 1e-3);
   }
 
-  // A scan whose bottom is cut by a plane in four places, with 2,554 edges each; most of its small loops are torn where
-  // the surface crosses itself.
+  // A scan whose bottom is cut by a plane at four positions, with 2,554 edges each; most of its small loops are torn
+  // where the surface crosses itself.
   void scannedHead() {
     const QString scan = "/usr/share/opencascade/data/stl/head.stl";
     if (!QFile::exists(scan)) QSKIP("head.stl of the package occt-misc is not installed");

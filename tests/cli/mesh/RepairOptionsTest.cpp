@@ -43,7 +43,7 @@ class RepairOptionsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Of a setting that no repair reads one would think that it did something.
+  // A setting that no repair reads would wrongly seem to have an effect.
   void refusesSettingsThatItDoesNotRead() {
     const Fixture fixture;
     fixture.put("a.off", holedBox().off());
@@ -121,8 +121,8 @@ class RepairOptionsTest : public QObject {
     const Fixture fixture;
     fixture.put("a.off", grid(10, 2, at, [](int, int) { return false; }).off());
     QCOMPARE(fixture.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
-    const Ran backed =
-        fixture.run({"repair", "a.off", "-o", "b.stl", "--rims", "back", "--report", "r.json"});  // the former name
+    // The former name.
+    const Ran backed = fixture.run({"repair", "a.off", "-o", "b.stl", "--rims", "back", "--report", "r.json"});
     QCOMPARE(backed.code, 0);
     QVERIFY2(backed.out.startsWith("No holes, 1 of 1 outer boundary closed. "), backed.out.constData());
     QCOMPARE(fixture.json("r.json").at("loops").at(0).at("method").get<std::string>(), std::string("backed"));
@@ -174,7 +174,7 @@ class RepairOptionsTest : public QObject {
     QVERIFY2(ran.out.contains(" of 121 vertices"), qPrintable(ran.out));
   }
 
-  // Of two sheets, one is so far from the origin that single precision cannot show the thickness.
+  // One of two sheets is so far from the origin that single precision cannot represent the thickness.
   void saysWhichSheetsStayOpen() {
     Shape shape = flatSheet(4);
     shape.add(flatSheet(4), {1e6, 1e6, 1e6});
@@ -226,7 +226,7 @@ class RepairOptionsTest : public QObject {
     QVERIFY(std::abs(fixture.json("r.json").at("after").at("volume_mm3").get<double>() - 16.0) < 1e-9);
   }
 
-  // What both have in common is there once. Bodies that are apart stay as they are.
+  // The common part of both bodies occurs once. Separate bodies stay as they are.
   void bodiesAreUnited() {
     const Fixture fixture;
     fixture.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
@@ -283,7 +283,7 @@ class RepairOptionsTest : public QObject {
     QVERIFY(fixture.json("r.json").at("damage").size() >= 1);
   }
 
-  // The list ends after a thousand places, and says how many there are besides.
+  // The list ends after a thousand positions and gives the number of the others.
   void countsWhatIsNotListed() {
     const Fixture fixture;
     QByteArray damaged = openCube().off();
@@ -328,7 +328,7 @@ class RepairOptionsTest : public QObject {
     const Ran lid = fixture.run({"repair", "tube.off", "-o", "a.off"});
     QCOMPARE(lid.code, 0);
     QVERIFY2(lid.err.contains("check its patch: the patch bends by 90°, its surroundings by at most 8°"), lid.err);
-    // Of many such patches the first are named: the report has all.
+    // The first of many such patches are named; the report has all.
     Shape many;
     for (int i = 0; i < 13; ++i) many.add(tube, {0.0, 0.0, 100.0 * i});
     fixture.put("many.off", many.off());

@@ -33,10 +33,10 @@ Shape halfCube(int n) {
 Shape jaggedFan(int side, std::mt19937& random) {
   Shape shape;
   std::array<double, 2> at{0, 0};
-  for (const std::array<int, 2>& way : {std::array{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+  for (const std::array<int, 2>& direction : {std::array{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
     for (int i = 0; i < side; ++i) {
       shape.points.push_back({at[0], at[1], random() % 8 == 0 ? 1.0 : 0.0});
-      for (int k = 0; k < 2; ++k) at[k] += way[k];
+      for (int k = 0; k < 2; ++k) at[k] += direction[k];
     }
   }
   const int n = static_cast<int>(shape.points.size());
@@ -56,7 +56,7 @@ Shape difficult() {
   return shape;
 }
 
-// All that so many processes wrote, of which the places of things in memory differ; one, where each wrote the same.
+// Returns the distinct outputs of several processes with different memory addresses; one if all wrote the same.
 std::set<QByteArray> writtenBy(int processes, const Fixture& fixture, const QString& input, const QString& output) {
   std::set<QByteArray> written;
   for (int i = 0; i < processes; ++i) {

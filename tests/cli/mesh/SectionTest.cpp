@@ -45,7 +45,7 @@ class SectionTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The cube of 1 mm half way up.
+  // A section of the 1 mm cube at half its height.
   void statistics_data() {
     QTest::addColumn<QString>("plane");
     QTest::addColumn<QByteArray>("length");
@@ -87,8 +87,8 @@ class SectionTest : public QObject {
     }
     QVERIFY2(!svg.hasError(), qPrintable(svg.errorString()));
     Curve curve;
-    const QRegularExpression place("[ML]([-0-9.e]+),([-0-9.e]+)");
-    for (auto i = place.globalMatch(path); i.hasNext();) {
+    const QRegularExpression coordinates("[ML]([-0-9.e]+),([-0-9.e]+)");
+    for (auto i = coordinates.globalMatch(path); i.hasNext();) {
       const auto found = i.next();
       curve.emplace_back(found.captured(1).toDouble(), found.captured(2).toDouble());
     }

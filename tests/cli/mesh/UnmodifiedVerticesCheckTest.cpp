@@ -18,10 +18,10 @@ TriangleSoup fourFaces() {
   return soup;
 }
 
-// The mesh's number for the vertex at this place.
-Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& place) {
+// Returns the number of the vertex at this position.
+Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& position) {
   Vertex v = 0;
-  while (mesh.position(v) != place) ++v;
+  while (mesh.position(v) != position) ++v;
   return v;
 }
 

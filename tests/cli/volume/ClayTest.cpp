@@ -11,42 +11,42 @@ using namespace handwheel;
 
 namespace {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 // 40 by 30 by 20 mm from the origin.
 Shape clayBlock() {
   Shape block = cube();
-  for (Place& p : block.points) p = {40.0 * p[0], 30.0 * p[1], 20.0 * p[2]};
+  for (Position& p : block.points) p = {40.0 * p[0], 30.0 * p[1], 20.0 * p[2]};
   return block;
 }
 
 // Turned, so that no face lies along samples.
-Place turnedPlace(const Place& p) {
+Position turnedPosition(const Position& p) {
   const double y = std::cos(0.4) * p[1] - std::sin(0.4) * p[2], z = std::sin(0.4) * p[1] + std::cos(0.4) * p[2];
   return {std::cos(0.5) * p[0] - std::sin(0.5) * y, std::sin(0.5) * p[0] + std::cos(0.5) * y, z};
 }
 
-// The lines of a way in straight pieces, each taking as long, s.
-QByteArray linesOf(const std::vector<Place>& places, double period = 1.0, const QByteArray& more = {}) {
+// Returns the lines of a polygonal path; each segment takes the period, s.
+QByteArray linesOf(const std::vector<Position>& positions, double period = 1.0, const QByteArray& more = {}) {
   QByteArray lines;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     lines += QByteArray::number(period * static_cast<double>(i), 'g', 12);
-    for (const double x : places[i]) lines += "," + QByteArray::number(x, 'g', 12);
+    for (const double x : positions[i]) lines += "," + QByteArray::number(x, 'g', 12);
     lines += more + "\n";
   }
   return lines;
 }
 
-QByteArray strokesCsv(const std::vector<Place>& places, double period = 1.0) {
-  return "t_s,x_mm,y_mm,z_mm\n" + linesOf(places, period);
+QByteArray strokesCsv(const std::vector<Position>& positions, double period = 1.0) {
+  return "t_s,x_mm,y_mm,z_mm\n" + linesOf(positions, period);
 }
 
-double capsule(double radius, const Place& from, const Place& to) {
+double capsule(double radius, const Position& from, const Position& to) {
   const double length = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
   return M_PI * radius * radius * length + 4.0 / 3.0 * M_PI * radius * radius * radius;
 }
 
-// What the command says of a part; null and a failed check where it fails.
+// Returns the report of the command on a part; null and a failed check if it fails.
 nlohmann::json sculpt(const Fixture& fixture, const QStringList& words) {
   const Ran ran = fixture.run(QStringList{"clay"} + words + QStringList{"--json"}, "de_DE.UTF-8");
   if (ran.code != 0 || !ran.err.isEmpty()) qWarning("%s", ran.err.constData());
@@ -64,7 +64,7 @@ bool isCapsule(double found, double exact, double radius) {
 }
 
 constexpr double kToolRadius = 3.0;
-constexpr Place kStrokeFrom{10.0, 11.0, 8.0},
+constexpr Position kStrokeFrom{10.0, 11.0, 8.0},
     kStrokeTo{28.0, 19.0, 12.0};  // along no axis, 5 mm and more within the block
 
 }  // namespace
@@ -114,8 +114,8 @@ class ClayTest : public QObject {
   void besideThePart() {
     const Fixture fixture;
     fixture.put("a.off", clayBlock().off());
-    Place from = kStrokeFrom, to = kStrokeTo;
-    for (Place* p : {&from, &to}) (*p)[2] += 40.0;
+    Position from = kStrokeFrom, to = kStrokeTo;
+    for (Position* p : {&from, &to}) (*p)[2] += 40.0;
     fixture.put("s.csv", strokesCsv({from, to}));
     const QStringList words{"a.off", "--strokes", "s.csv", "--radius", "3", "--voxel", "0.25", "-o", "b.stl"};
     for (const char* tool : {"carve", "inflate", "smooth", "flatten", "tug", "smudge", "attract", "pinch"}) {
@@ -142,9 +142,9 @@ class ClayTest : public QObject {
   void symmetry() {
     const Fixture fixture;
     fixture.put("a.off", clayBlock().off());
-    const std::vector<Place> left{{6.0, 8.0, 19.0}, {14.0, 20.0, 17.0}};
-    std::vector<Place> right = left;
-    for (Place& p : right) p[0] = 40.0 - p[0];
+    const std::vector<Position> left{{6.0, 8.0, 19.0}, {14.0, 20.0, 17.0}};
+    std::vector<Position> right = left;
+    for (Position& p : right) p[0] = 40.0 - p[0];
     fixture.put("left.csv", strokesCsv(left));
     fixture.put("right.csv", strokesCsv(right));
     QByteArray both = "t_s,x_mm,y_mm,z_mm,stroke\n" + linesOf(left, 1.0, ",1") + "1.5,20,15,18,0\n";
@@ -164,12 +164,12 @@ class ClayTest : public QObject {
     QVERIFY(std::abs(removed("left.csv", {"--mirror-x"}) / (one + other) - 1.0) < 0.01);
   }
 
-  // What grows and what is pulled out comes; what shrinks and what is smoothed along an edge goes: depths below a
-  // convex surface are concave, so that no mean of them is larger. The others change something.
+  // Growing and pulling out add material; shrinking and smoothing along an edge remove it: depths below a convex
+  // surface are concave, so that no mean of them is larger. The other actions change something.
   void tools_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QString>("where");
-    QTest::addColumn<int>("way");  // 1: material comes; -1: it goes
+    QTest::addColumn<int>("sign");  // 1: material comes; -1: it goes
     QTest::newRow("inflate") << QStringList{"inflate"} << "face" << 1;
     QTest::newRow("shrink") << QStringList{"inflate", "--strength=-0.5"} << "face" << -1;
     QTest::newRow("tug") << QStringList{"tug"} << "out" << 1;
@@ -182,22 +182,22 @@ class ClayTest : public QObject {
   void tools() {
     QFETCH(QStringList, words);
     QFETCH(QString, where);
-    QFETCH(int, way);
+    QFETCH(int, sign);
     const Fixture fixture;
     Shape block = cube(20.0);
-    for (Place& p : block.points) p = turnedPlace(p);
+    for (Position& p : block.points) p = turnedPosition(p);
     fixture.put("a.off", block.off());
-    std::vector<Place> places{{5.0, 10.0, 20.0}, {15.0, 10.0, 20.0}};
-    if (where == "out") places = {{10.0, 10.0, 20.0}, {10.0, 10.0, 23.0}};
-    if (where == "edge") places = {{5.0, 0.0, 20.0}, {15.0, 0.0, 20.0}};
-    for (Place& p : places) p = turnedPlace(p);
-    fixture.put("s.csv", strokesCsv(places));
+    std::vector<Position> positions{{5.0, 10.0, 20.0}, {15.0, 10.0, 20.0}};
+    if (where == "out") positions = {{10.0, 10.0, 20.0}, {10.0, 10.0, 23.0}};
+    if (where == "edge") positions = {{5.0, 0.0, 20.0}, {15.0, 0.0, 20.0}};
+    for (Position& p : positions) p = turnedPosition(p);
+    fixture.put("s.csv", strokesCsv(positions));
     const auto report = sculpt(fixture, QStringList{"a.off", "--strokes", "s.csv", "--radius", "5", "--voxel", "0.25",
                                                     "-o", "b.handwheel", "--tool"} +
                                             words);
     QVERIFY(figure(report, "changed_blocks") > 0.0);
     const double change = figure(report, "added_mm3") - figure(report, "removed_mm3");
-    QVERIFY2(change * way >= 0.0 && (way == 0 || change != 0.0), QByteArray::number(change));
+    QVERIFY2(change * sign >= 0.0 && (sign == 0 || change != 0.0), QByteArray::number(change));
     QVERIFY(std::abs(figure(report, "volume_mm3") - figure(report, "volume_before_mm3") - change) < 1e-6);
     const auto mesh = [&] {
       if (fixture.run({"remesh", "b.handwheel", "-o", "b.off"}).code != 0) return nlohmann::json();
@@ -206,7 +206,7 @@ class ClayTest : public QObject {
     QVERIFY(mesh.is_object() && mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
   }
 
-  // What a stroke has masked is there for the next command, and held back; without the mask it goes.
+  // A region masked by a stroke is stored for the next command, and protected; without the mask it changes.
   void masks() {
     const Fixture fixture;
     fixture.put("a.off", clayBlock().off());

@@ -50,7 +50,7 @@ class DrillTest : public QObject {
                                                      << "--json");
     QCOMPARE(saved.code, 0);
     QVERIFY(!drillJson(saved.out)["hybrid"].get<bool>());
-    // What is a volume already is made of nothing.
+    // A part that is a volume already needs no voxels from triangles.
     QVERIFY(!drillJson(fixture.run({"drill", "b.handwheel", "--path", "p.csv", "--json"}).out).contains("hybrid"));
   }
 
@@ -103,7 +103,7 @@ class DrillTest : public QObject {
     QVERIFY(fixture.run(QStringList(words) << "e.off").out.contains("closed by 4 triangles"));
   }
 
-  // Where that cannot be, the surface of all voxels is written, and the report says why.
+  // If that is impossible, the surface of all voxels is written, and the report states the reason.
   void holeInTheVoxels_data() {
     QTest::addColumn<bool>("isCrossing");
     QTest::addColumn<QStringList>("more");

@@ -15,8 +15,8 @@ class DrilledFilesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The exercise that ships, without a window: along the planned path by places of the head alone, handed in and
-  // marked. Into the brain there are no points.
+  // The built-in exercise without a window: it is drilled along the planned path by positions of the head alone, handed
+  // in and marked. Drilling into the brain gives no points.
   void drillTheExercise_data() {
     QTest::addColumn<double>("end");
     QTest::addColumn<int>("points");
@@ -33,7 +33,7 @@ class DrilledFilesTest : public QObject {
     const double x = 30.0, y = 35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);
     double in[3] = {-x / 5184.0, -y / 8100.0, -z / 4356.0};
     const double length = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
-    const double from = -8.0 - 3.0, to = end - 3.0;  // of the centre of a head of 6 mm
+    const double from = -8.0 - 3.0, to = end - 3.0;  // positions of the centre of a head of 6 mm
     QByteArray path("t_s,x_mm,y_mm,z_mm\n");
     for (const double depth : {from, to})
       path += QStringLiteral("%1,%2,%3,%4\n")

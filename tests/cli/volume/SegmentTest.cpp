@@ -34,7 +34,7 @@ void putBalls(const Fixture& fixture, const char* ending) {
   }
 }
 
-constexpr double kBallVolume = 4.0 / 3.0 * M_PI;  // of radius 1
+constexpr double kBallVolume = 4.0 / 3.0 * M_PI;  // for radius 1
 
 nlohmann::json figuresIn(const QByteArray& out) {
   return nlohmann::json::parse(out.toStdString());
@@ -82,7 +82,7 @@ class SegmentTest : public QObject {
     QCOMPARE(figures["components_kept"].get<int>(), 2);
     QCOMPARE(figures["spacing_mm"].get<std::vector<double>>(), (std::vector<double>{1, 1, 1}));
     QVERIFY(figures["warnings"].empty());
-    // Of voxels of 1 mm³, each all or nothing: those at the surface may be on either side of it.
+    // The voxels are 1 mm³ and count entirely or not at all: those at the surface may be on either side of it.
     const double voxels = figures["voxels"].get<double>(), volume = figures["volume_mm3"].get<double>();
     QCOMPARE(voxels, std::round(voxels));
     QVERIFY2(std::abs(voxels / (kBallVolume * (512.0 + 27.0)) - 1.0) < 0.06, QByteArray::number(voxels));
@@ -179,7 +179,7 @@ class SegmentTest : public QObject {
     QTest::newRow("data elsewhere") << QStringList{"away.mhd", "-o", "b.stl"} << QByteArray("outside of the folder");
     QTest::newRow("empty folder") << QStringList{"empty", "-o", "b.stl"} << QByteArray("no DICOM files");
     QTest::newRow("missing") << QStringList{"none", "-o", "b.stl"} << QByteArray("none");
-    // What it is predicted to need is refused first, and the voxels themselves where somebody insists.
+    // The predicted memory is refused first, and the voxels themselves if the user insists.
     QTest::newRow("memory") << QStringList{"balls.mha", "-o", "b.stl", "--voxel", "1e-4"}
                             << QByteArray("voxels of 0.0001 mm would need 1.05e+07 MB, and ");
     QTest::newRow("memory, advice") << QStringList{"balls.mha", "-o", "b.stl", "--voxel", "1e-4"}

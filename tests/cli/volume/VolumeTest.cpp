@@ -53,7 +53,7 @@ class VolumeTest : public QObject {
         jsonOf(fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}));
     const double bytes = figures["predicted_bytes"].get<double>();
     QVERIFY(bytes > 0.0 && figures["predicted_s"].get<double>() > 0.0);
-    const auto voxelFor = [&](double share) {  // of the memory; it goes by the square
+    const auto voxelFor = [&](double share) {  // share of the memory; it grows with the square
       return QString::number(0.5 * std::sqrt(bytes / (share * static_cast<double>(systemMemory()))), 'g', 6);
     };
     const QList<QStringList> commands{{"voxelize", "a.off", "-o", "c.handwheel"},
@@ -127,14 +127,14 @@ class VolumeTest : public QObject {
 
   // Two blocks of meshes that overlap by a quarter, as meshes and one as a volume.
   void booleans_data() {
-    QTest::addColumn<QByteArray>("way");
+    QTest::addColumn<QByteArray>("option");
     QTest::addColumn<double>("exact");
     QTest::newRow("unite") << QByteArray("--unite") << 8000.0 + 1000.0 - 250.0;
     QTest::newRow("subtract") << QByteArray("--subtract") << 8000.0 - 250.0;
     QTest::newRow("intersect") << QByteArray("--intersect") << 250.0;
   }
   void booleans() {
-    QFETCH(QByteArray, way);
+    QFETCH(QByteArray, option);
     QFETCH(double, exact);
     const Fixture fixture;
     fixture.put("a.off", openCube(20.0).off());
@@ -143,7 +143,7 @@ class VolumeTest : public QObject {
     fixture.put("b.off", small.off());
     QCOMPARE(fixture.run({"voxelize", "b.off", "-o", "b.nrrd", "--voxel", "0.3"}).code, 0);
     for (const char* const second : {"b.off", "b.nrrd"}) {
-      const Ran ran = fixture.run({"boolean", "a.off", second, way, "-o", "c.stl", "--voxel", "0.25", "--json"});
+      const Ran ran = fixture.run({"boolean", "a.off", second, option, "-o", "c.stl", "--voxel", "0.25", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
       const auto figures = jsonOf(ran);
@@ -154,7 +154,7 @@ class VolumeTest : public QObject {
       QVERIFY2(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 0.03,
                qPrintable(QString::number(mesh["volume_mm3"].get<double>())));
     }
-    const Ran text = fixture.run({"boolean", "a.off", "b.off", way, "-o", "c.handwheel", "--voxel", "0.5"});
+    const Ran text = fixture.run({"boolean", "a.off", "b.off", option, "-o", "c.handwheel", "--voxel", "0.5"});
     QCOMPARE(text.code, 0);
     QVERIFY(text.out.contains("voxels of 0.5 mm"));
   }
@@ -221,7 +221,7 @@ class VolumeTest : public QObject {
                                       << "--json");
       return ran.code == 0 ? jsonOf(ran)["volume_mm3"].get<double>() : -1.0;
     };
-    const double across = 4.0 * std::cbrt(6.0 / M_PI);  // of the ball with the volume of the small block
+    const double across = 4.0 * std::cbrt(6.0 / M_PI);  // diameter of the ball with the volume of the small block
     QVERIFY(std::abs(left({"debris", "--below", QString::number(0.9 * across)}) / 1064.0 - 1.0) < 0.03);
     QVERIFY(std::abs(left({"debris", "--below", QString::number(1.1 * across)}) / 1000.0 - 1.0) < 0.03);
     const double closed = left({"gaps", "--radius", "2"});
@@ -232,7 +232,7 @@ class VolumeTest : public QObject {
     QCOMPARE(left({"smooth", "--passes", "0"}), -1.0);
   }
 
-  // Between two blocks a gap of a millimetre is filled on the way.
+  // A gap of a millimetre between two blocks is filled as part of the repair.
   void repairClosesGaps() {
     const Fixture fixture;
     Shape two = cube(10.0);
@@ -318,7 +318,7 @@ class VolumeTest : public QObject {
     QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
                           << QByteArray("encloses no volume");
   }
-  // Who follows the advice gets a closed mesh of what encloses nothing.
+  // Following the advice gives a closed mesh of a surface that encloses nothing.
   void wallsOfASheet() {
     const Fixture fixture;
     fixture.put("flat.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n0 10 0\n3 0 1 2\n");

@@ -35,7 +35,7 @@ double blueShare(const QByteArray& html, const QByteArray& name) {
 
 }  // namespace
 
-// A teacher's and a student's whole way on the command line.
+// The whole procedure of a teacher and a student on the command line.
 class ExerciseTest : public QObject {
   Q_OBJECT
 
@@ -123,7 +123,7 @@ class ExerciseTest : public QObject {
     QCOMPARE(ran({"mark", "shaft.handwheel", "ada.handwheel", "--report", "class.pdf"}), 0);
     QVERIFY(fixture.content("class.pdf").startsWith("%PDF"));
 
-    // No command writes over what it was given.
+    // No command writes over its input.
     const auto keeps = [&](const char* name, const QStringList& words) {
       const QByteArray before = fixture.content(name);
       return fixture.run(words).code == 1 && fixture.content(name) == before && !before.isEmpty();
@@ -229,7 +229,7 @@ class ExerciseTest : public QObject {
     const QByteArray partly = fixture.run({"mark", kShaftExercise, "ada.handwheel", "bob.handwheel"}).out;
     QVERIFY2(partly.contains(" % of the recording is the same as in that of Ada (ada.handwheel)."), partly);
     QVERIFY2(!partly.contains("The recording is the same"), partly);
-    // The other way round: only the last pass is the same.
+    // In reverse order, so only the last pass is the same.
     copied = exercise["solution"];
     for (nlohmann::json& pass : copied["passes"])
       if (&pass != &copied["passes"].back()) pass["feed"] = 1.1 * pass["feed"].get<double>();
@@ -246,11 +246,11 @@ class ExerciseTest : public QObject {
     QVERIFY(fixture.run({"mark", "other.exercise.json", "ada.handwheel"}).out.contains("another version"));
   }
 
-  // The bar of an exercise knows its exercise, so that the window goes on with it; and the time that is counted there.
+  // The bar of an exercise knows its exercise, so that the window continues it, with the time counted so far.
   void theBarKnowsItsExercise() {
     const Fixture fixture;
     QCOMPARE(fixture.run({"exercise", kShaftExercise, "--stock", "-o", "bar.handwheel"}).code, 0);
-    // It stays the bar of the exercise: only what is worked on it changes.
+    // It stays the bar of the exercise: only its cuts change.
     QCOMPARE(fixture.run({"set", "bar.handwheel", "material=brass", "-o", "bar.handwheel"}).code, 1);
     QCOMPARE(
         fixture.run({"exercise", kShaftExercise, "--hand-in", "bar.handwheel", "--name", "Ada", "-o", "a.handwheel"})
@@ -309,8 +309,8 @@ class ExerciseTest : public QObject {
     QVERIFY(!fixture.names().contains("x.handwheel"));
   }
 
-  // What was made by hand in the window is a document with its passes. Without a window they are cut again in the bar
-  // of the exercise: the same part, and the same marks; also of what was handed in.
+  // Work by hand in the window is a document with its passes. Without a window they are cut again in the bar of the
+  // exercise: the same part, and the same marks; also for submissions.
   void workIsTurnedAgain_data() {
     QTest::addColumn<QString>("name");
     for (const char* const name : {"shaft", "bush", "thread-m20"}) QTest::newRow(name) << QString::fromLatin1(name);
@@ -368,7 +368,7 @@ class ExerciseTest : public QObject {
     QVERIFY2(std::abs(outside[0]["roughness_um"].get<double>() - 0.45) < 1e-4, ran.out);
   }
 
-  // Where an exercise is to be done by hand no program cuts its bar, nor work that was begun on it.
+  // If an exercise is to be done by hand, no program cuts its bar, nor work begun on it.
   void noProgramWhereItIsToBeDoneByHand() {
     const Fixture fixture;
     QFile file(kShaftExercise);
@@ -389,7 +389,7 @@ class ExerciseTest : public QObject {
   }
 
   // Names of 14 letters head two columns of the table of a class, but not six: a page of A4 has no room for 84 letters
-  // beside what stands there for each student.
+  // beside the cells of a student.
   void namesAsHeadings() {
     const Fixture fixture;
     QFile file(kShaftExercise);

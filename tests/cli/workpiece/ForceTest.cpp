@@ -44,7 +44,7 @@ class ForceTest : public QObject {
     QVERIFY(std::abs(laws["kienzle"]["cutting_N"].get<double>() - 855.0) < 0.5);
     QVERIFY(std::abs(laws["kienzle"]["power_kW"].get<double>() - 855.0 * 150.0 / 60000.0) < 0.01);
     QVERIFY(laws["kosilova"]["verified"].get<bool>() && laws["network"]["synthetic"].get<bool>());
-    // Kienzle's law is not corrected for strength; Kosilova's is, and says what it was before.
+    // Kienzle's law is not corrected for strength; Kosilova's is, and reports the value before the correction.
     const nlohmann::json other = reportIn(fixture.run(words + QStringList{"--json"}))["laws"]["kosilova"];
     QVERIFY(std::abs(other["uncorrected_N"].get<double>() - 846.0) < 0.5);
     QVERIFY(std::abs(other["cutting_N"].get<double>() - 846.0 * std::pow(650.0 / 750.0, 0.75)) < 0.5);

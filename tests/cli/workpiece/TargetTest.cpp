@@ -19,7 +19,7 @@ const QByteArray kShaftDrawing =
 
 }  // namespace
 
-// 'handwheel target': what a part is to become.
+// 'handwheel target': the target shape of a part.
 class TargetTest : public QObject {
   Q_OBJECT
 
@@ -75,7 +75,7 @@ class TargetTest : public QObject {
     QVERIFY2(ran.out.contains("cylinder Ø40, Z 50 to 80, length 30"), ran.out);
   }
 
-  // To every format and back, with the same dimensions.
+  // Converts to every format and back, with the same dimensions.
   void convertsDrawings() {
     const Fixture fixture;
     fixture.put("shaft.svg", kShaftDrawing);

@@ -75,7 +75,8 @@ class TurnProgramTest : public QObject {
         fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "--nose", "2", "-o", "a.step", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const double r = 2.0, area = r * r * (1.0 - 0.25 * M_PI);
-    const double centroid = 15.0 + (10.0 - 3.0 * M_PI) / (12.0 - 3.0 * M_PI) * r;  // of what is left, from the axis
+    // centroid of the remaining area, from the axis
+    const double centroid = 15.0 + (10.0 - 3.0 * M_PI) / (12.0 - 3.0 * M_PI) * r;
     const double expected = M_PI * (400.0 - 225.0) * 40.0 - 2.0 * M_PI * centroid * area;
     QVERIFY2(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
   }
@@ -97,7 +98,7 @@ class TurnProgramTest : public QObject {
     QVERIFY2(ran.err.contains("line 4: rapid move through material") && ran.err.contains("chuck"), ran.err);
   }
 
-  // A word for a bar is no file: what is wrong with it is said.
+  // A word for a bar is not a file: its problem is reported.
   void impossibleBars() {
     const Fixture fixture;
     fixture.put("p.ngc", kShoulder);
@@ -153,7 +154,7 @@ class TurnProgramTest : public QObject {
       QVERIFY2(std::abs(ratio - 1.0) < 2e-3, again.out);
     }
     QCOMPARE(fixture.run({"program", "t.dxf", "--stock", "cylinder:20x100", "-o", "x.ngc"}).code, 1);
-    // No command writes over what it was given, nor a program over a document.
+    // No command writes over its input, nor a program over a document.
     const auto keeps = [&](const char* name, const QStringList& words) {
       const QByteArray before = fixture.content(name);
       return fixture.run(words).code == 1 && fixture.content(name) == before && !before.isEmpty();

@@ -93,8 +93,8 @@ class TurnTest : public QObject {
     QVERIFY(again.out.contains("Passes: 2.") && again.out.contains("give the same part"));
   }
 
-  // On the side "Bore" a nose of 1 mm goes down the axis at 10 mm: a hole of 11 mm, and below it the nose. It takes all
-  // that is between it and the axis, so the volume is that of a solid of revolution.
+  // On the side "Bore" a nose of 1 mm goes down the axis at 10 mm: a hole of 11 mm, and below it the nose. It removes
+  // everything between it and the axis, so the volume is that of a solid of revolution.
   void aRecordingOfABore() {
     const Fixture fixture;
     QByteArray table = kRecordingColumns + row(0, 10, 110, 0, "tool turn bore");
@@ -129,7 +129,7 @@ class TurnTest : public QObject {
     QCOMPARE(fixture.run({"turn", "bar.handwheel", "--path", "first.csv", "-o", "one.handwheel"}).code, 0);
     const Ran paths = fixture.run({"turn", "one.handwheel", "--path", "second.csv", "-o", "two.handwheel", "--json"});
     QVERIFY2(paths.code == 0, paths.err);
-    // Each run reports what it removed itself.
+    // Each run reports only its own removal.
     const Ran one = fixture.run({"turn", "bar.handwheel", "--path", "first.csv", "-o", "one.handwheel", "--json"});
     const double apart = reported(one)["removed_mm3"].get<double>() + reported(paths)["removed_mm3"].get<double>();
     QVERIFY(std::abs(reported(ran)["removed_mm3"].get<double>() - apart) < 1e-6 * apart);
@@ -164,8 +164,8 @@ class TurnTest : public QObject {
     QVERIFY(fixture.run({"inspect", "part.handwheel"}).out.contains("outside Ra 0.31"));
   }
 
-  // By control points a taper comes near to what the nose sweeps, the nearer the closer they are: ControlPointCutTest.
-  // The method is kept with the pass, so that it is replayed as it was.
+  // With control points a taper approximates the swept shape of the nose, the better the closer they are:
+  // ControlPointCutTest. The method is kept with the pass, so that it is replayed as it was.
   void byControlPoints() {
     const Fixture fixture;
     fixture.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,27,0,10\n10,20,0,80\n11,28,0,80\n");
@@ -257,7 +257,7 @@ class TurnTest : public QObject {
     QVERIFY(refuses({"turn", "bar.handwheel", "--replay", "-o", "x.handwheel"}, "leave out -o"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv", "-o", "x.handwheel", "--nose-radius", "0"},
                     "--nose takes"));
-    for (const char* radius : {"0.049", "50.1"})  // as in the window
+    for (const char* radius : {"0.049", "50.1"})  // limits of the window
       QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv", "-o", "x.handwheel", "--nose-radius", radius},
                       "from 0.05 to 50."));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "bad.csv", "-o", "x.handwheel"}, "bad.csv"));

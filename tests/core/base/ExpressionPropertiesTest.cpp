@@ -42,7 +42,7 @@ std::unique_ptr<Node> randomTree(std::mt19937& random, int depth) {
 
 struct Outcome {
   long double value = 0.0L;
-  long double size = 0.0L;  // of the largest terms: what the rounding is measured by
+  long double size = 0.0L;  // largest of the terms, to which the rounding is relative
   int length = 0, angle = 0;
   bool failed = false;
   Kind kind = Kind::Empty;
@@ -86,7 +86,7 @@ Outcome evaluated(const Node& node, const std::string& fieldUnit) {
   if (node.op == '*' || node.op == '/') {
     if (node.op == '/' && b.value == 0.0L) return failed(Kind::DivisionByZero);
     const int sign = node.op == '*' ? 1 : -1;
-    // A divisor that is nearly zero by cancellation makes any bound useless; its own size tells.
+    // The size of a divisor that is nearly zero by cancellation makes any other bound useless.
     const long double share = b.size / std::abs(b.value);
     a.size = node.op == '*' ? a.size * b.size : a.size / std::abs(b.value) * share;
     a.value = node.op == '*' ? a.value * b.value : a.value / b.value;
@@ -114,7 +114,7 @@ std::string inBrackets(const Node& node, bool needed, std::mt19937& random) {
   return needed || random() % 8 == 0 ? "(" + text + ")" : text;
 }
 
-// With few brackets, so that the order of operations is tested, and with blanks here and there.
+// Prints with few brackets, so that the order of operations is tested, and with blanks here and there.
 std::string printed(const Node& node, std::mt19937& random) {
   const auto blank = [&] { return random() % 2 ? " " : ""; };
   if (node.op == '0') {
@@ -133,7 +133,7 @@ std::string printed(const Node& node, std::mt19937& random) {
 
 }  // namespace
 
-// Of random expressions, and of random text.
+// Tests with random expressions and random text.
 class ExpressionPropertiesTest : public QObject {
   Q_OBJECT
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string>
 
-// What an expression gives, for its tests.
+// Functions that return the result of an expression, for its tests.
 namespace handwheel::test {
 
-// The value, or NaN for an error.
+// Returns the value, or NaN for an error.
 inline double valueOf(const std::string& text, const ExpressionField& field) {
   const ExpressionResult result = evaluateExpression(text, field);
   const double* value = std::get_if<double>(&result);

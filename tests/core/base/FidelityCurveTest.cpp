@@ -32,7 +32,7 @@ FidelityRow row(double value, double error, double cost) {
   return r;
 }
 
-// error = 1 / cost at costs 1, 10, 100, ... 10^(n-1); the value is the exponent.
+// Returns error = 1 / cost at costs 1, 10, 100, ... 10^(n-1); the value is the exponent.
 std::vector<CurvePoint> reciprocal(int n) {
   std::vector<CurvePoint> curve;
   for (int i = 0; i < n; ++i) curve.push_back({double(i), std::pow(10.0, -i), std::pow(10.0, i)});
@@ -80,7 +80,7 @@ void FidelityCurveTest::curveTakesTheWorstCase() {
   QVERIFY(curveOf({}).empty());
 }
 
-// Case a errs a thousand times as much as case b and never changes; what b gains must show all the same.
+// Case a errs a thousand times as much as case b and never changes; the improvement of b must show all the same.
 void FidelityCurveTest::relativeCurveGivesEachCaseTheSameSay() {
   std::vector<FidelityRow> rows{row(1, 1000, 10), row(2, 1000, 20), row(1, 4, 1), row(2, 1, 3)};
   for (std::size_t i = 0; i < 4; ++i) rows[i].testCase = i < 2 ? "a" : "b";
@@ -88,7 +88,8 @@ void FidelityCurveTest::relativeCurveGivesEachCaseTheSameSay() {
   QVERIFY(relativeCurveOf(linear(3), rows).empty());  // not measured at the default
   rows.resize(3);                                     // case b is not
   QVERIFY(relativeCurveOf(linear(2), rows).empty());
-  // A default without error: in shares of the largest error. No error anywhere stays none; no result stays none.
+  // The default has no error: errors are shares of the largest error. No error anywhere stays none; no result stays
+  // none.
   QCOMPARE(relativeCurveOf(linear(1), std::vector{row(1, 0, 2), row(2, 5, 1), row(3, 10, 4)}),
            (std::vector<CurvePoint>{{1, 0, 1}, {2, 0.5, 0.5}, {3, 1, 2}}));
   QCOMPARE(relativeCurveOf(linear(1), std::vector{row(1, 0, 2), row(2, 0, 1)}),
@@ -112,7 +113,7 @@ void FidelityCurveTest::frontIsWhatNothingBeats() {
   }));
 }
 
-// Furthest below the line through its ends is 1 / x where its slope is that of the line: at the root of the product.
+// The point of 1 / x furthest below the line through its ends has the slope of that line: the root of the product.
 void FidelityCurveTest::kneeOfReciprocalIsTheGeometricMean() {
   for (int n : {3, 5, 7}) {
     const auto front = paretoFront(reciprocal(n));
@@ -121,7 +122,7 @@ void FidelityCurveTest::kneeOfReciprocalIsTheGeometricMean() {
   }
 }
 
-// Errors fall steeply to a corner and hardly after it, whatever the units.
+// Errors fall steeply to a corner and hardly after it, in any units.
 void FidelityCurveTest::kneeOfACorner() {
   std::vector<CurvePoint> front{{0, 1000, 1}, {1, 500, 2}, {2, 10, 3}, {3, 9, 50}, {4, 8, 100}};
   QCOMPARE(kneeOf(front).value(), std::size_t{2});
@@ -147,7 +148,7 @@ void FidelityCurveTest::presetsOfReciprocal() {
 }
 
 void FidelityCurveTest::presetsKeepTheDefaultWhereNothingTellsValuesApart() {
-  // Same error everywhere, costs within the noise.
+  // The errors are equal everywhere, the costs within the noise.
   const std::vector<CurvePoint> flat{{0, 1, 1.00}, {10, 1, 1.03}, {20, 1, 1.01}, {30, 1, 1.2}};
   QCOMPARE(derivedPresets(linear(12), flat).value(), (std::array{10.0, 10.0, 10.0}));
   QCOMPARE(derivedPresets(linear(30), flat).value(), (std::array{20.0, 20.0, 20.0}));  // 30 costs more than noise

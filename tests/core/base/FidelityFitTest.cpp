@@ -30,7 +30,8 @@ FidelitySetting settingOf(const std::string& id, FidelityBudget budget) {
   return s;
 }
 
-// Halving the error doubles the cost: a value v errs 1 / v and costs `unit` times v, for v = 1, 2, 4 … 2^19.
+// Returns a candidate whose cost doubles when the error halves: a value v errs 1 / v and costs `unit` times v, for v =
+// 1, 2, 4 … 2^19.
 FitCandidate doubling(const std::string& id, FidelityBudget budget, double unit = 1.0) {
   FitCandidate c{settingOf(id, budget), {}};
   for (int i = 0; i < 20; ++i) c.curve.push_back({std::ldexp(1.0, i), std::ldexp(1.0, -i), unit * std::ldexp(1.0, i)});
@@ -47,7 +48,7 @@ class FidelityFitTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Of a period of 1000 us a third stays free: the largest power of two up to 666.7.
+  // A third of a period of 1000 us stays free: the largest power of two up to 666.7.
   void aThirdIsSpared() {
     const std::vector<FitCandidate> one{doubling("a", FidelityBudget::Tick)};
     const FidelityFit fit = chooseWithinBudgets(one);
@@ -69,8 +70,8 @@ class FidelityFitTest : public QObject {
     QCOMPARE(fit.shares[0].used, 128.0 + 192.0 + 200.0);
   }
 
-  // The rate is chosen first: 1 us for each tick, so up to 666,666 of them; what is left of a tick, and the stiffness
-  // that so many ticks carry, follow from it.
+  // The rate is chosen first: 1 us for each tick, so up to 666,666 of them; the rest of a tick, and the stiffness that
+  // so many ticks carry, follow from it.
   void theRateComesFirst() {
     std::vector<FitCandidate> all{doubling("stiffness", FidelityBudget::Rate),
                                   doubling("tolerance", FidelityBudget::Tick, 0.1),
@@ -84,8 +85,8 @@ class FidelityFitTest : public QObject {
     QVERIFY(fit.shares[0].budget == FidelityBudget::Core && fit.shares[2].budget == FidelityBudget::Rate);
   }
 
-  // Two that each make the same fill longer: both together stay within 2/3 of a second. From 10 ms there is a factor of
-  // 66.7, of which each may take √66.7 = 8.16.
+  // Two settings that each make the same fill longer: both together stay within 2/3 of a second. From 10 ms there is a
+  // factor of 66.7, of which each may take √66.7 = 8.16.
   void costsOfOneFillMultiply() {
     const std::vector<FitCandidate> two{doubling("a", FidelityBudget::Fill, 10.0),
                                         doubling("b", FidelityBudget::Fill, 5.0)};
@@ -103,7 +104,7 @@ class FidelityFitTest : public QObject {
     QCOMPARE(fit.shares[0].used, 20.0);
   }
 
-  // What a measurement cannot tell apart is no reason to leave the default.
+  // A difference below the accuracy of the measurement is no reason to leave the default.
   void equalValuesAreTheDefault() {
     FitCandidate c{settingOf("a", FidelityBudget::Tick), {{1.0, 0.0, 10.4}, {2.0, 0.0, 10.0}, {4.0, 0.0, 10.2}}};
     QCOMPARE(valueOf(chooseWithinBudgets(std::vector{c}), c), 1.0);
@@ -135,7 +136,7 @@ class FidelityFitTest : public QObject {
     }
   }
 
-  // Whatever the curves: the budget is kept with a third to spare unless a setting says that it could not, and no value
+  // For any curves, the budget is kept with a third to spare unless a setting says that it could not, and no value
   // within its part is more accurate than the one that was taken.
   void anyCurves() {
     const bool holds = rc::check("a third is spared, and none is more accurate", [] {
@@ -162,7 +163,8 @@ class FidelityFitTest : public QObject {
     QVERIFY(holds);
   }
 
-  // The error counts in multiples of the default, the cost as it is: a case that errs most in mm has no more say.
+  // The error counts in multiples of the default, the cost in its own unit: a case with the largest error in mm has no
+  // more weight.
   void candidatesOfRows() {
     const FidelitySetting s = settingOf("a", FidelityBudget::Tick);
     std::vector<FidelityRow> rows;

@@ -27,7 +27,7 @@ FidelitySetting fidelitySweepChord() {
   return s;
 }
 
-// The error is the value, the cost what the list says, one after the other.
+// Returns a case whose error is the value, and whose costs are those of the list, one after the other.
 FidelityCase withCosts(std::vector<double> costs) {
   auto next = std::make_shared<std::size_t>(0);
   return {"list", "closed form", [costs, next](double value, std::uint64_t, Progress) {
@@ -51,7 +51,7 @@ class FidelitySweepTest : public QObject {
 };
 
 void FidelitySweepTest::valuesCoverTheRange() {
-  // The default and the preset Draft lie on the grid of decades or off it, and are there exactly once either way.
+  // The default and the preset Draft lie on the grid of decades or off it, and occur exactly once in both cases.
   const std::vector<double> values = sweepValues(fidelitySweepChord(), 5);
   QCOMPARE(values.size(), std::size_t{6});
   const double expected[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 1.0};

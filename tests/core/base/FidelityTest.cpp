@@ -55,7 +55,7 @@ class FidelityTest : public QObject {
   void valuesOutsideAreRefused();
   void texts();
   void placesAndValues();
-  void placeAndValueAreInverse();
+  void positionAndValueAreInverse();
   void choosing();
 };
 
@@ -94,9 +94,9 @@ void FidelityTest::texts() {
 }
 
 void FidelityTest::placesAndValues() {
-  QCOMPARE(placeOf(fidelityChord(), 0.01), 0.5);
+  QCOMPARE(scalePositionOf(fidelityChord(), 0.01), 0.5);
   QCOMPARE(valueAt(fidelityChord(), 0.75), 0.1);
-  QCOMPARE(placeOf(faces(), 6), 0.5);
+  QCOMPARE(scalePositionOf(faces(), 6), 0.5);
   QCOMPARE(valueAt(faces(), 0.26), 4.0);  // 3.6
   QCOMPARE(valueAt(method(), 0.5), 1.0);
   for (const FidelitySetting& s : {fidelityChord(), method(), faces()}) {
@@ -105,14 +105,14 @@ void FidelityTest::placesAndValues() {
   }
 }
 
-void FidelityTest::placeAndValueAreInverse() {
+void FidelityTest::positionAndValueAreInverse() {
   QVERIFY(rc::check("place and value are inverse, values are valid", [] {
-    const double place = *rc::gen::inRange(0, 1'000'001) * 1e-6;
-    RC_ASSERT(std::abs(placeOf(fidelityChord(), valueAt(fidelityChord(), place)) - place) < 1e-12);
-    const double value = valueAt(fidelityChord(), place);
+    const double position = *rc::gen::inRange(0, 1'000'001) * 1e-6;
+    RC_ASSERT(std::abs(scalePositionOf(fidelityChord(), valueAt(fidelityChord(), position)) - position) < 1e-12);
+    const double value = valueAt(fidelityChord(), position);
     RC_ASSERT(bool(checkValue(fidelityChord(), value)));
-    RC_ASSERT(bool(checkValue(faces(), valueAt(faces(), place))));
-    RC_ASSERT(bool(checkValue(method(), valueAt(method(), place))));
+    RC_ASSERT(bool(checkValue(faces(), valueAt(faces(), position))));
+    RC_ASSERT(bool(checkValue(method(), valueAt(method(), position))));
   }));
 }
 

@@ -26,7 +26,7 @@ void GeometryTest::doublesStay() {
   for (double v : {0.1, -1e300, 5e-324, 1.0 / 3.0}) QCOMPARE(rounded(v, NumberType::Float64), v);
 }
 
-// No single is nearer than the one found, and a single stays what it is.
+// No single-precision number is nearer than the one found, and such a number is unchanged.
 void GeometryTest::singlesAreTheNearest() {
   QVERIFY(rc::check("rounding to single precision", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -46,7 +46,7 @@ void GeometryTest::zeroHasNoSign() {
     QCOMPARE(std::bit_cast<std::uint64_t>(rounded(-0.0, type)), std::uint64_t{0});
     QCOMPARE(std::bit_cast<std::uint64_t>(rounded(0.0, type)), std::uint64_t{0});
   }
-  // Below half of the smallest single.
+  // The number is below half of the smallest single-precision one.
   QCOMPARE(std::bit_cast<std::uint64_t>(rounded(-1e-60, NumberType::Float32)), std::uint64_t{0});
   QVERIFY(rounded(-1e-60, NumberType::Float64) == -1e-60);
 }

@@ -25,7 +25,7 @@ class NumberTextTest : public QObject {
   void distances();
 };
 
-// Never more than it is: tenths, below 1 mm thousandths.
+// Never more than the distance: tenths, below 1 mm thousandths.
 void NumberTextTest::distances() {
   const std::pair<double, const char*> kTexts[] = {{16.98, "16.9"},   {17.0, "17"},      {0.1779, "0.177"},
                                                    {0.9999, "0.999"}, {1.0, "1"},        {0.0, "0"},
@@ -99,7 +99,7 @@ void NumberTextTest::rounded() {
   QCOMPARE(roundedText(2.5), std::string("2.5"));
 }
 
-// What a person writes down, and at the ends of the range of double the number itself.
+// The numbers that a person writes, and at the ends of the range of double the number itself.
 void NumberTextTest::roundedNumbers() {
   const struct {
     double value;
@@ -109,7 +109,7 @@ void NumberTextTest::roundedNumbers() {
                   {98765.0, 2, 99000.0}, {0.84, 1, 0.8},        {1000.0, 4, 1000.0},       {2.5, 1, 3.0},
                   {-2.5, 1, -3.0},       {6.25e-7, 2, 6.3e-7},  {4e300, 4, 4e300}};
   for (const auto& each : kRounded) QCOMPARE(roundedNumber(each.value, each.digits), each.expected);
-  // With as few decimals as their texts: no 0.30000000000000004.
+  // The results have as few decimals as their texts: no 0.30000000000000004.
   for (int i = 1; i < 10'000; ++i) QVERIFY(roundedNumber(i / 1e5 + 1e-12, 4) == i / 1e5);
   const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
   for (const double same : {0.0, least, -least, most, -most, HUGE_VAL, -HUGE_VAL})

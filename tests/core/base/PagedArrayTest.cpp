@@ -61,7 +61,7 @@ void PagedArrayTest::copiesShareUntilWritten() {
   QVERIFY(!copy.sharesPage(original, 3));
   QCOMPARE(original[kPage + 5], static_cast<int>(kPage) + 5);
   QCOMPARE(copy[kPage + 5], -1);
-  // Nobody shares the page any more: it is written in place.
+  // Nobody shares the page any more: it is written without a copy.
   const int* page = &copy[kPage];
   copy.set(kPage + 6, -2);
   QVERIFY(page == &copy[kPage]);

@@ -52,7 +52,7 @@ void ResultTest::error() {
   QCOMPARE(r.error().subject, std::string("numbers.txt"));
 }
 
-// A code is compared by what it is, not by its name, and is Cancelled unless it is said.
+// Codes are compared by identity, not by name; the default is Cancelled.
 void ResultTest::codes() {
   ErrorCode code;
   QVERIFY(code == ErrorCode::Cancelled);

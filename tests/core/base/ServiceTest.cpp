@@ -14,7 +14,7 @@ using namespace handwheel;
 
 namespace {
 
-// A service that writes down when it starts (+) and stops (-).
+// A service that records its starts (+) and stops (-).
 struct Recorder {
   std::string calls;
   Service service{"contact", [this] { calls += '+'; }, [this] { calls += '-'; }};
@@ -112,7 +112,7 @@ void ServiceTest::removedServiceStops() {
   QCOMPARE(r.calls, std::string("+-+"));
 }
 
-// A scene that declares one need: from the counters it can be seen that nothing else ever ran.
+// A scene that declares one need: the counters show that nothing else ever ran.
 void ServiceTest::onlyWhatIsNeededTicks() {
   Service contact("contact"), physics("physics");
   ServiceRegistry needs;
@@ -146,7 +146,7 @@ void ServiceTest::tickCountsCpuTimeOnly() {
   QVERIFY(cpuMilliseconds([] { burn(500.0); }) >= 0.5);
 }
 
-// The clock goes on in a sleep of 5 ms, the time of the processor does not need to.
+// The clock goes on in a sleep of 5 ms, the CPU time need not.
 void ServiceTest::timesOfClockAndProcessor() {
   const CpuTimes before = CpuTimes::now();
   burn(1000.0);
@@ -169,7 +169,7 @@ void ServiceTest::ticksFromManyThreads() {
   QCOMPARE(service.counters().ticks, std::uint64_t{20'000});
 }
 
-// Whatever comes and goes: a service runs exactly while somebody needs it.
+// For any sequence of needs, a service runs exactly while somebody needs it.
 void ServiceTest::runsExactlyWhileNeeded() {
   QVERIFY(rc::check("a service runs exactly while it is needed", [] {
     Service services[] = {Service("a"), Service("b"), Service("c")};

@@ -42,7 +42,7 @@ class SpscRingTest : public QObject {
     QCOMPARE(SpscRing<int>(5).capacity(), std::size_t{8});
   }
 
-  // Every value that was not refused arrives once, whole and in order.
+  // Every value that was not refused arrives once, complete and in order.
   void twoThreads() {
     struct Wide {
       std::uint64_t a = 0, b = 0, c = 0;

@@ -39,7 +39,7 @@ void WorkBudgetTest::none() {
   QCOMPARE(none.shareSpent(), 1.0);
 }
 
-// For what a share may take, not for what it took beyond that.
+// The whole pays for the limit of a share, not for steps beyond that.
 void WorkBudgetTest::wholePaysForItsShares() {
   WorkBudget whole(100);
   {
@@ -77,7 +77,7 @@ void WorkBudgetTest::threadsGoNoFurther() {
   QCOMPARE(whole.spent(), std::size_t{5'000});
 }
 
-// By a share, or once all is spent.
+// Counts steps beyond a share, or beyond the whole.
 void WorkBudgetTest::countsWhatGoesBeyond() {
   WorkBudget whole(100);
   {

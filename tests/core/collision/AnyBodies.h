@@ -6,24 +6,24 @@
 
 #include <rapidcheck.h>
 
-// Bodies to test with.
+// Bodies for tests.
 namespace handwheel::test {
 
 inline double evenly(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-inline Vec3 anyPlace(double far) {
+inline Vec3 anyPosition(double far) {
   return {evenly(-far, far), evenly(-far, far), evenly(-far, far)};
 }
 
 inline Pose anyPose(double far) {
-  Pose pose(Eigen::AngleAxisd(evenly(0.0, 3.1), (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized()));
-  pose.translation() = anyPlace(far);
+  Pose pose(Eigen::AngleAxisd(evenly(0.0, 3.1), (anyPosition(1.0) + Vec3(1e-3, 0, 0)).normalized()));
+  pose.translation() = anyPosition(far);
   return pose;
 }
 
-// The surface of a box of twice these sizes around the origin.
+// Returns the surface of a box with these half sizes around the origin.
 inline TriangleSoup boxSoup(const Vec3& half) {
   TriangleSoup soup;
   for (int i = 0; i < 8; ++i)
@@ -33,9 +33,9 @@ inline TriangleSoup boxSoup(const Vec3& half) {
   return soup;
 }
 
-// A point of a piece's surface or inside, in its frame.
+// Returns a point on a piece's surface or inside, in its frame.
 inline Vec3 anyPointOf(const CollisionPiece& piece) {
-  const Vec3 unit = anyPlace(1.0);
+  const Vec3 unit = anyPosition(1.0);
   switch (piece.kind) {
     case CollisionPiece::Kind::Ball:
       return piece.half.x() * unit / std::max(1.0, unit.norm());

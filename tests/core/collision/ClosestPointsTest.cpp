@@ -38,15 +38,15 @@ Pose at(double x, double y, double z) {
 TriangleSoup anySoup(int triangles, double size) {
   TriangleSoup soup;
   for (int i = 0; i < triangles; ++i) {
-    const Vec3 centre = anyPlace(20.0);
+    const Vec3 centre = anyPosition(20.0);
     const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (int k = 0; k < 3; ++k) soup.points.push_back(centre + anyPlace(size));
+    for (int k = 0; k < 3; ++k) soup.points.push_back(centre + anyPosition(size));
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   return soup;
 }
 
-// Points of the surface of a solid, with all its corners and much of its rims.
+// Returns points of the surface of a solid, with all its corners and much of its rims.
 std::vector<Vec3> pointsOf(const CollisionPiece& piece) {
   std::vector<Vec3> points;
   const Vec3& h = piece.half;
@@ -57,7 +57,7 @@ std::vector<Vec3> pointsOf(const CollisionPiece& piece) {
     } else if (piece.kind == CollisionPiece::Kind::Block && i < 8) {
       points.emplace_back(i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z());
     } else if (piece.kind == CollisionPiece::Kind::Ball) {
-      points.push_back(h.x() * (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized());
+      points.push_back(h.x() * (anyPosition(1.0) + Vec3(1e-3, 0, 0)).normalized());
     }
   }
   for (Vec3& p : points) p = piece.pose * p;
@@ -103,7 +103,7 @@ class ClosestPointsTest : public QObject {
     QVERIFY((inBlock->first - Vec3(0, 0, 7)).norm() < 1e-12 && (inBlock->second - Vec3(0, 0, 10)).norm() < 1e-12);
     const auto outOfBlock = closest(block, ball);
     QVERIFY(outOfBlock && std::abs(outOfBlock->distance + 3.0) < 1e-12 && outOfBlock->normal == -Vec3::UnitZ());
-    // In a closed mesh, whole and in part.
+    // A piece inside a closed mesh, whole and in part.
     const CollisionPiece hollow = meshOf(boxSoup({50, 50, 10}), Pose::Identity());
     for (const double z : {9.0, 7.0, 11.0}) {
       const auto in = closest(CollisionPiece::sphere({0, 0, z}, 2.0), hollow);
@@ -117,8 +117,8 @@ class ClosestPointsTest : public QObject {
     QVERIFY(across && std::abs(across->distance + 0.5) < 1e-9 && (across->normal - Vec3::UnitZ()).norm() < 1e-9);
   }
 
-  // Convex and apart: a plane across the line of the closest points leaves each of them on its side, which no other
-  // points do.
+  // Convex and apart: the plane across the line of the closest points separates the two, and no other points give such
+  // a plane.
   void solidsAreApartByPlanes() {
     QVERIFY(rc::check([] {
       const CollisionPiece a = anyPiece(50.0), b = anyPiece(50.0);
@@ -134,8 +134,8 @@ class ClosestPointsTest : public QObject {
     }));
   }
 
-  // Of what meets: moved along the normal by the depth, all points of the first are beyond those of the second; and
-  // boxes know no shorter way along their faces.
+  // Pieces that meet: moved along the normal by the depth, all points of the first are beyond those of the second; and
+  // boxes have no shorter displacement along their faces.
   void depthsLeadOut() {
     QVERIFY(rc::check([] {
       const CollisionPiece a = anyPiece(8.0), b = anyPiece(8.0);
@@ -186,7 +186,7 @@ class ClosestPointsTest : public QObject {
     }));
   }
 
-  // A sphere, a box and a cylinder as they are against triangles.
+  // A sphere, a box and a cylinder against triangles.
   void solidsToTriangles() {
     QVERIFY(rc::check([] {
       const CollisionPiece solid = anyPiece(20.0);
@@ -214,7 +214,7 @@ class ClosestPointsTest : public QObject {
     const CollisionPiece none = meshOf({}, Pose::Identity());
     QVERIFY(!closest(none, CollisionPiece::sphere(Vec3::Zero(), 1.0)));
     QVERIFY(!closest(none, none) && !meet(none, CollisionPiece::box(Pose::Identity(), {1, 1, 1})));
-    // Flat, needle-like, a point.
+    // Degenerate shapes: flat, needle-like, a point.
     const CollisionPiece plate = CollisionPiece::box(at(0, 0, 5), {10, 10, 0});
     const auto flat = closest(plate, CollisionPiece::box(Pose::Identity(), {10, 10, 0}));
     QVERIFY(flat && std::abs(flat->distance - 5.0) < 1e-9);
@@ -225,7 +225,7 @@ class ClosestPointsTest : public QObject {
                                   meshOf(boxSoup(Vec3::Constant(scale)), Pose::Identity()));
       QVERIFY(scaled && std::abs(scaled->distance - scale) < 1e-9 * scale);
     }
-    // At the same place: some way out, and a finite one.
+    // At the same position: any direction out, and a finite depth.
     for (const CollisionPiece& piece :
          {CollisionPiece::sphere(Vec3::Zero(), 1.0), CollisionPiece::box(Pose::Identity(), {2, 2, 2}),
           CollisionPiece::cylinder(Pose::Identity(), 1.0, 2.0), meshOf(boxSoup({1, 1, 1}), Pose::Identity())}) {
@@ -236,8 +236,8 @@ class ClosestPointsTest : public QObject {
   }
 
  private:
-  static double distanceFromPiece(const CollisionPiece& piece, const Vec3& place) {
-    const Vec3 p = piece.pose.inverse() * place;
+  static double distanceFromPiece(const CollisionPiece& piece, const Vec3& point) {
+    const Vec3 p = piece.pose.inverse() * point;
     if (piece.kind == CollisionPiece::Kind::Ball) return p.norm() - piece.half.x();
     if (piece.kind == CollisionPiece::Kind::Block) return (p - p.cwiseMax(-piece.half).cwiseMin(piece.half)).norm();
     const double across = std::max(0.0, std::hypot(p.x(), p.y()) - piece.half.x());

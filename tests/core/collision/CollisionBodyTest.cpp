@@ -38,7 +38,7 @@ class CollisionBodyTest : public QObject {
     QVERIFY(std::abs(between(ball, CollisionPiece::ofMesh(at, mesh)) - 80.0) < 1e-3);
   }
 
-  // What is inside of something meets it, whatever the surfaces do.
+  // A body inside another meets it, even if their surfaces do not.
   void insideOfAnother() {
     const CollisionPiece small = CollisionPiece::sphere({3, 2, 1}, 1.0);
     const auto hollow = std::make_shared<const CollisionMesh>(boxSoup({50, 50, 50}));
@@ -74,7 +74,7 @@ class CollisionBodyTest : public QObject {
     }));
   }
 
-  // Spheres hold what they are to hold.
+  // The bounding spheres contain their pieces.
   void bounds() {
     QVERIFY(rc::check([] {
       std::vector<CollisionPiece> pieces;

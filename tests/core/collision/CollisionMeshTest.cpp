@@ -13,8 +13,8 @@ using namespace handwheel::test;
 
 namespace {
 
-// How often a closed surface goes around a point, by the solid angles of all its triangles (van Oosterom and Strackee
-// 1983, The solid angle of a plane triangle).
+// Returns the winding number of a closed surface around a point, by the solid angles of all its triangles (van Oosterom
+// and Strackee 1983, The solid angle of a plane triangle).
 double windingOf(const TriangleSoup& soup, const Vec3& p) {
   double sum = 0.0;
   for (const Triangle& t : soup.triangles) {
@@ -31,7 +31,7 @@ void add(TriangleSoup& soup, const TriangleSoup& other) {
   for (const Triangle& t : other.triangles) soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-// Boxes on a grid of whole numbers, which share planes, edges and corners with each other; some inside out.
+// Returns boxes on a grid of whole numbers, which share planes, edges and corners with each other; some inside out.
 TriangleSoup anyBoxes() {
   TriangleSoup soup;
   for (int i = *rc::gen::inRange(1, 5); i > 0; --i) {
@@ -47,20 +47,20 @@ TriangleSoup anyBoxes() {
   return soup;
 }
 
-// A sphere of triangles whose corners are off it by up to a fifth: closed, but far from convex.
+// Returns a sphere of triangles whose corners are off it by up to a fifth: closed, but far from convex.
 TriangleSoup anyPotato(int rows, int columns) {
   TriangleSoup soup;
-  const auto place = [](double polar, double azimuth) {
+  const auto pointAt = [](double polar, double azimuth) {
     const double r = 100.0 * evenly(0.8, 1.2);
     return Vec3(r * std::sin(polar) * std::cos(azimuth), r * std::sin(polar) * std::sin(azimuth), r * std::cos(polar));
   };
   for (int i = 1; i < rows; ++i) {
-    for (int k = 0; k < columns; ++k) soup.points.push_back(place(M_PI * i / rows, 2.0 * M_PI * k / columns));
+    for (int k = 0; k < columns; ++k) soup.points.push_back(pointAt(M_PI * i / rows, 2.0 * M_PI * k / columns));
   }
   const auto at = [&](int i, int k) { return static_cast<std::uint32_t>((i - 1) * columns + k % columns); };
   const auto top = static_cast<std::uint32_t>(soup.points.size()), bottom = top + 1;
-  soup.points.push_back(place(0.0, 0.0));
-  soup.points.push_back(place(M_PI, 0.0));
+  soup.points.push_back(pointAt(0.0, 0.0));
+  soup.points.push_back(pointAt(M_PI, 0.0));
   for (int k = 0; k < columns; ++k) {
     soup.triangles.push_back({top, at(1, k), at(1, k + 1)});
     soup.triangles.push_back({bottom, at(rows - 1, k + 1), at(rows - 1, k)});
@@ -74,7 +74,7 @@ TriangleSoup anyPotato(int rows, int columns) {
 
 }  // namespace
 
-// What is inside of a closed mesh.
+// Tests the inside of a closed mesh.
 class CollisionMeshTest : public QObject {
   Q_OBJECT
 
@@ -100,9 +100,9 @@ class CollisionMeshTest : public QObject {
       const CollisionMesh mesh(soup);
       RC_ASSERT(mesh.isClosed());
       for (int i = 0; i < 40; ++i) {
-        // Also straight below a corner.
+        // Also for a point straight below a corner.
         const bool isBelow = *rc::gen::arbitrary<bool>();
-        Vec3 p = anyPlace(120.0);
+        Vec3 p = anyPosition(120.0);
         if (isBelow) p.head<2>() = soup.points[*rc::gen::inRange<std::size_t>(0, soup.points.size())].head<2>();
         if (distanceFromSurface(p, soup, Pose::Identity()) < 1e-6) continue;
         RC_ASSERT(mesh.contains(p) == (std::abs(windingOf(soup, p)) > 0.5));
@@ -117,7 +117,7 @@ class CollisionMeshTest : public QObject {
     for (const Vec3& p : {Vec3(1.001, 0, 0), Vec3(0, 0, 3.001), Vec3(0, 0, -3.001), Vec3(0, -2.001, 0)})
       QVERIFY(!mesh.contains(p));
     QVERIFY(!mesh.contains(Vec3(0, std::nan(""), 0)));
-    // Turned inside out it has an inside, too; in two shells of which one is, nothing is left between both.
+    // A mesh turned inside out has an inside, too; two shells of which one is inverted have none between them.
     TriangleSoup turned = box, both = box;
     for (Triangle& t : turned.triangles) std::swap(t[0], t[1]);
     QVERIFY(CollisionMesh(turned).contains({0, 0, 0}));

@@ -21,13 +21,13 @@ Pose placedAt(double x, double y, double z) {
   return Pose(Eigen::Translation3d(x, y, z));
 }
 
-// Triangles that cross each other often, each with its own corners.
+// Returns triangles that cross each other often, each with its own corners.
 TriangleSoup crowdedSoup(int triangles, double far, double size) {
   TriangleSoup soup;
   for (int i = 0; i < triangles; ++i) {
-    const Vec3 centre = anyPlace(far);
+    const Vec3 centre = anyPosition(far);
     const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (int k = 0; k < 3; ++k) soup.points.push_back(centre + anyPlace(size));
+    for (int k = 0; k < 3; ++k) soup.points.push_back(centre + anyPosition(size));
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   return soup;
@@ -47,7 +47,7 @@ std::vector<PieceContact> contactsOf(const CollisionPiece& a, const CollisionPie
 
 using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;
 
-// By their triangles; each pair has to be there once.
+// Contacts by their triangles; each pair must occur once.
 std::map<TrianglePair, ClosestPoints> byTriangles(const std::vector<PieceContact>& contacts) {
   std::map<TrianglePair, ClosestPoints> map;
   for (const PieceContact& each : contacts) map[{each.first, each.second}] = each.points;
@@ -62,7 +62,7 @@ Corners shrunk(const Corners& t) {
   return less;
 }
 
-// What moves the one out of the other by the depth along the normal, and lies on both.
+// Checks that the depth along the normal separates the two, and that the points lie on both.
 void checkMeeting(const ClosestPoints& points, const Corners& s, const Corners& t) {
   RC_ASSERT(points.distance <= 0.0 && std::abs(points.normal.norm() - 1.0) < 1e-9);
   double lowest = 1e300, highest = -1e300;
@@ -124,7 +124,7 @@ class ContactsTest : public QObject {
           }
           RC_ASSERT(exact < margin + 1e-7);
           const ClosestPoints& points = contact->second;
-          if (exact < 1e-7) continue;  // how it is to be taken apart is checked above
+          if (exact < 1e-7) continue;  // the separation is checked above
           RC_ASSERT(std::abs(points.distance - exact) < 1e-7);
           RC_ASSERT(pointDistance(points.first, s) < 1e-7 && pointDistance(points.second, t) < 1e-7);
           RC_ASSERT((points.first - points.second - exact * points.normal).norm() < 1e-6);
@@ -178,7 +178,7 @@ class ContactsTest : public QObject {
       QVERIFY(std::abs(each.points.distance - 0.5) < 1e-9 && (each.points.normal - Vec3::UnitZ()).norm() < 1e-9);
     QCOMPARE(contactsOf(above, plate, 0.6, 3).size(), std::size_t{3});
     QVERIFY(contactsOf(above, plate, 0.6, 0).empty());
-    // Within it, without meeting its surface.
+    // A piece within it, without meeting its surface.
     QVERIFY(contactsOf(crowdedPiece(boxSoup({0.1, 0.1, 0.1}), placedAt(3, 2, 0)), plate, 0.0).empty());
   }
 
@@ -196,7 +196,7 @@ class ContactsTest : public QObject {
     const auto balls = contactsOf(ball, other, 0.6);
     QVERIFY(balls.size() == 1 && balls.front().first == kNone && balls.front().second == kNone);
     QVERIFY(std::abs(balls.front().points.distance - 0.5) < 1e-12);
-    // Where two boxes lie on each other, the place is between them, not at a far corner.
+    // If two boxes lie on each other, the contact is between them, not at a far corner.
     const auto stacked = contactsOf(CollisionPiece::box(placedAt(400, 0, 9.9), {10, 10, 10}),
                                     CollisionPiece::box(Pose::Identity(), {1000, 1000, 10}), 0.0);
     QVERIFY(stacked.size() == 1 && std::abs(stacked.front().points.distance + 0.1) < 1e-9);
@@ -204,7 +204,7 @@ class ContactsTest : public QObject {
       QVERIFY((p - Vec3(400, 0, 5)).cwiseAbs().maxCoeff() < 5.0 + 1e-6);
   }
 
-  // Of several bodies at once, from frame to frame: what the pieces have, each by itself.
+  // Contacts of several bodies, from frame to frame: those of their pieces.
   void ofBodies() {
     QVERIFY(rc::check([] {
       std::vector<CollisionBody> bodies;
@@ -219,7 +219,7 @@ class ContactsTest : public QObject {
       std::vector<BodyContact> contacts;
       for (int frame = 0; frame < 8; ++frame) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-          poses[i].pretranslate(anyPlace(frame % 4 == 0 ? 20.0 : 0.5));
+          poses[i].pretranslate(anyPosition(frame % 4 == 0 ? 20.0 : 0.5));
           query.place(i, poses[i]);
         }
         const double margin = frame % 2 == 0 ? 0.0 : evenly(0.0, 10.0);
@@ -250,7 +250,7 @@ class ContactsTest : public QObject {
   }
 
   void extremes() {
-    // Triangles keep the numbers that they have in the soup, whatever is left out of it.
+    // Triangles keep their indices in the soup, even if others are left out.
     TriangleSoup soup = boxSoup({10, 10, 1});
     soup.points.emplace_back(std::nan(""), 0, 0);
     soup.triangles.insert(soup.triangles.begin(), {{0, 1, 8}, {2, 2, 3}, {8, 8, 8}});
@@ -264,7 +264,7 @@ class ContactsTest : public QObject {
     std::vector<BodyContact> contacts(5);
     QVERIFY(query.findContacts(std::nan(""), kAll, contacts) && contacts.empty());
     QVERIFY(query.findContacts(-1.0, kAll, contacts) && contacts.empty());
-    QVERIFY(query.findContacts(0.0, kAll, contacts) && contacts.size() == 1);  // at the same place
+    QVERIFY(query.findContacts(0.0, kAll, contacts) && contacts.size() == 1);  // at the same position
     QVERIFY(contacts.front().contact.points.distance == -2.0);
     query.resetCounts();
     query.place(1, placedAt(2.0, 0, 0));  // just touching

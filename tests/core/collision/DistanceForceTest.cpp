@@ -19,7 +19,7 @@ CollisionBody meshBody(const TriangleSoup& soup) {
   return CollisionBody({CollisionPiece::ofMesh(Pose::Identity(), std::make_shared<const CollisionMesh>(soup))});
 }
 
-// The force on the first body, from all the others.
+// Returns the force on the first body, from all the others.
 DistanceWrench forceOn(const std::vector<CollisionBody>& bodies, const std::vector<Pose>& poses, const Vec3& reference,
                        const DistanceForceSettings& settings = {}) {
   std::vector<BodyPair> pairs;
@@ -31,8 +31,8 @@ DistanceWrench forceOn(const std::vector<CollisionBody>& bodies, const std::vect
   return distanceForce(near, reference, settings);
 }
 
-Pose at(const Vec3& place) {
-  return Pose(Eigen::Translation3d(place));
+Pose at(const Vec3& position) {
+  return Pose(Eigen::Translation3d(position));
 }
 
 double degreesBetween(const Vec3& a, const Vec3& b) {
@@ -43,7 +43,8 @@ bool isAs(const Vec3& found, const Vec3& exact) {
   return degreesBetween(found, exact) <= 0.1 && std::abs(found.norm() - exact.norm()) <= 0.01 * exact.norm();
 }
 
-// The side of a tube about z, of so many flat faces: its corners lie on the radius, the first one at this angle.
+// Returns the side of a tube about z, with so many flat faces: its corners lie on the radius, the first one at this
+// angle.
 TriangleSoup tubeSide(int faces, double radius, double halfLength, double first) {
   TriangleSoup soup;
   for (int i = 0; i < 2 * faces; ++i) {
@@ -59,7 +60,7 @@ TriangleSoup tubeSide(int faces, double radius, double halfLength, double first)
   return soup;
 }
 
-// A ball of triangles, 4 n² of them, with bumps of this share of its radius.
+// Returns a ball of 4 n² triangles, with bumps of this share of its radius.
 TriangleSoup bumpyBall(int n, double radius, double bumps = 0.1) {
   TriangleSoup soup;
   const auto point = [&](double u, double v) {
@@ -87,13 +88,13 @@ class DistanceForceTest : public QObject {
  private slots:
   void balls() {
     const CollisionBody ball({CollisionPiece::sphere(Vec3::Zero(), 5.0)});
-    const Vec3 way = Vec3(1.0, 2.0, -2.0) / 3.0;
+    const Vec3 direction = Vec3(1.0, 2.0, -2.0) / 3.0;
     for (double distance = -9.0; distance < 12.0; distance += 0.75) {
-      const Vec3 place = (distance + 10.0) * way, reference(3.0, 1.0, 2.0);
-      const DistanceWrench found = forceOn({ball, ball}, {at(place), Pose::Identity()}, reference);
-      const Vec3 exact = kStiffness * std::max(0.0, kReach - distance) * way;
+      const Vec3 position = (distance + 10.0) * direction, reference(3.0, 1.0, 2.0);
+      const DistanceWrench found = forceOn({ball, ball}, {at(position), Pose::Identity()}, reference);
+      const Vec3 exact = kStiffness * std::max(0.0, kReach - distance) * direction;
       QVERIFY((found.force - exact).norm() < 1e-12);
-      QVERIFY((found.torque - (place - 5.0 * way - reference).cross(exact)).norm() < 1e-9);
+      QVERIFY((found.torque - (position - 5.0 * direction - reference).cross(exact)).norm() < 1e-9);
     }
   }
 
@@ -113,7 +114,8 @@ class DistanceForceTest : public QObject {
     QVERIFY(isAs(found.torque, (lowest - Vec3(1, 2, 3)).cross(exact)));
   }
 
-  // A round peg in a square hole of four walls: each pushes by what it is nearer by, and in the middle nothing is left.
+  // A round peg in a square hole of four walls: each wall pushes by its distance below the reach, and in the middle the
+  // forces cancel.
   void pegInHole() {
     const CollisionBody peg({CollisionPiece::cylinder(Pose::Identity(), 10.0, 60.0)});
     std::vector<CollisionBody> bodies = {peg};
@@ -139,13 +141,13 @@ class DistanceForceTest : public QObject {
     QVERIFY(isAs(forceOn(bodies, poses, Vec3::Zero()).force, exact));
   }
 
-  // A round peg beside the axis of a round hole, both of flat faces. The exact answer for these: a corner of a convex
-  // peg is nearest to a face of the convex hole around it, the one least far by its height over the axis, less the way
-  // off the axis and the support of the peg. Against round ones, by e off the axis: a support of the peg is between
-  // r cos(pi/n) and r, a height of the hole is R cos(pi/m), and some face is within pi/m of the way off the axis. So
-  // the distance R - r - e is missed by R (1 - cos(pi/m)) or r (1 - cos(pi/n)) at most; the cosine of the force with
-  // that way is at least cos(pi/m) - (1 - cos(pi/n)) r/e; and the lever about the peg's own axis, 0 of round ones, is
-  // at most r sin(pi/n).
+  // A round peg beside the axis of a round hole, both with flat faces. The exact answer for these: a corner of a convex
+  // peg is nearest to a face of the convex hole around it, the one with the least height over the axis, less the offset
+  // from the axis and the support of the peg. For round ones, at an offset e from the axis: a support of the peg is
+  // between r cos(pi/n) and r, a height of the hole is R cos(pi/m), and some face is within pi/m of the direction of
+  // the offset. So the distance R - r - e is missed by R (1 - cos(pi/m)) or r (1 - cos(pi/n)) at most; the cosine of
+  // the force with that direction is at least cos(pi/m) - (1 - cos(pi/n)) r/e; and the lever about the peg's own axis,
+  // 0 for round ones, is at most r sin(pi/n).
   void roundPegInARoundHole() {
     constexpr double kPeg = 10.0, kHole = 12.5;
     for (const int faces : {16, 48, 128}) {
@@ -154,7 +156,7 @@ class DistanceForceTest : public QObject {
       QVERIFY(rc::check([&] {
         const double firstOfHole = evenly(0.0, 1.0), firstOfPeg = evenly(0.0, 1.0), angle = evenly(0.0, 6.0);
         const double off = evenly(0.5, kHole * holeCosine - kPeg - 0.05);
-        const Vec3 way(std::cos(angle), std::sin(angle), 0.0);
+        const Vec3 direction(std::cos(angle), std::sin(angle), 0.0);
         const TriangleSoup peg = tubeSide(n, kPeg, 15.0, firstOfPeg);
         double least = 1e9, second = 1e9;
         Vec3 normal;
@@ -163,23 +165,23 @@ class DistanceForceTest : public QObject {
           const Vec3 outwards(std::cos(turn), std::sin(turn), 0.0);
           double support = -1e9;
           for (const Vec3& corner : peg.points) support = std::max(support, outwards.dot(corner));
-          const double distance = kHole * holeCosine - off * outwards.dot(way) - support;
+          const double distance = kHole * holeCosine - off * outwards.dot(direction) - support;
           if (distance < least) normal = outwards;
           second = std::min(second, std::max(distance, least));
           least = std::min(distance, least);
         }
-        const Pose place = anyPose(5.0), held = place * at(off * way);
+        const Pose pose = anyPose(5.0), held = pose * at(off * direction);
         const std::vector<CollisionBody> bodies = {meshBody(peg), meshBody(tubeSide(m, kHole, 40.0, firstOfHole))};
-        const DistanceWrench found = forceOn(bodies, {held, place}, held.translation());
+        const DistanceWrench found = forceOn(bodies, {held, pose}, held.translation());
         const double size = found.force.norm(), exact = kStiffness * (kReach - least);
         RC_ASSERT(std::abs(size - exact) <= 1e-6 * exact);
-        RC_ASSERT(second - least < 1e-6 || degreesBetween(found.force, place.linear() * -normal) <= 0.1);
+        RC_ASSERT(second - least < 1e-6 || degreesBetween(found.force, pose.linear() * -normal) <= 0.1);
         const double smooth = kStiffness * (kReach - (kHole - kPeg - off));
         RC_ASSERT(size <= smooth + kStiffness * kHole * (1.0 - holeCosine) + 1e-9);
         RC_ASSERT(size >= smooth - kStiffness * kPeg * (1.0 - pegCosine) - 1e-9);
         const double cosine = holeCosine - (1.0 - pegCosine) * kPeg / off;
-        RC_ASSERT(found.force.dot(place.linear() * -way) >= (cosine - 1e-9) * size);
-        RC_ASSERT(std::abs(found.torque.dot(place.linear().col(2))) <= (kPeg * std::sin(M_PI / n) + 1e-6) * size);
+        RC_ASSERT(found.force.dot(pose.linear() * -direction) >= (cosine - 1e-9) * size);
+        RC_ASSERT(std::abs(found.torque.dot(pose.linear().col(2))) <= (kPeg * std::sin(M_PI / n) + 1e-6) * size);
       }));
     }
   }
@@ -199,12 +201,12 @@ class DistanceForceTest : public QObject {
         Pose a = anyPose(0.0);
         const Pose b = anyPose(5.0);
         const double smooth = evenly(0.1, 6.0);
-        const Vec3 way = (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized();
-        a.translation() = b.translation() + (kFirst + kSecond + smooth) * way;
+        const Vec3 direction = (anyPosition(1.0) + Vec3(1e-3, 0, 0)).normalized();
+        a.translation() = b.translation() + (kFirst + kSecond + smooth) * direction;
         const DistanceWrench found = forceOn(bodies, {a, b}, a.translation());
         const double exact = kStiffness * (kReach - smooth), size = found.force.norm();
         RC_ASSERT(size <= exact + 1e-9 && size >= std::max(0.0, exact - kStiffness * apart) - 1e-9);
-        RC_ASSERT(size == 0.0 || found.force.dot(way) >= cosTilt * size);
+        RC_ASSERT(size == 0.0 || found.force.dot(direction) >= cosTilt * size);
       }));
     }
   }
@@ -221,14 +223,14 @@ class DistanceForceTest : public QObject {
     QVERIFY(rc::check([&] {
       Pose a = anyPose(0.0);
       const Pose b = anyPose(5.0);
-      a.translation() = b.translation() + evenly(49.0, 58.0) * (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized();
+      a.translation() = b.translation() + evenly(49.0, 58.0) * (anyPosition(1.0) + Vec3(1e-3, 0, 0)).normalized();
       const DistanceWrench found = forceOn(bodies, {a, b}, a.translation());
       const double exact = energy(a, b);
       if (exact >= 0.5 * kStiffness * kReach * kReach) return;  // they meet
       RC_ASSERT(std::abs(found.energy - exact) <= 1e-6);
       constexpr double kStep = 1e-5, kTurn = 1e-6;
       Vec3 force, torque;
-      double bend = 0.0, twist = 0.0;  // where the closest feature changes there is no gradient
+      double bend = 0.0, twist = 0.0;  // there is no gradient at a change of the closest feature
       for (Eigen::Index k = 0; k < 3; ++k) {
         const Vec3 axis = Vec3::Unit(k);
         Pose turned = a, back = a;
@@ -249,7 +251,7 @@ class DistanceForceTest : public QObject {
     QVERIFY(compared > 30);
   }
 
-  // Nothing leaps at the reach, nothing is beyond it, and nothing grows without end.
+  // Nothing leaps at the reach, nothing acts beyond it, and nothing grows without bound.
   void limits() {
     const CollisionBody ball({CollisionPiece::sphere(Vec3::Zero(), 5.0)});
     const auto sizeAt = [&](double distance) {
@@ -257,13 +259,13 @@ class DistanceForceTest : public QObject {
     };
     QVERIFY(sizeAt(kReach) == 0.0 && sizeAt(kReach + 1e-9) == 0.0 && sizeAt(1e9) == 0.0);
     QVERIFY(sizeAt(kReach - 1e-6) > 0.0 && sizeAt(kReach - 1e-6) < 1e-6);
-    // Deep in a large one, whole, of every kind.
+    // A small body deep in a large one, whole, of every kind.
     const CollisionBody little({CollisionPiece::sphere(Vec3::Zero(), 1.0)});
     for (const CollisionBody& large :
          {CollisionBody({CollisionPiece::sphere(Vec3::Zero(), 500.0)}), meshBody(boxSoup({500, 500, 500})),
           CollisionBody({CollisionPiece::cylinder(Pose::Identity(), 500.0, 1000.0)})}) {
-      for (const Vec3& place : {Vec3(0, 0, 0), Vec3(480, 3, 2), Vec3(499.5, 3, 2)}) {
-        const DistanceWrench found = forceOn({little, large}, {at(place), Pose::Identity()}, Vec3(1e6, 0, 0));
+      for (const Vec3& position : {Vec3(0, 0, 0), Vec3(480, 3, 2), Vec3(499.5, 3, 2)}) {
+        const DistanceWrench found = forceOn({little, large}, {at(position), Pose::Identity()}, Vec3(1e6, 0, 0));
         QVERIFY(found.force.allFinite() && found.torque.allFinite());
         QVERIFY(found.force.norm() <= kStiffness * 20.0 + 1e-9 && found.force.norm() > 0.0);
       }
@@ -278,7 +280,7 @@ class DistanceForceTest : public QObject {
     NearPair broken;
     broken.points.distance = std::nan("");
     QVERIFY(distanceForce(std::span(&broken, 1), Vec3::Zero(), {}).force.isZero(0.0));
-    // Without its torque, half of it.
+    // Half the torque share gives half the torque.
     DistanceForceSettings half;
     half.torqueShare = 0.5;
     const std::vector<Pose> poses = {at({12, 0, 0}), Pose::Identity()};

@@ -14,7 +14,7 @@ class ObstacleSetTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The same as of all bodies one by one.
+  // Compares the set with all bodies one by one.
   void asOneByOne() {
     QVERIFY(rc::check([] {
       ObstacleSet set;

@@ -26,13 +26,13 @@ CollisionBody anyBody() {
   return CollisionBody(pieces);
 }
 
-// A step of a body that moves smoothly, or leaps now and then.
+// Returns a step of a body that moves smoothly, or leaps now and then.
 Pose stepped(const Pose& pose) {
   if (*rc::gen::inRange(0, 10) == 0) return anyPose(60.0);
   const double far = *rc::gen::inRange(0, 2) == 0 ? 0.1 : 5.0;
   Pose next = pose;
-  next.rotate(Eigen::AngleAxisd(evenly(0.0, 0.02 * far), (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized()));
-  next.pretranslate(anyPlace(far));
+  next.rotate(Eigen::AngleAxisd(evenly(0.0, 0.02 * far), (anyPosition(1.0) + Vec3(1e-3, 0, 0)).normalized()));
+  next.pretranslate(anyPosition(far));
   return next;
 }
 
@@ -42,7 +42,7 @@ class ProximityQueryTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Frame after frame the answers are those of one that remembers nothing, and of the distances of the planners.
+  // The answers in each frame are those of a new query, and agree with the distances of the planners.
   void remembersNothingWrong() {
     QVERIFY(rc::check([] {
       const std::vector<CollisionBody> bodies = {anyBody(), anyBody(), anyBody(), anyBody()};
@@ -129,7 +129,7 @@ class ProximityQueryTest : public QObject {
     }));
   }
 
-  // What cannot have come near since is not looked at again; what stands still needs the last triangles alone.
+  // Bodies that cannot have come near are not tested again; bodies that do not move need the last triangles alone.
   void looksAtWhatMoved() {
     const auto mesh = std::make_shared<const CollisionMesh>(boxSoup({10, 10, 10}));
     const CollisionBody box({CollisionPiece::ofMesh(Pose::Identity(), mesh)});

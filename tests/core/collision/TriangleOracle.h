@@ -8,17 +8,17 @@
 #include <cmath>
 #include <limits>
 
-// The distance of two surfaces by brute force. By every pair of their triangles, and of these by every pair of their
-// features: slow, and by nothing that the program has.
+// The distance of two surfaces by brute force. It tries every pair of their triangles, and for each every pair of
+// features: slow, and independent of the program.
 namespace handwheel::test {
 
 using Corners = std::array<Vec3, 3>;
 
 inline double segmentDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = d - c, w = a - c;
-  const auto along = [](const Vec3& p, const Vec3& from, const Vec3& way) {
-    const double t = way.squaredNorm() > 0.0 ? std::clamp((p - from).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0.0;
-    return (p - from - t * way).norm();
+  const auto along = [](const Vec3& p, const Vec3& from, const Vec3& ab) {
+    const double t = ab.squaredNorm() > 0.0 ? std::clamp((p - from).dot(ab) / ab.squaredNorm(), 0.0, 1.0) : 0.0;
+    return (p - from - t * ab).norm();
   };
   double least = std::min({along(a, c, v), along(b, c, v), along(c, a, u), along(d, a, u)});
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), det = uu * vv - uv * uv;
@@ -28,7 +28,7 @@ inline double segmentDistance(const Vec3& a, const Vec3& b, const Vec3& c, const
   return least;
 }
 
-// Whether the foot of a point on the plane of a triangle lies within it.
+// Returns true if the foot of a point on the plane of a triangle lies within it.
 inline bool isAbove(const Vec3& p, const Corners& t) {
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -64,7 +64,7 @@ class AtomicFileTest : public QObject {
     QCOMPARE(contentOf(in(folder, "b")), QByteArray("also new"));
   }
 
-  // What one of them lacks is found before any takes its place.
+  // An obstacle to one of them is found before any is replaced.
   void replacesAllOrNone() {
     QTemporaryDir folder;
     QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
@@ -74,7 +74,7 @@ class AtomicFileTest : public QObject {
     QCOMPARE(namesIn(folder), QStringList{"a"});
   }
 
-  // Who is about to end the program looks at the one after setting the other.
+  // A program that is about to end cancels first and then asks if a file is being written.
   void cancelledBeforeItBegins() {
     QTemporaryDir folder;
     JobState state;
@@ -150,7 +150,7 @@ class AtomicFileTest : public QObject {
     }
   }
 
-  // What a killed program left goes, the draft of a living one stays.
+  // The file of a killed program is removed, that of a running one stays.
   void draftsAreRemovedUnlessSomebodyHoldsThem() {
     QTemporaryDir folder;
     const auto path = in(folder, "a"), dead = AtomicSaveFile::hiddenName(path, 1),
@@ -203,7 +203,7 @@ class AtomicFileTest : public QObject {
     QVERIFY(std::filesystem::is_fifo(in(folder, "pipe")));
   }
 
-  // The device takes the bytes and stays one; one that is full says so.
+  // The device receives the bytes and stays a device; a full one reports an error.
   void writesToACharacterDevice() {
     QTemporaryDir folder;
     QVERIFY(writeFileAtomically("/dev/null", std::string(3 << 20, 'x')).hasValue());
@@ -215,7 +215,7 @@ class AtomicFileTest : public QObject {
     QCOMPARE(reasonOf(writeFileAtomically("/dev/full", "x")), std::string(std::strerror(ENOSPC)));
   }
 
-  // What a full disk does, brought about with a limit on the file size.
+  // A full disk, simulated by a limit on the file size.
   void failingWriteLeavesTheOldFile() {
     QTemporaryDir folder;
     QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());

@@ -36,7 +36,7 @@ class ContainerBlobsTest : public QObject {
     QVERIFY(read.lost.empty());
   }
 
-  // Chunks are taken away; the values of the others are where they were, and the lost ranges are exactly the gaps.
+  // Chunks are removed; the values of the others are unchanged, and the lost ranges are exactly the gaps.
   void lostChunks() {
     QVERIFY(rc::check([] {
       const auto count = *rc::gen::inRange<std::size_t>(0, 5 * kChunkElements);
@@ -75,7 +75,7 @@ class ContainerBlobsTest : public QObject {
     const auto read = readArray<double>(container, "a", ~std::uint64_t{0}, 3);
     QCOMPARE(read.values.size(), std::size_t{3 * 65'536});
     QVERIFY(read.lost == (Ranges{{65'536, kLargestContainer}}));
-    // One chunk far out would ask for gigabytes of zeros.
+    // A single chunk far out would need gigabytes of zeros.
     container.blobs["a/9999"] = container.blobs["a/0000"];
     const auto sparse = readArray<double>(container, "a", ~std::uint64_t{0}, 3);
     QVERIFY(sparse.values.empty());

@@ -15,7 +15,7 @@ namespace handwheel::test {
 
 using nlohmann::json;
 
-// Any JSON, with few keys, so that two of them have some in common.
+// Returns any JSON, with few different keys, so that two results have some in common.
 inline json anyJson(int depth) {
   switch (*rc::gen::inRange(0, depth > 0 ? 8 : 6)) {
     case 0:
@@ -61,17 +61,17 @@ inline Container anyContainer() {
   return container;
 }
 
-// The manifest without what the writer adds.
+// Returns the manifest without the keys that the writer adds.
 inline json ownPart(json manifest) {
   manifest.erase("handwheel");
   return manifest;
 }
 
-// An archive byte for byte after APPNOTE.TXT, so that it can be wrong in every way.
+// An archive byte for byte after APPNOTE.TXT, so that it can be wrong in any respect.
 class HandmadeZip {
  public:
   struct Entry {
-    std::string name, data;      // data: as it stands in the archive
+    std::string name, data;      // data: bytes in the archive
     std::uint32_t size = 0;      // announced, unpacked
     std::uint32_t checksum = 0;  // announced
     std::uint16_t flags = 0, method = 0;
@@ -106,7 +106,7 @@ class HandmadeZip {
     return *this;
   }
 
-  // In the directory only.
+  // Adds an entry to the directory only.
   HandmadeZip& list(const Entry& entry, std::uint32_t offset) {
     m_directory += "PK\1\2";
     number<std::uint16_t>(m_directory, 20);
@@ -139,7 +139,7 @@ class HandmadeZip {
     for (std::size_t i = 0; i < sizeof(T); ++i) to += static_cast<char>(value >> (8 * i));
   }
 
-  // What local header and directory have in common.
+  // Writes the fields that local header and directory have in common.
   static void header(std::string& to, const Entry& entry) {
     number<std::uint16_t>(to, 20);
     number(to, entry.flags);
@@ -156,12 +156,12 @@ class HandmadeZip {
   std::uint16_t m_count = 0;
 };
 
-// A small manifest as this program writes it.
+// Returns a small manifest in the format of this program.
 inline std::string plainManifest() {
   return R"({"handwheel": {"format": 1}, "kind": "mesh"})";
 }
 
-// What a Python program prints that is given bytes on standard input; "failed: ..." when it fails.
+// Returns the output of a Python program for bytes on standard input; "failed: ..." if it fails.
 inline QString python(const QString& program, const std::string& input) {
   QProcess process;
   process.start("python3", {"-c", program});

@@ -24,7 +24,7 @@ Container sample() {
   return container;
 }
 
-// What a damaged file must still be: no wrong blob, none too many, and every missing one is reported.
+// Requirements on a damaged file: no wrong blob, no additional one, and every missing one is reported.
 struct Verdict {
   bool isOpen = false;
   std::set<std::string> missing;
@@ -56,7 +56,7 @@ std::string archive(Compression compression) {
   return *writeContainer(sample(), compression);
 }
 
-// Of manifest.json, the five blobs and manifest.copy.json.
+// Returns the ends of manifest.json, the five blobs and manifest.copy.json.
 std::vector<std::size_t> entryEnds(const std::string& bytes) {
   std::vector<std::size_t> ends;
   for (std::size_t at = bytes.find("PK\3\4", 4); at != std::string::npos; at = bytes.find("PK\3\4", at + 4))
@@ -96,7 +96,7 @@ class ContainerDamageTest : public QObject {
     }
   }
 
-  // A file cut short has everything that stands before the cut.
+  // A truncated file has everything before the cut.
   void everyLength() {
     for (Compression compression : kCompressions) {
       const std::string bytes = archive(compression);
@@ -113,7 +113,7 @@ class ContainerDamageTest : public QObject {
     }
   }
 
-  // A block of the disk full of something else: what lies outside is there.
+  // A block of the disk is overwritten: the parts outside it are recovered.
   void lostBlocks() {
     QVERIFY(rc::check([] {
       const Compression compression = *rc::gen::element(Compression::None, Compression::Fast);
@@ -136,10 +136,10 @@ class ContainerDamageTest : public QObject {
     Container container;
     std::string chunk;
     std::mt19937 random(1);
-    while (chunk.size() < 5 << 19) chunk += static_cast<char>(random());  // which cannot be packed
+    while (chunk.size() < 5 << 19) chunk += static_cast<char>(random());  // random bytes, which cannot be compressed
     container.blobs["a"] = container.blobs["b"] = chunk;
     std::string bytes = *writeContainer(container, Compression::Fast);
-    const std::size_t entry = bytes.rfind("PK\1\2", bytes.rfind("PK\1\2") - 1);  // of b, in the directory
+    const std::size_t entry = bytes.rfind("PK\1\2", bytes.rfind("PK\1\2") - 1);  // entry of b, in the directory
     bytes[entry + 27] ^= static_cast<char>(0x80);
     const auto read = readContainer(bytes);
     QVERIFY(read);
@@ -158,7 +158,7 @@ class ContainerDamageTest : public QObject {
     QVERIFY(read->damage[0].code == ArchiveError::Malformed);
   }
 
-  // A listed blob that is not there, and one that is another than the manifest says.
+  // A listed blob is missing, and another one differs from the manifest.
   void theManifestKnowsBetter() {
     const std::string manifest = R"({"handwheel": {"format": 1}, "blobs": {
         "gone": {"bytes": 3, "crc32": "352441c2"}, "other": {"bytes": 3, "crc32": "352441c2"}, "short": {"bytes": 4}}})";

@@ -186,7 +186,7 @@ class ContainerHostileTest : public QObject {
     QVERIFY(total > 0 && total <= kSmall.largest);
   }
 
-  // And none of them is whole: unpacking in vain is bounded as well.
+  // None of them is whole: unsuccessful unpacking is bounded as well.
   void overlappingDamagedEntries() {
     HandmadeZip::Entry shared = HandmadeZip::deflated("0", std::string(900, 'x'));
     shared.checksum ^= 1;

@@ -62,7 +62,7 @@ class ContainerTest : public QObject {
     QVERIFY(written(read->container) == before);
   }
 
-  // Python's zipfile and zlib judge the layout that docs/format.md describes.
+  // Python's zipfile and zlib check the layout that docs/format.md describes.
   void othersCanReadIt() {
     const QString program =
         "import io, json, sys, zipfile, zlib\n"
@@ -80,7 +80,7 @@ class ContainerTest : public QObject {
                    .arg(kContainerVersion));
   }
 
-  // Somebody unpacks the archive, looks, and packs it again in another order, with entries for the folders.
+  // A user unpacks the archive, and packs it again in another order, with entries for the folders.
   void readsWhatOthersPacked() {
     const QString program =
         "import io, sys, zipfile\n"

@@ -18,7 +18,7 @@ Container containing(json manifest, std::map<std::string, std::string> blobs = {
   return container;
 }
 
-// Objects without some of their keys, at any depth.
+// Removes some keys of objects, at any depth.
 json thinned(const json& object) {
   json kept = json::object();
   for (const auto& [key, value] : object.items())
@@ -66,19 +66,19 @@ class ContainerUnknownTest : public QObject {
     }));
   }
 
-  // What it does change is what it wrote: where it has a key it wins.
+  // The keys that this program writes win.
   void oursWins() {
     QVERIFY(rc::check([] {
       const Container read = anyContainer(), ours = anyContainer();
       const Container saved = merged(unknownPart(read, ours, {}), ours);
       RC_ASSERT(*merged(saved, ours).manifest == *saved.manifest);  // nothing of ours is missing or different
       RC_ASSERT(unknownPart(ours, saved, {}).manifest->empty());
-      RC_ASSERT(unknownPart(read, saved, {}).manifest->empty());  // nor of what was read
+      RC_ASSERT(unknownPart(read, saved, {}).manifest->empty());  // nor is anything that was read
       for (const auto& [name, bytes] : ours.blobs) RC_ASSERT(saved.blobs.at(name) == bytes);
     }));
   }
 
-  // The library's RFC 7386 agrees where no null is about.
+  // The library's RFC 7386 agrees if there is no null.
   void mergesAsTheStandardSays() {
     QVERIFY(rc::check([] {
       const Container below = anyContainer(), above = anyContainer();

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-// The little document that the crash test's child edits and its parent judges.
+// The little document that the crash test's child edits and its parent checks.
 namespace handwheel::test {
 
-// A model whose content after any number of edits is known. It has a counter, and blobs each of which is as it was
-// after the last edit that touched it.
+// A model whose content after any number of edits is known. It has a counter, and blobs, each with its content after
+// the last edit that touched it.
 class CrashModel {
  public:
   CrashModel() : m_blobs(kBlobs) {}
@@ -30,7 +30,7 @@ class CrashModel {
     return *writeContainer(container, compression);
   }
 
-  // The number of edits in an archive that is whole, and exactly what it was after that many; else -1.
+  // Returns the number of edits in an archive that is whole, and has exactly the content after that many; otherwise -1.
   static std::int64_t editsIn(std::string_view bytes) {
     const auto read = readContainer(bytes);
     if (!read || !read->damage.empty() || read->container.blobs.size() != kBlobs) return -1;

@@ -14,15 +14,15 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// A child edits, autosaves and saves; it is killed at a random moment; what is on the disk is judged by what it had
-// reported. HANDWHEEL_CRASHES: how often.
+// A child edits, autosaves and saves; it is killed at a random moment; the files on the disk are compared with its
+// reports. HANDWHEEL_CRASHES: number of runs.
 
 namespace {
 
 constexpr std::int64_t kInterval =
     40'000;  // microseconds between a change and its autosave: 20 s, five hundred times faster
 
-// Against a child that hangs; a busy machine may let it stand still for long.
+// Limit for a child that hangs; long, as a busy machine may suspend it.
 constexpr std::int64_t kPatience = 120'000'000;  // microseconds
 
 struct Event {
@@ -49,7 +49,7 @@ class Victim {
     for (std::int64_t left = microseconds; left > 0; left = end - now()) read(static_cast<int>(left / 1000));
   }
 
-  // False when it did not come.
+  // Returns false if it did not come.
   bool waitFor(const QByteArray& word) {
     const qsizetype from = m_output.size();
     for (const std::int64_t end = now() + kPatience; now() < end; read(100))
@@ -57,7 +57,7 @@ class Victim {
     return false;
   }
 
-  // When it was killed.
+  // The time at which it was killed.
   std::int64_t kill() {
     const std::int64_t time = now();
     m_process.kill();
@@ -99,7 +99,7 @@ struct Tally {
   std::int64_t longestLoss = 0, longestWrite = 0;  // microseconds
 };
 
-// What the events say of the moment of the crash.
+// The events until the moment of the crash.
 struct Story {
   std::int64_t saved = 0;     // edits in the last save that was reported as done
   std::int64_t saving = -1;   // in one that was under way
@@ -131,7 +131,7 @@ void judge(const std::vector<Event>& events, std::int64_t end, const std::filesy
            const std::filesystem::path& root, Tally& tally) {
   const Story story = storyOf(events, end);
 
-  // The saved file is the last one, or the one that was on its way.
+  // The saved file is the last one, or the one that was being written.
   const std::int64_t inFile = std::filesystem::exists(file) ? editsInFile(file) : 0;
   QVERIFY2(inFile == story.saved || (inFile > 0 && inFile == story.saving), "the saved file");
 
@@ -183,7 +183,7 @@ class CrashTest : public QObject {
       // The autosaver is at work at all.
       if (i % 4 == 2) QVERIFY(victim.waitFor("stored"));
       victim.readFor(random() % 200'000);
-      // Every other time in the midst of a write.
+      // Every other kill is during a write.
       if (i % 4 == 1) QVERIFY(victim.waitFor("saving"));
       if (i % 4 == 3) QVERIFY(victim.waitFor("storing"));
       if (i % 2 == 1) victim.readFor(random() % 6000);
@@ -193,7 +193,7 @@ class CrashTest : public QObject {
       QVERIFY2(!QTest::currentTestFailed(), qPrintable(QString("crash %1").arg(i)));
       QVERIFY(OrphanedAutosaves(root.toStdString()).found().empty());
     }
-    // How promptly is printed, not judged: the machine may be busy.
+    // The time is printed, not checked: the machine may be busy.
     qInfo(
         "%d crashes, %d while saving, %d while autosaving; %d recovered; longest loss %.1f ms, longest autosave %.1f "
         "ms, "

@@ -119,7 +119,7 @@ class Writer {
   std::int64_t m_interval;
   std::mutex m_mutex;  // for those below
   CrashModel m_model;
-  std::int64_t m_oldestEdit = 0;  // that no autosave has, and no save; 0: none
+  std::int64_t m_oldestEdit = 0;  // the oldest edit in no autosave or save; 0: none
 };
 
 }  // namespace

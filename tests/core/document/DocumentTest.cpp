@@ -16,15 +16,15 @@ using namespace handwheel;
 
 namespace {
 
-// All that a save would write of it.
+// Returns everything that a save would write.
 std::string stateOf(const Document& document) {
   const auto bytes = containerBytes(document.kind(), document.file(), *document.snapshot(), {}, Compression::None);
   RC_ASSERT(bytes.hasValue());
   return *bytes;
 }
 
-// What the history should be, kept by the rules alone: a change is a step; within a stroke, and not across a save,
-// changes of one property are one; what changes nothing leaves no step.
+// The expected history, by the rules alone: a change is a step; within a stroke, and not across a save, changes of one
+// property are one; a change without effect leaves no step.
 class ExpectedHistory {
  public:
   explicit ExpectedHistory(std::string first) : m_present(std::move(first)) {}
@@ -84,7 +84,7 @@ class ExpectedHistory {
   bool m_isStroking = false;
 };
 
-// Undo, redo or save; false when it was to be something else, or cannot be.
+// Undo, redo or save; false if the history disagrees, or it is impossible.
 bool walk(Document& document, ExpectedHistory& expected) {
   switch (*rc::gen::inRange(0, 8)) {
     case 0:
@@ -175,7 +175,7 @@ void checkHistory(Document& document, Change change) {
   }
 }
 
-// With two loops.
+// A mesh with two loops.
 TriangleSoup holed() {
   TriangleSoup soup = test::uvSphere(6, 8);
   soup.triangles.erase(soup.triangles.begin());
@@ -208,7 +208,7 @@ class DocumentTest : public QObject {
     }));
   }
 
-  // The slider goes on after the save: what was saved can still be gone back to.
+  // The slider continues after the save: undo can still return to the saved state.
   void aStrokeThatOutlastsASave() {
     const auto document = workpiece();
     QVERIFY(document->setProperty("diameter", 60.0, DragPhase::Continues));
@@ -241,7 +241,7 @@ class DocumentTest : public QObject {
     QCOMPARE(document->history()->count(), 2);
   }
 
-  // While an earlier state was being saved, that was undone: what counted as saved before is in no file any more.
+  // While an earlier state was being saved, it was undone: no state is in a file any more.
   void anEarlierStateIsWritten() {
     const auto document = workpiece();
     document->markSaved("/a.handwheel", true, FileTimestamp{1, 1});
@@ -254,7 +254,7 @@ class DocumentTest : public QObject {
     QCOMPARE(document->path(), QStringLiteral("/a.handwheel"));
   }
 
-  // What is recovered is compared with the file that it was read from, not with its autosave.
+  // A recovered document is compared with the file that it was read from, not with its autosave.
   void whatIsRecoveredKnowsItsFile() {
     const auto document = workpiece();
     document->markRecovered("/a.handwheel", FileTimestamp{3, 4}, true);

@@ -24,7 +24,7 @@ const TableSnapshot& tableOf(const Snapshot& content) {
   return static_cast<const TableSnapshot&>(content);
 }
 
-// The smallest kind whose document has entries that come and go: {"entries": {"a": {"value": 1}, …}}.
+// The smallest kind whose document has entries that are added and removed: {"entries": {"a": {"value": 1}, …}}.
 class TableKind : public DocumentKind {
  public:
   std::string id() const override { return "table"; }
@@ -59,7 +59,7 @@ DocumentKinds tables() {
   return DocumentKinds(std::move(kinds));
 }
 
-// A file by hand: what the kind knows, and strangers at every level; also entries that are none to the kind.
+// A file written by hand: known keys, and unknown ones at every level; also invalid entries.
 Container anyTable() {
   Container file;
   json& manifest = *file.manifest;
@@ -99,7 +99,7 @@ void edit(TableSnapshot& table, json& manifest) {
   entries["new"]["value"] = 99;
 }
 
-// Without what says how the file was written.
+// Removes the keys about the writing of the file.
 json comparable(json manifest) {
   for (const char* key : {"format", "program"}) manifest["handwheel"].erase(key);
   return manifest;
@@ -107,7 +107,7 @@ json comparable(json manifest) {
 
 }  // namespace
 
-// What goes through a document that knows only part of its file.
+// Tests the keys that pass through a document that knows only part of its file.
 class KeptKeysTest : public QObject {
   Q_OBJECT
 
@@ -119,7 +119,7 @@ class KeptKeysTest : public QObject {
     QVERIFY(rc::check([&] {
       Container expected = anyTable();
       RC_ASSERT(writeFileAtomically(path, *writeContainer(expected, Compression::Fast)).hasValue());
-      // Twice: what one save keeps the next must know to be as strange.
+      // Saves twice: unknown keys that one save keeps must be unknown to the next, too.
       for (int round = 0; round < 2; ++round) {
         const auto opened = kinds.open(path, {});
         RC_ASSERT(opened.hasValue());
@@ -136,7 +136,7 @@ class KeptKeysTest : public QObject {
     }));
   }
 
-  // Undo brings an entry back, and with it what was strange in it.
+  // Undo restores an entry, and with it its unknown keys.
   void whatComesBackIsWhole() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("a.handwheel").toStdString();

@@ -45,7 +45,7 @@ class MigrationTest : public QObject {
     QVERIFY(fixture(kContainerVersion + 1).empty());
   }
 
-  // Each fixture holds the same document: a tetrahedron, and what a stranger added to the file.
+  // Each fixture has the same document: a tetrahedron, and unknown additions.
   void fixturesAreRead() {
     for (int version = 1; version <= kContainerVersion; ++version) {
       const auto read = readContainer(fixture(version));

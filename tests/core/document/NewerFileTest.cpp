@@ -18,7 +18,7 @@ namespace {
 
 const std::string kThis = std::to_string(kContainerVersion), kNext = std::to_string(kContainerVersion + 1);
 
-// An archive as a program of that version would write it.
+// Returns an archive as a program of that version would write it.
 std::string containerOfFormat(const std::string& format) {
   const std::string manifest = R"({"handwheel": {"format": )" + format + R"(}, "kind": "workpiece", "document": {}})";
   const std::vector<ZipEntry> entries{{"manifest.json", manifest}, {"manifest.copy.json", manifest}};
@@ -68,7 +68,7 @@ class NewerFileTest : public QObject {
     QVERIFY(handwheel::checkNotNewer("/dev/zero").hasValue());
   }
 
-  // Nor by a save or an export, whatever the document came from and whatever its file is called.
+  // Neither a save nor an export replaces it, for any origin of the document and any file name.
   void savingLeavesItAlone_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"x.handwheel", "x.stl", "x.step"}) QTest::newRow(name) << name;

@@ -87,7 +87,7 @@ class OperationTest : public QObject {
     QCOMPARE(values.numbers("towards"), std::vector<double>({1.0, 0.5, 0.0}));
     values.reset("tilt");
     QVERIFY(!values.given("tilt"));
-    // What is set to its default is as if it were not set.
+    // Setting a value to its default is the same as not setting it.
     QCOMPARE(values.set("radius", 2.5), std::string());
     QCOMPARE(values.set("towards", "0,0,1.0"), std::string());
     QVERIFY(values == OperationValues(drilling()));
@@ -164,7 +164,7 @@ class OperationTest : public QObject {
     QCOMPARE(help("point"), std::string("Shape of the end: flat or cone (default)"));
   }
 
-  // Ranges as a person types them: no exponent, and of a default that was calculated three digits.
+  // Ranges are formatted as a person types them: no exponent, and three digits of a computed default.
   void rangesInWords() {
     Parameter parameter = *drilling().find("radius");
     const auto help = [&](double least, double largest, double standard, Quantity quantity = Quantity::Number) {

@@ -37,7 +37,7 @@ std::vector<StoredRecording> anyRecordings() {
   return all;
 }
 
-// As long as said, with a tick each millisecond.
+// Returns a recording of so many ticks, one each millisecond.
 Recording steady(std::size_t ticks) {
   Recording recording;
   for (std::size_t i = 0; i < ticks; ++i) {
@@ -58,7 +58,7 @@ void checkSame(const std::vector<StoredRecording>& read, const std::vector<Store
   }
 }
 
-// A document on the disk, and how it comes back.
+// A document on the disk, and reading it back.
 struct Fixture {
   QTemporaryDir folder;
   std::filesystem::path path = folder.filePath("part.handwheel").toStdString();
@@ -94,7 +94,7 @@ class StoredRecordingsTest : public QObject {
       const auto opened = fixture.kinds.open(fixture.path, {});
       RC_ASSERT(opened.hasValue() && opened->file.damage.empty());
       checkSame(opened->file.recordings, fixture.document->file().recordings);
-      // And once more, through a document that knows nothing else of the file.
+      // The same through a document that knows nothing else of the file.
       RC_ASSERT(saveDocument(*opened->kind, opened->file, *opened->content, fixture.path).hasValue());
       const auto again = fixture.kinds.open(fixture.path, {});
       RC_ASSERT(again.hasValue());
@@ -106,7 +106,7 @@ class StoredRecordingsTest : public QObject {
     Fixture fixture;
     QVERIFY(!fixture.document->isModified());
     const std::uint64_t before = fixture.document->revision();
-    QSignalSpy changed(fixture.document.get(), &Document::changed);  // of the model: a tool would begin anew
+    QSignalSpy changed(fixture.document.get(), &Document::changed);  // change of the model: a tool would begin anew
     fixture.give({{"0001", "first", "", 0.0, steady(3)}});
     QVERIFY(fixture.document->isModified());
     QVERIFY(fixture.document->revision() > before);
@@ -131,7 +131,7 @@ class StoredRecordingsTest : public QObject {
     QCOMPARE(freeKey({{"9999", {}, {}, 0.0, {}}}), std::string("10000"));
   }
 
-  // What an older program knew nothing of, and what somebody wrote beside it, goes through; what is deleted is gone.
+  // Unknown keys of other programs or users are kept; deleted recordings are gone.
   void strangersStayAndTheDeletedIsGone() {
     Fixture fixture;
     fixture.give({{"0001", "first", "", 0.0, steady(3)}, {"0002", "second", "", 0.0, steady(2)}});
@@ -184,7 +184,7 @@ class StoredRecordingsTest : public QObject {
     QCOMPARE(opened->file.recordings[0].ticks.size(), std::size_t{0});
   }
 
-  // Anything may stand in the manifest.
+  // The manifest may contain anything.
   void anyManifestIsBorne() {
     Fixture fixture;
     QVERIFY(fixture.save());
@@ -202,7 +202,7 @@ class StoredRecordingsTest : public QObject {
     }));
   }
 
-  // A foreign file has no place for them, and the user is informed.
+  // A foreign file cannot store them, and the user is informed.
   void aForeignFileLacksThem() {
     Fixture fixture;
     const std::filesystem::path stl = fixture.folder.filePath("part.stl").toStdString();

@@ -46,7 +46,7 @@ class MarkingTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What was so in a try that was taken back costs its own points alone, also of a decisive criterion.
+  // A failure in an undone try costs only its own points, even for a decisive criterion.
   void earlierTry() {
     Exercise exercise = only(within(0.0, 1.0, 5.0, 0.0));
     exercise.criteria[0].isDecisive = true;
@@ -100,12 +100,12 @@ class MarkingTest : public QObject {
     const Mark unlimited = markOf(none1, 3.0);
     QVERIFY(unlimited.verdict == Verdict::NotMeasured && unlimited.points == 0.0 && unlimited.value == 3.0);
     QCOMPARE(unlimited.reason.inEnglish(), std::string("the marking scheme has no limit for it"));
-    none1.points = 0.0;  // as students have it
+    none1.points = 0.0;  // the form of students
     QCOMPARE(markOf(none1, 3.0).reason.inEnglish(), std::string("3 mm, without a limit"));
     QCOMPARE((ExerciseText{"100%, %2 of %1 %3", {"a", "b"}}).inEnglish(), std::string("100%, b of a "));
   }
 
-  // As many digits as mean something in the unit; what is less than one step of it is not nothing.
+  // Figures have as many digits as are significant in the unit; a value below one step is not shown as zero.
   void figuresAreRounded() {
     for (const auto& [value, unit, text] :
          std::vector<std::tuple<double, const char*, const char*>>{{8.55162, "µm", "8.55"},
@@ -135,7 +135,7 @@ class MarkingTest : public QObject {
       return markMeasurements(only(c), {{"d1", value, {}}}, {unit}).marks[0].reason.inEnglish();
     };
     QCOMPARE(reason(45.0, "°"), std::string("45° is within 44 and 46°"));
-    // Limits of an angle follow from sizes: two decimals are what is read.
+    // Limits of an angle follow from sizes: two decimals are shown.
     MarkingCriterion taper;
     taper.id = "t";
     taper.lower = 10.809932;
@@ -154,7 +154,7 @@ class MarkingTest : public QObject {
     const MarkingCriterion c = within(1.0, 2.0, 3.0, 0.0);
     QCOMPARE(markOf(c, 1.0).points, 3.0);
     QCOMPARE(markOf(c, 2.0).points, 3.0);
-    QCOMPARE(markOf(c, 2.0 + 1e-12).points, 3.0);  // of rounding
+    QCOMPARE(markOf(c, 2.0 + 1e-12).points, 3.0);  // rounding
     QCOMPARE(markOf(c, 2.0 + 1e-6).points, 0.0);
   }
 

@@ -78,7 +78,7 @@ class SubmissionTableTest : public QObject {
     table.sort(SubmissionTable::Points, true);
     QCOMPARE(students(table), std::string("=Bob|Ada|Cleo, the 2nd||"));
     table.sort(SubmissionTable::Points, false);
-    QCOMPARE(students(table), std::string("Cleo, the 2nd|Ada|=Bob||"));  // what was not marked stays last
+    QCOMPARE(students(table), std::string("Cleo, the 2nd|Ada|=Bob||"));  // unmarked rows stay last
     table.sort(SubmissionTable::Student, false);
     QCOMPARE(students(table), std::string("=Bob|Ada|Cleo, the 2nd||"));
     table.sort(SubmissionTable::Minutes, true);
@@ -87,7 +87,7 @@ class SubmissionTableTest : public QObject {
     QCOMPARE(students(table).substr(0, 5), std::string("=Bob|"));
   }
 
-  // By hand, by program, both; what is not known comes last.
+  // By hand, by program, both; unknown origins come last.
   void howItWasMade() {
     SubmissionTable table(task());
     const std::pair<const char*, WorkOrigin> works[] = {{"Ada", WorkOrigin::Program},
@@ -108,12 +108,12 @@ class SubmissionTableTest : public QObject {
     QVERIFY(!table.isNumber(SubmissionTable::Made));
     table.sort(SubmissionTable::Made, false);
     QCOMPARE(students(table), std::string("Cleo2|Dora2|Ada2|Ada|Bob|Bob2|Cleo|Dora|"));
-    // In the words of the window.
+    // Translated to the language of the window.
     const std::string csv = table.csv([](const std::string& word) { return "<" + word + ">"; });
     QVERIFY(csv.find("<Made>") != csv.npos && csv.find("<by hand>") != csv.npos && csv.find("<>") == csv.npos);
   }
 
-  // As RFC 4180 says; no field is a formula to a spreadsheet.
+  // Follows RFC 4180; no field is a formula to a spreadsheet.
   void csv() {
     SubmissionTable table(task());
     SubmissionRow bob = row("=Bob", 19.0, 10.0);

@@ -23,12 +23,12 @@ struct Extent {
   double lowest = std::numeric_limits<double>::infinity(), highest = -std::numeric_limits<double>::infinity();
 };
 
-// The definition: the lowest and the highest point at z of discs at very many places of the way.
+// The definition: the lowest and the highest point at z of discs at very many positions of the path.
 Extent extentAt(const ProfilePoint& a, const ProfilePoint& b, double radius, double z) {
-  constexpr int kPlaces = 20000;
+  constexpr int kSamples = 20000;
   Extent extent;
-  for (int i = 0; i <= kPlaces; ++i) {
-    const ProfilePoint c = a + static_cast<double>(i) / kPlaces * (b - a);
+  for (int i = 0; i <= kSamples; ++i) {
+    const ProfilePoint c = a + static_cast<double>(i) / kSamples * (b - a);
     const double under = radius * radius - (z - c.y()) * (z - c.y());
     if (!(under >= 0.0)) continue;
     extent.lowest = std::min(extent.lowest, c.x() - std::sqrt(under));
@@ -97,7 +97,7 @@ class BoreTest : public QObject {
       const TurnedProfile::Range changed = part.cutBore(a, b, nose);
       for (std::size_t i = 0; i < part.size(); ++i) {
         const Extent extent = extentAt(a, b, nose, part.z(i));
-        // Between two of the many places the envelope is wider, most so at the flanks.
+        // Between two of these positions the envelope is wider, most so at the flanks.
         constexpr double kFlank = 0.35;
         if (extent.lowest >= 20.0 && extent.lowest < 20.0 + kFlank) continue;
         // A disc outside of the part leaves it.

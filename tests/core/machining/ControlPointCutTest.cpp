@@ -82,7 +82,7 @@ class ControlPointCutTest : public QObject {
   // control points would be equally strong.
   void aPassWithoutPartsTakesTheWholeDepth() {
     constexpr double kNose = 4.0, kAt = 37.13, kResolution = 0.7;
-    constexpr int kSpans = 143, kMoves = 15;  // as many as there are poles in 8 mm, and 3 beyond
+    constexpr int kSpans = 143, kMoves = 15;  // number of poles in 8 mm, and 3 beyond
     TurningPass pass;
     pass.noseRadius = kNose;
     pass.method = TurningMethod::Poles;
@@ -115,8 +115,8 @@ class ControlPointCutTest : public QObject {
     QVERIFY(largestDistance(inParts, whole) > 0.1);
   }
 
-  // Parts are few, or of few moves, where a hand goes on a hundredth of a millimetre at a time: what a review may
-  // repeat is about as long as without them.
+  // Parts are few, or of few moves, if a hand moves by a hundredth of a millimetre at a time: a review may repeat about
+  // as long a pass as without them.
   void partsCostLittle() {
     const TurnedProfile part(kCurveShaft, 0.01);
     TurningPass pass;
@@ -155,7 +155,7 @@ class ControlPointCutTest : public QObject {
     }));
   }
 
-  // A long taper, which degree 2 has exactly: the finer the control points, the nearer to what the nose sweeps.
+  // A long taper, which degree 2 reproduces exactly: the finer the control points, the nearer to the sweep of the nose.
   void finerIsNearer() {
     TurnedProfile exact(kCurveShaft, 0.02);
     const ProfilePoint from(25.0, 10.0), to(18.0, 80.0);
@@ -222,7 +222,7 @@ class ControlPointCutTest : public QObject {
     for (std::size_t i = 0; i < part.size(); ++i) QVERIFY(part.radius(i) >= 0.0);
   }
 
-  // The whole way of a pass, in either method, twice: the same profile, bit for bit.
+  // The whole path of a pass, in either method, twice: the same profile, bit for bit.
   void aPassRepeats() {
     for (const TurningMethod method : {TurningMethod::Trim, TurningMethod::Poles}) {
       TurningPass pass;

@@ -61,22 +61,22 @@ class PassesReplayTest : public QObject {
     QVERIFY(replay->at(19.0).threads && !replay->at(13.9).threads);
   }
 
-  // Between points, too, the tool is where it was, and has cut what is behind it.
+  // Between points, too, the tool is at its position of that time, and has cut the material behind it.
   void theWorkAtATime() {
     const auto replay = PassesReplay::make(TurnedProfile(kReplayedBar, 0.1), threePasses());
     const PassesReplay::Moment first = replay->at(5.0);
     QCOMPARE(first.number, std::size_t{0});
-    QVERIFY((first.place - ProfilePoint(19.0, 85.0)).norm() < 1e-9);
+    QVERIFY((first.position - ProfilePoint(19.0, 85.0)).norm() < 1e-9);
     QVERIFY(std::abs(radiusOf(first.profile, 95.0) - 18.0) < 1e-9);
     QCOMPARE(radiusOf(first.profile, 80.0), 20.0);
     const PassesReplay::Moment second = replay->at(12.0);
     QCOMPARE(second.number, std::size_t{1});
-    QVERIFY((second.place - ProfilePoint(16.0, 95.0)).norm() < 1e-9);
+    QVERIFY((second.position - ProfilePoint(16.0, 95.0)).norm() < 1e-9);
     QVERIFY(std::abs(radiusOf(second.profile, 98.0) - 16.0) < 1e-9);
     QVERIFY(std::abs(radiusOf(second.profile, 90.0) - 18.0) < 1e-9);
     // The groove of the thread is as long as the tool has come.
     const PassesReplay::Moment third = replay->at(16.5);
-    QVERIFY((third.place - ProfilePoint(15.0, 95.5)).norm() < 1e-9);
+    QVERIFY((third.position - ProfilePoint(15.0, 95.5)).norm() < 1e-9);
     const auto depthAt = [&](const PassesReplay::Moment& moment, double z) {
       return 16.0 - moment.threads->radius(TurningSide::Outside, 16.0, 0.0, z, 0.0);
     };
@@ -84,7 +84,7 @@ class PassesReplayTest : public QObject {
     QVERIFY(depthAt(replay->at(19.0), 92.0) > 0.5);
   }
 
-  // Whatever was looked at before, a moment is the same.
+  // A moment is the same after any other moments were shown.
   void scrubbingBackAndForth() {
     const auto replay = PassesReplay::make(TurnedProfile(kReplayedBar, 0.1), threePasses());
     for (const double time : {17.0, 3.217, 11.5, 0.001, 9.999, 3.217}) {
@@ -95,10 +95,10 @@ class PassesReplayTest : public QObject {
           cut(expected, *pass, pass->path[i == 0 ? 0 : i - 1], pass->path[i]);
         begin += pass->times.back();
       }
-      // What is cut after the last point that was passed is within a nose of the place.
+      // The cut after the last point that was passed is within a nose of the position.
       const PassesReplay::Moment moment = replay->at(time);
       for (std::size_t i = 0; i < expected.size(); ++i) {
-        if (moment.pass->path.size() > 2 && std::abs(expected.z(i) - moment.place.y()) > 1.1)
+        if (moment.pass->path.size() > 2 && std::abs(expected.z(i) - moment.position.y()) > 1.1)
           QCOMPARE(moment.profile.radius(i), expected.radius(i));
         QVERIFY(moment.profile.radius(i) <= expected.radius(i));
       }

@@ -21,16 +21,16 @@ double between(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-ProfilePoint anyPlace() {
+ProfilePoint anyPosition() {
   return {between(-5.0, 40.0), between(-10.0, 110.0)};
 }
 
-// The definition: the lowest point at z of discs at very many places of the way.
+// The definition: the lowest point at z of discs at very many positions of the path.
 double envelope(const ProfilePoint& a, const ProfilePoint& b, double radius, double z) {
-  constexpr int kPlaces = 20000;
+  constexpr int kSamples = 20000;
   double lowest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= kPlaces; ++i) {
-    const ProfilePoint c = a + static_cast<double>(i) / kPlaces * (b - a);
+  for (int i = 0; i <= kSamples; ++i) {
+    const ProfilePoint c = a + static_cast<double>(i) / kSamples * (b - a);
     const double under = radius * radius - (z - c.y()) * (z - c.y());
     if (under >= 0.0) lowest = std::min(lowest, c.x() - std::sqrt(under));
   }
@@ -51,7 +51,7 @@ class TurnedProfileTest : public QObject {
     QVERIFY(std::abs(bar.area() / kProfileBar.area() - 1.0) < 1e-12);
     const TurnedProfile cone = TurnedProfile::fromRadii({3.0, 0.0}, 4.0);
     QVERIFY(std::abs(cone.volume() - M_PI * 12.0) < 1e-12 && std::abs(cone.area() - M_PI * 24.0) < 1e-12);
-    // As coarse or fine as can be.
+    // The coarsest and the finest spacing.
     QCOMPARE(TurnedProfile(kProfileBar, 1e9).size(), std::size_t{2});
     QCOMPARE(TurnedProfile({1.0, 1e6, 0.0}, 1e-6).size(), TurnedProfile::kMostSamples);
   }
@@ -98,13 +98,13 @@ class TurnedProfileTest : public QObject {
   void cutsTheEnvelopeOfTheSweep() {
     QVERIFY(rc::check("what is left is the lower envelope of all discs", [] {
       TurnedProfile part(kProfileBar, 2.0);
-      const ProfilePoint a = anyPlace(), b = anyPlace();
+      const ProfilePoint a = anyPosition(), b = anyPosition();
       const double nose = between(0.2, 8.0);
       const TurnedProfile before = part;
       const TurnedProfile::Range changed = part.cut(a, b, nose);
       for (std::size_t i = 0; i < part.size(); ++i) {
         const double expected = std::max(0.0, std::min(20.0, envelope(a, b, nose, part.z(i))));
-        // Between two of the many places the envelope is lower, most so at the flanks.
+        // Between two of these positions the envelope is lower, most so at the flanks.
         RC_ASSERT(part.radius(i) <= expected + 1e-12);
         RC_ASSERT(part.radius(i) >= expected - 0.35);
         RC_ASSERT((part.radius(i) != before.radius(i)) ==
@@ -119,7 +119,7 @@ class TurnedProfileTest : public QObject {
       TurnedProfile part(kProfileBar, 1.0);
       TurningPass pass;
       pass.noseRadius = between(0.5, 5.0);
-      for (int i = 0; i < 6; ++i) pass.path.push_back(anyPlace());
+      for (int i = 0; i < 6; ++i) pass.path.push_back(anyPosition());
       double volume = part.volume();
       for (int i = 0; i < 2; ++i) {
         cut(part, pass);

@@ -36,7 +36,7 @@ class TurnedSurfaceTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Closed and facing outwards, with the volume of the profile less what the chords of the circles leave out.
+  // Closed and facing outwards, with the volume of the profile less that outside of the chords of the circles.
   void closedWithTheVolumeOfTheProfile_data() {
     QTest::addColumn<int>("cuts");
     for (int cuts : {0, 1, 5, 40}) QTest::addRow("%d cuts", cuts) << cuts;
@@ -58,7 +58,7 @@ class TurnedSurfaceTest : public QObject {
     QVERIFY2(std::abs(volume / profile.volume() - 1.0) < 4.0 * chord / 20.0, qPrintable(QString::number(volume)));
   }
 
-  // With a bore through, one from each end, a parted place, and one where the bore meets the outside.
+  // With a bore through, one from each end, a parted section, and one in which the bore meets the outside.
   void closedWithBores_data() {
     QTest::addColumn<int>("which");
     QTest::newRow("through") << 0;

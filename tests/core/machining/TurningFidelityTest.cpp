@@ -10,7 +10,7 @@
 
 using namespace handwheel;
 
-// The settings of turning. Their values are checked against what they are used for.
+// The settings of turning. Their values are checked against their uses.
 class TurningFidelityTest : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class TurningFidelityTest : public QObject {
     QCOMPARE(textOf(law, static_cast<double>(ForceLaw::Kosilova)), std::string("kosilova"));
     QCOMPARE(textOf(law, static_cast<double>(ForceLaw::Kienzle)), std::string("kienzle"));
     QCOMPARE(textOf(law, static_cast<double>(ForceLaw::Network)), std::string("network"));
-    QCOMPARE(FidelityValues().of(law), static_cast<double>(ForceLaw::Kienzle));  // which every material has
+    QCOMPARE(FidelityValues().of(law), static_cast<double>(ForceLaw::Kienzle));  // every material has it
   }
 };
 

@@ -8,7 +8,7 @@
 
 namespace handwheel::test {
 
-// The triangles of several soups as one.
+// Returns the triangles of several soups as one soup.
 inline TriangleSoup together(const std::vector<TriangleSoup>& parts) {
   TriangleSoup all;
   for (const TriangleSoup& part : parts) append(all, part);

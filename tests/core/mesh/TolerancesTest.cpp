@@ -27,10 +27,10 @@ using namespace handwheel;
 
 namespace {
 
-// As shares of a tolerance: just on this side of it, and just on that.
+// Shares of a tolerance just below and just above it.
 constexpr double kJustBelow = 0.98, kJustAbove = 1.02;
 
-// Whether the longest loop is the rim of a sheet, and no hole.
+// Returns true if the longest loop is the rim of a sheet, not a hole.
 bool isSheet(const TriangleSoup& soup) {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(buildMesh(soup).mesh);
   return std::max_element(loops.begin(), loops.end(),
@@ -108,7 +108,7 @@ class TolerancesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void oneWaySheet();
+  void sheetFacingOneDirection();
   void sheetVolume();
   void raggedOutline();
   void debris();
@@ -123,10 +123,10 @@ class TolerancesTest : public QObject {
   void oneSidedCut();
 };
 
-void TolerancesTest::oneWaySheet() {
+void TolerancesTest::sheetFacingOneDirection() {
   const auto heightOf = [](double share) { return 2.0 * share - 1.0; };
-  QVERIFY(!isSheet(sphereAbove(heightOf(kJustBelow * tolerance::kOneWaySheet))));
-  QVERIFY(isSheet(sphereAbove(heightOf(kJustAbove * tolerance::kOneWaySheet))));
+  QVERIFY(!isSheet(sphereAbove(heightOf(kJustBelow * tolerance::kSheetAreaVector))));
+  QVERIFY(isSheet(sphereAbove(heightOf(kJustAbove * tolerance::kSheetAreaVector))));
 }
 
 // Closed from the centre of its outline.
@@ -188,7 +188,7 @@ void TolerancesTest::nearWeld() {
   QCOMPARE(pairs(kJustAbove * tolerance::kNearWeld * diagonal), std::size_t{0});
 }
 
-// With so wide a reach that only the edges, all of length 1, are in the way.
+// The reach is so wide that only the edges, all of length 1, limit the distance.
 void TolerancesTest::nearWeldEdge() {
   const auto pairs = [](double gap) { return nearBoundaryVertices(buildMesh(squaresApart(gap)).mesh, {}, 0.5).size(); };
   QCOMPARE(pairs(kJustBelow * tolerance::kNearWeldEdge), std::size_t{2});

@@ -41,8 +41,8 @@ void BezierArcTest::arcsStayWithinTheirChordError() {
       }
     }
   }));
-  // A parabola leaves its chord by half of what its middle pole does, a cubic with two poles alike by three quarters,
-  // a quarter of a circle by 1 - √½.
+  // A parabola deviates from its chord by half of the deviation of its middle pole, a cubic with two poles alike by
+  // three quarters, a quarter of a circle by 1 - √½.
   const auto error = [](ProfileNurbs nurbs) { return curve(std::move(nurbs)).arcs()[0].chordError(); };
   QCOMPARE(error({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {3, 1}, {1, 2}}, {1, 1, 1}}), 1.0);
   QCOMPARE(error({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {3, 0}, {3, 2}, {1, 2}}, {1, 1, 1, 1}}), 1.5);

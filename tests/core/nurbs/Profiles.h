@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-// Profiles to test with, and the textbook's definition of a B-spline to judge them by.
+// Profiles to test with, and the textbook definition of a B-spline as a reference.
 namespace handwheel::test {
 
 // N(i, p) at u by the Cox–de Boor recursion; the last span is closed at its end.
@@ -36,12 +36,13 @@ inline ProfilePoint pointByDefinition(const ProfileNurbs& nurbs, double u) {
   return sum / weights;
 }
 
-// Evenly from the whole range, also in RapidCheck's first, small tests.
+// Returns a uniform value from the whole range, also in RapidCheck's first, small tests.
 inline double between(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-// Sound profiles of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven weights.
+// Returns sound profiles of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven
+// weights.
 inline ProfileNurbs randomNurbs() {
   ProfileNurbs nurbs;
   nurbs.degree = *rc::gen::inRange(1, 4);
@@ -62,7 +63,7 @@ inline ProfileNurbs randomNurbs() {
   return nurbs;
 }
 
-// A half circle from pole to pole, exact.
+// Returns a half circle from pole to pole, exact.
 inline ProfileNurbs sphere(double radius, double centre) {
   const double w = std::sqrt(0.5);
   return {2,

@@ -74,7 +74,8 @@ void SurfaceOfRevolutionTest::derivativesAreLimitsOfDifferences() {
     const Vec3 byU = (s.at(u + h, v).position - s.at(u - h, v).position) / (2 * h);
     const Vec3 byV = (s.at(u, v + h).position - s.at(u, v - h).position) / (2 * h);
     RC_ASSERT((s.at(u, v).byCircle - byU).norm() < 1e-5 * (1 + byU.norm()));
-    RC_ASSERT((s.at(u, v).byProfile - byV).norm() < 1e-3 * (1 + byV.norm()));  // as for the profile itself
+    RC_ASSERT((s.at(u, v).byProfile - byV).norm() <
+              1e-3 * (1 + byV.norm()));  // the tolerance is that of the profile itself
   }));
 }
 

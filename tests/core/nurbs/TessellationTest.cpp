@@ -83,7 +83,7 @@ void TessellationTest::cylinder() {
 
   const double rounding = 1e-15 * diameter, error = distanceToCylinder(soup, stock);
   QVERIFY(error <= chord + rounding);
-  // Of a foil, every point is near one of the ends.
+  // On a foil, every point is near one of the ends.
   if (chord < 0.03 * diameter && chord < length) QVERIFY(error >= 0.75 * chord);
   for (const Vec3& p : soup.points) {
     const double r = p.head<2>().norm();
@@ -221,7 +221,7 @@ void TessellationTest::anyProfileIsClosedAndNear() {
               side.squaredNorm() > 0 ? std::clamp((q - line[i - 1]).dot(side) / side.squaredNorm(), 0.0, 1.0) : 0.0;
           distance = std::min(distance, (q - line[i - 1] - along * side).norm());
         }
-        RC_ASSERT(distance <= chord + 5e-3);  // how well 200 chords an arc follow it
+        RC_ASSERT(distance <= chord + 5e-3);  // deviation of 200 chords per arc
       }
     }
   }));
@@ -250,7 +250,7 @@ void TessellationTest::refusesTooManyTriangles() {
       const auto refused = tessellate(profile, options);
       QVERIFY(!refused);
       QCOMPARE(refused.error().code, ErrorCode::ValueOutOfRange);
-      // What it names as the least works, and is not far above what would.
+      // The least tolerance that the error names works, and is not far above the true limit.
       options.chord = std::stod(refused.error().arguments[2]) * 1.00001;
       const auto soup = tessellate(profile, options);
       QVERIFY(soup.hasValue());

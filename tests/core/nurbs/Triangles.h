@@ -10,8 +10,8 @@
 
 namespace handwheel::test {
 
-// Whether a triangulation is closed: every edge in two triangles, once each way. By number, since positions may
-// coincide where a profile touches itself.
+// Returns true if a triangulation is closed. Every edge is in two triangles, once in each direction. By number, since
+// positions may coincide where a profile touches itself.
 inline bool isClosed(const TriangleSoup& soup) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (const Triangle& t : soup.triangles) {
@@ -23,7 +23,7 @@ inline bool isClosed(const TriangleSoup& soup) {
   });
 }
 
-// In degrees.
+// Returns the least angle, in degrees.
 inline double leastAngle(const TriangleSoup& soup, const Triangle& t) {
   double least = M_PI;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -33,7 +33,7 @@ inline double leastAngle(const TriangleSoup& soup, const Triangle& t) {
   return least * 180.0 / M_PI;
 }
 
-// Points all over a triangle, its corners included.
+// Returns points all over a triangle, its corners included.
 inline std::vector<Vec3> samples(const TriangleSoup& soup, const Triangle& t, int steps) {
   std::vector<Vec3> result;
   for (int i = 0; i <= steps; ++i)

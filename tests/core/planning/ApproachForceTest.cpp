@@ -46,7 +46,7 @@ class ApproachForceTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A ball at the flange before a large wall: the stiffness times what is nearer than the reach, at right angles to the
+  // A ball at the flange before a large wall: the stiffness times the distance below the reach, at right angles to the
   // wall, by the formula of a ball and a plane.
   void ofABallBeforeAWall() {
     const TwoBalls robot;
@@ -67,7 +67,7 @@ class ApproachForceTest : public QObject {
     }
   }
 
-  // The same felt at the end of a tool: the force at the ball turns the hand by its lever.
+  // The same force at the end of a tool: the force at the ball turns the hand by its lever.
   void turnsTheHandByItsLever() {
     const TwoBalls robot;
     const SerialArm arm = robot.arm();
@@ -83,7 +83,7 @@ class ApproachForceTest : public QObject {
     const Vec3 torque = (nearest - (flange * tool).translation()).cross(expected);
     QVERIFY((felt.force - expected).norm() < 0.02 * expected.norm());
     QVERIFY((felt.torque - torque).norm() < 0.02 * std::max(torque.norm(), 100.0 * expected.norm()));
-    // Less of all: less of its torque.
+    // A smaller torque share: less of its torque.
     ApproachForce weak(scene, arm, tool, {.reach = 10.0, .stiffness = 0.5, .largestForce = 1.0});
     const ApproachForce::Felt less = weak.at(TwoBalls::start());
     const double share = less.force.norm() / felt.force.norm();
@@ -108,7 +108,7 @@ class ApproachForceTest : public QObject {
       addBall(scene, ball + side * (2.0 * kBall + kDistance) * u, kBall, side > 0.0 ? 1 : 2);
     }
     const Pose tip = arm.tipPose(TwoBalls::start());
-    for (const Vec3& at : {Vec3(0, 0, 0), Vec3(30, 50, 100)}) {  // wherever it is felt
+    for (const Vec3& at : {Vec3(0, 0, 0), Vec3(30, 50, 100)}) {  // for any tool
       ApproachForce force(scene, arm, Pose(Eigen::Translation3d(at)),
                           {.reach = 10.0, .stiffness = 0.5, .largestForce = 50.0});
       const ApproachForce::Felt felt = force.at(TwoBalls::start());
@@ -120,8 +120,8 @@ class ApproachForceTest : public QObject {
     QVERIFY((tip.translation() - last.translation()).norm() < 1e-6);
   }
 
-  // What only the elbow comes near to is felt at the tool, too: the work that the hand does on a small way, the turn of
-  // the tool kept, is what the energy changes by.
+  // An obstacle near the elbow alone is felt at the tool, too: the work of the hand over a small displacement, with a
+  // fixed orientation of the tool, equals the change of the energy.
   void ofAnElbow() {
     const TwoBalls robot;
     const SerialArm arm = robot.arm();
@@ -154,16 +154,16 @@ class ApproachForceTest : public QObject {
       }
       return energy;
     };
-    constexpr double kWay = 0.01;  // mm
+    constexpr double kStep = 0.01;  // mm
     for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 away = kWay * Vec3::Unit(axis);
-      const double expected = -(energyAt(away) - energyAt(-away)) / (2.0 * kWay);
+      const Vec3 away = kStep * Vec3::Unit(axis);
+      const double expected = -(energyAt(away) - energyAt(-away)) / (2.0 * kStep);
       QVERIFY2(std::abs(felt.force[axis] - expected) < 1e-3 * std::max(1.0, felt.force.norm()),
                qPrintable(QString("%1: %2, not %3").arg(axis).arg(felt.force[axis]).arg(expected)));
     }
   }
 
-  // Stretched out and deep inside, the force is within its bound, and a number.
+  // Stretched out and deep inside, the force is within its bound, and finite.
   void isBounded() {
     const TwoBalls robot;
     const SerialArm arm = robot.arm();

@@ -20,7 +20,7 @@ SerialArm irb120() {
   return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
 }
 
-// The joint values for a pose next to others.
+// Returns the joint values for a pose next to others.
 ArmValues reached(const SerialArm& arm, const Pose& tip, const ArmValues& near) {
   return solvedNumerically(arm, tip, near, {.tolerance = 1e-10, .seconds = 1.0}).values;
 }
@@ -32,7 +32,7 @@ class CartesianLineTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Everywhere between two places, also half way, the tool is on the line.
+  // The tool is on the line everywhere between two waypoints, also half way.
   void staysOnTheLine() {
     const SerialArm arm = irb120();
     ArmValues from(6);
@@ -81,7 +81,7 @@ class CartesianLineTest : public QObject {
     QVERIFY(line.path.front() == from);
   }
 
-  void noWayAtAll() {
+  void noPathAtAll() {
     const SerialArm arm = irb120();
     const ArmValues at = ArmValues::Constant(6, 0.3);
     const FollowedLine line = followLine(arm, Pose::Identity(), at, at);

@@ -24,27 +24,27 @@ Vec3 anyDirection() {
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
-DrawnCurve drawn(const std::shared_ptr<const PartSurface>& surface, const std::vector<Vec3>& places) {
-  DrawnCurve curve(surface, places.front());
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    if (!curve.goOnTo(places[i])) qFatal("the curve is broken");
+DrawnCurve drawn(const std::shared_ptr<const PartSurface>& surface, const std::vector<Vec3>& points) {
+  DrawnCurve curve(surface, points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!curve.goOnTo(points[i])) qFatal("the curve is broken");
   }
   return curve;
 }
 
 }  // namespace
 
-// Curves drawn on parts: where they lie follows from the shapes.
+// Tests curves drawn on parts, whose positions follow from the shapes.
 class DrawnCurveTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Straight on a face, which is flat: as long as the ways between the places.
+  // On a flat face the curve is straight: as long as the distances of the points.
   void onAFace() {
     const SurfaceTrack track = drawn(block(), {{-40.0, -20.0, 20.0}, {0.0, 10.0, 25.0}, {30.0, 10.0, 20.0}}).track();
     QVERIFY(std::abs(track.length() - 80.0) < 1e-9);
-    QVERIFY((track.points.front().place - Vec3(-40.0, -20.0, 20.0)).norm() < 1e-9);
-    QVERIFY((track.points.back().place - Vec3(30.0, 10.0, 20.0)).norm() < 1e-9);
+    QVERIFY((track.points.front().position - Vec3(-40.0, -20.0, 20.0)).norm() < 1e-9);
+    QVERIFY((track.points.back().position - Vec3(30.0, 10.0, 20.0)).norm() < 1e-9);
     for (const TrackPoint& point : track.points) QVERIFY((point.normal - Vec3::UnitZ()).norm() < 1e-9);
     QVERIFY((track.points.front().direction - Vec3(0.8, 0.6, 0.0)).norm() < 1e-9);
   }
@@ -55,10 +55,10 @@ class DrawnCurveTest : public QObject {
     QVERIFY(std::abs(curve.track().length() - 70.0) < 1e-9);
     QVERIFY(curve.goOnTo({0.0, 5.0, 20.0}));
     QVERIFY(std::abs(curve.track().length() - 140.0) < 1e-9);
-    QVERIFY((curve.track().points.back().place - Vec3(0.0, 5.0, 20.0)).norm() < 1e-9);
+    QVERIFY((curve.track().points.back().position - Vec3(0.0, 5.0, 20.0)).norm() < 1e-9);
   }
 
-  // A great circle on a ball, but for its facets; the shorter way of the two.
+  // On a ball it is a great circle, except for the facets; the shorter arc of the two.
   void onABall() {
     constexpr double kRadius = 50.0;
     const auto ball = std::make_shared<const PartSurface>(surfaceOf(SphereShape{kRadius}, 96));
@@ -70,19 +70,19 @@ class DrawnCurveTest : public QObject {
       RC_ASSERT(curve.goOnTo(b));
       RC_ASSERT(std::abs(curve.track().length() - kRadius * angle) < 0.03 * kRadius * angle);
       for (const TrackPoint& point : curve.track().points) {
-        RC_ASSERT(std::abs(point.place.norm() - kRadius) < 0.01 * kRadius);
-        RC_ASSERT(point.normal.dot(point.place) > 0.98 * kRadius);
+        RC_ASSERT(std::abs(point.position.norm() - kRadius) < 0.01 * kRadius);
+        RC_ASSERT(point.normal.dot(point.position) > 0.98 * kRadius);
       }
     }));
   }
 
-  // Straight through a part, or to another piece of it, no surface leads.
+  // No surface leads straight through a part, or to another piece of it.
   void isBroken() {
     DrawnCurve curve(block(), {0.0, 0.0, 20.0});
     QVERIFY(!curve.goOnTo({0.0, 0.0, -20.0}));
     QVERIFY(!curve.goOnTo({std::nan(""), 0.0, 0.0}));
     QVERIFY(curve.track().points.empty());
-    QVERIFY(curve.goOnTo({0.0, 0.0, 20.0}));  // where it is
+    QVERIFY(curve.goOnTo({0.0, 0.0, 20.0}));  // the present point
     QVERIFY(curve.track().points.empty());
     TriangleSoup two = surfaceOf(BoxShape{{100.0, 60.0, 40.0}});
     const TriangleSoup one = two;

@@ -10,13 +10,13 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Curves to be followed by hand.
+// Tests curves to be followed by hand.
 class GuideCurveTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Nothing of the curve, tried at many places, is nearer.
-  void nearestPlace() {
+  // No point of the curve, of many that are tried, is nearer.
+  void nearestPoint() {
     QVERIFY(rc::check("none is nearer", [] {
       std::vector<Vec3> points;
       const int count = *rc::gen::inRange(1, 12);
@@ -24,7 +24,7 @@ class GuideCurveTest : public QObject {
       const GuideCurve curve(points);
       const Vec3 from(evenly(-200, 200), evenly(-200, 200), evenly(-200, 200));
       const GuideCurve::Nearest found = curve.nearest(from);
-      RC_ASSERT(std::abs((from - found.place).norm() - found.distance) < 1e-9);
+      RC_ASSERT(std::abs((from - found.position).norm() - found.distance) < 1e-9);
       for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         for (int k = 0; k <= 20; ++k)
           RC_ASSERT((points[i] + k / 20.0 * (points[i + 1] - points[i]) - from).norm() >= found.distance - 1e-9);
@@ -32,7 +32,8 @@ class GuideCurveTest : public QObject {
     }));
   }
 
-  // On the curve it stays; at the snap distance and beyond nothing happens; in between it comes nearer, without a leap.
+  // On the curve a point stays; at the snap distance and beyond nothing happens; in between it comes nearer, without a
+  // leap.
   void drawsToTheCurve() {
     const GuideCurve curve(std::vector<Vec3>{{0, 0, 0}, {100, 0, 0}});
     QCOMPARE(curve.drawn({40, 0, 0}, 10.0), Vec3(40, 0, 0));

@@ -25,7 +25,7 @@ class MotionCheckTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // One link of 1,000 mm sweeps a quarter of a circle past a ball that stands between two places.
+  // One link of 1,000 mm sweeps a quarter of a circle past a ball between two samples.
   void aThinObstacleIsNotMissed() {
     const RobotModel robot = planarArm({1000.0}, 10.0);
     RobotScene scene = sceneOf(robot);
@@ -38,14 +38,13 @@ class MotionCheckTest : public QObject {
     QVERIFY(std::abs(check.blockedAt() * M_PI / 2 - 0.777) < 0.02);
     MotionCheck before(scene, from, ArmValues::Constant(1, 0.75), {});
     QVERIFY(before.run() == MotionCheck::State::Free);
-    // 10 mm of the link and 0.5 of the ball at 700 mm: from 0.777 - asin(10.5 / 700) on it is met.
+    // 10 mm of the link and 0.5 of the ball at 700 mm: the collision begins at 0.777 - asin(10.5 / 700).
     const double touch = 0.777 - std::asin(10.5 / 700.0);
     QVERIFY(MotionCheck(scene, from, ArmValues::Constant(1, touch - 1e-3), {}).run() == MotionCheck::State::Free);
     QVERIFY(MotionCheck(scene, from, ArmValues::Constant(1, touch + 1e-3), {}).run() == MotionCheck::State::Blocked);
   }
 
-  // Cylinders that stand in a block, of which only a distance of 0 is known: they are too near with no clearance at
-  // all.
+  // Cylinders in a block, for which only a distance of 0 is known: they are too near with no clearance at all.
   void whatMeetsIsTooNear() {
     const RobotModel robot = robotOf(*libraryTable("irb120"));
     RobotScene scene = sceneOf(robot);
@@ -58,8 +57,8 @@ class MotionCheckTest : public QObject {
     QVERIFY(!scene.isFree(values, 0.0, 0.0));
   }
 
-  // What is found free is free at each of very many points, and keeps both clearances; what is blocked is too near
-  // there.
+  // A motion found free is free at each of very many points, and keeps both clearances; a blocked one is too near at
+  // the reported point.
   void freeIsFree() {
     int free = 0;
     QVERIFY(rc::check([&free] {
@@ -115,8 +114,8 @@ class MotionCheckTest : public QObject {
     QVERIFY(free > 10 && blocked > 10);
   }
 
-  // Whether a place is free is the same question as what blocks it, and what is listed there.
-  void freePlaces() {
+  // The test of a free configuration agrees with the blocker, and with the list of violations.
+  void freeConfigurations() {
     QVERIFY(rc::check([] {
       const RobotModel robot = planarArm({300.0, 250.0, 200.0}, 15.0);
       RobotScene scene = sceneOf(robot);
@@ -134,15 +133,15 @@ class MotionCheckTest : public QObject {
     }));
   }
 
-  // The other way round it is the same motion.
-  void bothWays() {
+  // The reversed motion is the same.
+  void bothDirections() {
     QVERIFY(rc::check([] {
       const RobotModel robot = planarArm({300.0, 250.0}, 15.0);
       RobotScene scene = sceneOf(robot);
       addBall(scene, {evenly(-500, 500), evenly(-500, 500), 0.0}, 20.0, 1);
       const ArmValues from = anyValues(2), to = anyValues(2);
       const double least = leastAlong(scene, from, to, 1e-3);
-      if (std::abs(least) < 0.2) return;  // too near to tell
+      if (std::abs(least) < 0.2) return;  // too near to decide
       const auto expected = least > 0.0 ? MotionCheck::State::Free : MotionCheck::State::Blocked;
       RC_ASSERT(MotionCheck(scene, from, to, {}).run() == expected);
       RC_ASSERT(MotionCheck(scene, to, from, {}).run() == expected);
@@ -163,7 +162,7 @@ class MotionCheckTest : public QObject {
     QVERIFY(MotionCheck(scene, from, to, {}).run() == MotionCheck::State::Free);
   }
 
-  // So many turns that all of them could not be looked at in a lifetime.
+  // So many turns that checking all of them would take a lifetime.
   void anEndlessMotionIsCancelled() {
     const RobotModel robot = planarArm({300.0, 250.0}, 15.0);
     RobotScene scene = sceneOf(robot);
@@ -177,7 +176,7 @@ class MotionCheckTest : public QObject {
     QVERIFY(endless.run(Progress(state)) == MotionCheck::State::Open);
     person.join();
     QVERIFY(endless.steps() >= 999);
-    // It goes on from where it was.
+    // The search continues from there.
     ArmValues half = ArmValues::Zero(2);
     half[0] = 3.0;
     MotionCheck motion(scene, ArmValues::Zero(2), half, {}), whole(scene, ArmValues::Zero(2), half, {});

@@ -20,14 +20,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Vec3 anyPlace(double far) {
+Vec3 anyPosition(double far) {
   return {evenly(-far, far), evenly(-far, far), evenly(-far, far)};
 }
 
-// A convex body of triangles: points of an ellipsoid, at a place far from the origin, its triangles in disorder.
+// Returns a convex body of triangles: points of an ellipsoid, far from the origin, its triangles in disorder.
 TriangleSoup anyEllipsoid(int rows, int columns) {
   TriangleSoup soup;
-  const Vec3 half(evenly(10, 90), evenly(10, 90), evenly(10, 90)), middle = anyPlace(1e4);
+  const Vec3 half(evenly(10, 90), evenly(10, 90), evenly(10, 90)), middle = anyPosition(1e4);
   for (int i = 0; i <= rows; ++i) {
     for (int k = 0; k < columns; ++k) {
       const double polar = kPi * i / rows, azimuth = 2.0 * kPi * k / columns;
@@ -48,7 +48,7 @@ TriangleSoup anyEllipsoid(int rows, int columns) {
   return soup;
 }
 
-// What a plane cuts out of a triangle; mm.
+// Returns the length of the section of a triangle with a plane; mm.
 double cutLength(const Corners& t, const Vec3& on, const Vec3& normal) {
   std::vector<Vec3> ends;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -106,7 +106,7 @@ bool areOriented(const SurfaceTrack& track) {
 
 }  // namespace
 
-// Curves on parts: where they lie follows from the shapes.
+// Tests curves on parts, whose positions follow from the shapes.
 class PartSurfaceTest : public QObject {
   Q_OBJECT
 
@@ -119,11 +119,11 @@ class PartSurfaceTest : public QObject {
       QVERIFY(!track.isClosed && areOriented(track));
       QCOMPARE(track.length(), 100.0);
       for (const TrackPoint& point : track.points) {
-        QVERIFY(std::abs(point.place.y() - 30.0) < 1e-12 && std::abs(point.place.z() - 20.0) < 1e-12);
+        QVERIFY(std::abs(point.position.y() - 30.0) < 1e-12 && std::abs(point.position.z() - 20.0) < 1e-12);
         QVERIFY((point.normal - Vec3(0.0, 1.0, 1.0).normalized()).norm() < 1e-12);
       }
       const SurfaceTrack back = track.reversed();
-      QCOMPARE(back.points.front().place, track.points.back().place);
+      QCOMPARE(back.points.front().position, track.points.back().position);
       QCOMPARE(back.points.front().direction, Vec3(-track.points.back().direction));
     }
   }
@@ -141,7 +141,7 @@ class PartSurfaceTest : public QObject {
       // The points of the rim are on the circle; its own chords are off by r (1 - cos(pi / sides)).
       const double sag = 30.0 * (1.0 - std::cos(kPi / sides));
       for (std::size_t i = 1; i < fewer.points.size(); ++i) {
-        const Vec3 middle = 0.5 * (fewer.points[i].place + fewer.points[i - 1].place);
+        const Vec3 middle = 0.5 * (fewer.points[i].position + fewer.points[i - 1].position);
         QVERIFY(30.0 - middle.head<2>().norm() <= tolerance + sag);
       }
     }
@@ -151,9 +151,9 @@ class PartSurfaceTest : public QObject {
 
   // A saw is jagged; a circle, a polygon, the steps of a part and a line that is not quite straight are not.
   void jaggedCurves() {
-    const auto through = [](int count, auto&& placeOf) {
+    const auto through = [](int count, auto&& positionOf) {
       SurfaceTrack track;
-      for (int i = 0; i < count; ++i) track.points.push_back({placeOf(i), Vec3::UnitX(), Vec3::UnitZ()});
+      for (int i = 0; i < count; ++i) track.points.push_back({positionOf(i), Vec3::UnitX(), Vec3::UnitZ()});
       return track;
     };
     const auto saw = [&](double height, int count) {
@@ -187,7 +187,7 @@ class PartSurfaceTest : public QObject {
     const SurfaceTrack track = PartSurface(kBlock).sectionNear({0.0, 0.0, 5.0}, Vec3::UnitZ(), {0.0, 40.0, 5.0});
     QVERIFY(track.isClosed && areOriented(track));
     QVERIFY(std::abs(track.length() - 320.0) < 1e-9);
-    for (const TrackPoint& point : track.points) QVERIFY(std::abs(point.place.z() - 5.0) < 1e-12);
+    for (const TrackPoint& point : track.points) QVERIFY(std::abs(point.position.z() - 5.0) < 1e-12);
     const SurfaceTrack corners = simplified(track, 0.01, 10.0);
     QCOMPARE(corners.points.size(), std::size_t{5});
   }
@@ -203,18 +203,18 @@ class PartSurfaceTest : public QObject {
     QVERIFY(box.sectionNear({0.0, 0.0, 30.0}, Vec3::UnitZ(), Vec3::Zero()).points.empty());
   }
 
-  // Of several curves the one that comes nearest.
+  // The nearest of several curves is returned.
   void twoParts() {
     TriangleSoup two = kBlock;
     for (const Triangle& t : kBlock.triangles) two.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
     for (std::size_t i = 0; i < 8; ++i) two.points.push_back(kBlock.points[i] + Vec3(500.0, 0.0, 0.0));
     const PartSurface both(two);
-    QVERIFY(both.sectionNear({0, 0, 0}, Vec3::UnitZ(), {490.0, 0.0, 0.0}).points.front().place.x() > 400.0);
-    QVERIFY(both.sectionNear({0, 0, 0}, Vec3::UnitZ(), {10.0, 0.0, 0.0}).points.front().place.x() < 100.0);
+    QVERIFY(both.sectionNear({0, 0, 0}, Vec3::UnitZ(), {490.0, 0.0, 0.0}).points.front().position.x() > 400.0);
+    QVERIFY(both.sectionNear({0, 0, 0}, Vec3::UnitZ(), {10.0, 0.0, 0.0}).points.front().position.x() < 100.0);
     QVERIFY(both.edgeNear({250.0, 400.0, 0.0}, 10.0).points.empty());
   }
 
-  // A piece is as long as it is to be, begins next to the place, and of a closed curve comes round at most once.
+  // A piece has its length, begins next to the position, and of a closed curve goes round at most once.
   void piecesOfCurves() {
     const SurfaceTrack around = PartSurface(kBlock).sectionNear({0.0, 0.0, 5.0}, Vec3::UnitZ(), {0.0, 40.0, 5.0});
     const Vec3 begin(10.0, 30.0, 5.0);
@@ -222,27 +222,27 @@ class PartSurfaceTest : public QObject {
       for (const SurfaceTrack& track : {around, around.reversed()}) {
         const SurfaceTrack piece = pieceFrom(track, begin + Vec3(0.0, 7.0, 0.0), length);
         QVERIFY(std::abs(piece.length() - length) < 1e-9);
-        QVERIFY((piece.points.front().place - begin).norm() < 1e-9 && !piece.isClosed && areOriented(piece));
+        QVERIFY((piece.points.front().position - begin).norm() < 1e-9 && !piece.isClosed && areOriented(piece));
       }
     }
     for (const double length : {321.0, 1e300}) {
       const SurfaceTrack whole = pieceFrom(around, begin, length);
       QVERIFY(whole.isClosed && std::abs(whole.length() - 320.0) < 1e-9);
-      QVERIFY((whole.points.back().place - begin).norm() < 1e-9);
+      QVERIFY((whole.points.back().position - begin).norm() < 1e-9);
     }
     const SurfaceTrack edge = PartSurface(kBlock).edgeNear({10.0, 30.0, 20.0}, 5.0);
-    const double rest = (edge.points.back().place - Vec3(10.0, 30.0, 20.0)).norm();
+    const double rest = (edge.points.back().position - Vec3(10.0, 30.0, 20.0)).norm();
     QVERIFY(std::abs(pieceFrom(edge, {10.0, 30.0, 20.0}, 1e9).length() - rest) < 1e-9);
-    QVERIFY(pieceFrom(edge, edge.points.back().place, 10.0).points.empty());
+    QVERIFY(pieceFrom(edge, edge.points.back().position, 10.0).points.empty());
     QVERIFY(pieceFrom({}, begin, 10.0).points.empty() && pieceFrom(edge, begin, 0.0).points.empty());
   }
 
-  // A plane through a convex body cuts it along one curve, which is as long as what it cuts out of all triangles.
+  // A plane through a convex body cuts it along one curve, which is as long as its sections of all triangles.
   void sectionsMissNoTriangle() {
     QVERIFY(rc::check("all of the curve", [] {
       const TriangleSoup soup = anyEllipsoid(*rc::gen::inRange(3, 20), *rc::gen::inRange(4, 30));
       const PartSurface surface(soup);
-      const Vec3 normal = (anyPlace(1.0) + Vec3(1e-3, 0, 0)).normalized();
+      const Vec3 normal = (anyPosition(1.0) + Vec3(1e-3, 0, 0)).normalized();
       const Vec3 &a = soup.points.front(), &b = soup.points.back();
       const Vec3 on = a + evenly(0.1, 0.9) * (b - a);
       double length = 0.0;
@@ -255,15 +255,15 @@ class PartSurfaceTest : public QObject {
   }
 
   // No triangle is nearer.
-  void nearestPlaces() {
+  void nearestPoints() {
     QVERIFY(rc::check("as of all triangles", [] {
       const TriangleSoup soup = anyEllipsoid(*rc::gen::inRange(3, 12), *rc::gen::inRange(4, 16));
       const PartSurface surface(soup);
       for (int i = 0; i < 10; ++i) {
-        const Vec3 place = soup.points[*rc::gen::inRange<std::size_t>(0, soup.points.size())] + anyPlace(50.0);
-        const double expected = distanceFromSurface(place, soup, Pose::Identity());
-        const TrackPoint found = surface.placeNear(place);
-        RC_ASSERT(std::abs((found.place - place).norm() - expected) < 1e-6);
+        const Vec3 position = soup.points[*rc::gen::inRange<std::size_t>(0, soup.points.size())] + anyPosition(50.0);
+        const double expected = distanceFromSurface(position, soup, Pose::Identity());
+        const TrackPoint found = surface.pointNear(position);
+        RC_ASSERT(std::abs((found.position - position).norm() - expected) < 1e-6);
         RC_ASSERT(std::abs(found.normal.norm() - 1.0) < 1e-9);
       }
     }));
@@ -271,7 +271,7 @@ class PartSurfaceTest : public QObject {
 
   void extremes() {
     QVERIFY(!PartSurface({}).hasEdges());
-    QVERIFY(PartSurface({}).placeNear(Vec3::Zero()).normal.isZero());
+    QVERIFY(PartSurface({}).pointNear(Vec3::Zero()).normal.isZero());
     QVERIFY(PartSurface({}).edgeNear(Vec3::Zero(), kAnywhere).points.empty());
     TriangleSoup broken = kBlock;
     broken.points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);

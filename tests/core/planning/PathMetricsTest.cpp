@@ -14,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// An arm of two links of 500 mm, and a ball in its way at x = 800 mm.
+// An arm of two links of 500 mm, and an obstructing ball at x = 800 mm.
 class PlanarScene {
  public:
   PlanarScene() : m_robot(planarArm({500.0, 500.0}, 30.0)), m_scene(sceneOf(m_robot)) {
@@ -34,7 +34,7 @@ class PlanarScene {
 
 }  // namespace
 
-// What is measured of paths, against formulas.
+// Tests the measurements of paths against formulas.
 class PathMetricsTest : public QObject {
   Q_OBJECT
 
@@ -77,7 +77,7 @@ class PathMetricsTest : public QObject {
     QVERIFY(std::abs(metrics.samples.back().at - 1.0) < 1e-12);
     for (const PathSample& sample : metrics.samples)
       QVERIFY(sample.clearance >= metrics.leastClearance && sample.limitMargin >= metrics.leastMargin);
-    // The lowest clearance is where the arm is nearest to the ball, whose surface is at 700 mm; the rest by hand.
+    // The lowest clearance is at the point nearest to the ball, whose surface is at 700 mm; the rest by hand.
     for (const PathSample& sample : metrics.samples) {
       const ArmValues values = a + sample.share * (b - a);
       QVERIFY((values - sample.values).norm() < 1e-12);
@@ -92,7 +92,7 @@ class PathMetricsTest : public QObject {
       QVERIFY(std::abs(clearance - sample.clearance) < 1e-9);
       QVERIFY(std::abs(sample.limitMargin - (3.0 - values.cwiseAbs().maxCoeff()) / 6.0) < 1e-12);
     }
-    // One place alone, and none.
+    // A single waypoint, and none.
     QCOMPARE(metricsOf(made.scene(), made.arm(), {a}).samples.size(), std::size_t{1});
     QVERIFY(metricsOf(made.scene(), made.arm(), {}).samples.empty());
   }

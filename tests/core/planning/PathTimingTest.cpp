@@ -13,12 +13,13 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Paths in time: limits hold, and nothing is slower than it must be.
+// Tests paths in time: limits hold, and nothing is slower than necessary.
 class PathTimingTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // With jerk 1 only: a quarter of the time each way, distance 2 · j · t³. With all limits reached: d/v + v/a + a/j.
+  // With jerk 1 only: a quarter of the time for each phase, distance 2 · j · t³. With all limits reached: d/v + v/a +
+  // a/j.
   void knownDurations() {
     QVERIFY(std::abs(RestToRest(2.0, 1e6, 1e6, 1.0).duration() - 4.0) < 1e-12);
     QVERIFY(std::abs(RestToRest(100.0, 2.0, 1.0, 0.5).duration() - (50.0 + 2.0 + 2.0)) < 1e-12);
@@ -29,15 +30,14 @@ class PathTimingTest : public QObject {
     QVERIFY(std::abs(RestToRest(5.0, 1.0, 1e6, 1.0).duration() - 7.0) < 1e-12);
   }
 
-  // What is as fast as it can be has a limit reached at every moment: that of the jerk, of the acceleration, or of the
-  // velocity.
+  // A time-optimal motion reaches a limit at every moment: that of the jerk, of the acceleration, or of the velocity.
   void aLimitIsAlwaysReached() {
     QVERIFY(rc::check("limits", [] {
       const double d = evenly(0.01, 10.0), v = evenly(0.1, 5.0), a = evenly(0.1, 20.0), j = evenly(0.5, 200.0);
       const RestToRest motion(d, v, a, j);
       constexpr int kSteps = 1000;
       const double step = motion.duration() / kSteps;
-      const double rounding = 1e-13 * (1.0 + d);  // of places
+      const double rounding = 1e-13 * (1.0 + d);  // rounding of positions
       int idle = 0;
       for (int i = 2; i < kSteps - 1; ++i) {
         const double before = motion.at((i - 1) * step), at = motion.at(i * step), after = motion.at((i + 1) * step);
@@ -52,8 +52,8 @@ class PathTimingTest : public QObject {
     }));
   }
 
-  // Of a path: no joint exceeds its own velocity, nor the acceleration and the jerk that follow from it, and one of
-  // them reaches its velocity in each long motion.
+  // In a path no joint exceeds its own velocity, nor the acceleration and the jerk that follow from it, and one of them
+  // reaches its velocity in each long motion.
   void jointsKeepTheirLimits() {
     RobotModel robot = planarArm({500.0, 500.0}, 30.0);
     const double most[] = {0.5, 0.0};  // rad/s; 0: not known
@@ -69,13 +69,14 @@ class PathTimingTest : public QObject {
     std::array<ArmValues, 2> fastest{ArmValues::Zero(2), ArmValues::Zero(2)};
     const Eigen::Array2d velocity(0.5, 2.0), acceleration = velocity / 0.25, jerk = acceleration / 0.1;
     for (double t = 2.0 * step; t < timed.duration(); t += step) {
-      const auto place = [&](int back) -> Eigen::Array2d { return timed.valuesAt(t - back * step).array(); };
-      const Eigen::Array2d v = ((place(0) - place(1)) / step).abs();
-      const Eigen::Array2d a = ((place(0) - 2.0 * place(1) + place(2)) / (step * step)).abs();
+      const auto valuesAgo = [&](int back) -> Eigen::Array2d { return timed.valuesAt(t - back * step).array(); };
+      const Eigen::Array2d v = ((valuesAgo(0) - valuesAgo(1)) / step).abs();
+      const Eigen::Array2d a = ((valuesAgo(0) - 2.0 * valuesAgo(1) + valuesAgo(2)) / (step * step)).abs();
       QVERIFY((v <= velocity * (1.0 + 1e-9)).all());
       QVERIFY((a <= acceleration * (1.0 + 1e-6)).all());
       if (t > 3.0 * step) {
-        const Eigen::Array2d j = ((place(0) - 3.0 * place(1) + 3.0 * place(2) - place(3)) / (step * step * step)).abs();
+        const Eigen::Array2d j =
+            ((valuesAgo(0) - 3.0 * valuesAgo(1) + 3.0 * valuesAgo(2) - valuesAgo(3)) / (step * step * step)).abs();
         QVERIFY((j <= jerk * (1.0 + 1e-3)).all());
       }
       ArmValues& seen = fastest[timed.motionAt(t)];
@@ -87,7 +88,7 @@ class PathTimingTest : public QObject {
     QVERIFY(std::abs(timed.duration() - (1.0 / 0.5 + 0.35 + 3.0 / 2.0 + 0.35)) < 1e-9);
   }
 
-  // By differences: velocity, acceleration and jerk stay within their limits, and the way is done.
+  // By differences: velocity, acceleration and jerk stay within their limits, and the distance is covered.
   void limitsHold() {
     QVERIFY(rc::check("limits", [] {
       const double d = evenly(0.01, 10.0), v = evenly(0.1, 5.0), a = evenly(0.1, 20.0), j = evenly(0.5, 200.0);
@@ -109,7 +110,7 @@ class PathTimingTest : public QObject {
     }));
   }
 
-  void aPathStopsAtItsPlaces() {
+  void aPathStopsAtItsWaypoints() {
     const RobotModel robot = planarArm({500.0, 500.0}, 30.0);
     const RobotScene scene = sceneOf(robot);
     JointPath path(3, ArmValues::Zero(2));
@@ -120,15 +121,15 @@ class PathTimingTest : public QObject {
     QCOMPARE(timed.motionAt(-1.0), std::size_t{0});
     QCOMPARE(timed.motionAt(1e9), std::size_t{1});
     QVERIFY(timed.valuesAt(1e9) == path[2]);
-    // Half as fast takes longer; a path of one place, and one that does not move, take no time.
+    // Half the speed takes longer; a path of one waypoint, and one that does not move, take no time.
     const MotionPace half[] = {{.speed = 0.5}, {.speed = 0.5}};
     QVERIFY(TimedPath(scene, path, {}, half).duration() > timed.duration());
     QCOMPARE(TimedPath(scene, {path[0]}, {}).duration(), 0.0);
     QCOMPARE(TimedPath(scene, {path[0], path[0]}, {}).duration(), 0.0);
   }
 
-  // A line of the tool in three motions: its own speed, by the profile of the whole, and where the joints are the
-  // limit, theirs.
+  // A line of the tool in three motions: its own speed, by the profile of the whole, and that of the joints if they are
+  // the limit.
   void aLineHasItsSpeed() {
     const RobotModel robot = planarArm({500.0, 500.0}, 30.0);
     const RobotScene scene = sceneOf(robot);
@@ -140,7 +141,7 @@ class PathTimingTest : public QObject {
       const double cruise = 300.0 / speed;
       QVERIFY(timed.duration() > cruise && timed.duration() < cruise + 1.0);
       for (std::size_t i = 0; i < 4; ++i) QVERIFY((timed.valuesAt(timed.beginOf(i)) - path[i]).norm() < 1e-6);
-      // In its middle the tool is as fast as asked for: 0.1 rad of the joint to 100 mm.
+      // In its middle the tool has the requested speed: 0.1 rad of the joint to 100 mm.
       const double middle = 0.5 * timed.duration(), step = 1e-3;
       const double joint = timed.valuesAt(middle + step)[0] - timed.valuesAt(middle - step)[0];
       QVERIFY(std::abs(joint / (2.0 * step) * 1000.0 - speed) < 1e-3 * speed);

@@ -34,7 +34,7 @@ class PathVerificationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // One link of 1,000 mm passes two balls, there and back: where it meets them is known.
+  // One link of 1,000 mm passes two balls, there and back: the positions of the collisions are known.
   void allStretchesAreListed() {
     RobotScene scene = sceneOf(planarArm({1000.0}, 10.0));
     const double angles[] = {-0.6, 0.7};
@@ -51,10 +51,10 @@ class PathVerificationTest : public QObject {
       QCOMPARE(each.motion, i / 2);
       const std::uint32_t owner = i == 0 || i == 3 ? 0 : 1;
       QCOMPARE(each.deepest.owner, owner);
-      const double way = i < 2 ? 2.4 : -2.4, begin = i < 2 ? -1.2 : 1.2;
+      const double displacement = i < 2 ? 2.4 : -2.4, begin = i < 2 ? -1.2 : 1.2;
       const double sign = i < 2 ? 1.0 : -1.0;
-      QVERIFY(std::abs(begin + way * each.from - (angles[owner] - sign * touch)) < 2.0 * step);
-      QVERIFY(std::abs(begin + way * each.to - (angles[owner] + sign * touch)) < 2.0 * step);
+      QVERIFY(std::abs(begin + displacement * each.from - (angles[owner] - sign * touch)) < 2.0 * step);
+      QVERIFY(std::abs(begin + displacement * each.to - (angles[owner] + sign * touch)) < 2.0 * step);
       QVERIFY(each.from <= each.deepestAt && each.deepestAt <= each.to);
     }
   }
@@ -69,7 +69,7 @@ class PathVerificationTest : public QObject {
     QVERIFY((owners == std::set<std::uint32_t>{0, 1, 2}));
   }
 
-  // What is thinner than the step between marks is found by the proof, and listed.
+  // An obstacle thinner than the step between samples is found by the proof, and listed.
   void thinObstaclesAreListed() {
     RobotScene scene = sceneOf(planarArm({1000.0}, 0.5));
     addBall(scene, {800.0 * std::cos(0.3456), 800.0 * std::sin(0.3456), 0.0}, 0.1, 5);
@@ -80,7 +80,7 @@ class PathVerificationTest : public QObject {
     QVERIFY(std::abs(result.collisions[0].deepestAt - 0.3456) < 1e-3);
   }
 
-  // The surface of the cube is far from the arm, which is inside of it as a whole.
+  // The surface of the cube is far from the arm, which is inside it as a whole.
   void aStartInsideIsFound() {
     RobotScene scene = sceneOf(planarArm({100.0}, 10.0));
     scene.addObstacle(CollisionBody({cube(500.0)}), Pose::Identity(), kBox);
@@ -94,7 +94,7 @@ class PathVerificationTest : public QObject {
     }
   }
 
-  // A clearance that is not kept is a collision as long as it is not kept.
+  // A violated clearance is a collision.
   void clearanceCounts() {
     RobotScene scene = sceneOf(planarArm({1000.0}, 10.0));
     addBall(scene, {700.0 * std::cos(0.5), 700.0 * std::sin(0.5), 100.0}, 60.0, 1);

@@ -48,7 +48,7 @@ class RobotSceneTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Wherever on a motion the joints are off by at most so much, no point of the arm is farther away than it says.
+  // If the joints deviate by at most so much anywhere on a motion, no point of the arm is farther away than the bound.
   void boundAlongAMotion() {
     QVERIFY(rc::check([] {
       const std::vector<double> lengths{400.0, 300.0, 200.0};
@@ -72,7 +72,7 @@ class RobotSceneTest : public QObject {
       };
       const ArmValues on = from + evenly(0.0, 1.0) * (to - from);
       RC_ASSERT((end(on + off) - end(on)).norm() <= scene.travelBound(from, to, spread));
-      // It is of use only while it is not much more than what one place has.
+      // The bound is useful only while it is not much more than that of a single configuration.
       RC_ASSERT(scene.travelBound(from, to, spread) <= 1.5 * scene.travelBound(from, spread) + 1e-9);
     }));
   }
@@ -111,14 +111,14 @@ class RobotSceneTest : public QObject {
     const std::vector<double> deepestFirst{50.0, 55.0, 45.0, 60.0};
     QCOMPARE(touches.size(), deepestFirst.size());
     for (std::size_t i = 0; i < touches.size(); ++i) {
-      const Vec3 ball(deepestFirst[i], 0.0, 0.0), way = (ball - beside).normalized();
+      const Vec3 ball(deepestFirst[i], 0.0, 0.0), direction = (ball - beside).normalized();
       QVERIFY(std::abs(touches[i].distance - ((ball - beside).norm() - 13.0)) < 1e-9);
-      QVERIFY((touches[i].normal - way).norm() < 1e-9);
-      QVERIFY((touches[i].first - (ball - 5.0 * way)).norm() < 1e-9);
-      QVERIFY((touches[i].second - (beside + 8.0 * way)).norm() < 1e-9);
+      QVERIFY((touches[i].normal - direction).norm() < 1e-9);
+      QVERIFY((touches[i].first - (ball - 5.0 * direction)).norm() < 1e-9);
+      QVERIFY((touches[i].second - (beside + 8.0 * direction)).norm() < 1e-9);
     }
     QCOMPARE(scene.touches(straight, scene.nearest(straight, 1e9), 2).size(), std::size_t{2});
-    // Where nothing touches, the closest points.
+    // If nothing touches, the closest points are returned.
     RobotScene apart = sceneOf(planarArm({100.0}, 5.0));
     addBall(apart, away, 8.0, 3);
     const auto closest = apart.touches(straight, apart.nearest(straight, 1e9), 100);
@@ -127,11 +127,11 @@ class RobotSceneTest : public QObject {
     QVERIFY(apart.touches(straight, {0.0}, 100).empty());
   }
 
-  // Around a ball in the corner: along one side and along the other, without the places in between.
+  // Around a ball in the corner: along one side and along the other, without the waypoints in between.
   void shortcutsLeaveOutWhatTheyCan() {
     RobotScene scene = sceneOf(slidingBall());
     QVERIFY(scene.isSound());
-    // Where the ball on the slides is, at these values.
+    // Returns the position of the ball on the slides at these values.
     const auto at = [&](double first, double second) {
       const SerialArm arm =
           armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .isPrismatic = true}, {.alpha = M_PI / 2, .isPrismatic = true}});

@@ -30,7 +30,7 @@ class HandledRobot {
     values << 0.2, 0.1, 0.3, 0.1, 0.7, 0.0;
     return values;
   }
-  // Where the robot ends along an axis at its start, downwards: by a plate that is brought near.
+  // Returns the end of the robot along an axis at its start, downwards: by a plate that is brought near.
   static double leastOf(const RobotScene& scene, const SerialArm& arm, Eigen::Index axis) {
     const Vec3 tip = arm.tipPose(start()).translation();
     double least = tip[axis] - 300.0, most = tip[axis];
@@ -68,7 +68,7 @@ class TeleoperationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Slowly, in the open: the tool is where the hand wants it, and no force is felt.
+  // Slowly, in the open: the tool is at the wanted pose, and no force is felt.
   void followsInTheOpen() {
     const HandledRobot robot;
     Teleoperation following = robot.teleoperation();
@@ -96,7 +96,7 @@ class TeleoperationTest : public QObject {
     QVERIFY(step.behind > 50.0);
     QVERIFY(step.force.x() < -1.0);
     QVERIFY(step.tool.translation().y() > robot.teleoperation().tool().translation().y());  // it slid along
-    // Back out it comes.
+    // It comes back out.
     for (int i = 0; i < 400; ++i) {
       wanted.translation() += Vec3(-1.0, 0.0, 0.0);
       step = following.follow(wanted, 0.02);
@@ -105,7 +105,7 @@ class TeleoperationTest : public QObject {
     QVERIFY(step.behind < 1.0);
   }
 
-  // A hand that leaps and rests: the robot is there at once where nothing is in the way, and never in the wall.
+  // A hand that leaps and rests: the robot is there at once if there is no obstacle, and never in the wall.
   void isLedByLeaps() {
     const HandledRobot robot;
     Teleoperation following = robot.teleoperation();
@@ -122,8 +122,8 @@ class TeleoperationTest : public QObject {
     QVERIFY(following.lead(wanted).tool.matrix().allFinite());
   }
 
-  // A SCARA whose hand tilts, which it cannot: its tool is where the hand is, and turns about its axis as the hand
-  // does.
+  // A SCARA whose hand tilts, which it cannot: its tool is at the position of the hand, and turns about its axis as the
+  // hand does.
   void followsWithFourJoints() {
     const DhTable table{.name = "scara",
                         .joints = {{{.a = 300.0, .d = 400.0, .lower = -2.5, .upper = 2.5}, "a"},
@@ -148,12 +148,12 @@ class TeleoperationTest : public QObject {
                         begin.linear();
       QVERIFY(following.follow(wanted, 0.05).behind < 0.05);
     }
-    // Of all turns about z that by 0.5 is the nearest: the tilt alone is left.
+    // The rotation about z by 0.5 is the nearest of all: the tilt alone is left.
     const Eigen::AngleAxisd off(following.tool().linear().transpose() * wanted.linear());
     QVERIFY(std::abs(off.angle() - 0.3) < 0.01);
   }
 
-  // Joint by joint: there, or at the limit.
+  // Joint by joint: at the wanted value, or at the limit.
   void isLedByJoints() {
     const HandledRobot robot;
     Teleoperation following = robot.teleoperation();
@@ -168,8 +168,9 @@ class TeleoperationTest : public QObject {
     QCOMPARE(following.values()[5], robot.scene().joint(5).upper);
   }
 
-  // Where axes 4 and 6 are in line, and where the wrist is above axis 1: the hand goes straight on, the tool with it.
-  void throughSingularPlaces_data() {
+  // Configurations with axes 4 and 6 in line, and with the wrist above axis 1: the hand continues straight, the tool
+  // with it.
+  void throughSingularities_data() {
     QTest::addColumn<QList<double>>("from");
     QTest::addColumn<QList<double>>("to");
     const QList<double> bent{2.5, 0.1, 0.1, 0.0, 0.5, 0.0};
@@ -179,7 +180,7 @@ class TeleoperationTest : public QObject {
     QTest::newRow("wrist above the first axis")
         << QList<double>{2.5, -0.3, -0.3, 0.0, 0.6, 0.0} << QList<double>{2.5, -0.8, -0.3, 0.0, 0.6, 0.0};
   }
-  void throughSingularPlaces() {
+  void throughSingularities() {
     QFETCH(const QList<double>, from);
     QFETCH(const QList<double>, to);
     const HandledRobot robot;
@@ -189,23 +190,23 @@ class TeleoperationTest : public QObject {
     Teleoperation following(robot.scene(), arm, Pose::Identity(), start, {});
     const Pose first = following.tool(), last = arm.tipPose(end);
     const Eigen::Quaterniond before(first.linear()), after(last.linear());
-    const Vec3 way = last.translation() - first.translation();
+    const Vec3 displacement = last.translation() - first.translation();
     constexpr int kSteps = 200;
     Pose wanted = first;
     for (int i = 1; i <= kSteps; ++i) {
       const double share = static_cast<double>(i) / kSteps;
-      wanted = Eigen::Translation3d(first.translation() + share * way) * before.slerp(share, after);
+      wanted = Eigen::Translation3d(first.translation() + share * displacement) * before.slerp(share, after);
       const Pose was = following.tool();
       const Teleoperation::Step step = following.follow(wanted, 0.02);
       QVERIFY(!step.isBlocked && step.behind < 5.0);
-      QVERIFY((following.tool().translation() - was.translation()).norm() > 0.05 * way.norm() / kSteps);
+      QVERIFY((following.tool().translation() - was.translation()).norm() > 0.05 * displacement.norm() / kSteps);
     }
     for (int i = 0; i < 20; ++i) following.follow(last, 0.02);  // the joints may have been too slow
     QVERIFY((following.tool().translation() - last.translation()).norm() < 0.1);
     QVERIFY((following.tool().linear() - last.linear()).norm() < 1e-3);
   }
 
-  // A robot that stands beyond a limit goes back to it, by its joints or by its tool, and no further out.
+  // A robot beyond a limit returns to it, by its joints or by its tool, and goes no further out.
   void backFromBeyondALimit() {
     const HandledRobot robot;
     const SerialArm arm = robot.arm();
@@ -298,7 +299,7 @@ class TeleoperationTest : public QObject {
     QVERIFY(robot.scene().nearestObstacle(following.values(), 1e3).distance > begin + 5.0);
   }
 
-  // Begun inside of a box, the robot is not led through it, and comes out where it went in.
+  // From a start inside a box, the robot is not led through it, and comes out where it went in.
   void neverDeeperInABox() {
     const HandledRobot robot;
     const SerialArm arm = robot.arm();
@@ -315,7 +316,7 @@ class TeleoperationTest : public QObject {
     QVERIFY((following.tool().translation() - at).norm() < 5.0);
   }
 
-  // However wild the hand is: within the limits, no faster than the joints, free, finite.
+  // For any motion of the hand: within the limits, no faster than the joints, free, finite.
   void anyHand() {
     const HandledRobot robot;
     QVERIFY(rc::check("limits, speed and freedom", [&] {

@@ -55,9 +55,9 @@ class ToolTrackTest : public QObject {
     QVERIFY((pose({}).linear().col(2) + Vec3::UnitZ()).norm() < 1e-12);
     QVERIFY((pose({}).linear().col(0) - Vec3::UnitX()).norm() < 1e-12);
     QVERIFY(std::abs(pose({}).linear().determinant() - 1.0) < 1e-12);
-    // Leading by 30° the tool points ahead: its axis has sin 30° along the way.
+    // With a lead of 30° the tool points ahead: its axis has sin 30° along the curve.
     QVERIFY((pose({.lead = std::numbers::pi / 6.0}).linear().col(2) - Vec3(0.5, 0.0, -std::sqrt(0.75))).norm() < 1e-12);
-    // Who goes along x and stands on the surface has -y to his right: the body of the tool is there.
+    // Along x, standing on the surface, the right side is -y: the body of the tool is there.
     QVERIFY((pose({.tilt = std::numbers::pi / 6.0}).linear().col(2) - Vec3(0.0, 0.5, -std::sqrt(0.75))).norm() < 1e-12);
     QVERIFY((pose({.spin = 0.7}).linear().col(2) + Vec3::UnitZ()).norm() < 1e-12);
     QVERIFY(std::abs((pose({.lead = 0.3, .standoff = 10.0}).translation() - Vec3(1.0, 2.0, 3.0)).norm() - 10.0) < 1e-9);
@@ -84,8 +84,8 @@ class ToolTrackTest : public QObject {
     }
   }
 
-  // The way is the shortest one up the ladder: by trying all combinations.
-  void shortestWay() {
+  // The path is the shortest one through the ladder, compared with all combinations.
+  void shortestPath() {
     const SerialArm arm = armCalled("irb120");
     const RobotScene scene = sceneCalled("irb120");
     const std::vector<Pose> poses = lineOfPoses({350.0, -50.0, 250.0}, 100.0, 3);
@@ -120,8 +120,8 @@ class ToolTrackTest : public QObject {
     QVERIFY(std::abs(costOf(track.values) - least) < 1e-6);
   }
 
-  // A ball where the straight elbow would go: another way is taken, and it is free by a check of its own.
-  void waysAroundObstacles() {
+  // A ball on the path of the straight elbow: another path is taken, and it is free by a check of its own.
+  void pathsAroundObstacles() {
     const SerialArm arm = armCalled("irb120");
     RobotScene scene = sceneCalled("irb120");
     const std::vector<Pose> poses = lineOfPoses({350.0, -100.0, 250.0}, 200.0, 5);
@@ -139,7 +139,7 @@ class ToolTrackTest : public QObject {
     }
   }
 
-  // What is in the way of every configuration is named, with the point where it is.
+  // An obstacle to every configuration is named, with the point at which it blocks.
   void whatBlocksIsNamed() {
     const SerialArm arm = armCalled("irb120");
     RobotScene scene = sceneCalled("irb120");

@@ -22,7 +22,7 @@ std::unique_ptr<ChildProcess> shell(const std::string& command, const ChildOptio
   return ChildProcess::start({"/bin/sh", "-c", command}, options);
 }
 
-// The child once it has ended.
+// Returns the child once it has ended.
 std::unique_ptr<ChildProcess> ran(const std::string& command, const ChildOptions& options = {}) {
   auto child = shell(command, options);
   while (child && !child->hasEnded()) ChildProcess::wait(std::span(&child, 1), 1s);
@@ -76,7 +76,7 @@ class ChildProcessTest : public QObject {
     QCOMPARE(ran("cat")->output(), std::string());
   }
 
-  // Also with streams of ours closed, whose numbers its pipes then get.
+  // Streams of ours are closed, and its pipes get their numbers.
   void closedStreamsAreNoMatter() {
     const int input = dup(STDIN_FILENO);
     close(STDIN_FILENO);

@@ -19,8 +19,8 @@
 #include <thread>
 #include <vector>
 
-// A reader that does what its first option says: what readers of hostile files have been seen to do, and what else
-// could be thought of. The second option, if any, is a mark by which tests find its process.
+// A reader with the behaviour of its first option: known and conceivable behaviours of readers of hostile files. The
+// second option, if any, is a mark by which tests find its process.
 
 using namespace handwheel;
 
@@ -29,7 +29,7 @@ namespace {
 using namespace std::chrono_literals;
 
 volatile unsigned sink = 0;
-volatile bool isEndless = true;  // which the compiler does not know
+volatile bool isEndless = true;  // unknown to the compiler
 
 std::string contentOf(const char* file) {
   std::ifstream stream(file);
@@ -40,7 +40,7 @@ Error failure(const std::string& reason) {
   return {ErrorCode::LibraryFailed, {"", reason}, {}, {}};
 }
 
-// Not a tail call, and not without its frame.
+// The recursion is neither a tail call nor without its frame.
 int recurse(int depth) {
   volatile char frame[4096] = {};
   frame[0] = static_cast<char>(depth);
@@ -52,7 +52,7 @@ Result<std::string> allocate() {
   std::vector<std::unique_ptr<char[]>> all;
   for (;;) {
     constexpr std::size_t kBlock = 16 << 20;
-    all.push_back(std::make_unique<char[]>(kBlock));  // zeroed, so that it is really taken
+    all.push_back(std::make_unique<char[]>(kBlock));  // zeroed, so that the memory is really used
   }
 }
 
@@ -64,7 +64,7 @@ void sleepForever() {
   while (isEndless) std::this_thread::sleep_for(1h);
 }
 
-// The numbers of the files that are open, as the system lists them.
+// Returns the numbers of the open files, from the system's list.
 std::string openFiles() {
   std::string all;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
@@ -93,7 +93,7 @@ Result<std::string> report(Progress progress) {
   return std::string("reported");
 }
 
-// Reads with a reader of its own, which does not end: to be killed itself.
+// Reads with a reader of its own, which does not end: this process is to be killed.
 Result<std::string> beParent(const char* program, const char* mark) {
   return readIsolated({program, "a library", {}}, {"sleep", mark}, "bytes");
 }
@@ -125,7 +125,7 @@ Result<std::string> misbehave(std::string_view bytes, std::span<char* const> opt
   return found == all.end() ? failure("no such behaviour") : found->second();
 }
 
-// What does not keep to what readers and the program have agreed on.
+// Breaks the agreement between readers and program in some manner.
 void disagree(const std::string& how) {
   const std::string garbage(4096, '\xff');
   if (how == "garbage") std::_Exit(::write(STDOUT_FILENO, garbage.data(), garbage.size()) > 0 ? 0 : 1);

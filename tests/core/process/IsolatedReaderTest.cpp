@@ -31,7 +31,7 @@ Result<std::string> readAs(const std::string& how, std::string_view bytes = {}) 
   return readIsolated(hostile(), {how}, bytes);
 }
 
-// "CODE: reason", or what was read.
+// Returns "CODE: reason", or the content.
 QString outcomeOf(const Result<std::string>& read) {
   if (read) return QStringLiteral("read ") + QString::fromStdString(*read);
   const Error& error = read.error();
@@ -41,7 +41,7 @@ QString outcomeOf(const Result<std::string>& read) {
   return QString::fromStdString(error.arguments[0] + ": " + error.arguments[1]);
 }
 
-// How many processes were started with this word.
+// Returns the number of processes that were started with this word.
 int processesWith(const std::string& mark) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -56,7 +56,7 @@ std::size_t openFiles() {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {}));
 }
 
-// From the cancel until the reader is gone.
+// Returns the time from the cancel until the reader is gone.
 std::chrono::steady_clock::duration timeToCancel(const char* how) {
   JobState job;
   const std::string mark = "cancelled-" + std::to_string(getpid());
@@ -86,7 +86,7 @@ class IsolatedReaderTest : public QObject {
  private slots:
   void init() { m_openBefore = openFiles(); }
 
-  // Whatever a test did: no child is left, not even a dead one, and no file is open.
+  // After any test: no child is left, not even a dead one, and no file is open.
   void cleanup() {
     QVERIFY(waitpid(-1, nullptr, WNOHANG) < 0 && errno == ECHILD);
     QCOMPARE(openFiles(), m_openBefore);
@@ -156,7 +156,7 @@ class IsolatedReaderTest : public QObject {
     IsolatedReader reader = hostile();
     reader.limits.cpu = 11s;
     const QString limits = outcomeOf(readIsolated(reader, {"limits"}, ""));
-    const bool isSanitized = reader.limits.memory == 0;  // whose runtime lowers the limit of cores further
+    const bool isSanitized = reader.limits.memory == 0;  // the runtime of a sanitizer lowers the limit of cores further
     QVERIFY2(limits.startsWith(isSanitized ? "read core 0\ncpu 11\n" : "read core 1\ncpu 11\n"), qPrintable(limits));
     if (!isSanitized)
       QVERIFY(limits.endsWith(QString("memory %1\n").arg(static_cast<qulonglong>(reader.limits.memory))));
@@ -203,8 +203,8 @@ class IsolatedReaderTest : public QObject {
     QVERIFY(std::find(seen.begin(), seen.end(), 0.5) != seen.end());
   }
 
-  // However it is busy, and also before it is. Within 250 ms where the machine is not busy with something else: the
-  // shortest of some tries is taken.
+  // A cancel works in any state of the reader, also before it starts. Within 250 ms on an idle machine: the shortest of
+  // some tries is taken.
   void cancelKillsIt() {
     constexpr int kTries = 5;
     for (const char* how : {"sleep", "work", "flood", "complain", "close"}) {
@@ -226,7 +226,7 @@ class IsolatedReaderTest : public QObject {
       parent.setStandardInputFile(input);  // any file will do
       parent.start(QString::fromUtf8(HOSTILE_READER), {"parent", QString::fromStdString(mark)});
       QVERIFY(parent.waitForStarted());
-      QTRY_COMPARE(processesWith(mark), 2);  // the parent, whose second word it is, too
+      QTRY_COMPARE(processesWith(mark), 2);  // the parent has the mark as its second word, too
       ::kill(static_cast<pid_t>(parent.processId()), SIGKILL);
       parent.waitForFinished();
     }
@@ -247,7 +247,7 @@ class IsolatedReaderTest : public QObject {
     QCOMPARE(right.load(), 40);
   }
 
-  // By a person who found it in the folder.
+  // The reader is started by a person who found it in the folder.
   void startedByHand() {
     QProcess program;
     program.start(QString::fromUtf8(HOSTILE_READER), {"echo"});

@@ -8,7 +8,7 @@
 
 #include <rapidcheck.h>
 
-// What the tests of the hierarchy ask, and where.
+// Queries for the tests of the hierarchy, on random surfaces.
 namespace handwheel::test {
 
 inline TriangleHierarchy hierarchyOf(const Surface& s) {
@@ -39,7 +39,7 @@ inline Vec3 anyPoint(double low, double high) {
   return {*within(low, high), *within(low, high), *within(low, high)};
 }
 
-// A soup in the unit cube, and where to put it.
+// A soup in the unit cube with a scale and a shift.
 struct Placed {
   Surface surface;
   double scale;

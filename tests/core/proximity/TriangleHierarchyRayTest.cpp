@@ -50,7 +50,7 @@ void TriangleHierarchyRayTest::firstHitAgainstBruteForce() {
       const auto hit = h.firstHit(origin, direction);
       RC_ASSERT(hit.has_value() == expected.has_value());
       if (!hit) continue;
-      // The lengths are scaled by powers of two on the way, so they agree to the last bit.
+      // The lengths are only scaled by powers of two, so they agree to the last bit.
       RC_ASSERT(hit->distance == expected->distance);
       RC_ASSERT(hit->triangle == expected->triangle);
     }
@@ -89,7 +89,7 @@ void TriangleHierarchyRayTest::firstHitInTheMiddleOfATriangle() {
     const auto hit = h.firstHit(middle - 3.0 * direction, direction);
     RC_ASSERT(hit.has_value());
     RC_ASSERT(hit->distance <= 3.0 + 1e-9);
-    // What was hit lies on the ray.
+    // The hit point lies on the ray.
     const auto met = s.corners(hit->triangle);
     const Vec3 at = middle + (hit->distance - 3.0) * direction;
     RC_ASSERT((closestOnTriangle(at, met[0], met[1], met[2]) - at).norm() < 1e-9);
@@ -166,7 +166,7 @@ void TriangleHierarchyRayTest::alongTheAxesOfAGrid() {
   constexpr int n = 16;
   for (int axis = 0; axis < 3; ++axis) {
     Surface s;
-    const auto place = [&](double u, double v, double w) {
+    const auto pointAt = [&](double u, double v, double w) {
       Vec3 p;
       p[(axis + 1) % 3] = u;
       p[(axis + 2) % 3] = v;
@@ -174,7 +174,7 @@ void TriangleHierarchyRayTest::alongTheAxesOfAGrid() {
       return p;
     };
     for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j) s.points.push_back(place(i, j, 0));
+      for (int j = 0; j <= n; ++j) s.points.push_back(pointAt(i, j, 0));
     for (std::uint32_t i = 0; i < n; ++i)
       for (std::uint32_t j = 0; j < n; ++j) {
         const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
@@ -185,12 +185,12 @@ void TriangleHierarchyRayTest::alongTheAxesOfAGrid() {
     for (int i = 0; i <= 2 * n; ++i)
       for (int j = 0; j <= 2 * n; ++j)
         for (const double side : {7.0, -7.0}) {
-          const auto hit = h.firstHit(place(i / 2.0, j / 2.0, side), place(0, 0, -side));
+          const auto hit = h.firstHit(pointAt(i / 2.0, j / 2.0, side), pointAt(0, 0, -side));
           QVERIFY(hit.has_value());
           QCOMPARE(hit->distance, 1.0);
         }
-    QVERIFY(!h.firstHit(place(-0.001, 1, 7), place(0, 0, -1)));
-    QVERIFY(!h.firstHit(place(1, n + 0.001, 7), place(0, 0, -1)));
+    QVERIFY(!h.firstHit(pointAt(-0.001, 1, 7), pointAt(0, 0, -1)));
+    QVERIFY(!h.firstHit(pointAt(1, n + 0.001, 7), pointAt(0, 0, -1)));
   }
 }
 

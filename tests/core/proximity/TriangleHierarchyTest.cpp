@@ -120,7 +120,7 @@ void TriangleHierarchyTest::strayVertexDoesNoHarm() {
   }));
 }
 
-// No way to part them.
+// The triangles cannot be separated.
 void TriangleHierarchyTest::manyEqualTriangles() {
   Surface s{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {}};
   s.triangles.assign(100000, {0, 1, 2});

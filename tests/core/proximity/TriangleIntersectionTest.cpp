@@ -172,7 +172,7 @@ void TriangleIntersectionTest::oneUlp_data() {
   }
 }
 
-// A corner one unit in the last place above a plane, on it, and below it.
+// A corner one ulp above a plane, on it, and below it.
 void TriangleIntersectionTest::oneUlp() {
   QFETCH(double, below);
   QFETCH(double, scale);
@@ -206,7 +206,7 @@ void TriangleIntersectionTest::agreesWithRationalConstruction() {
   }));
 }
 
-// Corners within some units in the last place of one slanted plane: the floating-point filter must not decide wrongly.
+// Corners within some ulps of one slanted plane: the floating-point filter must not decide wrongly.
 void TriangleIntersectionTest::agreesOnNearlyFlatPairs() {
   QVERIFY(rc::check([] {
     const auto corner = [] {

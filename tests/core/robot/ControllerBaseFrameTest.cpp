@@ -31,7 +31,7 @@ class ControllerBaseFrameTest : public QObject {
   }
 
  private slots:
-  // As the descriptions of Universal Robots for ROS have it: half a turn against base_link, and a world below that.
+  // The frames in the ROS descriptions of Universal Robots: half a turn against base_link, and a world below that.
   void beside() {
     const std::string arm = link("base_link") + link("base") + link("l1") + turned("fixed", "base_link", "base") +
                             turned("revolute", "base_link", "l1", "");
@@ -55,7 +55,7 @@ class ControllerBaseFrameTest : public QObject {
     QVERIFY(!controllerBaseFrame(robot, wholeArm(robot)));
   }
 
-  // Of several robots each has its own.
+  // Each of several robots has its own.
   void severalRobots() {
     const RobotModel one =
         readOrThrow(robotOf(link("base_link") + link("l1") + link("base") + turned("fixed", "base_link", "base") +
@@ -67,7 +67,7 @@ class ControllerBaseFrameTest : public QObject {
     QVERIFY(isAt(controllerBaseFrame(both, arm), Vec3::Zero(), M_PI));
   }
 
-  // What is not called so, or moves against the base, is none.
+  // A link with another name, or one that moves against the base, does not count.
   void unknown() {
     QVERIFY(!baseIn(link("base_link") + link("l1") + turned("revolute", "base_link", "l1")));
     QVERIFY(!baseIn(link("base_link") + link("table_base") + link("l1") + turned("fixed", "base_link", "table_base") +

@@ -68,7 +68,7 @@ void MeshLocationTest::packages() {
   QCOMPARE(codeOf("package://none/meshes/a.stl"), ErrorCode::ReferenceMissing);
 }
 
-// A package that is there lacks a mesh; one that is not is reported with the folder where the search began.
+// An existing package lacks a mesh; a missing one is reported with the folder at which the search began.
 void MeshLocationTest::missingPackages() {
   const auto argumentsOf = [&](std::string_view name) {
     return locateMesh(name, m_root / "ws/arm/urdf").error().arguments;

@@ -64,7 +64,7 @@ void PointTargetTest::outOfReachStretches() {
   const JointValues q = pulled(robot, Eigen::Vector2d(0.2, 0.9), pull, 200);
   QVERIFY(std::abs(targetDistance(robot, q, pull) - 4300.0) < 1e-2);
   QVERIFY(std::abs(q[0] - std::atan2(4.0, 3.0)) < 1e-2);
-  // However far it is, only the direction counts.
+  // For a target far away, only the direction counts.
   const PointTarget far = toolPull(robot, Vec3(3e9, 4e9, 0));
   const JointValues same = pulled(robot, Eigen::Vector2d(0.2, 0.9), far, 200);
   QVERIFY(std::abs(same[0] + 0.5 * same[1] - std::atan2(4.0, 3.0)) < 0.1);
@@ -111,7 +111,7 @@ void PointTargetTest::oneJointOnly() {
 
 void PointTargetTest::singularPoses() {
   const RobotModel robot = readOrThrow(planarArm({0.4, 0.3})).robot;
-  // Stretched: pulled straight out or in, no joint moves the point that way; sideways works.
+  // Stretched: pulled straight out or in, no joint moves the point in that direction; sideways works.
   const JointValues stretched = JointValues::Zero(2);
   for (const Vec3& target : {Vec3(900, 0, 0), Vec3(500, 0, 0), Vec3(700, 0, 0), Vec3(700, 0, 50)})
     QVERIFY(pulled(robot, stretched, toolPull(robot, target)).allFinite());

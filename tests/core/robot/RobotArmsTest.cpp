@@ -19,8 +19,8 @@ Pose anyBase() {
   const auto three = [](double size) {
     return Vec3(anyNumber(-size, size), anyNumber(-size, size), anyNumber(-size, size));
   };
-  const Vec3 place = three(2000.0), turn = three(3.0);
-  return Eigen::Translation3d(place) * Eigen::AngleAxisd(turn.z(), Vec3::UnitZ()) *
+  const Vec3 position = three(2000.0), turn = three(3.0);
+  return Eigen::Translation3d(position) * Eigen::AngleAxisd(turn.z(), Vec3::UnitZ()) *
          Eigen::AngleAxisd(turn.y(), Vec3::UnitY()) * Eigen::AngleAxisd(turn.x(), Vec3::UnitX());
 }
 
@@ -44,7 +44,7 @@ double farthest(const Pose& a, const Pose& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-// Each link of `robot` is where that of this name in `other` is; poses of the first in the frame of those of the other.
+// Compares the poses of the links of `robot` with those of the same names in `other`, in the frame of the other's base.
 bool areTheSame(const RobotModel& robot, const JointValues& values, const RobotModel& other, const JointValues& others,
                 const Pose& frame = Pose::Identity(), const std::string& prefix = {}) {
   const auto poses = linkPoses(robot, values), theirs = linkPoses(other, others);
@@ -156,7 +156,7 @@ class RobotArmsTest : public QObject {
         readOrThrow(robotOf(link("left_foot") + link("arm") + joint("left 2_x", "fixed", "left_foot", "arm"))).robot;
     const std::vector<RobotArm> arms{{"hand", "r", 0, 1}};
     QCOMPARE(freeArmName(robot, arms, "right"), std::string("right"));
-    QCOMPARE(freeArmName(robot, arms, "hand"), std::string("hand_2"));    // of a robot
+    QCOMPARE(freeArmName(robot, arms, "hand"), std::string("hand_2"));    // name of a robot
     QCOMPARE(freeArmName(robot, arms, "left"), std::string("left_2"));    // links begin with it
     QCOMPARE(freeArmName(robot, arms, "a,b=c."), std::string("a_b_c_"));  // signs of the command line
     QCOMPARE(freeArmName(robot, arms, ""), std::string("robot"));

@@ -135,17 +135,17 @@ void RobotKinematicsTest::denavitHartenbergTables() {
       for (double& v : q) v = angle(random);
       const std::vector<Pose> poses = linkPoses(robot, q);
       const Pose found = poses[base].inverse() * poses[tip], expected = poseOf(table, q);
-      // Right angles stand in the files with ten digits.
+      // Right angles have ten digits in the files.
       QVERIFY2((found.translation() - expected.translation()).norm() < 1e-6, table.file);
       QVERIFY2((found.linear() - expected.linear()).norm() < 1e-8, table.file);
     }
   }
 }
 
-// How far the wrist gets from the first axis, found by pulling it aside: what the makers print.
+// The reach of the wrist from the first axis, found by pulling it aside: the figure of the makers.
 void RobotKinematicsTest::reach() {
   const std::tuple<const char*, const char*, double, double> kReaches[] = {
-      {kIrb120, "link_5", 580.0, 0.5},  // mm, and how far it may differ
+      {kIrb120, "link_5", 580.0, 0.5},  // mm, and the tolerance
       {kIrb2400, "link_5", 1550.0, 30.0},
       {kLrMate, "link_5", 717.0, 0.5},
       {kAgilus, "link_5", 901.0, 0.5},

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-// Robot descriptions in the making.
+// Texts of robot descriptions for tests.
 namespace handwheel::test {
 
 inline std::string robotOf(const std::string& inside) {
@@ -37,8 +37,8 @@ inline ImportedRobot readOrThrow(const std::string& urdf) {
   return std::move(read).value();
 }
 
-// An arm in the xy plane: revolute joints about z, without limits unless given, each this many metres after the one
-// before, and a tool at its end. Links "l0" to "l<n>", then "tool"; joints "j1" to "j<n>".
+// Returns an arm in the xy plane: revolute joints about z, without limits unless given, each this many metres after the
+// one before, and a tool at its end. Links "l0" to "l<n>", then "tool"; joints "j1" to "j<n>".
 inline std::string planarArm(const std::vector<double>& lengths, const std::string& inside = limit(-1000, 1000)) {
   std::string text = link("l0");
   double before = 0.0;
@@ -64,7 +64,7 @@ inline std::string anyNumbers(double least, double largest) {
   return text;
 }
 
-// A tree of links with joints of every kind, some of which follow others.
+// Returns a tree of links with joints of every kind, some of which follow others.
 inline std::string anyRobot() {
   const int count = *rc::gen::inRange(2, 10);
   std::string text = link("l0");

@@ -112,7 +112,7 @@ void UrdfReaderTest::freeOfLimits() {
   const ImportedRobot turning = readOrThrow(jointAB("continuous", limit(-1, 1)));
   QVERIFY(std::isinf(onlyJoint(turning).limits.lower) && std::isinf(onlyJoint(turning).limits.upper));
   QVERIFY(turning.damage.empty());
-  // Turns stay, as a path may have wound it up; far out they make no difference.
+  // Turns stay, as a path may have wound it up; far out they are removed.
   const double wound = 3.0 + 4.0 * std::numbers::pi;
   QCOMPARE(withinLimits(turning.robot, JointValues::Constant(1, wound))[0], wound);
   QCOMPARE(withinLimits(turning.robot, JointValues::Constant(1, -kMostTurn))[0], -kMostTurn);
@@ -149,11 +149,11 @@ void UrdfReaderTest::followers() {
     QCOMPARE(ring.error().code, ErrorCode::ElementMalformed);
   }
   QCOMPARE(readUrdf(robot("<mimic joint='x'/>", "")).error().code, ErrorCode::ReferenceMissing);
-  // Following not at all is standing still.
+  // A follower with factor 0 stands still.
   const RobotModel none = readOrThrow(robot("<mimic joint='j' multiplier='0' offset='0.25'/>", "")).robot;
   QCOMPARE(none.dofs.size(), std::size_t{2});
   QVERIFY(none.joints[1].dof == kNone && none.joints[1].offset == 250.0);
-  // A fixed joint follows nobody, and who follows a fixed joint stands still.
+  // A fixed joint follows no other, and a follower of a fixed joint stands still.
   const RobotModel still =
       readOrThrow(robotOf(kAB + link("c") + joint("j", "fixed", "a", "b", "<mimic joint='x'/>") +
                           joint("k", "revolute", "a", "c", limit(-1, 1) + "<mimic joint='j' offset='0.5'/>")))
@@ -185,7 +185,7 @@ void UrdfReaderTest::toolAmongFingers() {
   QCOMPARE(framed.links[toolLink(framed)].name, std::string("tcp"));
 }
 
-// As deep as the size allows; nothing recurses over the links.
+// A chain as deep as the size allows; nothing recurses over the links.
 void UrdfReaderTest::longChain() {
   std::string text = link("l0");
   constexpr int kCount = 15'000;

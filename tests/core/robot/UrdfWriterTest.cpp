@@ -31,7 +31,7 @@ JointValues someValues(const RobotModel& robot) {
 
 }  // namespace
 
-// What is written is read as the same robot.
+// Tests that a written robot is read as the same robot.
 class UrdfWriterTest : public QObject {
   Q_OBJECT
 
@@ -58,7 +58,7 @@ class UrdfWriterTest : public QObject {
     }
   }
 
-  // Two axes of the turn in line (pitch ±90°), a name with signs of XML, a joint that follows another.
+  // Two axes of the rotation in line (pitch ±90°), a name with XML characters, a joint that follows another.
   void extremes() {
     const std::string inside = "<axis xyz='0 0 1'/>" + limit(-2, 2);
     std::string urdf = link("a&amp;b") + link("c") + link("d") +

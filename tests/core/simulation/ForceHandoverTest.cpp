@@ -15,10 +15,10 @@ using namespace handwheel::test;
 
 namespace {
 
-// What a hand feels that has come to a place by moving.
-Vec3 feltAt(ForceSource& force, const Vec3& place, bool isRestart = false) {
+// Returns the force on a hand that has moved to a position.
+Vec3 feltAt(ForceSource& force, const Vec3& position, bool isRestart = false) {
   TipState tip;
-  tip.position = place;
+  tip.position = position;
   tip.isRestart = isRestart;
   ForceOut out;
   force.advance(tip, out);
@@ -45,8 +45,8 @@ std::shared_ptr<TurningChannel> channelWithBar() {
 
 }  // namespace
 
-// A scene that changes while a hand presses on something: the new source of force goes on where the one before was, if
-// it feels the same thing. Else the hand, which is in the material, would lose its resistance.
+// A scene that changes while a hand presses on something: the new source of force continues from the state of the old
+// one, if it feels the same thing. Otherwise the hand, which is in the material, would lose its resistance.
 class ForceHandoverTest : public QObject {
   Q_OBJECT
 
@@ -109,7 +109,7 @@ class ForceHandoverTest : public QObject {
     QCOMPARE(feltAt(ofClay, within), felt);
   }
 
-  // A tool for bores counts distances the other way: what one for the outside has felt tells it nothing.
+  // A tool for bores counts distances in the opposite direction: the state of one for the outside is useless to it.
   void theOtherSideBeginsAnew() {
     const auto channel = channelWithBar();
     TurningForce before(channel, {kRoundNose, 0.5, 0.1}, 0.0);
@@ -132,7 +132,7 @@ class ForceHandoverTest : public QObject {
     const Vec3 within(at - 0.1, 0.0, 60.0 + kLower);
     for (const double away : {5.0, 5.0, 0.5, 0.5, -0.1, -0.1}) {
       feltAt(before, {at + away, 0.0, 60.0 + kLower}, away == 5.0);
-      fixture.loop.runSteps(1);  // what is felt is what the simulation knew in the tick before
+      fixture.loop.runSteps(1);  // the force is that of the simulation in the previous tick
     }
     QVERIFY((feltAt(before, within) - Vec3(0.1 * touch.stiffness, 0.0, 0.0)).norm() < 1e-6);
     LatheTouch stiffer = touch;

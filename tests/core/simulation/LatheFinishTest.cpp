@@ -10,17 +10,17 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// The finish that the manual lathe leaves is that of whoever repeats its passes, as marking does.
+// The finish that the manual lathe leaves equals that of its repeated passes, as marking does.
 class LatheFinishTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The feed of the lever and the nose of the tool in the post, then paper on a part of it; and whoever repeats the
-  // passes finds the same, bit for bit.
+  // The feed of the lever and the nose of the tool in the post, then paper on a part of it; the repeated passes give
+  // the same, bit for bit.
   void theFinishIsKept() {
     LatheFixture fixture;
     LatheSetup setup = fixture.setup;
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     setup.stations[0].tool = "right-finishing";
     setup.stations[1].tool = "paper-240";
     const auto paper = toolNamed(fixture.tools, "paper-240");
@@ -31,7 +31,7 @@ class LatheFinishTest : public QObject {
       return fixture.moment().finish.at(TurningSide::Outside, static_cast<std::size_t>(std::lround(z / 0.05)));
     };
     fixture.send(LatheDo::Spindle, 1.0);
-    fixture.send(LatheDo::Place, 19.8, 102.0);
+    fixture.send(LatheDo::MoveTip, 19.8, 102.0);
     fixture.run(2.0);
     fixture.send(LatheDo::Feed, -0.2);
     fixture.run(20.0);  // to 62 mm
@@ -40,12 +40,12 @@ class LatheFinishTest : public QObject {
     QVERIFY(at(90.0).pass == kPassesBefore && std::abs(at(90.0).feed - 0.2) < 0.002);
     QVERIFY(!at(50.0).isKnown());
     fixture.send(LatheDo::Feed, 0.0);
-    fixture.send(LatheDo::Place, 40.0, 130.0);
+    fixture.send(LatheDo::MoveTip, 40.0, 130.0);
     fixture.run(2.0);
     fixture.send(LatheDo::Tool, 1.0);
-    fixture.send(LatheDo::Place, 20.5, 80.0);
+    fixture.send(LatheDo::MoveTip, 20.5, 80.0);
     fixture.run(2.0);
-    fixture.send(LatheDo::Place, 19.0, 80.0);
+    fixture.send(LatheDo::MoveTip, 19.0, 80.0);
     fixture.run(1.0);
     const double rubbed = at(80.0).roughness;
     QVERIFY(rubbed < turned && rubbed > paper->leastRoughness);
@@ -66,13 +66,13 @@ class LatheFinishTest : public QObject {
     QVERIFY(again.finish() == last.finish);
   }
 
-  // Slender work springs back into a tool that stops. When the cut so far is put into the part, the way home begins in
-  // the material: a pass whose first move cuts what its first point would. Whoever repeats the passes finds the same.
+  // Slender work springs back into a tool that stops. When the cut so far is put into the part, the retraction begins
+  // in the material: a pass whose first move cuts what its first point would. The repeated passes give the same.
   void aPassThatBeginsInTheWork() {
     constexpr StockCylinder kSlender{14.0, 100.0, 0.0};
     LatheFixture fixture;
     fixture.setup = defaultLatheSetup(kSlender);
-    for (LatheSlot& slot : fixture.setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : fixture.setup.stations) slot.position = slot.offset = {0.0, 0.0};
     const TurnedProfile rod(kSlender, 0.05);
     const auto begin = [&](const TurnedProfile& profile, const LatheState& state, SurfaceFinish finish,
                            std::size_t before) {
@@ -82,7 +82,7 @@ class LatheFinishTest : public QObject {
     };
     begin(rod, LatheMachine::initialState(fixture.setup, kSlender), SurfaceFinish(rod.size()), 0);
     fixture.send(LatheDo::Spindle, 1.0);
-    fixture.send(LatheDo::Place, 6.0, 102.0);
+    fixture.send(LatheDo::MoveTip, 6.0, 102.0);
     fixture.run(2.0);
     fixture.send(LatheDo::Feed, -0.3);
     fixture.run(8.0);

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-// A lathe in the loop of its simulation, whose commands a test sends.
+// A lathe in its simulation loop, with commands from a test.
 namespace handwheel::test {
 
 using LatheDo = LatheCommand::Kind;
@@ -27,7 +27,7 @@ class PlainLaw : public CuttingForceModel {
   bool covers(const CutConditions&) const noexcept override { return true; }
 };
 
-// The same law for all tools.
+// Returns a material with the same law for all tools.
 template <class Law>
 std::shared_ptr<const LatheMaterial> materialWith(Law law) {
   LatheMaterial material;
@@ -47,7 +47,7 @@ struct LatheFixture {
   SimulationLoop loop{make(), 1000.0, channel->inputs, clock, service};
 
   std::unique_ptr<Simulation> make() {
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     return std::make_unique<LatheSimulation>(
         LatheRun(setup, tools, rod, LatheMachine::initialState(setup, kRod), material),
         TurnedSurface(rod, 0.05, threads), kLower, channel, SurfaceFinish(rod.size()), kPassesBefore);
@@ -56,10 +56,10 @@ struct LatheFixture {
     channel->commands.push({kind, axis, value, other});
   }
   void run(double seconds) { loop.runSteps(static_cast<std::uint64_t>(std::lround(seconds / loop.dt()))); }
-  // The first pass: 2 mm off by the feed.
+  // Makes the first pass, 2 mm deep by the automatic feed.
   void turnDown() {
     send(LatheDo::Spindle, 1.0);
-    send(LatheDo::Place, 18.0, 102.0);
+    send(LatheDo::MoveTip, 18.0, 102.0);
     run(2.0);
     send(LatheDo::Feed, -0.2);
     run(8.0);
@@ -68,10 +68,10 @@ struct LatheFixture {
   std::unique_ptr<Simulation> workWithTwoTools() {
     turnDown();
     send(LatheDo::Feed, 0.0);
-    send(LatheDo::Place, 30.0, 110.0);
+    send(LatheDo::MoveTip, 30.0, 110.0);
     run(1.0);
     send(LatheDo::Tool, 3.0);  // parting
-    send(LatheDo::Place, 21.0, 60.0);
+    send(LatheDo::MoveTip, 21.0, 60.0);
     run(2.0);
     send(LatheDo::Feed, -0.05, 0.0, LatheAxis::Cross);
     run(5.0);

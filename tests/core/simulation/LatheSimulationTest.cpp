@@ -42,13 +42,13 @@ class LatheSimulationTest : public QObject {
     QVERIFY(std::abs((fixture.rod.volume() - last.profile.volume()) / last.removed - 1.0) < 0.005);
   }
 
-  // 2400 N on an arm of 18.5 mm take 2.8 kW at 600 r/min: with 1 kW the spindle slows down, and the pass tells what it
-  // was asked for. A motor that holds its speed leaves nothing to tell.
+  // 2400 N on an arm of 18.5 mm take 2.8 kW at 600 r/min: with 1 kW the spindle slows down, and the pass has the set
+  // speed. A motor that holds its speed gives no such record.
   void whatASlowedSpindleWasAskedFor() {
     for (const double power : {1.0, 0.0}) {
       LatheFixture fixture;
       LatheSetup setup = fixture.setup;
-      for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+      for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
       setup.spindle.power = power;
       setup.spindle.torque = 0.0;
       const auto channel = std::make_shared<LatheChannel>();
@@ -60,7 +60,7 @@ class LatheSimulationTest : public QObject {
         for (int i = 0; i < static_cast<int>(std::lround(1000.0 * seconds)); ++i) lathe.step(0.001, {});
       };
       after(1.0, {LatheDo::Spindle, LatheAxis::Carriage, 1.0});
-      after(2.0, {LatheDo::Place, LatheAxis::Carriage, 17.0, 102.0});
+      after(2.0, {LatheDo::MoveTip, LatheAxis::Carriage, 17.0, 102.0});
       after(6.0, {LatheDo::Feed, LatheAxis::Carriage, -0.4});
       QCOMPARE(lathe.passes().size(), std::size_t{1});
       const TurningPass& pass = lathe.passes().front();
@@ -96,7 +96,7 @@ class LatheSimulationTest : public QObject {
 
   void crashesAreHandedOver() {
     LatheFixture fixture;
-    fixture.send(LatheDo::Place, 19.0, 102.0);
+    fixture.send(LatheDo::MoveTip, 19.0, 102.0);
     fixture.run(2.0);
     fixture.send(LatheDo::Turn, -10.0);
     fixture.run(1.0);
@@ -105,7 +105,7 @@ class LatheSimulationTest : public QObject {
     QVERIFY(fixture.moment().profile == fixture.rod);
   }
 
-  // A device that acts places the tool; the plane attracts it within its reach, without a step at the border.
+  // A device that acts positions the tool; the plane attracts it within its reach, without a step at the border.
   void aDeviceHoldsTheTool() {
     LatheFixture fixture;
     LatheTouch touch;
@@ -113,11 +113,11 @@ class LatheSimulationTest : public QObject {
     sources.push_back(std::make_unique<LatheForce>(fixture.channel, materialWith(PlainLaw()), touch, kLower));
     SceneForces forces(std::move(sources));
     TipState tip;
-    const auto tick = [&](const Vec3& place, bool isHeld) {
-      tip.position = place;
+    const auto tick = [&](const Vec3& position, bool isHeld) {
+      tip.position = position;
       tip.buttons = isHeld ? 1u : 0u;
       ForceOut out;
-      out.proxy = place;
+      out.proxy = position;
       forces.tick(tip, out);
       tip.isRestart = false;
       tip.time += kServoTick;
@@ -152,20 +152,20 @@ class LatheSimulationTest : public QObject {
     QVERIFY(fixture.moment().tip.allFinite());
   }
 
-  // What grinds pushes back along the normal, harder the deeper it is pressed, and along the way of the surface while
-  // that turns (He 2008, 5-3, 5-4).
+  // An abrasive pushes back along the normal, harder the deeper it is pressed, and along the motion of the surface
+  // while that turns (He 2008, 5-3, 5-4).
   void whatGrindsPushesBack() {
     LatheFixture fixture;
     LatheSetup setup = fixture.setup;
     setup.stations[0].tool = "disk-100";
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     fixture.loop.replace(std::make_unique<LatheSimulation>(
         LatheRun(setup, fixture.tools, fixture.rod, LatheMachine::initialState(setup, kRod), nullptr),
         TurnedSurface(fixture.rod, 0.05), kLower, fixture.channel));
     fixture.send(LatheDo::Spindle, 1.0);
-    fixture.send(LatheDo::Place, 20.5, 60.0);
+    fixture.send(LatheDo::MoveTip, 20.5, 60.0);
     fixture.run(2.0);
-    fixture.send(LatheDo::Place, 19.9, 60.0);
+    fixture.send(LatheDo::MoveTip, 19.9, 60.0);
     fixture.run(0.1);
     fixture.channel->inputs->setDeviceGesture(1);
     LatheMaterial lawless;
@@ -190,12 +190,13 @@ class LatheSimulationTest : public QObject {
     QVERIFY(felt().x() < 0.5 * deep.x());
   }
 
-  // The radial force is across the way of the edge, out of the material: in a bore towards the axis, facing along it.
+  // The radial force is across the motion of the edge, out of the material: in a bore towards the axis, in facing along
+  // it.
   void thePassiveForce_data() {
     QTest::addColumn<QString>("tool");
     QTest::addColumn<ProfilePoint>("beside");
     QTest::addColumn<int>("axis");
-    QTest::addColumn<ProfilePoint>("way");
+    QTest::addColumn<ProfilePoint>("direction");
     QTest::addColumn<ProfilePoint>("passive");
     const ProfilePoint toChuck(0.0, -1.0), in(-1.0, 0.0), none(0.0, 0.0);
     QTest::newRow("outside") << "right-roughing" << ProfilePoint(19.0, 102.0) << 0 << toChuck << ProfilePoint(1, 0);
@@ -207,21 +208,21 @@ class LatheSimulationTest : public QObject {
     QFETCH(QString, tool);
     QFETCH(ProfilePoint, beside);
     QFETCH(int, axis);
-    QFETCH(ProfilePoint, way);
+    QFETCH(ProfilePoint, direction);
     QFETCH(ProfilePoint, passive);
     LatheFixture fixture;
     LatheSetup setup = fixture.setup;
     setup.stations[0].tool = tool.toStdString();
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     const std::vector<double> outer(fixture.rod.size(), 20.0), inner(fixture.rod.size(), 10.0);
     const TurnedProfile tube = TurnedProfile::fromRadii(outer, inner, kRod.length);
     fixture.loop.replace(std::make_unique<LatheSimulation>(
         LatheRun(setup, fixture.tools, tube, LatheMachine::initialState(setup, kRod), fixture.material),
         TurnedSurface(tube, 0.05), kLower, fixture.channel));
     fixture.send(LatheDo::Spindle, 1.0);
-    if (beside.x() < 20.0) fixture.send(LatheDo::Place, beside.x(), 110.0);
+    if (beside.x() < 20.0) fixture.send(LatheDo::MoveTip, beside.x(), 110.0);
     fixture.run(2.0);
-    fixture.send(LatheDo::Place, beside.x(), beside.y());
+    fixture.send(LatheDo::MoveTip, beside.x(), beside.y());
     fixture.run(2.0);
     fixture.send(LatheDo::Feed, -0.1, 0.0, axis == 1 ? LatheAxis::Cross : LatheAxis::Carriage);
     fixture.run(4.0);  // 40 turns, 4 mm
@@ -241,7 +242,7 @@ class LatheSimulationTest : public QObject {
     ForceOut out;
     force.advance(tip, out);
     const Vec3 felt = force.force(tip, 1.0, 1.0);
-    const ProfilePoint expected = load.forces.radial * passive - load.forces.feed * way;
+    const ProfilePoint expected = load.forces.radial * passive - load.forces.feed * direction;
     QVERIFY2((ProfilePoint(felt.x(), felt.z()) - touch.forceShare * expected).norm() < 1e-3 * touch.forceShare * 100.0,
              qPrintable(QString("%1 %2").arg(felt.x()).arg(felt.z())));
     QVERIFY(felt.y() > 0.0);
@@ -293,7 +294,7 @@ class LatheSimulationTest : public QObject {
     const auto feel = [&](double distance, double angle, double z) {
       tip.position = Vec3(distance * std::cos(angle), distance * std::sin(angle), z + kLower);
       Vec3 felt = Vec3::Zero();
-      for (int i = 0; i < 2; ++i) {  // what the hand feels is what the simulation knew in the tick before
+      for (int i = 0; i < 2; ++i) {  // the force is that of the simulation in the previous tick
         ForceOut out;
         force.advance(tip, out);
         felt = force.force(tip, 1.0, 1.0);

@@ -28,7 +28,7 @@ struct ThreadingFixture : LatheFixture {
     run(1.0);
   }
   void goTo(double r, double z) {
-    send(LatheDo::Place, r, z);
+    send(LatheDo::MoveTip, r, z);
     run(2.0);
     send(LatheDo::Release, 0.0);
   }
@@ -50,7 +50,7 @@ struct ThreadingFixture : LatheFixture {
   }
 };
 
-// From the middle of one groove to that of the other, less the grooves between them; mm.
+// Distance from the middle of one groove to that of the other, less the grooves between them; mm.
 double betweenGrooves(const ThreadCut& a, const ThreadCut& b) {
   const double apart = a.offset - b.offset;
   return apart - a.pitch * std::round(apart / a.pitch);
@@ -58,7 +58,7 @@ double betweenGrooves(const ThreadCut& a, const ThreadCut& b) {
 
 }  // namespace
 
-// A thread by the half-nut in the simulation: what is recorded of it, and what is shown while it is cut.
+// A thread by the half-nut in the simulation: its record, and its display while it is cut.
 class LatheThreadingTest : public QObject {
   Q_OBJECT
 
@@ -170,8 +170,8 @@ class LatheThreadingTest : public QObject {
     for (int i = 0; i < 100; ++i) tick(true);
     tick(false);
     fixture.run(2.0);
-    const double way = fixture.moment().tip.y() - from.y(), most = 0.101 * fixture.setup.handSpeed;
-    QVERIFY2(way > 1.0 && way <= most + 1e-9, qPrintable(QString::number(way)));
+    const double travel = fixture.moment().tip.y() - from.y(), most = 0.101 * fixture.setup.handSpeed;
+    QVERIFY2(travel > 1.0 && travel <= most + 1e-9, qPrintable(QString::number(travel)));
     QVERIFY(fixture.moment().machine.demands == (std::array<double, kLatheAxes>{}));
   }
 };

@@ -37,7 +37,7 @@ struct QuietLathe {
     const WorkMaterials materials = WorkMaterials::standard();
     const WorkMaterial& work = *materials.find(shippedForceModel().origin().material);
     material = std::make_shared<const LatheMaterial>(latheMaterial(work, ForceLaw::Network, tools));
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     setup.stations[0].tool = tool;
     const TurnedProfile bar(kQuietBar, 0.05);
     loop = std::make_unique<SimulationLoop>(
@@ -47,15 +47,15 @@ struct QuietLathe {
         1000.0, channel->inputs, clock, service);
     using Kind = LatheCommand::Kind;
     channel->commands.push({Kind::Spindle, LatheAxis::Carriage, 1.0});
-    channel->commands.push({Kind::Place, LatheAxis::Carriage, 20.5, 80.0});
+    channel->commands.push({Kind::MoveTip, LatheAxis::Carriage, 20.5, 80.0});
     loop->runSteps(3000);
-    channel->commands.push({Kind::Place, LatheAxis::Carriage, 19.0, 80.0});
+    channel->commands.push({Kind::MoveTip, LatheAxis::Carriage, 19.0, 80.0});
     loop->runSteps(200);
   }
 };
 
-// Ticks of a force, 1 ms from one to the next. place(i): where the hand is in tick i.
-void tickQuietly(ForceSource& force, const std::function<Vec3(int)>& place) {
+// Ticks of a force, 1 ms from one to the next. position(i): position of the hand in tick i.
+void tickQuietly(ForceSource& force, const std::function<Vec3(int)>& position) {
   if (HANDWHEEL_SANITIZED) QSKIP("a sanitizer stands in the same place");
   allocations = locks = systemCalls = 0;
   int contacts = 0;
@@ -65,13 +65,13 @@ void tickQuietly(ForceSource& force, const std::function<Vec3(int)>& place) {
       clock.waitUntil(clock.now() + 1'000'000);
       TipState tip;
       tip.isRestart = i == 0;
-      tip.position = place(i);
+      tip.position = position(i);
       tip.buttons = 1u;
       ForceOut out;
       force.advance(tip, out);
       contacts += out.isContact && force.force(tip, 1.0, 1.0).allFinite() ? 1 : 0;
     };
-    for (int i = 0; i < 50; ++i) tick(i);  // what is looked up when first called is
+    for (int i = 0; i < 50; ++i) tick(i);  // the first calls look things up
     forbidSystemCalls();
     isCounting = true;
     for (int i = 50; i < 500; ++i) tick(i);

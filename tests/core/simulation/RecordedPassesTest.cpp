@@ -36,37 +36,38 @@ struct HandAtWork {
   std::uint64_t ticks = 0;
   std::uint32_t gesture = 0;
 
-  // Straight from place to place, 600 ms each, with the button held after the first tick and before the last.
-  void lead(const TurningPass& blank, const std::vector<Vec3>& places) {
+  // Leads the hand straight from position to position, 600 ms each, with the button held after the first tick and
+  // before the last.
+  void lead(const TurningPass& blank, const std::vector<Vec3>& positions) {
     constexpr int kBetween = 600;
     SimulationLoop loop(std::make_unique<TurningSimulation>(part, TurnedSurface(part, 0.05), blank, kHandBase, channel),
                         250.0, channel->inputs, clock, service);
-    channel->patch.write(patchAround(part, places.front().z() - kHandBase, blank.noseRadius, blank.side));
+    channel->patch.write(patchAround(part, positions.front().z() - kHandBase, blank.noseRadius, blank.side));
     ForceSources sources;
     TurningTool tool;
     tool.noseRadius = blank.noseRadius;
     tool.side = blank.side;
     sources.push_back(std::make_unique<TurningForce>(channel, tool, kHandBase));
     SceneForces forces(std::move(sources));
-    recording.addEvent({ticks, "no tool"});  // as the window puts one away before another
+    recording.addEvent({ticks, "no tool"});  // the window ends a tool before it starts another
     recording.addEvent({ticks, "tool " + recordedTurning(blank)});
     loop.setGesture(++gesture);
     channel->inputs->setDeviceGesture(gesture);
     TipState tip;
-    const int count = kBetween * static_cast<int>(places.size() - 1);
+    const int count = kBetween * static_cast<int>(positions.size() - 1);
     for (int i = 0; i <= count; ++i) {
-      const auto from = static_cast<std::size_t>(std::min(i / kBetween, static_cast<int>(places.size()) - 2));
+      const auto from = static_cast<std::size_t>(std::min(i / kBetween, static_cast<int>(positions.size()) - 2));
       const double share = static_cast<double>(i - static_cast<int>(from) * kBetween) / kBetween;
-      const Vec3 place = places[from] + share * (places[from + 1] - places[from]);
+      const Vec3 position = positions[from] + share * (positions[from + 1] - positions[from]);
       tip.isRestart = i == 0;
-      tip.velocity = i == 0 ? Vec3(Vec3::Zero()) : Vec3((place - tip.position) / tip.period);
-      tip.position = place;
+      tip.velocity = i == 0 ? Vec3(Vec3::Zero()) : Vec3((position - tip.position) / tip.period);
+      tip.position = position;
       tip.time = 0.001 * static_cast<double>(ticks);
       tip.buttons = i > 0 && i < count ? 1u : 0u;
       RecordedTick tick;
       tick.tick = ++ticks;
       tick.tip = tip;
-      tick.felt.proxy = place;
+      tick.felt.proxy = position;
       tick.hasSource = true;
       forces.tick(tip, tick.felt);
       recording.add(tick);
@@ -78,7 +79,7 @@ struct HandAtWork {
   }
 };
 
-// As the window exports it and the command line reads it.
+// Returns the recording after export by the window and reading by the command line.
 Recording writtenAndRead(const Recording& recording) {
   std::stringstream text;
   if (!writeCsv(recording, text)) qFatal("it is not written");
@@ -93,8 +94,8 @@ class RecordedPassesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Along the bar from any side, through the axis, and in a bore, each with a nose of its own: what the recording says
-  // cuts the same part, bit for bit.
+  // Along the bar from any side, through the axis, and in a bore, each with a nose of its own: the recording cuts the
+  // same part, bit for bit.
   void workByHandIsTheSameAgain() {
     HandAtWork hand;
     const Vec3 up = kHandBase * Vec3::UnitZ();
@@ -119,7 +120,7 @@ class RecordedPassesTest : public QObject {
     QVERIFY(again == hand.part);
   }
 
-  // What cuts is in the name of the tool, and back.
+  // The settings of the tool are in its name, and are read back.
   void namesSayWhatCuts() {
     TurningPass blank = cuttingBy(0.8, TurningSide::Bore);
     blank.method = TurningMethod::Poles;
@@ -143,7 +144,7 @@ class RecordedPassesTest : public QObject {
     QVERIFY(poles && poles->size() == 1);
     QVERIFY(poles->front().noseRadius == 0.8 && poles->front().side == TurningSide::Bore);
     QVERIFY(poles->front().method == TurningMethod::Poles && poles->front().resolution == 0.25);
-    // Of older programs, and what no tool can be.
+    // Names of older programs, and impossible tools.
     for (const char* const name : {"tool turn", "tool turn nose", "tool turn nose x", "tool turn nose nan",
                                    "tool turn nose -1", "tool turn nose 1e9", "tool turn else"}) {
       const auto usual = read(name);

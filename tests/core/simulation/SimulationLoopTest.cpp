@@ -23,7 +23,7 @@ struct Sum : SimulationState {
   std::uint64_t steps = 0;
 };
 
-// A sum that depends on the order of what comes in and on how it is spread over the steps.
+// A sum that depends on the order of inputs and on their distribution over the steps.
 class Summing : public Simulation {
  public:
   explicit Summing(std::chrono::microseconds work = {}) : m_work(work) {}
@@ -213,7 +213,7 @@ class SimulationLoopTest : public QObject {
     QVERIFY(steps * loop.dt() + lost <= seconds + 2.0 * loop.dt());
   }
 
-  // For what finds no room nobody waits; it is counted.
+  // Nobody waits for inputs without room; they are counted.
   void droppedInputsAreCounted() {
     VirtualClock clock;
     Service service("simulation");
@@ -249,7 +249,7 @@ class SimulationLoopTest : public QObject {
     QCOMPARE(inputs.gestureAt(leapt), 0u);
   }
 
-  // What arrives late of a gesture that was dropped acts no more.
+  // Late inputs of a dropped gesture no longer act.
   void lateInputsOfAnotherGestureOnlyMove() {
     VirtualClock clock;
     Service service("simulation");

@@ -50,13 +50,13 @@ struct Lathe {
     all.push_back(std::make_unique<TurningForce>(channel, tool, kBase));
     return all;
   }
-  ForceOut at(const Vec3& place, bool isCutting) {
-    tip.velocity = tip.isRestart ? Vec3(Vec3::Zero()) : Vec3((place - tip.position) / kTick);
-    tip.position = place;
+  ForceOut at(const Vec3& position, bool isCutting) {
+    tip.velocity = tip.isRestart ? Vec3(Vec3::Zero()) : Vec3((position - tip.position) / kTick);
+    tip.position = position;
     tip.buttons = isCutting ? 1u : 0u;
     tip.period = kTick;
     ForceOut out;
-    out.proxy = place;
+    out.proxy = position;
     forces.tick(tip, out);
     tip.isRestart = false;
     tip.time += kTick;
@@ -75,7 +75,7 @@ class TurningSimulationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // It is followed while it is made, and who repeats the pass finds the same, bit for bit.
+  // The finish is updated while the pass is made, and the repeated pass gives the same, bit for bit.
   void theFinishOfThePass() {
     const TurnedProfile bar(kBar, 0.1);
     auto channel = std::make_shared<TurningChannel>();
@@ -119,7 +119,7 @@ class TurningSimulationTest : public QObject {
       const auto faced = static_cast<std::size_t>(std::lround(95.0 / 0.1));  // the sample there
       QVERIFY(std::abs(bar.z(faced) - 95.0) < 1e-9);
       QVERIFY2(state.profile.radius(faced) < 1e-9, QByteArray::number(state.profile.radius(faced)));
-      // Who repeats the pass finds the same.
+      // The repeated pass gives the same.
       TurnedProfile again = bar;
       const TurningPass& pass = simulation.pass();
       QCOMPARE(pass.times.size(), pass.path.size());
@@ -171,11 +171,11 @@ class TurningSimulationTest : public QObject {
       tool = out.proxy.x();
     }
     const double chip =
-        2.0 * kNose - 0.5 * lathe.bar.spacing();  // to the last samples below the nose, half of one either way
+        2.0 * kNose - 0.5 * lathe.bar.spacing();  // to the last samples below the nose, half a sample on either side
     QVERIFY(std::abs((before - tool) / 0.2 / (share * 0.5 / (0.1 * chip)) - 1.0) < 0.02);
     QVERIFY(std::abs(out.force.x() - share * 0.5) < 0.01);
     QVERIFY(lathe.state().isCut);
-    // What is left is as deep as the tool went.
+    // The remaining material is as deep as the tool went.
     const std::size_t middle = static_cast<std::size_t>(std::lround(50.0 / lathe.bar.spacing()));
     lathe.loop.runSteps(1);
     QVERIFY(std::abs(lathe.state().profile.radius(middle) - (tool - kNose)) < 0.02);
@@ -221,7 +221,7 @@ class TurningSimulationTest : public QObject {
     const ProfilePatch patch = patchAround(part, 80.0, kNose, TurningSide::Bore);
     const TurningTool boring{kNose, 0.5, 0.1, TurningSide::Bore};
     TurningContact contact;
-    contact.place({-5.0, 80.0});
+    contact.reset({-5.0, 80.0});
     QVERIFY(!contact.follow(patch, boring, {-5.0, 80.0}, false, kTick));
     QVERIFY(!contact.follow(patch, boring, {-9.9, 80.0}, false, kTick));
     QVERIFY(contact.follow(patch, boring, {-11.0, 80.0}, false, kTick));
@@ -292,7 +292,7 @@ class TurningSimulationTest : public QObject {
     }
   }
 
-  // Without a gesture the button alone does nothing; after a drop, neither: the hand lies on what is there.
+  // Without a gesture the button alone does nothing, nor does it after a drop: the hand rests on the material.
   void theButtonAloneCutsNothing() {
     Lathe lathe;
     lathe.begin(0);
@@ -309,8 +309,8 @@ class TurningSimulationTest : public QObject {
     QVERIFY(lathe.state().profile == before);
   }
 
-  // As by undo: no force while the hand rests or goes outward, the spring for what it goes deeper, and the whole bar
-  // after it was outside.
+  // Material comes back, as after undo: no force while the hand rests or goes outward, the spring for any motion
+  // deeper, and the whole bar after the hand was outside.
   void aBarThatComesBackDoesNotPush() {
     Lathe lathe;
     const auto simulation = [&lathe] {
@@ -378,7 +378,7 @@ class TurningSimulationTest : public QObject {
       const ProfilePoint on(148.0 + nose, 100.0 - nose + shift);
       const double whole = penetration(on), felt = patch.penetration(on, nose);
       QVERIFY(felt >= whole - 1e-9);
-      // No more than where the nose is moved by two strides to either side; 1e-4 mm is what lies between samples.
+      // No more than with the nose moved by two strides to either side; 1e-4 mm is the difference between samples.
       const double beside =
           std::max(penetration(on + ProfilePoint(0, 2.0 * stride)), penetration(on - ProfilePoint(0, 2.0 * stride)));
       QVERIFY(felt <= std::max(whole, beside) + 1e-4);

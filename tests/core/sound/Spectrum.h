@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// The power spectrum of a signal under a Hann window. By its definition through an FFT of radix 2 (Cooley and Tukey).
+// The power spectrum of a signal under a Hann window. Computed by an FFT of radix 2 (Cooley and Tukey).
 class Spectrum {
  public:
   Spectrum(const std::vector<double>& signal, double rate) {
@@ -39,17 +39,17 @@ class Spectrum {
   }
 
   double peak(double from, double to) const {
-    double best = -1.0, place = 0.0;
+    double best = -1.0, frequencyOfPeak = 0.0;
     for (std::size_t i = 1; i < m_power.size(); ++i) {
       const double frequency = m_width * static_cast<double>(i);
       if (frequency < from || frequency >= to || m_power[i] <= best) continue;
       best = m_power[i];
-      place = frequency;
+      frequencyOfPeak = frequency;
     }
-    return place;
+    return frequencyOfPeak;
   }
 
-  // The frequency below which half of the power is.
+  // Returns the frequency that halves the power.
   double median() const {
     const double all = power(0.0, 1e9);
     double sum = 0.0;

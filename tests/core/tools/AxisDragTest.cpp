@@ -60,11 +60,11 @@ class AxisDragTest : public QObject {
   void raysThatDoNotTell();
   void slides();
   void slidesWithTheRay();
-  void places();
+  void positions();
   void nearlyParallelRays();
 };
 
-// Seen along the axis only the ray's way around it counts, not how near it is.
+// Seen along the axis only the direction of the ray around it counts, not its distance.
 void AxisDragTest::aroundTheAxis() {
   const HeldPoint held{{10, 20, 5}, {0, 0, 1}, {110, 20, 30}};
   for (double angle : {-3.0, -1.0, 0.0, 0.4, 2.0, 3.1}) {
@@ -76,7 +76,7 @@ void AxisDragTest::aroundTheAxis() {
   }
 }
 
-// From wherever one looks, a ray through a point of the circle turns the held point there.
+// From any viewpoint, a ray through a point of the circle turns the held point there.
 void AxisDragTest::pointsOnTheCircle() {
   QVERIFY(rc::check("points on the circle", [] {
     const HeldPoint held = anyHeld();
@@ -89,7 +89,7 @@ void AxisDragTest::pointsOnTheCircle() {
       RC_ASSERT(turn.has_value());
       RC_ASSERT(std::abs(std::remainder(*turn - angle, 2 * kHalfTurn)) < 1e-6);
     }
-    // A short way from a start near by, the side view included.
+    // A small rotation from a start near by, the side view included.
     const auto near = rotationUnder(held, {ray, eye}, angle + 0.05);
     RC_ASSERT(near.has_value());
     RC_ASSERT(distance(turned(held, *near), ray) < 0.05 * held.lever());
@@ -121,7 +121,7 @@ void AxisDragTest::fromTheSide() {
   QVERIFY(most && std::abs(*most - kHalfTurn / 2) < 1e-2);
 }
 
-// Taken at the outline, where its first motion is along the ray: it comes away from there.
+// Grabbed at the outline, where its first motion is along the ray: it leaves that position.
 void AxisDragTest::outmostPoint() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitZ(), {0, 100, 0}};
   const auto turn = rotationUnder(held, parallel({{1000, 50, 0}, -Vec3::UnitX()}), 0.0);
@@ -144,8 +144,8 @@ void AxisDragTest::raysThatDoNotTell() {
 
 void AxisDragTest::slides() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitX(), {10, 20, 30}};
-  const auto way = translationUnder(held, rayThrough({200, 500, 900}, {85, 20, 30}));
-  QVERIFY(way && std::abs(*way - 75) < 1e-9);
+  const auto travel = translationUnder(held, rayThrough({200, 500, 900}, {85, 20, 30}));
+  QVERIFY(travel && std::abs(*travel - 75) < 1e-9);
   QVERIFY(!translationUnder(held, {{0, 0, 0}, -Vec3::UnitX()}));
   // Beside the line the nearest point counts.
   const auto beside = translationUnder(held, {{40, 500, 500}, -Vec3::UnitZ()});
@@ -155,35 +155,35 @@ void AxisDragTest::slides() {
 void AxisDragTest::slidesWithTheRay() {
   QVERIFY(rc::check("slides", [] {
     const HeldPoint held = anyHeld();
-    const double way = anyNumber(-800, 800);
-    const Vec3 goal = held.point + way * held.axis;
+    const double travel = anyNumber(-800, 800);
+    const Vec3 goal = held.point + travel * held.axis;
     const Ray ray = rayThrough(goal + 2000 * anyDirection(), goal);
     RC_PRE(std::abs(ray.direction.dot(held.axis)) < 0.99);
     const auto found = translationUnder(held, ray);
     RC_ASSERT(found.has_value());
-    RC_ASSERT(std::abs(*found - way) < 1e-6);
+    RC_ASSERT(std::abs(*found - travel) < 1e-6);
   }));
 }
 
-void AxisDragTest::places() {
-  const auto place = placeUnder({0, 0, 10}, -Vec3::UnitZ(), rayThrough({0, 0, 110}, {30, 40, 60}));
-  QVERIFY(place && (*place - Vec3(60, 80, 10)).norm() < 1e-9);
-  QVERIFY(!placeUnder({0, 0, 10}, -Vec3::UnitZ(), {{0, 0, 0}, Vec3::UnitX()}));
+void AxisDragTest::positions() {
+  const auto position = positionUnder({0, 0, 10}, -Vec3::UnitZ(), rayThrough({0, 0, 110}, {30, 40, 60}));
+  QVERIFY(position && (*position - Vec3(60, 80, 10)).norm() < 1e-9);
+  QVERIFY(!positionUnder({0, 0, 10}, -Vec3::UnitZ(), {{0, 0, 0}, Vec3::UnitX()}));
 }
 
-// A ray tells a place from a sine of kParallelLines between it and the axis, or the plane, on.
+// A ray determines a position if the sine between it and the axis, or the plane, is at least kParallelLines.
 void AxisDragTest::nearlyParallelRays() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitX(), {10, 0, 0}};
   for (const double share : {0.9, 1.1}) {
     const double sine = share * tolerance::kParallelLines;
     const Vec3 direction(std::sqrt(1.0 - sine * sine), 0.0, -sine);
     const Ray ray{Vec3(40, 0, 0) - 100.0 * direction, direction};  // through the axis at x = 40
-    const auto way = translationUnder(held, ray);
-    const auto place = placeUnder({0, 0, 0}, Vec3::UnitZ(), ray);
-    QCOMPARE(way.has_value(), share > 1.0);
-    QCOMPARE(place.has_value(), share > 1.0);
-    if (way) QVERIFY(std::abs(*way - 30.0) < 1e-6);
-    if (place) QVERIFY((*place - Vec3(40, 0, 0)).norm() < 1e-6);
+    const auto travel = translationUnder(held, ray);
+    const auto position = positionUnder({0, 0, 0}, Vec3::UnitZ(), ray);
+    QCOMPARE(travel.has_value(), share > 1.0);
+    QCOMPARE(position.has_value(), share > 1.0);
+    if (travel) QVERIFY(std::abs(*travel - 30.0) < 1e-6);
+    if (position) QVERIFY((*position - Vec3(40, 0, 0)).norm() < 1e-6);
   }
 }
 

@@ -20,7 +20,7 @@ class MeasureToolTest : public QObject {
   void wall();
   void modes();
   void escStartsAgain();
-  void oddPlaces();
+  void oddPoints();
   void whatHoldsTheTipIsMeasured();
 };
 
@@ -136,12 +136,12 @@ void MeasureToolTest::wall() {
   for (const Vec3& p : preview.lines.at(1)) QVERIFY(isNear((p - Vec3(4, 1, -1)).norm(), 1.0));
   tool.pointer(test::above(Kind::Press, 2, 1));
   tool.pointer(test::above(Kind::Hover, 4, 1));
-  QVERIFY(isNear(figure(tool, "thickness"), 2.0));  // what was clicked stays
+  QVERIFY(isNear(figure(tool, "thickness"), 2.0));  // the clicked points stay
   tool.pointer(test::above(Kind::Press, -2, 1));
   QVERIFY(!tool.thickness() && tool.preview().lines.empty() && tool.settings().size() == 1);
 }
 
-// Where nothing is known but points, only points are measured. Another mode begins anew.
+// If nothing is known but points, only points are measured. Another mode begins anew.
 void MeasureToolTest::modes() {
   MeasureTool points({onPlane, {}}), all({onPlane, slab});
   QCOMPARE(points.settings()[0].choices.size(), std::size_t{2});
@@ -170,7 +170,7 @@ void MeasureToolTest::escStartsAgain() {
   QVERIFY(!tool.distance());
 }
 
-void MeasureToolTest::oddPlaces() {
+void MeasureToolTest::oddPoints() {
   MeasureTool tool({onPlane, {}});
   QCOMPARE(tool.pointer(test::above(Kind::Press, 11, 0)), ToolReply::Ignored);
   QCOMPARE(tool.pointer(test::above(Kind::Press, std::nan(""), 0)), ToolReply::Ignored);
@@ -182,7 +182,7 @@ void MeasureToolTest::oddPlaces() {
   QCOMPARE(*tool.distance(), 1e-300);
 }
 
-// A corner that draws the tip is a point even where the ray passes the surface by; of faces the ray is asked.
+// A corner that attracts the tip is a point even if the ray misses the surface; for faces the ray is used.
 void MeasureToolTest::whatHoldsTheTipIsMeasured() {
   MeasureTool tool({onPlane, slab});
   PointerEvent event = test::above(Kind::Press, 11, 0);

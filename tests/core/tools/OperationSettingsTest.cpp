@@ -66,7 +66,7 @@ class OperationSettingsTest : public QObject {
     QCOMPARE(settingOf(values, "from_y").label, std::string("From y"));
   }
 
-  // One that has no value yet, and no default, is shown as it is described.
+  // A setting without a value or default is shown as it is described.
   void withoutAValue() {
     OperationValues values(milling());
     QVERIFY(!values.given("finish"));
@@ -75,7 +75,7 @@ class OperationSettingsTest : public QObject {
     QCOMPARE(std::get<double>(settingOf(values, "finish").value), 0.5);
   }
 
-  // As a panel sets them: brought between their limits.
+  // Values set by a panel are brought between their limits.
   void taking() {
     OperationValues values(milling());
     QVERIFY(takeSetting(values, "step_down", 99.0));

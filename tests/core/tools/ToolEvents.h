@@ -4,7 +4,7 @@
 
 #include "tools/Tool.h"
 
-// Events as a pointer over a model makes them.
+// Events of a pointer over a model.
 namespace handwheel::test {
 
 using Kind = PointerEvent::Kind;
@@ -13,7 +13,7 @@ inline constexpr Modifiers kNoModifiers{};
 inline constexpr Modifiers kShift{true, false, false};
 inline constexpr Modifiers kControl{false, true, false};
 
-// From high above, straight down; a pixel is 0.01.
+// Returns an event from high above, straight down; a pixel is 0.01.
 inline PointerEvent above(Kind kind, double x, double y, Modifiers modifiers = {}) {
   PointerEvent event;
   event.kind = kind;

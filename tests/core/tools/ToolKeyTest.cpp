@@ -59,7 +59,7 @@ void ToolKeyTest::theKeysOfATool_data() {
   add("volume-repair", VolumeRepairTool::keys());
 }
 
-// Return finishes every tool, Esc gives up; what else there is are keys of one press, and no two alike.
+// Return finishes every tool, Esc cancels; all others are keys of one press, and no two are equal.
 void ToolKeyTest::theKeysOfATool() {
   QFETCH(const ToolKey*, first);
   QFETCH(int, count);

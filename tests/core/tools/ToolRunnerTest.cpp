@@ -47,7 +47,7 @@ void edit(MeshDocument& document, Face f) {
   document.commit("Edit", inspected(mesh));
 }
 
-// Notes what it receives, and does what the test wants.
+// A tool that records its input, and acts as the test requires.
 class Probe : public Tool {
  public:
   struct Notes {
@@ -134,7 +134,7 @@ void ToolRunnerTest::finishedMeansTheEnd() {
   QCOMPARE(runner.perform("commit"), ToolReply::Finished);
   QVERIFY(notes.isGone && !runner.tool() && !runner.document());
   QCOMPARE(ended.count(), 1);
-  edit(*m_document, 3);  // nobody listens any more
+  edit(*m_document, 3);  // there is no listener any more
   QCOMPARE(notes.calls, std::vector<std::string>{"perform commit"});
 }
 
@@ -161,7 +161,7 @@ void ToolRunnerTest::aToolThatThrowsIsDropped() {
   QCOMPARE(failed[0][0].toString(), isStandard ? QString("out of luck") : QString("unknown exception"));
 }
 
-// An edit, then the failure, in the same event; also where the failure is the answer to the edit.
+// An edit, then the failure, in the same event; also if the failure is the reaction to the edit.
 void ToolRunnerTest::itsOwnEditsAreTakenBack() {
   for (const bool inAnswer : {false, true}) {
     const HalfEdgeMesh before = m_document->mesh();
@@ -256,7 +256,7 @@ void ToolRunnerTest::aNewToolTakesItsPlace() {
   QVERIFY(!second.isGone);
 }
 
-// However it ends, while its document lives; and whenever the document asks for it.
+// The work is settled for any end of the tool, while its document lives; and whenever the document requests it.
 void ToolRunnerTest::settlesBeforeItEnds() {
   ToolRunner runner;
   Probe::Notes notes, other;

@@ -59,7 +59,7 @@ bool isSameContent(const SparseVolume::Content& a, const SparseVolume::Content& 
   return a.block->depths == b.block->depths;
 }
 
-// How many blocks of one are not the same in another.
+// Returns the number of blocks of one volume that differ in another.
 std::size_t differences(const SparseVolume& volume, const SparseVolume& other) {
   std::size_t count = 0;
   volume.forEach([&](const VoxelIndex& at, const SparseVolume::Content& content) {
@@ -69,21 +69,21 @@ std::size_t differences(const SparseVolume& volume, const SparseVolume& other) {
 }
 
 struct PlacedHead {
-  Vec3 place;
+  Vec3 position;
   double time;
 };
 
-// Straight from place to place, at 1 kHz, in so many cycles each.
-std::vector<PlacedHead> headWay(const std::vector<Vec3>& places, int cycles) {
-  std::vector<PlacedHead> way{{places.front(), 0.0}};
-  for (std::size_t i = 1; i < places.size(); ++i)
+// Returns a straight path between the positions, at 1 kHz, with so many cycles for each segment.
+std::vector<PlacedHead> headPath(const std::vector<Vec3>& positions, int cycles) {
+  std::vector<PlacedHead> path{{positions.front(), 0.0}};
+  for (std::size_t i = 1; i < positions.size(); ++i)
     for (int k = 1; k <= cycles; ++k)
-      way.push_back({places[i - 1] + static_cast<double>(k) / cycles * (places[i] - places[i - 1]),
-                     1e-3 * static_cast<double>(way.size())});
-  return way;
+      path.push_back({positions[i - 1] + static_cast<double>(k) / cycles * (positions[i] - positions[i - 1]),
+                      1e-3 * static_cast<double>(path.size())});
+  return path;
 }
 
-// Goes the same way in a whole volume and in a part, and compares cycle by cycle. axis: to the shank.
+// Drills along the same path in a whole volume and in a part, and compares them cycle by cycle. axis: to the shank.
 struct DrilledTwice {
   SparseVolume whole, before;
   HybridPart part;
@@ -92,12 +92,12 @@ struct DrilledTwice {
   std::optional<double> breakthrough, ofPart;
   std::size_t mostBlocks = 0;
 
-  DrilledTwice(const TriangleSoup& soup, double voxel, const DrillSetup& setup, const std::vector<PlacedHead>& way,
+  DrilledTwice(const TriangleSoup& soup, double voxel, const DrillSetup& setup, const std::vector<PlacedHead>& path,
                const Vec3& axis = Vec3::UnitZ())
       : whole(volumeOfSurface(soup, voxel)->volume), before(whole), part(*HybridPart::of(soup, voxel)) {
     DrillRun one(whole, setup), other(part, setup);
-    for (const PlacedHead& head : way) {
-      const DrillTick a = one.move(head.place, axis, head.time), b = other.move(head.place, axis, head.time);
+    for (const PlacedHead& head : path) {
+      const DrillTick a = one.move(head.position, axis, head.time), b = other.move(head.position, axis, head.time);
       compare(a.removed, b.removed);
       compare(a.thrust, b.thrust);
       for (Eigen::Index k = 0; k < 3; ++k) {
@@ -186,11 +186,11 @@ class HybridPartTest : public QObject {
     HybridPart part = *HybridPart::of(soup, 0.3);
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < 343; ++i) {
-      const Vec3 place = 2.7 * Vec3(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3) + Vec3(0.013, 0.021, 0.017);
-      QCOMPARE(part.depthBefore(place), sampler.depthAt(place).depth);
+      const Vec3 position = 2.7 * Vec3(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3) + Vec3(0.013, 0.021, 0.017);
+      QCOMPARE(part.depthBefore(position), sampler.depthAt(position).depth);
     }
-    for (const Vec3& place : {Vec3(kNan, 0.0, 0.0), Vec3(0.0, 1e300, 0.0), Vec3(0.0, 0.0, -1e7)})
-      QCOMPARE(part.depthBefore(place), sampler.depthAt(place).depth);
+    for (const Vec3& position : {Vec3(kNan, 0.0, 0.0), Vec3(0.0, 1e300, 0.0), Vec3(0.0, 0.0, -1e7)})
+      QCOMPARE(part.depthBefore(position), sampler.depthAt(position).depth);
   }
 
   // Drilled as the whole volume is: thrust, torque, what is removed, breakthrough and what is left.
@@ -222,10 +222,10 @@ class HybridPartTest : public QObject {
     setup.erosion = erosion;
     // Down through all of it; a saw goes across, its axis along y.
     const bool isSaw = tool.startsWith("saw");
-    const std::vector<PlacedHead> way =
-        isSaw ? headWay({{-12.0, 0.03, 1.0}, {12.0, 0.03, 1.0}}, 300)
-              : headWay({{0.013, -0.021, 9.0}, {0.013, -0.021, -17.0}, {0.013, -0.021, 9.0}}, 400);
-    const DrilledTwice drilled(soup, 0.25, setup, way, isSaw ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ()));
+    const std::vector<PlacedHead> path =
+        isSaw ? headPath({{-12.0, 0.03, 1.0}, {12.0, 0.03, 1.0}}, 300)
+              : headPath({{0.013, -0.021, 9.0}, {0.013, -0.021, -17.0}, {0.013, -0.021, 9.0}}, 400);
+    const DrilledTwice drilled(soup, 0.25, setup, path, isSaw ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ()));
     QVERIFY(drilled.part.isExact());
     QVERIFY2(drilled.difference < 1e-9, QByteArray::number(drilled.difference));
     QVERIFY(drilled.removed > 1.0 && drilled.most > 0.0);
@@ -245,18 +245,18 @@ class HybridPartTest : public QObject {
     setup.tool.diameter = 3.0;
     const TriangleSoup soup = plateOf(60.0, 5.0);
     const Vec3 first(-20.0, 0.01, 3.0), down(0.0, 0.0, -6.0), second(20.0, 0.01, 3.0);
-    const std::vector<Vec3> places{first,
-                                   first + down,
-                                   first,
-                                   second,
-                                   second + down,
-                                   second,
-                                   first,
-                                   first + down,
-                                   first,
-                                   first + Vec3(1.0, 0.0, 0.0),
-                                   first + down + Vec3(1.0, 0.0, 0.0)};
-    const DrilledTwice drilled(soup, 0.2, setup, headWay(places, 150));
+    const std::vector<Vec3> positions{first,
+                                      first + down,
+                                      first,
+                                      second,
+                                      second + down,
+                                      second,
+                                      first,
+                                      first + down,
+                                      first,
+                                      first + Vec3(1.0, 0.0, 0.0),
+                                      first + down + Vec3(1.0, 0.0, 0.0)};
+    const DrilledTwice drilled(soup, 0.2, setup, headPath(positions, 150));
     QVERIFY2(drilled.difference < 1e-9, QByteArray::number(drilled.difference));
     QCOMPARE(drilled.otherBlocks(), std::size_t{0});
     const std::size_t all = drilled.before.blockCount(), most = drilled.part.figures().mostBlocks;
@@ -265,12 +265,12 @@ class HybridPartTest : public QObject {
 
     HybridPart part = *HybridPart::of(soup, 0.2);
     DrillRun run(part, setup);
-    for (const PlacedHead& head : headWay({first, first + down, first, first + Vec3(0.0, 0.0, 100.0)}, 150))
-      run.move(head.place, Vec3::UnitZ(), head.time);
+    for (const PlacedHead& head : headPath({first, first + down, first, first + Vec3(0.0, 0.0, 100.0)}, 150))
+      run.move(head.position, Vec3::UnitZ(), head.time);
     const double removed = run.removed();
     QVERIFY(removed > 0.0);
-    // What is kept are the blocks along the hole: fewer than those of a box around it. They count, and that they were
-    // cut does.
+    // Only the blocks along the hole are kept, fewer than those of a box around it. They count, and so do their cut
+    // states.
     QVERIFY(part.left().blockCount() > 0);
     QVERIFY(part.bytes() > part.left().bytes() + part.left().blockCount() * 3 * sizeof(int));
     QVERIFY(part.bytes() < part.figures().mostBytes);
@@ -279,8 +279,8 @@ class HybridPartTest : public QObject {
       const Vec3 away = middle - first;
       QVERIFY(std::hypot(away.x(), away.y()) < 1.5 + 0.2 * (6.1 + 4.0));
     });
-    for (const PlacedHead& head : headWay({first + Vec3(0.0, 0.0, 100.0), first, first + down}, 150))
-      run.move(head.place, Vec3::UnitZ(), 1.0 + head.time);
+    for (const PlacedHead& head : headPath({first + Vec3(0.0, 0.0, 100.0), first, first + down}, 150))
+      run.move(head.position, Vec3::UnitZ(), 1.0 + head.time);
     QCOMPARE(run.removed(), removed);
   }
 
@@ -289,14 +289,14 @@ class HybridPartTest : public QObject {
   void memoryIsThatOfTheHole() {
     DrillSetup setup;
     setup.tool.diameter = 4.0;
-    const std::vector<PlacedHead> way =
-        headWay({{0.013, -0.021, 4.0}, {0.013, -0.021, -9.0}, {0.013, -0.021, 9.0}}, 200);
+    const std::vector<PlacedHead> path =
+        headPath({{0.013, -0.021, 4.0}, {0.013, -0.021, -9.0}, {0.013, -0.021, 9.0}}, 200);
     std::vector<HybridPart::Figures> figures;
     std::vector<double> removed;
     for (const double edge : {24.0, 184.0}) {
       HybridPart part = *HybridPart::of(plateOf(edge, 4.0), 0.25);
       DrillRun run(part, setup);
-      for (const PlacedHead& head : way) run.move(head.place, Vec3::UnitZ(), head.time);
+      for (const PlacedHead& head : path) run.move(head.position, Vec3::UnitZ(), head.time);
       QVERIFY(part.isExact() && run.breakthrough());
       figures.push_back(part.figures());
       removed.push_back(run.removed());
@@ -316,23 +316,23 @@ class HybridPartTest : public QObject {
     DrillSetup setup;
     setup.tool.diameter = 3.0;
     DrillRun run(part, setup);
-    for (const PlacedHead& head : headWay({{0.013, -0.021, 2.0}, {0.013, -0.021, -2.0}}, 100))
-      run.move(head.place, Vec3::UnitZ(), head.time);
+    for (const PlacedHead& head : headPath({{0.013, -0.021, 2.0}, {0.013, -0.021, -2.0}}, 100))
+      run.move(head.position, Vec3::UnitZ(), head.time);
     // A cylinder of 2 mm with half a ball before it.
     const double exact = M_PI * 2.25 * 2.0 + 2.0 / 3.0 * M_PI * std::pow(1.5, 3);
     QVERIFY2(std::abs(run.removed() / exact - 1.0) < 0.01, QByteArray::number(run.removed() / exact));
     QVERIFY2(part.figures().mostBytes < 10'000'000, QByteArray::number(qulonglong(part.figures().mostBytes)));
   }
 
-  // Beside the part, at no place, with a head of which nothing is drilled: no voxel is made.
+  // Beside the part, at an invalid position, or with a head that cannot drill, no voxel is made.
   void nothingIsMade() {
     HybridPart part = *HybridPart::of(plateOf(20.0, 4.0), 0.25);
     DrillSetup setup;
     setup.tool.diameter = 2.0;
     DrillRun run(part, setup);
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    for (const PlacedHead& head : headWay({{40.0, 0.0, 5.0}, {40.0, 0.0, -20.0}, {0.0, 60.0, -20.0}}, 100))
-      QCOMPARE(run.move(head.place, Vec3::UnitZ(), head.time).thrust, 0.0);
+    for (const PlacedHead& head : headPath({{40.0, 0.0, 5.0}, {40.0, 0.0, -20.0}, {0.0, 60.0, -20.0}}, 100))
+      QCOMPARE(run.move(head.position, Vec3::UnitZ(), head.time).thrust, 0.0);
     run.move({kNan, 0.0, 0.0}, Vec3::UnitZ(), 1.0);
     run.move(Vec3::Zero(), Vec3(kNan, 0.0, 0.0), 1.0);
     run.move(Vec3::Zero(), Vec3::UnitZ(), kNan);
@@ -348,8 +348,8 @@ class HybridPartTest : public QObject {
     QCOMPARE(part.figures().blocksMade, std::size_t{0});
   }
 
-  // What is not certain to be as in the whole volume says so: bodies that overlap, a wide bent hole, a wall that is
-  // lost between voxels. Far from such a place it is certain.
+  // A part that may differ from the whole volume reports it: overlapping bodies, a wide curved hole, a wall that is
+  // lost between voxels. Far from these it is certain.
   void whatIsNotExact() {
     TriangleSoup overlapping = box({0.0, 0.0, 0.0}, {10.0, 10.0, 10.0});
     append(overlapping, box({5.0, 5.0, 5.0}, {10.0, 10.0, 10.0}));
@@ -378,16 +378,16 @@ class HybridPartTest : public QObject {
     append(finned, fin);
     HybridPart away = *HybridPart::of(finned, 0.5), along = away;
     DrillRun beside(away, DrillSetup()), inFin(along, DrillSetup());
-    for (const PlacedHead& head : headWay({{30.0, 32.0, 24.0}, {30.0, 32.0, 18.0}}, 50))
-      beside.move(head.place, Vec3::UnitZ(), head.time);
+    for (const PlacedHead& head : headPath({{30.0, 32.0, 24.0}, {30.0, 32.0, 18.0}}, 50))
+      beside.move(head.position, Vec3::UnitZ(), head.time);
     QVERIFY(beside.removed() > 0.0 && away.isExact());
-    for (const PlacedHead& head : headWay({corner + Vec3(0.0, 0.0, 18.0), corner + turn * Vec3(25.0, 0.0, 18.0)}, 50))
-      inFin.move(head.place, Vec3::UnitZ(), head.time);
+    for (const PlacedHead& head : headPath({corner + Vec3(0.0, 0.0, 18.0), corner + turn * Vec3(25.0, 0.0, 18.0)}, 50))
+      inFin.move(head.position, Vec3::UnitZ(), head.time);
     QVERIFY(!along.isExact());
   }
 
-  // A hand that goes to and fro beside a small place where a wall is lost makes no more of it: the whole is judged by
-  // what there is, not by how often it was made.
+  // A hand that moves to and fro beside a small lost wall does not increase the loss: each tile counts once, however
+  // often it is made.
   void judgedOnce() {
     TriangleSoup fin = box({0.0, 0.0, 0.0}, {8.0, 0.002, 8.0});
     const Eigen::AngleAxisd turn(0.4, Vec3::UnitZ());
@@ -416,7 +416,7 @@ class HybridPartTest : public QObject {
     TriangleSoup nowhere = cube(5.0);
     nowhere.points[3].x() = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(HybridPart::of(nowhere, 0.3).error().code == ErrorCode::NumberNotFinite);
-    // Whatever it encloses.
+    // Cancelled, whatever the surface encloses.
     JobState state;
     state.cancelled = true;
     for (const TriangleSoup& soup : {cube(5.0), turnedOver(cube(5.0))})

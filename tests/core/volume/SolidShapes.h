@@ -14,7 +14,7 @@ inline double ballVolume(double radius) {
   return 4.0 / 3.0 * M_PI * radius * radius * radius;
 }
 
-// Of a cube and all that is within a distance of it (Steiner's formula).
+// Volume of a cube and all points within a distance of it (Steiner's formula).
 inline double roundedCubeVolume(double side, double distance) {
   return side * side * side + 6.0 * side * side * distance + 3.0 * M_PI * side * distance * distance +
          ballVolume(distance);

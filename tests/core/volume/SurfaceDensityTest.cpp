@@ -40,7 +40,7 @@ class SurfaceDensityTest : public QObject {
     QVERIFY2(farthest[1] < 0.25 * voxel, qPrintable(QString::number(farthest[1] / voxel)));
   }
 
-  // Whatever is between the sides of a box and the voxels.
+  // The sides of a box may have any offset from the voxels.
   void boxes() {
     for (const double corner : {0.0, 0.13, 0.37}) {
       const TriangleSoup box = cube(8.0, Vec3(corner, 2.0 * corner, 1.0));

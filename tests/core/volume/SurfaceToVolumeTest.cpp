@@ -120,7 +120,7 @@ class SurfaceToVolumeTest : public QObject {
       const double turns = windingNumber(open, p);
       const double depth = made->volume.sample(at) / VolumeBlock::kUnit;
       if (std::abs(turns - 0.5) > 2e-3) QCOMPARE(depth > 0.0, turns > 0.5);
-      // What closes the hole is no farther than the surface.
+      // The lid is at most as far as the surface.
       const double distance = std::sqrt(hierarchy.nearest(p)->squaredDistance) / voxel;
       if (distance < 2.99) QVERIFY(std::abs(depth) < distance + 2e-4);
       inside += depth > 0.0;
@@ -145,7 +145,7 @@ class SurfaceToVolumeTest : public QObject {
     }
   }
 
-  // What overlaps becomes one: no wall is left inside.
+  // Overlapping bodies become one: no wall is left inside.
   void overlapsBecomeOne() {
     TriangleSoup balls = moved(icosphere(3), Vec3::Zero(), 10.0);
     append(balls, moved(icosphere(3), Vec3(12.0, 0.0, 0.0), 10.0));
@@ -171,7 +171,7 @@ class SurfaceToVolumeTest : public QObject {
     QVERIFY(volumeOfSurface(cube(), 1e-9).error().code == VolumeErrors::TooFine);
     QVERIFY(volumeOfSurface(cube(), 2e-6).error().code == VolumeErrors::TooLarge);
     QVERIFY(volumeOfSurface(cube(1.0, Vec3::Constant(0.1)), 30.0).error().code == VolumeErrors::NoVoxelInside);
-    // What two small cubes far apart would take for an index of the rows between them.
+    // Two small cubes far apart would need an index of all rows between them.
     TriangleSoup apart = cube();
     append(apart, cube(1.0, Vec3::Constant(1e5)));
     QVERIFY(volumeOfSurface(apart, 0.25).error().code == VolumeErrors::TooLarge);
@@ -240,7 +240,7 @@ class SurfaceToVolumeTest : public QObject {
     }));
   }
 
-  // Where a surface takes all of the time, half of the voxel takes four times as long.
+  // If the surface dominates the time, half of the voxel size takes four times as long.
   void secondsArePredicted() {
     const double area = 75.0 * 90.0 * 6.0;  // mm²
     const double coarse = predictedMakingSeconds(area, 0.1), fine = predictedMakingSeconds(area, 0.05);

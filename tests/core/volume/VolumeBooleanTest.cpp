@@ -18,7 +18,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// What two balls at a distance share (two caps).
+// Returns the volume of the intersection of two balls at a distance (two caps).
 double lensVolume(double a, double b, double d) {
   return M_PI * (a + b - d) * (a + b - d) * (d * d + 2.0 * d * (a + b) - 3.0 * (a - b) * (a - b)) / (12.0 * d);
 }
@@ -133,7 +133,7 @@ class VolumeBooleanTest : public QObject {
     }
   }
 
-  // What the other does not come near is not copied.
+  // Blocks that are far from the other volume are not copied.
   void blocksAreShared() {
     const SparseVolume grid(Vec3::Zero(), 0.2);
     const SparseVolume a = withBall(grid, Vec3::Zero(), 4.0), b = withBall(grid, Vec3(6.0, 0.0, 0.0), 3.0);
@@ -163,7 +163,7 @@ class VolumeBooleanTest : public QObject {
     const SparseVolume ball = withBall(SparseVolume(Vec3::Zero(), 0.2), Vec3::Zero(), 4.0);
     const SparseVolume far = withBall(SparseVolume(Vec3(1e9, 0.0, 0.0), 0.2), Vec3(1e9, 0.0, 0.0), 4.0);
     QCOMPARE(combined(ball, far, VolumeBoolean::Unite).error().code, VolumeErrors::TooFine);
-    // Of a coarse volume, in voxels of a thousandth.
+    // A coarse volume is resampled in voxels of a thousandth.
     const SparseVolume coarse = withBall(SparseVolume(Vec3::Zero(), 100.0), Vec3::Zero(), 3000.0);
     const SparseVolume fine = withBall(SparseVolume(Vec3::Zero(), 0.01), Vec3::Zero(), 0.5);
     QCOMPARE(combined(fine, coarse, VolumeBoolean::Unite).error().code, VolumeErrors::TooLarge);

@@ -40,7 +40,7 @@ class VolumeMemoryTest : public QObject {
     QVERIFY(!memoryRefusal(0.1, 0.5 * left));
   }
 
-  // What counts is how much it has grown since it was looked at last, not what it takes in all.
+  // The growth since the last check counts, not the total.
   void growthIsWatched() {
     const auto left = static_cast<double>(systemMemory());
     const double begin = 10.0 * left, little = 0.5 * VolumeGrowth::kBetweenLooks;

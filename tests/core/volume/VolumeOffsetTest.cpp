@@ -67,8 +67,8 @@ class VolumeOffsetTest : public QObject {
                        other = boxOfVoxels(size, Vec3(5.0, 0.0, 0.0), voxel);
     const SparseVolume both = *combined(one, other, VolumeBoolean::Unite);
     const Result<SparseVolume> closed = withoutGaps(both, 0.7);
-    // What is filled is as wide as the gap, up to where the ball rests on both rims; at the corners it is a little
-    // different, by less than the gap's square.
+    // The filling is as wide as the gap, up to the height at which the ball rests on both rims; at the corners it
+    // differs slightly, by less than the gap's square.
     const double pit = 0.7 - std::sqrt(0.49 - 0.25), filled = 36.0 - 4.0 * 6.0 * pit;
     compareVolume(closed, 2.0 * 144.0 + filled, 0.01);
     const TriangleSoup surface = surfaceOf(*closed);
@@ -94,7 +94,7 @@ class VolumeOffsetTest : public QObject {
     QCOMPARE(surface.points.size(), surface.triangles.size() / 2 + 4);
   }
 
-  // Whatever the part is, closing adds only and opening takes only.
+  // Closing only adds and opening only removes, for any part.
   void closingAddsOpeningTakes() {
     const double voxel = 0.25;
     SparseVolume part = ballOfVoxels(3.0, voxel);

@@ -23,7 +23,7 @@ using namespace handwheel::test;
 
 namespace {
 
-using Place = std::array<int, 3>;
+using Voxel = std::array<int, 3>;
 
 // Blocks of noise, some of them full or empty, around the origin.
 SparseVolume noise(std::mt19937& random, int density) {
@@ -46,25 +46,25 @@ SparseVolume noise(std::mt19937& random, int density) {
 }
 
 // The parts by a search from voxel to voxel, each as its set of voxels; the largest first.
-std::vector<std::set<Place>> searched(const SparseVolume& volume) {
-  std::set<Place> left;
+std::vector<std::set<Voxel>> searched(const SparseVolume& volume) {
+  std::set<Voxel> left;
   for (int z = -8; z < 16; ++z)
     for (int y = -8; y < 16; ++y)
       for (int x = -8; x < 16; ++x)
         if (volume.sample({x, y, z}) > 0) left.insert({x, y, z});
-  std::vector<std::set<Place>> parts;
+  std::vector<std::set<Voxel>> parts;
   while (!left.empty()) {
-    std::vector<Place> open{*left.begin()};
+    std::vector<Voxel> open{*left.begin()};
     left.erase(left.begin());
-    std::set<Place> part;
+    std::set<Voxel> part;
     while (!open.empty()) {
-      const Place at = open.back();
+      const Voxel at = open.back();
       open.pop_back();
       part.insert(at);
       for (std::size_t k = 0; k < 3; ++k)
-        for (const int way : {-1, 1}) {
-          Place next = at;
-          next[k] += way;
+        for (const int step : {-1, 1}) {
+          Voxel next = at;
+          next[k] += step;
           if (left.erase(next) > 0) open.push_back(next);
         }
     }
@@ -102,9 +102,9 @@ class VolumePartsTest : public QObject {
       RC_ASSERT(kept == static_cast<std::size_t>(
                             std::count_if(sizes.begin(), sizes.end(), [&](std::uint64_t n) { return n >= limit; })));
       const SparseVolume after = parts.only(0, kept), gone = parts.only(kept, sizes.size());
-      std::map<Place, bool> isKept;
+      std::map<Voxel, bool> isKept;
       for (const auto& part : expected)
-        for (const Place& at : part) isKept[at] = part.size() >= limit;
+        for (const Voxel& at : part) isKept[at] = part.size() >= limit;
       for (int z = -9; z < 17; ++z)
         for (int y = -9; y < 17; ++y)
           for (int x = -9; x < 17; ++x) {

@@ -39,7 +39,8 @@ SparseVolume thinShell(double wall) {
   return made;
 }
 
-// Whether a way through empty voxels, over faces, edges and corners, leads from the origin more than so many away.
+// Returns true if a path through empty voxels, over faces, edges and corners, leads from the origin beyond the
+// distance.
 bool leaksOut(const SparseVolume& volume, int farthest) {
   const auto key = [](const VoxelIndex& at) { return std::tuple(at.x(), at.y(), at.z()); };
   std::set<std::tuple<int, int, int>> seen{key(VoxelIndex::Zero())};
@@ -93,7 +94,7 @@ class VolumeResamplingTest : public QObject {
     QVERIFY(made->sample(SparseVolume::blockOf(VoxelIndex::Zero())) > 0);
   }
 
-  // A wall of a third of a voxel, which is thicker than a voxel of the volume that is halved twice: no way from inside
+  // A wall of a third of a voxel, which is thicker than a voxel of the volume that is halved twice: no path from inside
   // to outside, neither through voxels nor through the surface, which is two spheres.
   void halvedWallsStayClosed() {
     const double wall = 1.0 / 3.0;

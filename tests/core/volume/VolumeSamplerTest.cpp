@@ -16,7 +16,7 @@ class VolumeSamplerTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What it remembers is what the volume has, in any order.
+  // Cached samples equal those of the volume, in any order.
   void samplesOfTheVolume() {
     const SparseVolume ball = ballOfVoxels(5.0, 0.3);
     QVERIFY(rc::check([&] {
@@ -43,20 +43,21 @@ class VolumeSamplerTest : public QObject {
     QVERIFY(sampler.normalAt(Vec3::Zero()).isZero());
   }
 
-  // Where rays meet a ball is known.
+  // Hits of rays on a ball are compared with exact ones.
   void raysMeetABall() {
     const SparseVolume ball = ballOfVoxels(5.0, 0.1);
     QVERIFY(rc::check([&] {
       const auto number = [](double most) { return *rc::gen::inRange(-1000, 1001) / 1000.0 * most; };
-      const Vec3 through(number(6.0), number(6.0), number(6.0)), way(number(1.0), number(1.0), number(1.0) + 0.001);
-      const Vec3 origin = through - 40.0 / way.norm() * way;
-      const auto hit = firstHit(ball, origin, way);
-      const double along = -origin.dot(way) / way.squaredNorm(), miss = (origin + along * way).norm();
+      const Vec3 through(number(6.0), number(6.0), number(6.0)),
+          direction(number(1.0), number(1.0), number(1.0) + 0.001);
+      const Vec3 origin = through - 40.0 / direction.norm() * direction;
+      const auto hit = firstHit(ball, origin, direction);
+      const double along = -origin.dot(direction) / direction.squaredNorm(), miss = (origin + along * direction).norm();
       if (miss > 5.01) RC_ASSERT(!hit);
       if (miss > 4.95) return;
       RC_ASSERT(hit.has_value());
-      const double exact = along - std::sqrt(25.0 - miss * miss) / way.norm();
-      RC_ASSERT(std::abs(hit->distance - exact) * way.norm() < 0.02);
+      const double exact = along - std::sqrt(25.0 - miss * miss) / direction.norm();
+      RC_ASSERT(std::abs(hit->distance - exact) * direction.norm() < 0.02);
       RC_ASSERT((hit->normal - hit->point.normalized()).norm() < 0.02);
     }));
   }

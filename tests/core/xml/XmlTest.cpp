@@ -120,7 +120,7 @@ void XmlTest::numbers() {
     QCOMPARE(parseNumber(word).error().code, ErrorCode::NumberMalformed);
   QCOMPARE(parseNumber("1e400").error().code, ErrorCode::NumberNotFinite);
 
-  // The sign of the exponent alone does not tell which end of the range was left.
+  // The sign of the exponent alone does not tell which end of the range was exceeded.
   const std::string zeros(400, '0');
   QCOMPARE(*parseNumber("0." + zeros + "1"), 0.0);
   QCOMPARE(*parseNumber("0." + zeros + "1e5"), 0.0);

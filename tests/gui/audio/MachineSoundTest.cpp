@@ -10,8 +10,8 @@
 
 using namespace handwheel;
 
-// On a machine of tests there is no sound device as a rule; then this is what is tested: it stays silent, and nothing
-// waits or fails. Whatever there is, it is played at no volume.
+// A test machine usually has no sound device; then the test is that it stays silent, and nothing waits or fails. A
+// device, if any, plays at no volume.
 class MachineSoundTest : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ void MachineSoundTest::isOffUntilItIsSwitchedOn() {
 void MachineSoundTest::staysUsableWithoutADevice() {
   MachineSound sound;
   QSignalSpy devices(&sound, &MachineSound::deviceChanged);
-  sound.setVolume(std::numeric_limits<double>::quiet_NaN());  // none
+  sound.setVolume(std::numeric_limits<double>::quiet_NaN());  // ignored
   sound.setOn(true);
   QVERIFY(sound.isOn());
   for (int i = 0; i < 20; ++i) {

@@ -19,9 +19,9 @@
 #include <QTest>
 #include <functional>
 
-// Finds accessibility defects of a window. They are what a person who uses the keyboard, a screen reader or large
-// letters would miss. Each function returns one line per finding: the path of object names and classes from the root.
-// Only what is visible is looked at.
+// Finds accessibility defects of a window. They affect people who use the keyboard, a screen reader or large letters.
+// Each function returns one line per finding: the path of object names and classes from the root. Only visible widgets
+// are examined.
 namespace handwheel::test {
 
 inline QString pathOf(const QWidget* widget, const QWidget& root) {
@@ -33,7 +33,8 @@ inline QString pathOf(const QWidget* widget, const QWidget& root) {
   return parts.join(QLatin1Char('/'));
 }
 
-// Parts of other widgets, which are operated through those: the line of a spin box, the list of a combo box.
+// Returns true for parts of other widgets, which are operated through those: the line of a spin box, the list of a
+// combo box.
 inline bool isInnerPart(const QWidget* widget) {
   for (const QWidget* p = widget->parentWidget(); p && !p->isWindow(); p = p->parentWidget()) {
     if (qobject_cast<const QComboBox*>(p) || qobject_cast<const QAbstractSpinBox*>(p) ||
@@ -52,7 +53,7 @@ inline QList<QWidget*> visibleWidgets(QWidget& root) {
   return widgets;
 }
 
-// Widgets that take the focus by Tab, but have nothing that a screen reader could say.
+// Returns the widgets that take the focus by Tab, but have no accessible name.
 inline QStringList withoutAccessibleName(QWidget& root) {
   QStringList found;
   for (QWidget* widget : visibleWidgets(root)) {
@@ -63,7 +64,7 @@ inline QStringList withoutAccessibleName(QWidget& root) {
   return found;
 }
 
-// What a mouse can operate.
+// Returns true for widgets that a mouse can operate.
 inline bool isOperated(const QWidget* widget) {
   if (!widget->isEnabled() || isInnerPart(widget) || qobject_cast<const QScrollBar*>(widget)) return false;
   return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
@@ -72,9 +73,9 @@ inline bool isOperated(const QWidget* widget) {
          qobject_cast<const QKeySequenceEdit*>(widget) || (widget->focusPolicy() & Qt::TabFocus);
 }
 
-// Widgets that the mouse can operate and that pressing Tab again and again never reaches. Of a group of exclusive
-// buttons one is enough. The window must be shown, and such that it can become active (X without a window
-// manager activates no tool window); `otherwise` tells what is reached in another way (by a menu).
+// Returns the widgets that the mouse can operate and that pressing Tab again and again never reaches. Of a group of
+// exclusive buttons one is enough. The window must be shown, and such that it can become active (X without a window
+// manager activates no tool window); `otherwise` returns true for widgets that are reached by other means (a menu).
 inline QStringList notReachedByTab(QWidget& root, const std::function<bool(const QWidget*)>& otherwise = {}) {
   root.window()->activateWindow();
   const auto isActive = [&root] { return root.window()->isActiveWindow(); };
@@ -101,7 +102,7 @@ inline QStringList notReachedByTab(QWidget& root, const std::function<bool(const
   return found;
 }
 
-// Labels and buttons with less room than their text needs.
+// Returns the labels and buttons with less room than their text needs.
 inline QStringList cutTexts(QWidget& root) {
   QStringList found;
   for (const QWidget* widget : visibleWidgets(root)) {
@@ -122,7 +123,7 @@ inline QStringList cutTexts(QWidget& root) {
   return found;
 }
 
-// Cells and headers of lists with less width than their text needs, as far as they are in sight.
+// Returns the visible cells and headers of lists with less width than their text needs.
 inline QStringList cutCells(QWidget& root) {
   QStringList found;
   const auto tell = [&](const QWidget& widget, const QString& text, int width, int needed) {
@@ -145,11 +146,11 @@ inline QStringList cutCells(QWidget& root) {
       for (int row = 0; row < view->model()->rowCount(parent); ++row) {
         for (int column = 0; column < view->model()->columnCount(parent); ++column) {
           const QModelIndex index = view->model()->index(row, column, parent);
-          const QRect place = view->visualRect(index);
+          const QRect cell = view->visualRect(index);
           const QString text = index.data().toString();
           const int needed = view->sizeHintForIndex(index).width();
-          if (text.isEmpty() || !view->viewport()->rect().intersects(place) || view->indexWidget(index)) continue;
-          if (place.width() < needed) tell(*view, text, place.width(), needed);
+          if (text.isEmpty() || !view->viewport()->rect().intersects(cell) || view->indexWidget(index)) continue;
+          if (cell.width() < needed) tell(*view, text, cell.width(), needed);
         }
         lookUnder(view->model()->index(row, 0, parent));
       }

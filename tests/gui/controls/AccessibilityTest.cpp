@@ -73,7 +73,7 @@ void AccessibilityTest::tab() {
   form.show();
   QCOMPARE(notReachedByTab(form.window), QStringList({"two"}));
   QCOMPARE(notReachedByTab(form.window, [](const QWidget* w) { return w->objectName() == "two"; }), QStringList());
-  // One that keeps Tab for itself cuts off those that follow.
+  // A widget that keeps Tab for itself cuts off those that follow.
   auto* trap = form.add("trap", new QTreeWidget);
   trap->setTabKeyNavigation(true);
   new QTreeWidgetItem(trap, {"row"});

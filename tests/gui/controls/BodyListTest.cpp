@@ -30,7 +30,7 @@ BodySet manyBodies(BodyId count) {
   return bodies;
 }
 
-// A list in a window, and what it asks for.
+// A list in a window, with its requests.
 struct BodyListFixture {
   BodyListFixture() {
     QObject::connect(&list, &BodyList::selected, &list, [this](const std::set<BodyId>& ids) { selected = ids; });
@@ -45,11 +45,11 @@ struct BodyListFixture {
     list.activateWindow();
     if (!QTest::qWaitForWindowActive(&list)) qFatal("the window does not appear");
   }
-  QPoint placeOf(int row, BodyModel::Column column) {
+  QPoint pointOf(int row, BodyModel::Column column) {
     return list.visualRect(list.model()->index(row, column)).center();
   }
   void click(int row, BodyModel::Column column = BodyModel::Name, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseClick(list.viewport(), Qt::LeftButton, keys, placeOf(row, column));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, keys, pointOf(row, column));
   }
 
   BodyList list;
@@ -82,7 +82,7 @@ class BodyListTest : public QObject {
     QVERIFY(!model.indexOf(3).isValid());
   }
 
-  // Those that nothing carries come first; whatever becomes of whom carries what, each body is in one row.
+  // Bodies without a carrier come first; after any change of carriers, each body is in one row.
   void rowsBelowWhatCarries() {
     BodyModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -118,7 +118,7 @@ class BodyListTest : public QObject {
     QVERIFY(!model.indexOf(2).parent().isValid());
   }
 
-  // On what carries, on a body that is carried, beside all rows. What another list drags is not taken.
+  // Bodies are dropped on a carrier, on a carried body, beside all rows. Drags of another list are refused.
   void dropsAskForACarrier() {
     BodyModel model, other;
     Body onHand = *manyBodies(2).withId(2);

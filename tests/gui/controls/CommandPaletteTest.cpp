@@ -40,7 +40,7 @@ QStringList found(const QString& query, const QStringList& recent = {}) {
   return ids;
 }
 
-// A palette on a window with menus; the titles of what it lists.
+// A palette on a window with menus; with the titles of its rows.
 struct PaletteFixture {
   PaletteFixture() : window(sampleWindow()), palette(window.get()) {
     QSettings().clear();
@@ -100,7 +100,7 @@ void CommandPaletteTest::mnemonics() {
 
 void CommandPaletteTest::bestFirst() {
   QCOMPARE(found("sa").mid(0, 3), QStringList({"save", "saveAs", "shaded"}));  // beginning, beginning, in order
-  QCOMPARE(found("swe").first(), QString("shadedWithEdges"));                  // startActions of words
+  QCOMPARE(found("swe").first(), QString("shadedWithEdges"));                  // beginnings of words
   QCOMPARE(found("edges").first(), QString("shadedWithEdges"));                // holds it
   QCOMPARE(found("save as"), QStringList({"saveAs"}));
   QCOMPARE(found("svs"), QStringList({"saveAs"}));
@@ -230,7 +230,7 @@ void CommandPaletteTest::goesAway() {
   QVERIFY(!fixture.palette.isVisible());
   QCOMPARE(escaped.size(), 0);
   QCOMPARE(QApplication::focusWidget(), fixture.before);
-  // The same of its other keys: in the window Return fills the hole that is selected.
+  // The same holds for its other keys: in the window Return fills the selected hole.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Up, Qt::Key_PageDown, Qt::Key_Tab}) {
     QAction command("Fill", fixture.window.get());
     command.setShortcut(key);

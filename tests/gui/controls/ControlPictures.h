@@ -11,7 +11,7 @@
 namespace handwheel::test {
 
 // Checks a widget in both themes. Nothing is cut, everything has a name and is reached by Tab. The scale is that of the
-// environment (QT_SCALE_FACTOR). With HANDWHEEL_PICTURES, a folder, the pictures are kept there to be looked at.
+// environment (QT_SCALE_FACTOR). With HANDWHEEL_PICTURES, a folder, the pictures are kept there for inspection.
 inline void lookAt(QWidget& widget, const QString& name, const QStringList& mayBeUnreached = {}) {
   widget.show();
   QVERIFY(QTest::qWaitForWindowExposed(&widget));

@@ -32,7 +32,7 @@ void ControlPicturesTest::startPage_data() {
   QTest::addColumn<QSize>("size");
   QTest::newRow("wide") << QSize(1280, 660);
   QTest::newRow("usual") << QSize(960, 620);
-  QTest::newRow("narrow") << QSize(560, 300);  // what is left of 1280 x 800 at 200 %
+  QTest::newRow("narrow") << QSize(560, 300);  // the room left of 1280 x 800 at 200 %
 }
 
 void ControlPicturesTest::startPage() {
@@ -43,8 +43,8 @@ void ControlPicturesTest::startPage() {
   auto* scroll = page->findChild<QScrollArea*>("startScroll");
   QCOMPARE(scroll->widget()->width(), std::min(scroll->viewport()->width(), scroll->widget()->maximumWidth()));
   for (const QWidget* child : visibleWidgets(*scroll->widget())) {
-    const QRect place(child->mapTo(scroll->widget(), QPoint()), child->size());
-    QVERIFY2(scroll->widget()->rect().contains(place), qPrintable(pathOf(child, *page)));
+    const QRect rectangle(child->mapTo(scroll->widget(), QPoint()), child->size());
+    QVERIFY2(scroll->widget()->rect().contains(rectangle), qPrintable(pathOf(child, *page)));
   }
 }
 

@@ -103,7 +103,7 @@ inline QAction* addAction(QMenu* menu, const char* name, const QString& text, co
   return action;
 }
 
-// A window with some menus.
+// Returns a window with some menus.
 inline std::unique_ptr<QMainWindow> sampleWindow() {
   auto window = std::make_unique<QMainWindow>();
   QMenu* file = window->menuBar()->addMenu("&File");

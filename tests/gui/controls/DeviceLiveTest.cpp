@@ -12,7 +12,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What the panel of a device shows of each moment: axes, forces, and what keeps the hand safe.
+// The live display of a device panel: axes, forces, and safety.
 class DeviceLiveTest : public QObject {
   Q_OBJECT
 
@@ -58,7 +58,7 @@ void DeviceLiveTest::forceIsAskedFor() {
   DeviceInUse off = falconView();
   off.isForceOn = false;
   fixture.panel.showDevice(off);
-  button->click();  // there is none to be tested
+  button->click();  // there is nothing to test
   QCOMPARE(test.size(), 1);
 }
 
@@ -71,7 +71,7 @@ void DeviceLiveTest::withoutMotors() {
   QCOMPARE(fixture.part<AxisBars>("axisBars")->axes(), std::size_t(6));
 }
 
-// What was sent, for devices that have motors for it; the others have no such line.
+// The torque sent, for devices that have motors for it; the others have no such line.
 void DeviceLiveTest::torque() {
   DevicePanelFixture fixture;
   fixture.panel.showDevice(falconView());
@@ -89,7 +89,7 @@ void DeviceLiveTest::torque() {
   QCOMPARE(fixture.text("deviceTorque"), QString("Torque: 50 of 200 N·mm"));
 }
 
-// Force as a length, the scene's with the gain of the mapping, against the time before now.
+// The force is a magnitude, the scene's with the gain of the mapping, against the time before now.
 void DeviceLiveTest::samples() {
   DevicePanelFixture fixture;
   fixture.panel.showDevice(falconView());
@@ -107,7 +107,7 @@ void DeviceLiveTest::samples() {
   QCOMPARE(sent[0], QPointF(-2.0, 5.0));
   QCOMPARE(sent[1], QPointF(0.0, 0.0));
   DeviceInUse other = spaceMouseView();
-  fixture.panel.showDevice(other);  // what the first did is not the other's
+  fixture.panel.showDevice(other);  // the state of the first is not that of the other
   QCOMPARE(fixture.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
 }
 
@@ -152,7 +152,7 @@ void DeviceLiveTest::hiddenPanelLetsSamplesPass() {
   panel.show();
   playTouches(panel);
   QVERIFY(panel.findChild<ForcePlot*>("forcePlot")->trace().size() > 300);
-  panel.hide();  // what comes later is not joined to it
+  panel.hide();  // later values are not joined to it
   QCOMPARE(panel.findChild<ForcePlot*>("forcePlot")->trace().size(), std::size_t(0));
 }
 
@@ -171,7 +171,7 @@ void DeviceLiveTest::safetyInWords() {
   QCOMPARE(fixture.text("safetyText"), QString("Safety: the force is not limited."));
 }
 
-// A surface of 0.5 N/mm at the hand, which is 0.25 in a scene of twice the size, of which the loop can carry 0.2.
+// A surface of 0.5 N/mm at the hand is 0.25 in a scene of twice the size, of which the loop can carry 0.2.
 void DeviceLiveTest::softeningInWords() {
   DevicePanelFixture fixture;
   DeviceInUse view = falconView();

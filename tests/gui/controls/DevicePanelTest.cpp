@@ -17,7 +17,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// The panel of a device: what it shows of the values given, and what it asks for.
+// The panel of a device: the displayed values, and its requests.
 class DevicePanelTest : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class DevicePanelTest : public QObject {
   void unpluggedDeviceStaysInTheList();
   void whatToDo_data();
   void whatToDo();
-  void mouseInThePlaceOfADevice();
+  void mouseAsDevice();
   void notRealTime();
   void mappingIsEdited();
   void timings();
@@ -94,7 +94,7 @@ void DevicePanelTest::whatToDo_data() {
   QTest::newRow("failed") << "falcon" << int(DeviceStatus::Failed) << "Unplug it";
 }
 
-// The state comes with the samples, too.
+// The status comes with the samples, too.
 void DevicePanelTest::whatToDo() {
   QFETCH(QString, driver);
   QFETCH(int, status);
@@ -114,7 +114,7 @@ void DevicePanelTest::whatToDo() {
   QVERIFY(!fixture.part<QPushButton>("forceTest")->isEnabled());
 }
 
-void DevicePanelTest::mouseInThePlaceOfADevice() {
+void DevicePanelTest::mouseAsDevice() {
   DevicePanelFixture fixture;
   DeviceInUse view = spaceMouseView();
   view.isPointer = true;
@@ -175,7 +175,7 @@ void DevicePanelTest::timings() {
   fixture.panel.showTiming(measure);
   QVERIFY(!plot->plot().series[0].points.empty());
   fixture.part<QComboBox>("timingKind")->setCurrentIndex(2);
-  // Of 8 to 16 us in bins of 5, each upper end: half are not above 12, all below 17.
+  // Values of 8 to 16 us in bins of 5, each upper end: half are not above 12, all below 17.
   QCOMPARE(fixture.text("timingSummary"), QString("Half within 15 µs, 99 % within 20 µs, all within 20 µs"));
 }
 
@@ -184,7 +184,7 @@ void DevicePanelTest::pictures_data() {
   QTest::addColumn<QSize>("size");
   const char* const names[] = {"live", "mapping", "timing", "data"};
   for (int page = 0; page < 4; ++page) QTest::newRow(names[page]) << page << QSize(300, 680);
-  QTest::newRow("live-low") << 0 << QSize(296, 300);  // what is left of 1280 x 800 at 200 %
+  QTest::newRow("live-low") << 0 << QSize(296, 300);  // the room left of 1280 x 800 at 200 %
 }
 
 void DevicePanelTest::picturesOfTrouble() {
@@ -222,7 +222,7 @@ void DevicePanelTest::pictures() {
 }
 
 // In both themes nothing is cut, everything has a name and is reached by Tab. With HANDWHEEL_PICTURES, a folder, the
-// pictures are kept there to be looked at.
+// pictures are kept there for inspection.
 void DevicePanelTest::look(DevicePanel& panel, const QString& name) {
   const QString folder = qEnvironmentVariable("HANDWHEEL_PICTURES");
   for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {

@@ -18,7 +18,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What the device panel is made of, by its values.
+// The parts of the device panel, by their values.
 class DevicePartsTest : public QObject {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class DevicePartsTest : public QObject {
   void mappingByProperties();
   void mappingSuitsTheDevice();
   void bars();
-  void turnsTheShortWay();
+  void turnsByTheSmallerAngle();
   void lamps();
   void theHandIsLed();
 };
@@ -109,7 +109,7 @@ void DevicePartsTest::safetyIsHeld() {
   QCOMPARE(memory.add({}, 1.0 + 1.01 * SafetyActionHold::kHold).bits(), only(SafetyAction::Slew).bits());
   QVERIFY(memory.add({}, 1.5 + 1.01 * SafetyActionHold::kHold).isEmpty());
   memory.add(only(SafetyAction::Ramp), 3.0);
-  QVERIFY(memory.add({}, 0.1).isEmpty());  // of another loop
+  QVERIFY(memory.add({}, 0.1).isEmpty());  // time of another loop
   memory.add(only(SafetyAction::Ramp), 0.2);
   QVERIFY(memory.add({}, kNaN).isEmpty());
 }
@@ -137,16 +137,16 @@ void DevicePartsTest::everySafetyActionHasWords() {
   QCOMPARE(states.size(), std::size_t(5));
 }
 
-// Only a Falcon finds its place at the ends of its travel.
+// Only a Falcon finds its position at the ends of its travel.
 void DevicePartsTest::homingIsTheDevicesOwn() {
-  std::set<QString> ways;
+  std::set<QString> advices;
   for (const char* const driver : {"falcon", "openhaptics", "haply"}) {
     const QString advice = DeviceText::advice(DeviceStatus::NeedsHoming, driver);
-    ways.insert(advice);
+    advices.insert(advice);
     QCOMPARE(advice.contains("all the way"), QString(driver) == "falcon");
     QVERIFY(advice.contains("no force until then"));
   }
-  QCOMPARE(ways.size(), std::size_t(3));
+  QCOMPARE(advices.size(), std::size_t(3));
 }
 
 void DevicePartsTest::dataSheetLeavesOutWhatIsNot() {
@@ -161,7 +161,7 @@ void DevicePartsTest::dataSheetLeavesOutWhatIsNot() {
   QCOMPARE(mouse[1].value, QString("none"));
 }
 
-// Whatever is counted, the bars hold all of it, lie within the times and are not too many.
+// For any counts, the bars hold all of them, lie within the times and are not too many.
 void DevicePartsTest::barsOfEveryTick() {
   QVERIFY(rc::check("every tick is in a bar", [] {
     TimingHistogram histogram(5e-6);
@@ -287,8 +287,8 @@ void DevicePartsTest::bars() {
   bars.grab();  // also where there is no room
 }
 
-// By the mouse and by keys, one axis at a time; buttons by their numbers. Of a device that somebody holds nothing
-// moves.
+// The hand moves by the mouse and by keys, one axis at a time; buttons by their numbers. A device that somebody holds
+// does not move.
 void DevicePartsTest::theHandIsLed() {
   AxisBars bars;
   ButtonLamps lamps;
@@ -316,7 +316,7 @@ void DevicePartsTest::theHandIsLed() {
   hand.position = {5.0, 0.0, 0.0};
   bars.showHand(hand);
   pull(2, 0.5);
-  QVERIFY(std::abs(led.back().position.z() - 20.0) < 0.5 && led.back().position.x() == 5.0);  // of 40 mm
+  QVERIFY(std::abs(led.back().position.z() - 20.0) < 0.5 && led.back().position.x() == 5.0);  // half of 40 mm
   QTest::keyClick(&bars, Qt::Key_Home);
   QCOMPARE(led.back().position, Vec3(5.0, 0.0, 0.0));
   QTest::keyClick(&bars, Qt::Key_Up);
@@ -344,8 +344,8 @@ void DevicePartsTest::theHandIsLed() {
   QCOMPARE(pressed, (std::vector<int>{2, 0}));
 }
 
-// As an angle about an axis, not above 180°: a turn by 350° is one by -10°.
-void DevicePartsTest::turnsTheShortWay() {
+// A turn is shown as an angle about an axis, not above 180°: a turn by 350° is one by -10°.
+void DevicePartsTest::turnsByTheSmallerAngle() {
   AxisBars bars;
   bars.setDevice(spaceMouseView().capabilities);
   DeviceState state;

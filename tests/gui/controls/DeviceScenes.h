@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-// A device and what it does, for the tests of its panel.
+// A device and its motion, for the tests of its panel.
 namespace handwheel::test {
 
 inline DeviceInfo falcon() {
@@ -20,7 +20,7 @@ inline DeviceInfo spaceMouse() {
   return {"spacemouse", "/dev/hidraw3", "SpaceMouse Compact"};
 }
 
-// Three axes in and out, as of the first; six in, none out, as of the other.
+// Returns a device with three axes in and out; the next one has six in and none out.
 inline DeviceInUse falconView() {
   DeviceInUse view;
   view.found = {falcon(), spaceMouse()};
@@ -58,7 +58,7 @@ inline ServoSample sampleAt(double time, const Vec3& asked, const Vec3& sent) {
   return sample;
 }
 
-// A wall touched again and again: ten seconds at the rate of a display.
+// Shows a wall that is touched again and again: ten seconds at the rate of a display.
 inline void playTouches(DevicePanel& panel) {
   for (int i = 0; i <= 600; ++i) {
     const double time = i / 60.0;
@@ -72,7 +72,7 @@ inline void playTouches(DevicePanel& panel) {
   }
 }
 
-// A loop of 1 kHz: most ticks nearly in time, some late.
+// Fills in a loop of 1 kHz: most ticks nearly in time, some late.
 inline void fill(ServoStatistics& measure) {
   for (int i = 0; i < 1000; ++i) {
     const double late = 1e-6 * (20 + i % 37) + (i % 100 == 0 ? 4e-4 : 0.0);

@@ -113,7 +113,7 @@ void LessonPanelTest::hintsOnDemand() {
   fixture.part<QListWidget>("lessonSteps")->setCurrentRow(3);
   QVERIFY(!fixture.isSeen("lessonAskHint"));  // it has none
   QCOMPARE(hints.size(), 1);
-  // Of two, one at a time.
+  // Two hints, one at a time.
   fixture.part<QListWidget>("lessonSteps")->setCurrentRow(1);
   auto* ask = fixture.part<QPushButton>("lessonAskHint");
   QTest::mouseClick(ask, Qt::LeftButton);
@@ -124,7 +124,7 @@ void LessonPanelTest::hintsOnDemand() {
   QCOMPARE(hints.size(), 3);
   QCOMPARE(hints[1], QList<QVariant>({1, 1}));
   QCOMPARE(hints[2], QList<QVariant>({1, 2}));
-  // Who goes on sees those again that were asked for.
+  // A continued lesson shows the hints again that were requested.
   std::vector<LessonStep> again = shoulderSteps();
   again[0].shownHints = 5;
   fixture.panel.setLesson("Goes on", again);
@@ -140,7 +140,7 @@ void LessonPanelTest::stepsByHand() {
   QCOMPARE(done.size(), 1);
   QCOMPARE(done[0][0].toInt(), 0);
   fixture.panel.setStepState(0, State::Done);
-  QVERIFY(!fixture.isSeen("lessonDone"));  // of the next one the program finds out
+  QVERIFY(!fixture.isSeen("lessonDone"));  // the program finds out about the next one
 }
 
 void LessonPanelTest::time() {

@@ -16,7 +16,7 @@ class MessageBarTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The latest is in front; closing it or taking what it offers brings back the one before. A repeated one counts once.
+  // The latest is in front; closing it or using its action brings back the one before. A repeated one counts once.
 
   void messagesWaitForEachOther() {
     QWidget window;
@@ -91,7 +91,8 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isHidden());
   }
 
-  // What a later message about the same thing says anew is not said twice; of other things, and of no document, it is.
+  // A later message about the same subject replaces the earlier one; about other subjects, and about no document, it
+  // does not.
   void laterMessagesReplaceEarlierOnes() {
     QWidget window;
     MessageBar bar(&window);
@@ -129,7 +130,7 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isVisible());
     bar.setDocument(b);
     QVERIFY(bar.isHidden());
-    bar.showMessage(about("of a, later", fixture));  // noticed, although another is in view
+    bar.showMessage(about("of a, later", fixture));  // visible, although another document is current
     QVERIFY(text().contains("of a, later"));
     QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
     bar.showMessage({Message::Weight::Info, "of the program", {}, {}, {}, {}});
@@ -146,7 +147,7 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isHidden());
     bar.setDocument(a);
     QVERIFY(bar.isHidden());
-    // What there was time to read does not stand over other documents.
+    // A message that there was time to read is not shown over other documents.
     bar.setReadingTime(0);
     bar.showMessage({Message::Weight::Error, "of a file that is not open", {}, {}, {}, {}});
     bar.showMessage(about("of a", fixture));
@@ -161,7 +162,7 @@ class MessageBarTest : public QObject {
     bar.forget(a);
   }
 
-  // What may be lost is asked first, whatever arrives later.
+  // A message about possible loss comes first, whatever arrives later.
   void someComeFirst() {
     QWidget window;
     MessageBar bar(&window);
@@ -192,7 +193,7 @@ class MessageBarTest : public QObject {
     QCOMPARE(seen, QStringList({"<b>second</b>", "<b>third</b>", "<b>first</b>", "<b>second</b>"}));
   }
 
-  // One that is over goes with the next message, without any change of its document.
+  // A message that is over is removed with the next message, without any change of its document.
   void theNextOneOfItsSort() {
     QWidget window;
     MessageBar bar(&window);

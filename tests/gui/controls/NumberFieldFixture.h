@@ -15,7 +15,7 @@
 
 namespace handwheel::test {
 
-// A field in a window, with what it says.
+// A field in a window, with a spy on its signal.
 struct Fixture {
   explicit Fixture(Quantity quantity = Quantity::Length, LengthUnit unit = LengthUnit::Millimetre,
                    const QLocale& locale = QLocale::c()) {
@@ -43,7 +43,7 @@ struct Fixture {
     type(text);
     QTest::keyClick(line, Qt::Key_Return);
   }
-  // The values said so far, without the last digits, and whether each was on the way.
+  // Returns the values emitted so far, without the last digits, and whether each was emitted during dragging.
   QList<std::pair<double, bool>> said() {
     QList<std::pair<double, bool>> values;
     for (const QList<QVariant>& call : *spy) {

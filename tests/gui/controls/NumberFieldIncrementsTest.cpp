@@ -37,7 +37,7 @@ void NumberFieldIncrementsTest::steps() {
   fixture.other->setFocus();
   QCOMPARE(fixture.said(), Said({{4.9, true}, {4.9, false}}));
   fixture.type("7");
-  QTest::keyClick(fixture.line, Qt::Key_Up);  // from what stands there
+  QTest::keyClick(fixture.line, Qt::Key_Up);  // from the text in the line
   QCOMPARE(fixture.said(), Said({{7.0, false}, {8.0, true}, {8.0, false}}));
 }
 

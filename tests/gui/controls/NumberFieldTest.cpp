@@ -41,7 +41,7 @@ void NumberFieldTest::takesExpressions() {
   QCOMPARE(fixture.line->text(), QString("12.7"));
   QCOMPARE(fixture.field->value(), 12.7);
   fixture.type("2*(3+4)");
-  fixture.other->setFocus();  // leaving takes it as well
+  fixture.other->setFocus();  // leaving commits, too
   QCOMPARE(fixture.said(), Said({{14.0, false}}));
 }
 
@@ -98,12 +98,12 @@ void NumberFieldTest::refusesAndSaysWhy() {
   QVERIFY(fixture.field->findChild<QWidget*>("numberProblem")->isVisible());
   QCOMPARE(fixture.line->text(), QString("25.4"));
   QCOMPARE(fixture.field->value(), 5.0);
-  fixture.type("9");  // no word while it is being mended
+  fixture.type("9");  // no message while it is being corrected
   QCOMPARE(fixture.field->problem(), QString());
   fixture.enter("0");
   QCOMPARE(fixture.field->problem(), QString("Must be at least 1\u00a0mm."));
   fixture.enter("2 mm + 3 deg");
-  QVERIFY(fixture.field->problem().contains("6"));  // the place of the plus
+  QVERIFY(fixture.field->problem().contains("6"));  // the position of the plus
   QTest::keyClick(fixture.line, Qt::Key_Up);        // nothing to step from
   QCOMPARE(fixture.said(), Said());
   fixture.other->setFocus();  // it stays, with the reason
@@ -152,7 +152,7 @@ void NumberFieldTest::whatIsTypedStays() {
   Fixture fixture;
   fixture.field->setValue(5.0);
   fixture.type("12");
-  fixture.field->setValue(6.0);  // a tool or a job says so meanwhile
+  fixture.field->setValue(6.0);  // a tool or a job sets it meanwhile
   QCOMPARE(fixture.line->text(), QString("12"));
   QTest::keyClick(fixture.line, Qt::Key_Return);
   QCOMPARE(fixture.said(), Said({{12.0, false}}));
@@ -167,7 +167,7 @@ void NumberFieldTest::untouchedValuesStayExact() {
   QCOMPARE(fixture.field->value(), 1.0 / 3.0);
 }
 
-// Enter and Esc are the field's only while there is something to take or to take back.
+// Enter and Esc belong to the field only while there is something to commit or to revert.
 void NumberFieldTest::keysOfTheWindow() {
   Fixture fixture;
   int commits = 0;

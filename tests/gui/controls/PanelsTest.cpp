@@ -72,7 +72,7 @@ void PanelsTest::startPageSamples() {
   QCOMPARE(chosen.size(), 0);
   page.findChild<Tile*>("latheTile")->click();
   QCOMPARE(chosen, QList<QVariantList>({{"latheTile"}}));
-  page.setTiles({lathe});  // others take their place
+  page.setTiles({lathe});  // others replace them
   QVERIFY(!page.findChild<Tile*>("sampleTile"));
   QCOMPARE(page.findChild<Tile*>("latheTile")->accessibleDescription(), QString("A shaft"));
 }
@@ -168,7 +168,7 @@ void PanelsTest::hintsThatFit() {
   QCOMPARE(bar.accessibleName(), QString());
 }
 
-// As it becomes narrower the hints that are not available go first, then the others from the end.
+// When it becomes narrower the hints that are not available go first, then the others from the end.
 void PanelsTest::hintsThatAreLeftOut() {
   const Hint drag{"Drag", "move"}, enter{"Enter", "apply the tool", false}, escape{"Esc", "leave"};
   HintBar bar;
@@ -211,7 +211,7 @@ void PanelsTest::severalJobs() {
   QVERIFY(!bar.isVisible());
 }
 
-// What waits moves no bar. A press on a job whose line goes over to the next one is not meant for that.
+// A waiting job moves no bar. A press on a job whose line goes over to the next one is not meant for that.
 void PanelsTest::jobsThatWaitAndGo() {
   JobBar bar;
   QList<quint64> cancelled;
@@ -279,7 +279,7 @@ void PanelsTest::hiddenStatusAsksNobody() {
 }
 
 // A long text makes it wider before it makes it higher. Folded, one line is left, with the first action; it stays
-// folded for what comes next, and nothing of it is lost when it is unfolded.
+// folded for the next steps, and nothing of it is lost when it is unfolded.
 void PanelsTest::cardIsLowAndFolds() {
   QWidget view;
   view.resize(800, 500);

@@ -34,7 +34,7 @@ struct Edit {
   bool operator==(const Edit&) const = default;
 };
 
-// A list in a window that writes down what it receives.
+// A list in a window that records its signals.
 struct PropertyListFixture {
   PropertyListFixture() {
     list.setProperties(sampleProperties());
@@ -71,8 +71,7 @@ class PropertyListTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A group is folded away below its heading, by the mouse or a key; it stays as it was left until it is to be
-  // otherwise at first.
+  // A group is folded below its heading, by the mouse or a key; it stays so until its initial state changes.
   void groupsFold() {
     PropertyListFixture fixture;
     std::vector<Property> properties = sampleProperties();
@@ -139,7 +138,7 @@ class PropertyListTest : public QObject {
   void aLimitThatIsNear();
   void strangeValues();
 
-  // Who compares one field of several things need not look for it anew.
+  // A person who compares one field of several things need not look for it anew.
   void otherPropertiesStayScrolled() {
     PropertyListFixture fixture;
     const auto form = [](const std::string& of) {
@@ -197,7 +196,7 @@ void PropertyListTest::numbersInTexts() {
   }
 }
 
-// A text of several lines is typed with its lines, taken by Ctrl+Return or when the field is left, and given back by
+// A text of several lines is typed with its lines, committed by Ctrl+Return or when the field is left, and reverted by
 // Esc.
 void PropertyListTest::longTexts() {
   PropertyListFixture fixture;
@@ -225,7 +224,7 @@ void PropertyListTest::longTexts() {
   fixture.find<QLineEdit>("diameter", "numberLine")->setFocus();
   QCOMPARE(fixture.edits.size(), std::size_t{2});
   QCOMPARE(std::get<std::string>(fixture.edits.back().value).size(), whole.size() + 1);
-  // What was refused stays, until the value is another one.
+  // A refused value stays, until the value is another one.
   fixture.list.refuse("step.1.text", std::string("refused"), "No.");
   fixture.list.setProperties(properties);
   QCOMPARE(field->toPlainText(), QString("refused"));
@@ -234,7 +233,7 @@ void PropertyListTest::longTexts() {
   QCOMPARE(field->toPlainText(), QString("another"));
 }
 
-// What is typed is reported before it is saved or hidden, and typing goes on.
+// Typed text is reported before it is saved or hidden, and typing goes on.
 void PropertyListTest::typedTextIsReported() {
   PropertyListFixture fixture;
   auto* note = fixture.find<QLineEdit>("note", "propertyText");
@@ -322,9 +321,9 @@ void PropertyListTest::rowsSurviveAChangeOfTheSet() {
   QCOMPARE(QApplication::focusWidget(), slider);
   QVERIFY(slider->isSliderDown());
   slider->setSliderDown(false);
-  QTest::qWait(1);  // what goes is deleted later
+  QTest::qWait(1);  // removed widgets are deleted later
   QCOMPARE(fixture.list.findChildren<PropertyRow*>().size(), qsizetype(properties.size()));
-  // Down the page as in the list.
+  // The tab order goes down the page in the order of the list.
   int bottom = 0;
   for (const Property& p : properties) {
     const auto* row = fixture.list.findChild<QWidget*>("property/" + QString::fromStdString(p.id));
@@ -430,12 +429,12 @@ void PropertyListTest::coloursHaveAButton() {
   QCOMPARE(fixture.edits, (std::vector<Edit>{{"part.colour", std::string("#0080ff"), false}}));
 }
 
-// All of them are seen; a click chooses, and the keys stay where they were.
+// All choices are visible; a click chooses, and the keyboard focus stays.
 void PropertyListTest::choicesInAList() {
   PropertyListFixture fixture;
-  Property ways{.id = "way", .group = "Ways", .label = "Ways", .value = 0.0, .choices = {"a", "b", "c"}};
-  ways.continuous = true;
-  fixture.list.setProperties({ways});
+  Property choice{.id = "way", .group = "Ways", .label = "Ways", .value = 0.0, .choices = {"a", "b", "c"}};
+  choice.continuous = true;
+  fixture.list.setProperties({choice});
   auto* rows = fixture.find<QListWidget>("way", "propertyList/choices");
   QCOMPARE(rows->count(), 3);
   QCOMPARE(rows->currentRow(), 0);
@@ -443,9 +442,9 @@ void PropertyListTest::choicesInAList() {
   QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, rows->visualItemRect(rows->item(2)).center());
   QCOMPARE(fixture.edits, (std::vector<Edit>{{"way", 2.0, false}}));
   QVERIFY(!rows->hasFocus());
-  ways.choices = {"a", "d"};
-  ways.value = 1.0;
-  fixture.list.setProperties({ways});  // is no edit
+  choice.choices = {"a", "d"};
+  choice.value = 1.0;
+  fixture.list.setProperties({choice});  // is no edit
   QCOMPARE(rows->count(), 2);
   QCOMPARE(rows->currentItem()->text(), "d");
   QCOMPARE(fixture.edits.size(), std::size_t{1});

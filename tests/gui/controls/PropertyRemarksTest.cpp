@@ -20,10 +20,10 @@ std::vector<Property> criterionFields() {
           {.id = "slack", .group = "Stem", .label = "No points this far beyond", .value = 0.2}};
 }
 
-// A form with a place for remarks, once it is laid out.
+// A form with an area for remarks, once it is laid out.
 struct RemarkedForm {
   RemarkedForm() {
-    list.keepPlaceForRemarks();
+    list.reserveRemarkSpace();
     list.setProperties(fields);
     list.resize(280, 400);
     list.show();
@@ -39,7 +39,7 @@ struct RemarkedForm {
     if (!found) qFatal("there is no %s", id);
     return found;
   }
-  QList<QRect> places() {
+  QList<QRect> rectangles() {
     QList<QRect> all;
     for (const Property& each : fields) {
       const QWidget* const at = row(each.id.c_str());
@@ -55,36 +55,36 @@ struct RemarkedForm {
 
 }  // namespace
 
-// Remarks in a place of their own below a form.
+// Remarks in an area of their own below a form.
 class PropertyRemarksTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Who has seen a field clicks it where it was, whatever is remarked on the one before.
+  // A field stays at its position for a click, whatever is remarked on the one before.
   void fieldsStayWhereTheyAre() {
     RemarkedForm form;
     QTest::qWait(1);
-    const QList<QRect> before = form.places();
+    const QList<QRect> before = form.rectangles();
     QCOMPARE(form.remarks().text(), QString());
     form.setPointsProblem(kNoLimit);
     QCOMPARE(form.remarks().text(), QStringLiteral("Points: ") + QLatin1String(kNoLimit));
     QVERIFY(form.remarks().isVisible() && !form.row("points")->findChild<QLabel*>("propertyProblem")->isVisible());
     QVERIFY(form.remarks().geometry().top() > form.list.viewport()->geometry().bottom());
-    QCOMPARE(form.places(), before);
+    QCOMPARE(form.rectangles(), before);
     form.setPointsProblem("");
     QCOMPARE(form.remarks().text(), QString());
-    QCOMPARE(form.places(), before);
+    QCOMPARE(form.rectangles(), before);
   }
 
-  // What was refused comes first; it goes as soon as it is being corrected.
+  // A refused value comes first; its remark goes as soon as it is being corrected.
   void whatWasRefused() {
     RemarkedForm form;
     form.setPointsProblem(kNoLimit);
-    const QList<QRect> before = form.places();
+    const QList<QRect> before = form.rectangles();
     form.list.refuse("name", std::string("Foot"), "It is taken.");
     QTest::qWait(1);
     QCOMPARE(form.remarks().text(), QStringLiteral("Name: It is taken.\nPoints: ") + QLatin1String(kNoLimit));
-    QCOMPARE(form.places(), before);
+    QCOMPARE(form.rectangles(), before);
     auto* line = form.row("name")->findChild<QLineEdit*>("propertyText");
     QCOMPARE(line->text(), QStringLiteral("Foot"));
     line->setFocus();
@@ -92,7 +92,7 @@ class PropertyRemarksTest : public QObject {
     QCOMPARE(form.remarks().text(), QStringLiteral("Points: ") + QLatin1String(kNoLimit));
   }
 
-  // The field that is meant is named by its label, too.
+  // The label names the field of the remark, too.
   void theLabelLooksBad() {
     RemarkedForm form;
     const auto labelled = [&](const char* id) {
@@ -107,16 +107,16 @@ class PropertyRemarksTest : public QObject {
     QVERIFY(!labelled("points"));
   }
 
-  // More than fits is cut off, and in the tool tip: the place stays as it is.
+  // More than fits is cut off, and in the tool tip: the area stays the same.
   void manyRemarks() {
     RemarkedForm form;
-    const QRect place = form.remarks().geometry();
-    const QList<QRect> before = form.places();
+    const QRect geometry = form.remarks().geometry();
+    const QList<QRect> before = form.rectangles();
     for (Property& each : form.fields)
       each.problem = "<b> is no number that the lathe could be set to, nor is it near one";
     form.setPointsProblem(kNoLimit);
-    QCOMPARE(form.remarks().geometry(), place);
-    QCOMPARE(form.places(), before);
+    QCOMPARE(form.remarks().geometry(), geometry);
+    QCOMPARE(form.rectangles(), before);
     QVERIFY(form.remarks().toolTip().contains("&lt;b&gt;") && form.remarks().toolTip().contains(kNoLimit));
   }
 };

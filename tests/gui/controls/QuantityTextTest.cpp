@@ -74,14 +74,14 @@ void QuantityTextTest::numbersAreNearEnoughAndNoLonger() {
   }));
 }
 
-// What a German types for limits and tolerances; a point is taken alike, and files have points.
+// The numbers that a German types for limits and tolerances; a point is accepted, too, and files have points.
 void QuantityTextTest::numbersInTexts() {
   QCOMPARE(withLocalNumbers("±0.05", kQuantityTextGerman), QString("±0,05"));
   QCOMPARE(withLocalNumbers("1.5; 2; -0.25", kQuantityTextGerman), QString("1,5; 2; -0,25"));
   QCOMPARE(withLocalNumbers("h10", kQuantityTextGerman), QString("h10"));
   for (const char* typed : {"±0,05", "±0.05"}) QCOMPARE(withPoints(typed, kQuantityTextGerman), QString("±0.05"));
   QCOMPARE(withPoints("1,5; 2,25;,5", kQuantityTextGerman), QString("1.5; 2.25;.5"));
-  QCOMPARE(withPoints("35,95", QLocale::c()), QString("35.95"));  // as in all other fields
+  QCOMPARE(withPoints("35,95", QLocale::c()), QString("35.95"));  // the same as in all other fields
   QCOMPARE(withLocalNumbers("1.5", QLocale::c()), QString("1.5"));
 }
 
@@ -90,7 +90,7 @@ void QuantityTextTest::quantities() {
   QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Millimetre, kQuantityTextGerman), QString("12,7\u00a0mm"));
   QCOMPARE(quantityText(std::numbers::pi / 2, Quantity::Angle, LengthUnit::Metre, QLocale::c()), QString("90°"));
   QCOMPARE(quantityText(-2.5, Quantity::Number, LengthUnit::Metre, QLocale::c()), QString("-2.5"));
-  // What rounding leaves of an angle of 0; one of a millionth of a degree is meant.
+  // The rounding error of an angle of 0; one of a millionth of a degree is meant.
   for (const double noise : {4e-13, -4e-13, -0.0})
     QCOMPARE(quantityText(noise, Quantity::Angle, LengthUnit::Metre, QLocale::c()), QString("0°"));
   QCOMPARE(quantityText(kRadiansPerDegree * 1e-6, Quantity::Angle, LengthUnit::Metre, QLocale::c()),

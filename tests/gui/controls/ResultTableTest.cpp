@@ -59,7 +59,8 @@ class ResultTableTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }  // that of C does not know numbers in texts
+  // the C locale does not know numbers in texts
+  void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
   void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
   void sorts();
   void equalRowsStay();
@@ -72,7 +73,7 @@ class ResultTableTest : public QObject {
   void pictures();
 };
 
-// However far the marks are scrolled, whose they are is seen beside them, in the same rows, and can be chosen there.
+// The names stay visible beside the marks at any scroll position, in the same rows, and can be chosen there.
 void ResultTableTest::firstColumnStays() {
   ResultFixture fixture;
   QStringList headings{"Student"};
@@ -88,17 +89,17 @@ void ResultTableTest::firstColumnStays() {
   fixture.table.horizontalScrollBar()->setValue(fixture.table.horizontalScrollBar()->maximum());
   fixture.table.verticalScrollBar()->setValue(fixture.table.verticalScrollBar()->maximum() / 2);
   QVERIFY(fixture.table.horizontalScrollBar()->value() > 0 && fixture.table.verticalScrollBar()->value() > 0);
-  const QPoint place(5, fixture.table.viewport()->height() / 2);
+  const QPoint point(5, fixture.table.viewport()->height() / 2);
   const QPoint within =
-      first->viewport()->mapFrom(&fixture.table, fixture.table.viewport()->mapTo(&fixture.table, place));
-  const QModelIndex name = first->indexAt(within), beside = fixture.table.indexAt(place);
+      first->viewport()->mapFrom(&fixture.table, fixture.table.viewport()->mapTo(&fixture.table, point));
+  const QModelIndex name = first->indexAt(within), beside = fixture.table.indexAt(point);
   QCOMPARE(name.column(), 0);
   QVERIFY(name.row() > 0);
   QCOMPARE(name.row(), beside.row());
-  QVERIFY(fixture.table.childAt(fixture.table.viewport()->mapTo(&fixture.table, place)) == first->viewport());
+  QVERIFY(fixture.table.childAt(fixture.table.viewport()->mapTo(&fixture.table, point)) == first->viewport());
   QTest::mouseClick(first->viewport(), Qt::LeftButton, {}, within);
   QVERIFY(fixture.table.selectionModel()->isRowSelected(name.row(), {}));
-  // By its heading, too, the rows of both are sorted.
+  // A click on its heading sorts the rows of both.
   QTest::mouseClick(first->header()->viewport(), Qt::LeftButton, {}, QPoint(10, 5));
   QCOMPARE(fixture.table.header()->sortIndicatorSection(), 0);
   QCOMPARE(fixture.table.model()->index(1, 0).data().toString(), QString("Student 1"));
@@ -106,7 +107,7 @@ void ResultTableTest::firstColumnStays() {
   QCOMPARE(fixture.table.model()->index(0, 0).data().toString(), QString("Student 59"));
 }
 
-// Numbers by value, "2" before "10" in texts, what is empty last.
+// Numbers are sorted by value, "2" before "10" in texts, empty cells last.
 void ResultTableTest::sorts() {
   ResultFixture fixture;
   QCOMPARE(fixture.column(0), QString("Cem Anna Zoë Ben Dora"));

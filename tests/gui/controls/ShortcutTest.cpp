@@ -144,7 +144,7 @@ void ShortcutTest::conflicts() {
   QCOMPARE(fixture.conflicts("wireframe"), QStringList());  // those without a key do not collide
 }
 
-// What is there in one tool only can have a key that something else has in another.
+// A command of one tool can have a key that another has in another tool.
 void ShortcutTest::scopes() {
   ShortcutFixture fixture;
   const auto add = [&](const QString& scope, const char* name, const char* key) {
@@ -170,7 +170,7 @@ void ShortcutTest::scopes() {
   QVERIFY(!isAmbiguous("undo") && !isAmbiguous("Cut/small"));
   fixture.model.setKeys(fixture.row("Cut/large"), {QKeySequence("[")});
   QVERIFY(!isAmbiguous("undo") && isAmbiguous("Cut/small") && isAmbiguous("Cut/large") && !isAmbiguous("Glue/small"));
-  // The ends of a tool are fixed, whatever asks.
+  // The ending keys of a tool are fixed for all callers.
   fixture.model.setKeys(fixture.row("Cut/done"), {});
   fixture.model.setKeys(fixture.row("undo"), {QKeySequence("Return"), QKeySequence("F5, Esc"), QKeySequence("F6")});
   fixture.model.setKeys(fixture.row("Cut/small"), {QKeySequence("F7, F8"), QKeySequence("Shift+Return")});
@@ -202,7 +202,7 @@ void ShortcutTest::fileAndBack() {
   fixture.model.setChanges(*read);
   QCOMPARE(fixture.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")}));
   QVERIFY(fixture.action("save")->shortcuts().isEmpty());
-  QCOMPARE(fixture.action("shaded")->shortcuts(), Keys({QKeySequence("S")}));  // not in the file: as the program has it
+  QCOMPARE(fixture.action("shaded")->shortcuts(), Keys({QKeySequence("S")}));  // not in the file: the program's default
 }
 
 void ShortcutTest::randomChangesSurviveTheFile() {

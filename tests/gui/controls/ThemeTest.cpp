@@ -14,12 +14,12 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Switching the theme leaves nothing of the theme before: what was there looks like what is made in the new theme.
+// Switching the theme leaves nothing of the theme before: existing widgets look like those created in the new theme.
 class ThemeTest : public QObject {
   Q_OBJECT
 
  private:
-  // Everything that the style sheet names a colour for.
+  // Returns a widget with everything that the style sheet has a colour for.
   static std::unique_ptr<QWidget> scene() {
     auto all = std::make_unique<QWidget>();
     auto* column = new QVBoxLayout(all.get());
@@ -95,7 +95,7 @@ class ThemeTest : public QObject {
     applyTheme(*qApp, ThemeKind::Light);
     QCOMPARE(picture(*window), light);
     applyTheme(*qApp, ThemeKind::Dark);
-    applyTheme(*qApp, ThemeKind::Light);  // the first of the two was not done with what is hidden
+    applyTheme(*qApp, ThemeKind::Light);  // the first of the two had not finished the hidden ones
     QTest::qWait(50);
     QCOMPARE(picture(*window), light);
   }
@@ -121,7 +121,7 @@ class ThemeTest : public QObject {
     QCOMPARE(picture(*window), dark);
   }
 
-  // While the hidden widgets wait for their turn.
+  // A widget is deleted while the hidden widgets wait for their turn.
   void aWidgetMayDie() {
     auto window = scene();
     window->show();

@@ -30,7 +30,7 @@ class PlotLayoutTest : public QObject {
   void frameLiesInside();
   void labelsDoNotOverlap();
   void rowsDoNotOverlap();
-  void places();
+  void positions();
   void readings();
   void titles();
 };
@@ -42,7 +42,7 @@ void PlotLayoutTest::frameLiesInside() {
   QVERIFY(layout.frame().width() > 450 && layout.frame().height() > 200);
 }
 
-// However narrow the plot and long the numbers, zero has its label.
+// In a plot of any width with numbers of any length, zero has its label.
 void PlotLayoutTest::labelsDoNotOverlap() {
   const QFontMetricsF metrics(QGuiApplication::font());
   Plot plot;
@@ -68,7 +68,7 @@ void PlotLayoutTest::labelsDoNotOverlap() {
   QVERIFY(fewest < most);
 }
 
-// Nor in a plot of a few lines, as beside a table.
+// The same in a plot of a few lines, for example beside a table.
 void PlotLayoutTest::rowsDoNotOverlap() {
   const QFontMetricsF metrics(QGuiApplication::font());
   Plot plot;
@@ -93,7 +93,7 @@ void PlotLayoutTest::rowsDoNotOverlap() {
   QVERIFY(fewest < most);
 }
 
-void PlotLayoutTest::places() {
+void PlotLayoutTest::positions() {
   const PlotLayout layout(twoSeries(), QRectF(0, 0, 600, 400), QFontMetricsF(QGuiApplication::font()));
   for (const PlotSeries& s : twoSeries().series) {
     for (const QPointF& p : s.points) {
@@ -102,7 +102,7 @@ void PlotLayoutTest::places() {
       QVERIFY(layout.frame().adjusted(-1, -1, 1, 1).contains(layout.toScreen(p)));
     }
   }
-  QVERIFY(!layout.isShown({0.0, 1.0}));  // no place on a logarithmic axis
+  QVERIFY(!layout.isShown({0.0, 1.0}));  // not on a logarithmic axis
   // Up on the screen is more, to the right is more.
   QVERIFY(layout.toScreen({1, 10}).y() < layout.toScreen({1, 5}).y());
   QVERIFY(layout.toScreen({10, 5}).x() > layout.toScreen({1, 5}).x());

@@ -32,7 +32,7 @@ Plot trade() {
   return plot;
 }
 
-// How many pixels are nearly of this colour.
+// Returns the number of pixels that are nearly of this colour.
 int pixelsLike(const QImage& image, const QColor& colour, const QRect& where) {
   int count = 0;
   for (int y = where.top(); y <= where.bottom(); ++y) {
@@ -59,7 +59,7 @@ class PlotPictureTest : public QObject {
  private slots:
   void pointsAreWhereTheirValuesAre_data();
   void pointsAreWhereTheirValuesAre();
-  void oneMorePlotOneMorePlace();
+  void oneMorePlotOneMoreCell();
   void barsStandOnTheAxis_data();
   void barsStandOnTheAxis();
   void linesWithoutPoints();
@@ -130,7 +130,7 @@ void PlotPictureTest::barsStandOnTheAxis() {
   }
 }
 
-// A point without its shape leaves nothing but the line, as thin at the point as beside it. Both places lie between
+// A point without its shape leaves nothing but the line, as thin at the point as beside it. Both points lie between
 // lines of the grid.
 void PlotPictureTest::linesWithoutPoints() {
   Plot plot;
@@ -139,9 +139,9 @@ void PlotPictureTest::linesWithoutPoints() {
   font.setPixelSize(13);
   const PlotLayout layout(plot, QRectF(QPointF(), kSize), QFontMetricsF(font));
   const QPoint at = layout.toScreen({0.25, 1.0}).toPoint(), beside = layout.toScreen({0.7, 1.0}).toPoint();
-  const auto inked = [&](const QPoint& place) {
+  const auto inked = [&](const QPoint& point) {
     const QImage image = plotImage({&plot, 1}, kSize, ThemeKind::Light);
-    const QRect around(place - QPoint(2, 8), place + QPoint(2, 8));
+    const QRect around(point - QPoint(2, 8), point + QPoint(2, 8));
     return around.width() * around.height() - pixelsLike(image, themeColours(ThemeKind::Light).base, around);
   };
   QVERIFY(inked(at) > inked(beside));
@@ -150,7 +150,7 @@ void PlotPictureTest::linesWithoutPoints() {
   QVERIFY(inked(at) > 0);
 }
 
-void PlotPictureTest::oneMorePlotOneMorePlace() {
+void PlotPictureTest::oneMorePlotOneMoreCell() {
   QCOMPARE(plotImage(std::vector(1, trade()), kSize, ThemeKind::Light).size(), kSize);
   QCOMPARE(plotImage(std::vector(2, trade()), kSize, ThemeKind::Light).size(), QSize(960, 320));
   QCOMPARE(plotImage(std::vector(3, trade()), kSize, ThemeKind::Light).size(), QSize(960, 640));
@@ -160,7 +160,7 @@ void PlotPictureTest::oneMorePlotOneMorePlace() {
   QCOMPARE(two.copy(0, 0, 480, 320), two.copy(480, 0, 480, 320));
 }
 
-// Nothing that a caller may bring makes it crash or hang.
+// No plot of a caller makes it crash or hang.
 void PlotPictureTest::strangePlots() {
   const double infinity = std::numeric_limits<double>::infinity();
   Plot empty;
@@ -204,7 +204,7 @@ void PlotPictureTest::files() {
   const Status noFolder = exportPlots(plots, folder.filePath("none/a.png"), kSize, ThemeKind::Light);
   QVERIFY(!noFolder && noFolder.error().code == ErrorCode::WriteFailed);
 
-  // A link stays a link, and what is no file stays what it is.
+  // A link stays a link, and anything but a regular file is left alone.
   QVERIFY(QFile::link("a.png", folder.filePath("link.png")));
   QVERIFY(exportPlots(plots, folder.filePath("link.png"), kSize, ThemeKind::Dark));
   QVERIFY(QFileInfo(folder.filePath("link.png")).isSymLink());

@@ -29,8 +29,8 @@ void PlotScaleTest::linear() {
   QCOMPARE(s.least, 0.0);  // no room below a natural zero
   QVERIFY(s.largest > 10.0 && s.largest < 11.0);
   QCOMPARE(s.ticks, (std::vector<double>{0, 2, 4, 6, 8, 10}));
-  QCOMPARE(s.placeOf(s.least), 0.0);
-  QCOMPARE(s.placeOf(s.largest), 1.0);
+  QCOMPARE(s.positionOf(s.least), 0.0);
+  QCOMPARE(s.positionOf(s.largest), 1.0);
 }
 
 void PlotScaleTest::logarithmic() {
@@ -40,7 +40,7 @@ void PlotScaleTest::logarithmic() {
   QCOMPARE(s.ticks.size(), std::size_t{5});
   for (int k = 0; k < 5; ++k)
     QVERIFY(std::abs(s.ticks[static_cast<std::size_t>(k)] / std::pow(10.0, k - 4) - 1) < 1e-12);
-  QVERIFY(std::abs(s.placeOf(1e-2) - 0.5) < 1e-12);
+  QVERIFY(std::abs(s.positionOf(1e-2) - 0.5) < 1e-12);
   const double withZero[] = {0.0, 1.0};
   QVERIFY(!scaleFor(withZero, true).logarithmic);
   const double narrow[] = {1.0, 8.0};  // less than a decade: 2 and 5 help
@@ -57,7 +57,7 @@ void PlotScaleTest::whatIsNoNumberCountsForNothing() {
   QCOMPARE(scaleFor({}, false).least, 0.0);
 }
 
-// Whatever the numbers: each finds its place inside, ticks too, and there are neither none nor too many.
+// For any numbers: each lies inside, ticks too, and there are neither none nor too many.
 void PlotScaleTest::everythingFits() {
   QVERIFY(rc::check("values and ticks lie inside, in order", [] {
     const int size = *rc::gen::inRange(-290, 291), detail = *rc::gen::inRange(-14, 3);
@@ -67,8 +67,8 @@ void PlotScaleTest::everythingFits() {
     }
     const bool logarithmic = *rc::gen::arbitrary<bool>();
     const PlotScale s = scaleFor(values, logarithmic);
-    for (double v : values) RC_ASSERT(s.placeOf(v) >= 0.0 && s.placeOf(v) <= 1.0);
-    for (double t : s.ticks) RC_ASSERT(s.placeOf(t) >= -1e-9 && s.placeOf(t) <= 1.0 + 1e-9);
+    for (double v : values) RC_ASSERT(s.positionOf(v) >= 0.0 && s.positionOf(v) <= 1.0);
+    for (double t : s.ticks) RC_ASSERT(s.positionOf(t) >= -1e-9 && s.positionOf(t) <= 1.0 + 1e-9);
     RC_ASSERT(std::is_sorted(s.ticks.begin(), s.ticks.end()));
     RC_ASSERT(s.ticks.size() <= 13u);
     if (!logarithmic && detail > -10) RC_ASSERT(s.ticks.size() >= 2u);

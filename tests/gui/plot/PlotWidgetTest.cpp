@@ -21,14 +21,14 @@ Plot plotWidgetTrade() {
   return plot;
 }
 
-QPoint placeOf(const PlotWidget& widget, std::size_t series, std::size_t point) {
+QPoint pixelOf(const PlotWidget& widget, std::size_t series, std::size_t point) {
   const PlotLayout layout(widget.plot(), widget.rect(), QFontMetricsF(widget.font()));
   return layout.toScreen(widget.plot().series[series].points[point]).toPoint();
 }
 
 // Without a window on a screen there is no cursor, but the same event.
-void moveTo(PlotWidget& widget, const QPoint& place) {
-  QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+void moveTo(PlotWidget& widget, const QPoint& pixel) {
+  QMouseEvent move(QEvent::MouseMove, pixel, widget.mapToGlobal(pixel), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&widget, &move);
 }
 
@@ -50,11 +50,11 @@ void PlotWidgetTest::cursorReadsTheNearestPoint() {
   widget.setPlot(plotWidgetTrade());
   const QImage plain = widget.grab().toImage();
   const QSignalSpy spy(&widget, &PlotWidget::readingChanged);
-  moveTo(widget, placeOf(widget, 1, 1) + QPoint(5, 5));
+  moveTo(widget, pixelOf(widget, 1, 1) + QPoint(5, 5));
   QCOMPARE(widget.reading(), QString("slow: 20 ms, 3"));
   QCOMPARE(widget.accessibleDescription(), widget.reading());
   QVERIFY(widget.grab().toImage() != plain);
-  moveTo(widget, placeOf(widget, 0, 2));
+  moveTo(widget, pixelOf(widget, 0, 2));
   QCOMPARE(widget.reading(), QString("fast: 100 ms, 0.5"));
   moveTo(widget, QPoint(1, 1));
   QCOMPARE(widget.reading(), QString());
@@ -72,7 +72,7 @@ void PlotWidgetTest::keysWalkAlongThePoints() {
   };
   QCOMPARE(after(Qt::Key_Right), QString("fast: 1 ms, 10"));
   QCOMPARE(after(Qt::Key_Left), QString("fast: 1 ms, 10"));      // there is none before
-  QCOMPARE(after(Qt::Key_Right), QString("fast: 100 ms, 0.5"));  // what is no number is passed over
+  QCOMPARE(after(Qt::Key_Right), QString("fast: 100 ms, 0.5"));  // values that are no number are skipped
   QCOMPARE(after(Qt::Key_Right), QString("fast: 100 ms, 0.5"));
   QCOMPARE(after(Qt::Key_Down), QString("slow: 20 ms, 3"));  // the last of a shorter series
   QCOMPARE(after(Qt::Key_Down), QString("slow: 20 ms, 3"));
@@ -89,7 +89,7 @@ void PlotWidgetTest::anotherPlot() {
   Plot other = plotWidgetTrade();
   other.series.clear();
   other.title = "Other";
-  widget.setPlot(other);  // the point that was read out is no more
+  widget.setPlot(other);  // the point that was read out no longer exists
   QCOMPARE(widget.reading(), QString());
   QCOMPARE(widget.accessibleName(), QString("Other"));
   widget.grab();

@@ -58,8 +58,8 @@ class HangWatch {
 
 }  // namespace
 
-// Somebody who does anything at all with the window. HANDWHEEL_RANDOM_SECONDS says for how long, HANDWHEEL_RANDOM_SEED
-// where to begin.
+// A user who does anything at all with the window. HANDWHEEL_RANDOM_SECONDS is the duration, HANDWHEEL_RANDOM_SEED the
+// seed.
 class RandomUseTest : public QObject {
   Q_OBJECT
 
@@ -69,7 +69,7 @@ class RandomUseTest : public QObject {
     QThreadPool workers;
     useWindow(workers, kinds.set, seed, seconds, watch);
     if (QTest::currentTestFailed()) return;
-    // The window has cancelled what it left to do.
+    // The window has cancelled its remaining work.
     QVERIFY2(workers.waitForDone(1000 * kLongestSilence / 2), "a cancelled job goes on");
     watch.alive();
   }

@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kMostDocuments = 7;
 
-// Two tori that pass through each other, holes, a flap that is open, and a piece of debris.
+// Returns two tori that pass through each other, holes, a flap that is open, and a piece of debris.
 std::vector<Corners> damagedPart() {
   std::vector<Corners> part = quadTorus(24, 12, {{0, 3}, {6, 3}, {6, 4}, {12, 9}});
   for (Corners t : quadTorus(12, 8, {{2, 2}})) {
@@ -39,7 +39,7 @@ std::vector<Corners> damagedPart() {
   return part;
 }
 
-// Open sheet of side x side quads.
+// Returns an open sheet of side x side quads.
 std::vector<Corners> sheet(int side) {
   std::vector<Corners> triangles;
   const auto at = [](int i, int j) -> Corner { return {float(i), float(j), float((i * 7 + j * 3) % 5) * 0.1f}; };
@@ -71,7 +71,8 @@ std::string contentOf(const DocumentTab& open) {
   return bytes ? *bytes : std::string();
 }
 
-// In what two containers differ. Proofs of paths are knowledge of a state, not a part of it: no undo takes them back.
+// Returns the difference of two containers. Proofs of paths are knowledge of a state, not a part of it: no undo takes
+// them back.
 QString difference(const std::string& before, const std::string& after) {
   const auto first = readContainer(before), second = readContainer(after);
   if (!first || !second) return QStringLiteral("not read");
@@ -149,14 +150,14 @@ QWidget* RandomUser::target() const {
 
 void RandomUser::act() {
   using Action = void (RandomUser::*)();
-  // As often as they are listed.
+  // Each is chosen as often as it is listed.
   static constexpr Action kActions[] = {
       &RandomUser::openFile,       &RandomUser::pressKey,       &RandomUser::pressKey,     &RandomUser::pressKey,
       &RandomUser::pressKey,       &RandomUser::pressKey,       &RandomUser::strokeInView, &RandomUser::strokeInView,
       &RandomUser::strokeInView,   &RandomUser::clickButton,    &RandomUser::clickButton,  &RandomUser::clickRow,
       &RandomUser::clickRow,       &RandomUser::runCommand,     &RandomUser::runCommand,   &RandomUser::editField,
       &RandomUser::switchDocument, &RandomUser::switchDocument, &RandomUser::cancelJob,    &RandomUser::searchCommand};
-  // What is chosen there may be the command that closes.
+  // The choice there may be the command that closes.
   if (const auto* palette = m_window.findChild<CommandPalette*>(); palette && palette->isVisible()) m_mayClose = true;
   m_menus.start(50);
   if (!answerDialogs()) (this->*kActions[upTo(static_cast<int>(std::size(kActions)))])();
@@ -192,7 +193,7 @@ void RandomUser::answer(QMessageBox& prompt) {
   button->click();
 }
 
-// What is saved goes into the folder of this user.
+// Saved files go into the folder of this user.
 void RandomUser::answer(QFileDialog& dialog) {
   if (oneIn(3)) {
     note(QStringLiteral("leaves %1").arg(dialog.objectName()));
@@ -204,7 +205,7 @@ void RandomUser::answer(QFileDialog& dialog) {
   note(QStringLiteral("%1: %2").arg(dialog.objectName(), file));
   dialog.findChild<QAbstractItemView*>(QStringLiteral("listView"))->clearSelection();
   dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
-  // A file that is missing or stands already is asked about before accept() returns.
+  // A prompt about a missing or existing file comes before accept() returns.
   QTimer asked;
   QObject::connect(&asked, &QTimer::timeout, &dialog, [this] {
     if (auto* prompt = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) answer(*prompt);
@@ -282,23 +283,23 @@ void RandomUser::strokeInView() {
                                                  Qt::RightButton};
   const auto modifiers = kModifiers[upTo(5)];
   const auto button = kButtons[upTo(5)];
-  QPoint place(upTo(view->width()), upTo(view->height()));
+  QPoint point(upTo(view->width()), upTo(view->height()));
   const int moves = oneIn(2) ? 0 : 1 + upTo(15);
   note(QStringLiteral("button %1 with %2, %3 moves from %4, %5")
            .arg(button)
            .arg(modifiers)
            .arg(moves)
-           .arg(place.x())
-           .arg(place.y()));
-  QTest::mouseMove(view, place);
-  if (oneIn(10)) return QTest::mouseDClick(view, button, modifiers, place);
-  QTest::mousePress(view, button, modifiers, place);
+           .arg(point.x())
+           .arg(point.y()));
+  QTest::mouseMove(view, point);
+  if (oneIn(10)) return QTest::mouseDClick(view, button, modifiers, point);
+  QTest::mousePress(view, button, modifiers, point);
   for (int i = 0; i < moves; ++i) {
-    place += QPoint(upTo(61) - 30, upTo(61) - 30);
-    QTest::mouseMove(view, place);
+    point += QPoint(upTo(61) - 30, upTo(61) - 30);
+    QTest::mouseMove(view, point);
     if (oneIn(30)) pressKey();
   }
-  QTest::mouseRelease(view, button, modifiers, place);
+  QTest::mouseRelease(view, button, modifiers, point);
 }
 
 void RandomUser::clickButton() {
@@ -308,7 +309,7 @@ void RandomUser::clickButton() {
   const QString name = button->objectName();
   note(QStringLiteral("clicks %1 “%2”").arg(name, button->text()));
   if (name == QLatin1String("closeTab")) m_mayClose = true;
-  // As a hand does it: what the press leads to is done before the release.
+  // Like a hand: the effects of the press happen before the release.
   const QPointer<QAbstractButton> pressed(button);
   QTest::mousePress(button, Qt::LeftButton);
   QTest::qWait(upTo(20));
@@ -325,9 +326,9 @@ void RandomUser::clickRow() {
   if (model->rowCount(index) > 0 && !oneIn(4)) index = model->index(upTo(model->rowCount(index)), 0, index);
   note(QStringLiteral("row %1 of %2").arg(index.data().toString(), view->objectName()));
   view->scrollTo(index);
-  const QPoint place = view->visualRect(index).center();
-  oneIn(4) ? QTest::mouseDClick(view->viewport(), Qt::LeftButton, {}, place)
-           : QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, place);
+  const QPoint point = view->visualRect(index).center();
+  oneIn(4) ? QTest::mouseDClick(view->viewport(), Qt::LeftButton, {}, point)
+           : QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, point);
 }
 
 void RandomUser::runCommand() {
@@ -385,7 +386,7 @@ void RandomUser::searchCommand() {
   static const QStringList kQueries{"re", "fill", "undo", "sec", "view", "x", "zz", "hole"};
   const QString text = kQueries[upTo(static_cast<int>(kQueries.size()))];
   note(QStringLiteral("searches “%1”").arg(text));
-  m_mayClose = true;  // what is found may be the command that closes
+  m_mayClose = true;  // the command found may be the one that closes
   QTest::keyClicks(query, text);
   QTest::keyClick(query, oneIn(2) ? Qt::Key_Return : Qt::Key_Escape);
 }

@@ -24,36 +24,36 @@ class MainWindow;
 
 namespace handwheel::test {
 
-// Operates the window at random, reproducibly from a seed. The same way as far as jobs end in the same order: keys,
-// clicks, strokes, commands, documents that are opened, switched, saved and closed, jobs that are cancelled. Watches
-// that no document is lost: one that has changes closes only after its prompt was answered so, and any other only by a
-// command that closes.
+// Operates the window at random, reproducibly from a seed. The actions are the same as far as jobs end in the same
+// order: keys, clicks, strokes, commands, documents that are opened, switched, saved and closed, jobs that are
+// cancelled. Watches that no document is lost: one that has changes closes only after its prompt was answered so, and
+// any other only by a command that closes.
 class RandomUser : public QObject {
   Q_OBJECT
 
  public:
-  // Files to open are made in a folder of its own, where the user also saves.
+  // Creates files to open in a folder of its own, where the user also saves.
   RandomUser(MainWindow& window, std::uint32_t seed);
 
-  // One thing, and what follows from it for some milliseconds. It is written to the standard output before it is done,
-  // so that the last lines show what led to a crash.
+  // Does one random action, and waits for its effects for some milliseconds. The action is written to the standard
+  // output before it is done, so that the last lines show the cause of a crash.
   void act();
-  // What should not have happened, as a sentence each.
+  // Returns a sentence for each thing that should not have happened.
   const QStringList& problems() const { return m_problems; }
-  // Undoes all there is in every document and compares it with what it was when it was opened.
+  // Undoes all steps in every document and compares it with its state when it was opened.
   void undoEverything(const std::function<void()>& alive);
 
  private:
   struct Opened {
-    std::string bytes;  // of its container
-    int index = 0;      // of its history: 1 where opening reversed faces
+    std::string bytes;  // bytes of its container
+    int index = 0;      // index in its history: 1 where opening reversed faces
   };
 
   int upTo(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
   bool oneIn(int count) { return upTo(count) == 0; }
   static void note(const QString& what);
   void makeFiles();
-  QWidget* target() const;  // where keys go
+  QWidget* target() const;  // the receiver of keys
 
   bool answerDialogs();
   void answer(QMessageBox& prompt);
@@ -77,7 +77,7 @@ class RandomUser : public QObject {
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;
-  std::map<const DocumentTab*, Opened> m_opened;  // each document as it was opened
+  std::map<const DocumentTab*, Opened> m_opened;  // each document in the state in which it was opened
   bool m_mayClose = false;                        // the present action is a command that closes
   bool m_mayDiscard = false;  // a prompt was answered with "discard" and its document has not closed yet
 };

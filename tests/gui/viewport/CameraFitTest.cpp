@@ -33,7 +33,7 @@ CameraState anyCamera() {
 class CameraFitTest : public QObject {
   Q_OBJECT
  private slots:
-  // All points within the share of the free part of the view, and at least two opposite sides of it touched.
+  // All points are within the share of the free part of the view, and at least two opposite sides of it are touched.
   void perspectiveFitShowsAllAndIsTight() {
     QVERIFY(rc::check([] {
       std::vector<Vec3> points;

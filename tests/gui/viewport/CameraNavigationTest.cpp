@@ -30,14 +30,14 @@ CameraState cameraNavigationAnyCamera() {
   return c;
 }
 
-// Both projections, one after the other.
+// Returns cameras of both projections, one after the other.
 CameraState anyCameraOfBoth() {
   CameraState c = cameraNavigationAnyCamera();
   c.projection = *rc::gen::element(Projection::Parallel, Projection::Perspective);
   return c;
 }
 
-// A point that the camera sees: about the focus, and before the eye.
+// Returns a point that the camera sees: about the focus, and before the eye.
 Vec3 anyPointBefore(const CameraState& c) {
   return c.centre + c.orientation *
                         Vec3(cameraNavigationNumber(1), cameraNavigationNumber(1), cameraNavigationNumber(1)) *
@@ -49,7 +49,7 @@ Vec3 anyPointBefore(const CameraState& c) {
 class CameraNavigationTest : public QObject {
   Q_OBJECT
  private slots:
-  // What the model does on the screen when it is carried: a point moves as a point of a body does.
+  // The motion of the model on the screen when it is carried: a point moves like a point of a rigid body.
   void carriesTheModel() {
     const bool ok = rc::check([] {
       const CameraState c = anyCameraOfBoth();
@@ -80,7 +80,7 @@ class CameraNavigationTest : public QObject {
     QCOMPARE(view.depth({3, 4, 5}), 5.0);
   }
 
-  void standardViewsLookTheRightWay() {
+  void standardViewsLookInTheRightDirection() {
     const auto towards = [](StandardView v) -> Vec3 { return orientationOf(v) * Vec3::UnitZ(); };
     const auto up = [](StandardView v) -> Vec3 { return orientationOf(v) * Vec3::UnitY(); };
     const auto right = [](StandardView v) -> Vec3 { return orientationOf(v) * Vec3::UnitX(); };
@@ -100,11 +100,11 @@ class CameraNavigationTest : public QObject {
     QVERIFY((lathe.conjugate() * Vec3::UnitX()).z() > 0.5);
   }
 
-  // As a turner stands before it: the chuck on the left in front and from above, the tool nearer to the viewer in front
-  // and below the work from above, the end of the bar to be seen from the right.
+  // The view of a turner: the chuck on the left in front and from above, the tool nearer to the viewer in front and
+  // below the work from above, the end of the bar visible from the right.
   void aLatheFromItsSides() {
-    const auto see = [](StandardView v, const Vec3& way) -> Vec3 {
-      return (latheFrame() * orientationOf(v)).conjugate() * way;  // on the screen: right, up, to the viewer
+    const auto see = [](StandardView v, const Vec3& direction) -> Vec3 {
+      return (latheFrame() * orientationOf(v)).conjugate() * direction;  // on the screen: right, up, to the viewer
     };
     const Vec3 axis = Vec3::UnitZ(), tool = Vec3::UnitX();
     QVERIFY((see(StandardView::Front, axis) - Vec3::UnitX()).norm() < 1e-12);
@@ -114,7 +114,7 @@ class CameraNavigationTest : public QObject {
     QVERIFY((see(StandardView::Right, axis) - Vec3::UnitZ()).norm() < 1e-12);
     QVERIFY((see(StandardView::Right, tool) + Vec3::UnitX()).norm() < 1e-12);
     QVERIFY(see(StandardView::Isometric, axis).x() > 0.5 && see(StandardView::Isometric, tool).z() > 0.0);
-    // Above is the same side as in the view that a workpiece is shown in first.
+    // The top is the same side as in the view in which a workpiece is shown first.
     QVERIFY((orientationOf(StandardView::Lathe).conjugate() * (latheFrame() * Vec3::UnitZ())).y() > 0.5);
   }
 
@@ -171,8 +171,8 @@ class CameraNavigationTest : public QObject {
     }));
   }
 
-  // Whatever the size of the model, and however far away it stands: all of it is drawn but what is next to the eye, and
-  // the depth buffer's 24 bits still tell a hundredth of the view's height apart at the focus.
+  // For any size and distance of the model, all of it is drawn but the part next to the eye, and the depth buffer's 24
+  // bits still tell a hundredth of the view's height apart at the focus.
   void depthRangeHoldsTheModel_data() {
     QTest::addColumn<double>("size");
     QTest::addColumn<double>("offset");

@@ -31,8 +31,8 @@ Eigen::Vector3d lab(const Eigen::Vector3d& rgb) {
   return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-// What people without green cones see: Viénot, Brettel, Mollon, "Digital video colourmaps for checking the legibility
-// of displays by dichromats" (1999).
+// Returns the colour seen by people without green cones: Viénot, Brettel, Mollon, "Digital video colourmaps for
+// checking the legibility of displays by dichromats" (1999).
 Eigen::Vector3d withoutGreen(const Eigen::Vector3d& rgb) {
   Eigen::Matrix3d seen;
   seen << 0.29275, 0.70725, 0.0, 0.29275, 0.70725, 0.0, -0.02234, 0.02234, 1.0;
@@ -75,7 +75,7 @@ class ColourScaleTest : public QObject {
     QVERIFY(unknown.saturation() < 5 && unknown.lightness() < 200);
   }
 
-  // Signs stay apart, and each from the middle.
+  // Both signs can be distinguished, and each from the middle.
   void forPeopleWithoutGreenCones() {
     const ColourScale scale{1.0};
     const auto seen = [&](double value) { return lab(withoutGreen(linearRgb(scale.at(value)))); };

@@ -8,12 +8,12 @@
 
 using namespace handwheel;
 
-// Contacts in the picture: where geometry says that they are.
+// The position of contacts in the picture, compared with geometry.
 class ContactLayerTest : public PictureFixture {
   Q_OBJECT
 
-  static bool isMarked(const QImage& image, const CameraState& camera, const Vec3& place) {
-    const Vec2 at = CameraNavigation(camera, kSize).toScreen(place);
+  static bool isMarked(const QImage& image, const CameraState& camera, const Vec3& point) {
+    const Vec2 at = CameraNavigation(camera, kSize).toScreen(point);
     const QColor pixel = image.pixelColor(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
     const QColor mark = contactColour();
     return std::abs(pixel.red() - mark.red()) + std::abs(pixel.green() - mark.green()) +
@@ -22,7 +22,7 @@ class ContactLayerTest : public PictureFixture {
   }
 
  private slots:
-  // A dot at each place, a line of 40 mm along its normal, and nothing beyond or behind.
+  // A dot at each point, a line of 40 mm along its normal, and nothing beyond or behind.
   void dotsAndNormals() {
     CameraState camera = fromAbove(Projection::Parallel);
     camera.centre = Vec3::Zero();
@@ -33,13 +33,13 @@ class ContactLayerTest : public PictureFixture {
     const Vec3 right(-30.0, 20.0, 0.0), down(50.0, 30.0, 0.0);
     layer->setContacts({{right, Vec3::UnitX()}, {down, -Vec3::UnitY()}});
     const QImage marked = m_view->grabImage();
-    for (const double way : {0.0, 15.0, 30.0}) {
-      QVERIFY(isMarked(marked, camera, right + way * Vec3::UnitX()));
-      QVERIFY(isMarked(marked, camera, down - way * Vec3::UnitY()));
+    for (const double distance : {0.0, 15.0, 30.0}) {
+      QVERIFY(isMarked(marked, camera, right + distance * Vec3::UnitX()));
+      QVERIFY(isMarked(marked, camera, down - distance * Vec3::UnitY()));
     }
-    for (const double way : {-10.0, 50.0}) {
-      QVERIFY(!isMarked(marked, camera, right + way * Vec3::UnitX()));
-      QVERIFY(!isMarked(marked, camera, down - way * Vec3::UnitY()));
+    for (const double distance : {-10.0, 50.0}) {
+      QVERIFY(!isMarked(marked, camera, right + distance * Vec3::UnitX()));
+      QVERIFY(!isMarked(marked, camera, down - distance * Vec3::UnitY()));
     }
     QVERIFY(layer->bounds().isEmpty());  // it is not fitted
     QVERIFY(layer->drawnBounds().contains(Vec3(10.0, 20.0, 0.0)) && layer->drawnBounds().contains(down));
@@ -48,7 +48,7 @@ class ContactLayerTest : public PictureFixture {
     m_view->removeLayer(*layer);
   }
 
-  // What touches is inside of what it touches: that hides neither the place nor the normal.
+  // A contact is inside of one of the bodies: that hides neither the point nor the normal.
   void nothingHidesThem() {
     const CameraState camera = around(Vec3::Zero(), 5.0, Projection::Perspective);
     picture({{"ball", shared(sphereSoup(90))}}, camera);

@@ -10,9 +10,9 @@ using namespace handwheel;
 
 namespace {
 
-DeviceCursor cursorAt(const Vec3& place) {
+DeviceCursor cursorAt(const Vec3& position) {
   DeviceCursor cursor;
-  cursor.tip = cursor.proxy = place;
+  cursor.tip = cursor.proxy = position;
   return cursor;
 }
 
@@ -29,7 +29,7 @@ double spread(const QImage& a, const QImage& b, const Vec2& at, double radius) {
 
 }  // namespace
 
-// Where a device's cursor is seen, by geometry and in pictures.
+// The visible position of a device's cursor, by geometry and in pictures.
 class DeviceCursorTest : public PictureFixture {
   Q_OBJECT
 
@@ -43,10 +43,10 @@ class DeviceCursorTest : public PictureFixture {
     for (const double force : {8.0, 4.0, 2.0, 80.0}) {
       cursor.force = Vec3(0, force, 0);
       const CursorLook look = lookOf(cursor, view);
-      const Vec2 way = *look.arrow - *look.proxy;
-      QVERIFY(way.y() < 0.0 && std::abs(way.x()) < 1e-9);  // up on the screen
-      if (force == 8.0) full = way.norm();
-      QVERIFY(isNear(way.norm(), full * std::min(1.0, force / 8.0), 1e-9));
+      const Vec2 shaft = *look.arrow - *look.proxy;
+      QVERIFY(shaft.y() < 0.0 && std::abs(shaft.x()) < 1e-9);  // up on the screen
+      if (force == 8.0) full = shaft.norm();
+      QVERIFY(isNear(shaft.norm(), full * std::min(1.0, force / 8.0), 1e-9));
       QCOMPARE(look.load, std::min(1.0, force / 8.0));
     }
   }
@@ -77,7 +77,8 @@ class DeviceCursorTest : public PictureFixture {
     }
   }
 
-  // On the screen, below the cursor by as much as it is before the surface (parallel projection, light at 45°).
+  // On the screen, the shadow is below the cursor by as much as the cursor is before the surface (parallel projection,
+  // light at 45°).
   void theShadowTellsTheDepth() {
     const CameraState camera = fromAbove(Projection::Parallel);
     const CameraNavigation view(camera, kSize);
@@ -89,7 +90,7 @@ class DeviceCursorTest : public PictureFixture {
     QVERIFY(std::abs((*look.shadow - *look.proxy).y() - height / view.unitsPerPixel()) < 1e-6);
   }
 
-  // Ball, shadow and ring are where geometry has them; without a cursor the picture is as it was.
+  // Ball, shadow and ring are at the computed positions; without a cursor the picture is unchanged.
   void seenInThePicture() {
     const CameraState camera = fromAbove(Projection::Parallel);
     const CameraNavigation view(camera, kSize);
@@ -111,7 +112,7 @@ class DeviceCursorTest : public PictureFixture {
     QVERIFY(spread(bare, touching, view.toScreen(cursor.proxy), 5.0) > 0.99);
     QVERIFY(spread(bare, touching, view.toScreen(cursor.tip), 9.0) > 0.1);
     QVERIFY(spread(bare, touching, *lookOf(cursor, view).arrow + Vec2(4, 0), 1.0) > 0.9);
-    // Straight towards the viewer no arrow is seen, but a ring that is closed at the limit, and half of it at half.
+    // Straight towards the viewer no arrow is visible, but a ring that is closed at the limit, and half of it at half.
     cursor = cursorAt(Vec3(10, 12, 0));
     cursor.limit = 5.0;
     cursor.force = Vec3(0, 0, 5);

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A fixture with a viewport of 600 × 500 pixels, for each test a new one. On the display with a mesh and parts.
+// A fixture with a new viewport of 600 × 500 pixels for each test. On the display with a mesh and parts.
 class ViewportFixture : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,7 @@ class ViewportFixture : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
   }
 
-  // Until everything is built and no further frame is drawn.
+  // Waits until everything is built and no further frame is drawn.
   void settle() {
     m_view->grabImage();
     int frames = -1;
@@ -64,7 +64,7 @@ class ViewportFixture : public QObject {
   void cleanup() { m_view.reset(); }
 };
 
-// Stands in for the tests where there is no display to run them on.
+// Replaces the tests if there is no display to run them on.
 class WithoutDisplay : public QObject {
   Q_OBJECT
 

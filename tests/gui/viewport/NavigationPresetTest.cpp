@@ -14,7 +14,7 @@ constexpr auto Plain = Qt::NoModifier, Shift = Qt::ShiftModifier, Ctrl = Qt::Con
 
 }  // namespace
 
-// What each preset must do, as the programs that it follows document it.
+// The bindings of each preset, from the documentation of the programs that it follows.
 class NavigationPresetTest : public QObject {
   Q_OBJECT
  private slots:
@@ -65,7 +65,7 @@ class NavigationPresetTest : public QObject {
     QTEST(gestureFor(preset, buttons, keys, onBackground), "expected");
   }
 
-  // With every preset one can orbit and pan, and a plain click or drag on the model belongs to the tools.
+  // Every preset has bindings to orbit and pan, and a plain click or drag on the model belongs to the tools.
   void everyPresetIsComplete() {
     for (const NavigationPreset preset : kNavigationPresets) {
       bool orbits = false, pans = false;

@@ -32,7 +32,7 @@ class OffscreenPictureTest : public QObject {
     QVERIFY(!failed);
     QCOMPARE(failed.error().code, ErrorCode::WriteFailed);
 
-    // What is no file stays what it is, also behind a link.
+    // Anything but a regular file is left alone, also behind a link.
     const std::filesystem::path pipe = folder.filePath("pipe").toStdString();
     const std::filesystem::path link = folder.filePath("link.png").toStdString();
     QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
@@ -74,8 +74,8 @@ class OffscreenPictureTest : public QObject {
     }
   }
 
-  // A red box above, a green one before: from the top and from the front they stand in each other's way, so that the
-  // colour in the middle tells from where the picture was taken.
+  // A red box above, a green one before: from the top and from the front they hide each other, so that the colour in
+  // the middle tells from where the picture was taken.
   void pictureOfParts() {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
     const auto box = shared(boxSoup({2, 2, 2}, {-1, -1, -1}));

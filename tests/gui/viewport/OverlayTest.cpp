@@ -39,7 +39,7 @@ Silhouette inkOf(const QImage& image) {
 
 }  // namespace
 
-// Without an application object that has fonts: as the command line draws.
+// Without an application object that has fonts, like the command line.
 class OverlayTest : public QObject {
   Q_OBJECT
  private slots:
@@ -70,7 +70,7 @@ class OverlayTest : public QObject {
     QTEST(bar.label(), "label");
   }
 
-  // The legend of what another layer has coloured is the one of coloured meshes; without a scale there is none.
+  // The legend for the colours of another layer is the same as for coloured meshes; without a scale there is none.
   void aLayerWithALegendAlone() {
     const auto picture = [](const std::function<void(QPainter&, const QSizeF&)>& paint) {
       QImage image(400, 500, QImage::Format_RGB888);
@@ -108,7 +108,7 @@ class OverlayTest : public QObject {
     }));
   }
 
-  // No length holds for the whole of a picture in perspective.
+  // No single length is valid for the whole of a picture in perspective.
   void onlyParallelPicturesHaveAScaleBar() {
     CameraState camera;
     const QImage parallel = overlayOf(camera);
@@ -120,7 +120,7 @@ class OverlayTest : public QObject {
   }
 
   // From the front of the triad, x points right and y up.
-  void axesPointTheirWay() {
+  void axesPointInTheirDirections() {
     const QImage image = overlayOf(CameraState{});
     const auto inkIn = [&](const QColor& axis) {
       QImage blank(image.size(), image.format());

@@ -52,7 +52,7 @@ class PartActorsTest : public QObject {
     return actors;
   }
 
-  // Where the actor draws the point of the part, in model coordinates.
+  // Returns the point at which the actor draws the point of the part, in model coordinates.
   static Vec3 drawnAt(vtkActor* actor, const Vec3& inGeometry, const Vec3& origin) {
     const double p[4] = {inGeometry.x(), inGeometry.y(), inGeometry.z(), 1};
     double q[4];
@@ -67,7 +67,7 @@ class PartActorsTest : public QObject {
   }
   void cleanup() { m_props.reset(); }
 
-  // What something else is proposed for is seen through, so that the two make no stripes where they coincide.
+  // A part with a proposed replacement is translucent, so that the two make no stripes where they coincide.
   void whatIsProposedAnewFades() {
     PartActors actors(*m_props);
     actors.set({partAt("a", Vec3(0, 0, 0)), partAt("b", Vec3(9, 0, 0))});
@@ -87,7 +87,7 @@ class PartActorsTest : public QObject {
     actors.set({});
   }
 
-  // What belongs no longer to the others, and comes later, too.
+  // A group that no longer belongs to the others, and that comes later, too.
   void aGroupIsFaint() {
     PartActors actors(*m_props);
     actors.setFaintGroup("off");
@@ -126,7 +126,7 @@ class PartActorsTest : public QObject {
     QVERIFY(actors.missing().empty());
   }
 
-  // The geometry stands about the middle of the box, the drawing about the origin; both are taken out again.
+  // The geometry is relative to the middle of the box, the drawing to the origin; both are subtracted again.
   void actorsStandWhereThePoseSays() {
     QVERIFY(rc::check([this] {
       const auto number = [](double limit) { return *rc::gen::inRange(-1000, 1001) * limit / 1000.0; };
@@ -160,7 +160,7 @@ class PartActorsTest : public QObject {
     QVERIFY(outline.isApprox(actors.bounds()));
   }
 
-  // A slider that changes the shape faster than it can be made: the last one made stays, until a later one is.
+  // A slider changes the shape faster than it can be built: the last one built stays, until a later one is.
   void theFormerShapeStaysUntilTheNewOneIsMade() {
     PartActors actors(*m_props);
     actors.set({partAt("a", {0, 0, 0})});
@@ -173,7 +173,7 @@ class PartActorsTest : public QObject {
       QCOMPARE(shown(), std::vector{first.GetPointer()});
       QVERIFY((drawnAt(first, {0, 0, 0}, Vec3::Zero()) - Vec3(1.5, 1, 1.5)).norm() < 1e-12);  // moved along
     }
-    PartShape shape = shapeOf(*second);  // it was under way
+    PartShape shape = shapeOf(*second);  // it was being built
     QVERIFY(actors.setShape(second, shape));
     QVERIFY(actors.takeOne() > 0);
     const vtkSmartPointer<vtkActor> between = shown().at(0);
@@ -186,7 +186,7 @@ class PartActorsTest : public QObject {
     QVERIFY((actors.bounds().max() - Vec3(5, 4, 4)).norm() < 1e-12);
   }
 
-  // No state is shown that never was: neither half of a change nor a part of before beside those of after.
+  // No intermediate state is shown: neither half of a change nor an old part beside new ones.
   void groupsChangeTogether() {
     const auto grouped = [](const std::string& name, double size) {
       DisplayPart part = partAt(name, {0, 0, 0}, shared(boxSoup({size, size, size})));
@@ -222,7 +222,7 @@ class PartActorsTest : public QObject {
     QCOMPARE(shown().size(), std::size_t{2});
     QVERIFY(std::find(before.begin(), before.end(), shown()[0]) == before.end());
     QVERIFY(std::find(before.begin(), before.end(), shown()[1]) == before.end());
-    // What is back before the change was built has not changed.
+    // A part that is restored before the change was built has not changed.
     const auto present = shown();
     actors.set({grouped("a", 5), c});
     actors.set({a2, c});
@@ -232,7 +232,7 @@ class PartActorsTest : public QObject {
     QVERIFY(shown().empty());
   }
 
-  // A part that changes faster than it is built keeps no other from being shown, and is shown itself.
+  // A part that changes faster than it is built does not delay others, and is shown itself.
   void whatChangesOftenIsShown() {
     const auto grouped = [](const std::string& name, double size) {
       DisplayPart part = partAt(name, {0, 0, 0}, shared(boxSoup({size, size, size})));
@@ -334,7 +334,7 @@ class PartActorsTest : public QObject {
     QVERIFY(colours()[0] != plain[0] && colours()[1] != plain[1]);
   }
 
-  // Every soup is delivered once, in order; one that is being made is delivered although no longer asked for.
+  // Every soup is delivered once, in order; one that is being built is delivered although no longer requested.
   void preparationDelivers() {
     std::vector<std::shared_ptr<const TriangleSoup>> delivered;
     PartPreparation preparation(

@@ -13,7 +13,7 @@ namespace {
 
 using Look = PathLine::Look;
 
-// Of one look, with so many points.
+// Returns the lines of one look with so many points.
 std::vector<PathLine> linesOf(const std::vector<PathLine>& all, Look look, std::size_t points) {
   std::vector<PathLine> found;
   for (const PathLine& line : all) {
@@ -24,7 +24,7 @@ std::vector<PathLine> linesOf(const std::vector<PathLine>& all, Look look, std::
 
 }  // namespace
 
-// How a path looks in the view: lines, arrows, dots.
+// The look of a path in the view: lines, arrows, dots.
 class PathPictureTest : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class PathPictureTest : public QObject {
     const PathPoint points[] = {{Vec3(0, 0, 0), 1}, {Vec3(30, 0, 0), 1}, {Vec3(100, 0, 0), 1}};
     const std::vector<PathLine> all = pathPicture(points);
     QCOMPARE(all.size(), std::size_t{5});
-    const std::vector<PathLine> dots = linesOf(all, Look::Place, 1);
+    const std::vector<PathLine> dots = linesOf(all, Look::Waypoint, 1);
     QCOMPARE(dots.size(), std::size_t{2});
     QVERIFY(dots[0].points[0] == Vec3(0, 0, 0) && dots[1].points[0] == Vec3(100, 0, 0));
     std::vector<Vec3> barbs;
@@ -55,7 +55,7 @@ class PathPictureTest : public QObject {
     QVERIFY(std::abs(barbs[0].dot(barbs[1])) < 1e-9 && std::abs(barbs[0].norm() - 10.0) < 1e-9);
   }
 
-  // Travel is drawn as dashes of 12 mm with gaps of 8 mm: of 100 mm they fill 60 mm. What collides stays whole.
+  // Travel is drawn as dashes of 12 mm with gaps of 8 mm: of 100 mm they fill 60 mm. Collisions are solid lines.
   void looks() {
     const PathPoint points[] = {
         {Vec3(0, 0, 0), 1}, {Vec3(0, 100, 0), 1, Look::Travel}, {Vec3(0, 150, 0), 2, Look::Collision}};
@@ -66,7 +66,7 @@ class PathPictureTest : public QObject {
     const std::vector<PathLine> met = linesOf(all, Look::Collision, 2);
     QCOMPARE(met.size(), std::size_t{1});
     QVERIFY(met[0].points[0] == Vec3(0, 100, 0) && met[0].points[1] == Vec3(0, 150, 0));
-    QCOMPARE(linesOf(all, Look::Place, 1).size(), std::size_t{3});
+    QCOMPARE(linesOf(all, Look::Waypoint, 1).size(), std::size_t{3});
     for (std::size_t i = 1; i < all.size(); ++i) QVERIFY(all[i - 1].look <= all[i].look);
   }
 
@@ -77,7 +77,7 @@ class PathPictureTest : public QObject {
     for (std::size_t i = 0; i <= 100; ++i) points.push_back({Vec3(2.0 * static_cast<double>(i), 0, 0), i});
     const std::vector<PathLine> all = pathPicture(points);
     QCOMPARE(linesOf(all, Look::Feed, 3).size(), std::size_t{8});
-    QCOMPARE(linesOf(all, Look::Place, 1).size(), std::size_t{35});
+    QCOMPARE(linesOf(all, Look::Waypoint, 1).size(), std::size_t{35});
     QCOMPARE(linesOf(all, Look::Feed, 101).size(), std::size_t{1});
   }
 

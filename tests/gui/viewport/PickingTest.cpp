@@ -102,7 +102,7 @@ class PickingTest : public QObject {
     QVERIFY(pickAlong(all, Vec3(7.3, 8.4, 4), Vec3::UnitZ()).isNothing());
   }
 
-  // A part is found where its pose puts it, however far away.
+  // A part is found at its pose, at any distance.
   void partsArePickedInTheirPose() {
     QVERIFY(rc::check([&] {
       Pose pose = Pose::Identity();
@@ -173,7 +173,7 @@ class PickingTest : public QObject {
     QCOMPARE(loopOf(pickAt({{layer.get()}}, view, kPickingSize / 2)), -1);
   }
 
-  // A circle on a plane is that circle; on a roof it follows both slopes; beyond the surface it is flat.
+  // A circle on a plane is unchanged; on a roof it follows both slopes; beyond the surface it is flat.
   void brushLiesOnTheSurface() {
     const BrushCircle brush{Vec3(10, 10, 0), 3.0};
     for (const Vec3& p : brushOutline({{m_sheet.get()}}, brush, Vec3::UnitZ())) {
@@ -188,7 +188,7 @@ class PickingTest : public QObject {
     for (const Vec3& p : brushOutline({{slopes.get()}}, {Vec3(0.01, 0, 0), 2.0}, Vec3::UnitZ())) {
       QVERIFY(std::abs(p.z() + std::abs(p.x()) * std::tan(15 * kRadiansPerDegree)) < 1e-9);
     }
-    // Wider than the rod that it is on: neither torn between the rod and the floor beneath it nor zigzag.
+    // A brush wider than the rod below it: neither torn between the rod and the floor beneath it nor zigzag.
     TriangleSoup rod;
     rod.points = {{-1, -20, 0}, {1, -20, 0}, {1, 20, 0}, {-1, 20, 0}, {-20, -20, -2.5}, {20, -20, -2.5}, {0, 40, -2.5}};
     rod.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};

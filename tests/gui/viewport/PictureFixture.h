@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-inline const Vec2 kSize(600, 500);  // of the view
+inline const Vec2 kSize(600, 500);  // size of the view
 
-// A view of this height about the point, from the front right above.
+// Returns a view of this height about the point, from the front right above.
 inline CameraState around(const Vec3& point, double height, Projection projection) {
   CameraState c;
   c.orientation = orientationOf(StandardView::Isometric);

@@ -17,7 +17,7 @@ class PointsLayer : public ViewLayer {
  public:
   static constexpr std::size_t kBlock = 1000;   // points
   static constexpr double kDot = 9.0;           // logical pixels across
-  static constexpr double kReach = kDot / 2.0;  // from the cursor
+  static constexpr double kReach = kDot / 2.0;  // distance from the cursor
 
   void setPoints(std::vector<Vec3> points) {
     m_points = std::move(points);
@@ -29,13 +29,13 @@ class PointsLayer : public ViewLayer {
     m_hovered.reset();
     report(LayerChange::Model);
   }
-  // Builds its block again, no other.
+  // Moves a point; only its block is built again.
   void movePoint(std::size_t i, const Vec3& to) {
     m_points[i] = to;
     m_waiting.push_back(i / kBlock);
     report(LayerChange::Elements);
   }
-  // The same number of points elsewhere: builds the blocks again in which one has moved.
+  // Moves the same number of points: the blocks in which one has moved are built again.
   void movePoints(std::vector<Vec3> points) {
     for (std::size_t first = 0; first < m_points.size(); first += kBlock) {
       const std::size_t last = std::min(first + kBlock, m_points.size());

@@ -10,11 +10,11 @@
 #include <memory>
 #include <numbers>
 
-// Solids whose picture follows from mathematics, and how to measure a picture.
+// Solids whose picture follows from mathematics, and functions that measure a picture.
 namespace handwheel {
 
-// A unit sphere about the origin scaled by radius, closed, with its triangles seen from outside counter-clockwise. Its
-// silhouette is that of the sphere to (π / 2n)².
+// Returns a unit sphere about the origin scaled by radius, closed, with its triangles seen from outside
+// counter-clockwise. Its silhouette is that of the sphere to (π / 2n)².
 inline TriangleSoup sphereSoup(int n, double radius = 1.0, const Vec3& centre = Vec3::Zero()) {
   TriangleSoup s;
   s.points = {centre + Vec3(0, 0, radius), centre - Vec3(0, 0, radius)};
@@ -56,11 +56,11 @@ inline int difference(QRgb a, QRgb b) {
 // The pixels in which a picture differs from that of the empty background.
 struct Silhouette {
   double area = 0.0;                   // pixels
-  Eigen::Vector2d centroid{0.0, 0.0};  // pixels, of the pixels' middles
+  Eigen::Vector2d centroid{0.0, 0.0};  // centroid of the pixels' middles, pixels
   int left = 1 << 30, right = -1, top = 1 << 30, bottom = -1;
 };
 
-// only: a condition on the pixel's colour.
+// Returns the silhouette of a model. only: a condition on the pixel's colour.
 template <class Only>
 Silhouette silhouette(const QImage& with, const QImage& without, Only only) {
   Silhouette s;

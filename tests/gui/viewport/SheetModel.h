@@ -13,8 +13,8 @@ namespace handwheel {
 
 inline constexpr int kCells = 20;
 
-// A square sheet from (0, 0) to (20, 20) at height 0, in cells of 1; cell (i, j) has the faces 2 (j · 20 + i) below its
-// diagonal and one more above.
+// Returns a square sheet from (0, 0) to (20, 20) at height 0, in cells of 1; cell (i, j) has the faces 2 (j · 20 + i)
+// below its diagonal and one more above.
 inline TriangleSoup sheet(int cells) {
   TriangleSoup s;
   for (int j = 0; j <= cells; ++j) {

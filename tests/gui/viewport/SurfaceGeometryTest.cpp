@@ -59,7 +59,7 @@ Vec3 vectorAt(const std::vector<float>& values, std::size_t i) {
 class SurfaceGeometryTest : public QObject {
   Q_OBJECT
  private slots:
-  // Each drawn vertex has the value of the vertex that it stands for, whichever block it is in; a stand-in has means.
+  // Each drawn vertex has the value of its mesh vertex, in every block; the simplified version has means.
   void valuesFollowTheirVertices() {
     const HalfEdgeMesh mesh = buildMesh(sphere(12, Vec3::Zero())).mesh;
     std::vector<double> heights(mesh.vertexSlots());
@@ -78,7 +78,7 @@ class SurfaceGeometryTest : public QObject {
     QVERIFY(blockGeometry(mesh, 0, Vec3::Zero()).values.empty());
   }
 
-  // What an undo made shorter has no faces in the blocks behind its end.
+  // A mesh that an undo made shorter has no faces in the blocks behind its end.
   void blockBehindTheEndIsEmpty() {
     const HalfEdgeMesh mesh = buildMesh(cube()).mesh;
     for (const std::size_t block : {std::size_t{2}, std::size_t{3}, std::size_t{65'536}}) {

@@ -50,7 +50,7 @@ class ViewCubeTest : public QObject {
     }
   }
 
-  // From the front: nine cells, named by where they are.
+  // From the front there are nine cells, named by their position.
   void cellsOfTheFront() {
     const ViewCubeGeometry cube(orientationOf(StandardView::Front), {50, 50}, 30);
     QCOMPARE(cube.cells().size(), std::size_t{9});
@@ -61,7 +61,7 @@ class ViewCubeTest : public QObject {
     QVERIFY(!cube.regionAt({85, 50}));
   }
 
-  // What shows is a convex outline, and each point of it belongs to one side that faces the viewer.
+  // The visible part is a convex outline, and each point of it belongs to one side that faces the viewer.
   void onlySidesThatFaceTheViewerShow() {
     QVERIFY(rc::check([] {
       const Eigen::Quaterniond q = anyOrientation();

@@ -15,7 +15,7 @@ const double kDotArea = PointsLayer::kDot * PointsLayer::kDot;  // VTK draws squ
 
 }  // namespace
 
-// A layer that the viewport has never heard of, beside a mesh.
+// A layer that the viewport does not know, beside a mesh.
 class ViewLayerTest : public ViewportFixture {
   Q_OBJECT
 
@@ -95,21 +95,21 @@ class ViewLayerTest : public ViewportFixture {
     QCOMPARE(m_points->hovered(), std::optional<std::uint64_t>(1));
     QCOMPARE(m_view->cursor().shape(), Qt::PointingHandCursor);
     QVERIFY(std::abs(silhouette(m_view->grabImage(), before).area / kDotArea - 1.0) < 0.3);  // in another colour
-    m_points->movePoint(1, {12, 16, 1});  // it is elsewhere: nothing is hovered until the mouse moves
+    m_points->movePoint(1, {12, 16, 1});  // its position changed: nothing is hovered until the mouse moves
     QVERIFY(hovered.last()[0].value<Pick>().isNothing() && !m_points->hovered());
     m_view->removeLayer(*m_points);
     QVERIFY(m_view->pickAt(onScreen(4, 6)).layer == m_mesh.get());
     QCOMPARE(m_view->grabImage(), m_plain);
   }
 
-  // A sheet of 20 with a point far to its right: both are in the fitted view, the point in its place.
+  // A sheet of 20 with a point far to its right: both are in the fitted view, the point at its position.
   void isFitted() {
     show({{60, 10, 0}});
     m_view->setStandardView(StandardView::Top);
     const CameraState camera = m_view->camera();
     QVERIFY(std::abs(camera.centre.x() - 30.0) < 1e-6);
     QVERIFY(std::abs(camera.height * 600 / 500 - 60 / 0.86) < 1e-6);
-    // Away from the mesh by far more than its size: the drawing follows, and stays exact.
+    // At a distance from the mesh far larger than its size, the drawing follows, and stays exact.
     m_mesh->setVisible(false);
     m_points->setPoints({{1e6, 0, 0}, {1e6 + 2, 0, 0}});
     m_view->setStandardView(StandardView::Top);

@@ -7,7 +7,7 @@
 
 using namespace handwheel;
 
-// A sheet coloured by the distance from its middle line, compared with what the scale says it must show.
+// A sheet coloured by the distance from its middle line, compared with the colours of the scale.
 class ViewportColoursTest : public PictureFixture {
   Q_OBJECT
 
@@ -97,7 +97,7 @@ class ViewportColoursTest : public PictureFixture {
     QCOMPARE(m_view->grabImage(), plain);
   }
 
-  // Asked for and taken back before the first block was built.
+  // Values are set and removed before the first block was built.
   void takenBackAtOnce() {
     const HalfEdgeMesh mesh = show();
     m_mesh->setSurfaceValues(offsets(mesh), {5.0});
@@ -133,7 +133,7 @@ class ViewportColoursTest : public PictureFixture {
     QVERIFY(isLit(at(image, 18.0, 5.0), ColourScale{5.0}.at(5.0)));
   }
 
-  // Cut open, a coloured ball shows its inner side as any other does.
+  // Cut open, a coloured ball shows its inner side like any other.
   void theCutStaysFlat() {
     const CameraState camera = around(Vec3::Zero(), 3, Projection::Parallel);
     const HalfEdgeMesh ball = buildMesh(sphereSoup(60)).mesh;

@@ -7,12 +7,12 @@
 
 using namespace handwheel;
 
-// Pictures of what lies on a model, or cuts it open, compared with what geometry says they must show.
+// Pictures of objects on a model, or of a cut model, compared with geometry.
 class ViewportLayersTest : public PictureFixture {
   Q_OBJECT
 
-  // Whether so many pixels are an upright rectangle of this width and height. A pixel counts when its middle is
-  // covered, so each side is where it should be to half a pixel. corners: pixels that may be missing there.
+  // Returns true if so many pixels are an upright rectangle of this width and height. A pixel counts when its middle is
+  // covered, so each side is exact to half a pixel. corners: pixels that may be missing there.
   static bool isRectangle(double pixels, double width, double height, double corners) {
     const double most = (width + 1) * (height + 1), least = (width - 1) * (height - 1) - corners;
     if (pixels < least || pixels > most) qWarning("%g pixels, not between %g and %g", pixels, least, most);
@@ -54,7 +54,7 @@ class ViewportLayersTest : public PictureFixture {
     const Silhouette whole = silhouette(picture({{"ball", shared(sphereSoup(90))}}, camera), empty);
     m_view->setClipPlane({camera.towardsViewer(), 0.0, true});
     const QImage section = m_view->grabImage();
-    // Between the colour of the cut and that of the lines, which the edges of lines are mixed of.
+    // Shade of the lines and their share of the area; pixels at the edges of lines are mixtures.
     constexpr double kShade = 0.62, kLines = 1.6 / 9.0;
     const QRgb cut = sceneColours(false).cut.rgb();
     double brightness = 0.0;
@@ -92,7 +92,7 @@ class ViewportLayersTest : public PictureFixture {
     QVERIFY(isNear(pixelsNear(m_view->grabImage(), blue), pixelsNear(whole, blue), 0.05));
   }
 
-  // Loops are lifted off the surface, but only by pixels: before the sheet they show, behind it they do not.
+  // Loops are lifted off the surface, but only by pixels: before the sheet they are visible, behind it they are not.
   void loopsShowUnderBothProjections_data() { addProjections(); }
 
   void loopsShowUnderBothProjections() {
@@ -158,7 +158,7 @@ class ViewportLayersTest : public PictureFixture {
     QCOMPARE(silhouette(m_view->grabImage(), plain).area, 0.0);
   }
 
-  // A tool says with each move of the mouse all that it shows.
+  // A tool sets all that it shows with each move of the mouse.
   void whatStaysTheSameCostsNoFrame() {
     m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(fromAbove(Projection::Parallel));

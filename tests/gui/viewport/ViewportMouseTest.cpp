@@ -25,7 +25,7 @@ CameraState mouseCamera(Projection projection = Projection::Parallel) {
 
 }  // namespace
 
-// The mouse over the viewport: who gets it, and what the camera makes of it.
+// The mouse over the viewport: the receiver, and the motion of the camera.
 class ViewportMouseTest : public ViewportFixture {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class ViewportMouseTest : public ViewportFixture {
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
   }
 
-  // A sink that hears everything and wants what take says.
+  // Sets a sink that gets everything and accepts by the result of `take`.
   void listen(std::function<bool(const PointerInput&)> take) {
     m_heard.clear();
     m_view->setPointerSink([this, take = std::move(take)](const PointerInput& input) {
@@ -243,7 +243,7 @@ class ViewportMouseTest : public ViewportFixture {
     QVERIFY(!cube->isVisible());
   }
 
-  // A pen works as the mouse, and tells how hard it is pressed; the mouse does not, also after a pen.
+  // A pen works like the mouse, and reports its pressure; the mouse does not, also after a pen.
   void pressureOfAPen() {
     showSheet();
     listen([](const PointerInput& input) { return input.kind == PointerInput::Kind::Press; });

@@ -7,7 +7,7 @@
 
 using namespace handwheel;
 
-// Models of parts that have poses, as robot cells are, in the view.
+// Models of parts with poses, such as robot cells, in the view.
 class ViewportPartsTest : public ViewportFixture {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class ViewportPartsTest : public ViewportFixture {
     QVERIFY((m_view->pickAt(onScreen(11, 11.5)).point - Vec3(11, 11.5, 2)).norm() < 1e-9);
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 1);
-    // Moved, not built anew: what is picked follows at once.
+    // The part is moved, not rebuilt: picking follows at once.
     model.parts[1].pose.translation() = Vec3(15, 5, 0);
     m_parts->setParts(model.parts);
     QVERIFY(m_view->isPickingReady());

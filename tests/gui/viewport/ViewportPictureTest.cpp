@@ -11,7 +11,7 @@ constexpr double kTwelfth = std::numbers::pi / 6;
 
 }  // namespace
 
-// Pictures compared with what geometry says they must show.
+// Pictures compared with geometry.
 class ViewportPictureTest : public PictureFixture {
   Q_OBJECT
 

@@ -81,7 +81,7 @@ class ViewportTest : public ViewportFixture {
     QTest::mouseRelease(m_view.get(), Qt::MiddleButton, {}, to);
     const CameraState turned = m_view->camera();
     QVERIFY(turned.orientation.angularDistance(sheetFromAbove().orientation) > 0.1);
-    // What was grabbed stays where it was.
+    // The grabbed point stays at its position.
     const Vec2 after = CameraNavigation(turned, {600, 500}).toScreen(pivot);
     QVERIFY((after - Vec2(300, 250)).norm() < 1e-6);
     QVERIFY(clicked.isEmpty());
@@ -131,10 +131,10 @@ class ViewportTest : public ViewportFixture {
     m_view->setCovered(250);
     QCOMPARE(m_view->camera(), aside);  // a card that grows zooms nothing
     m_view->setCovered(0);
-    QCOMPARE(m_view->camera(), aside);  // what comes free is used at the next fit
+    QCOMPARE(m_view->camera(), aside);  // uncovered pixels are used at the next fit
     m_view->setCamera(sheetFromAbove());
     m_view->setCovered(200);
-    QCOMPARE(m_view->camera(), sheetFromAbove());  // chosen by the user
+    QCOMPARE(m_view->camera(), sheetFromAbove());  // set by the user
   }
 
   void drawsModelLoopAndMarks() {
@@ -185,8 +185,8 @@ class ViewportTest : public ViewportFixture {
     QCOMPARE(m_view->blocksBuilt(), 6);
   }
 
-  // However fast versions come, the last one is what stays; and the mesh when there is none any more.
-  void aPreviewMeshTakesThePlaceOfTheMesh() {
+  // For versions at any rate, the last one stays; and the mesh when there is none any more.
+  void aPreviewMeshReplacesTheMesh() {
     showSheet();
     const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
     const QPoint middle = onScreen(10.5, 10.5).toPoint();
@@ -200,7 +200,7 @@ class ViewportTest : public ViewportFixture {
     m_mesh->setPreviewMesh(live);
     const QImage empty = m_view->grabImage();
     QVERIFY(empty.pixelColor(middle) != before);
-    QVERIFY(faceOf(m_view->pickAt(onScreen(10.7, 10.3))) != kNone);  // of the mesh
+    QVERIFY(faceOf(m_view->pickAt(onScreen(10.7, 10.3))) != kNone);  // a face of the mesh
     m_mesh->setPreviewMesh(nullptr);
     QCOMPARE(m_view->grabImage().pixelColor(middle), before);
   }
@@ -215,7 +215,7 @@ class ViewportTest : public ViewportFixture {
     QVERIFY(m_view->pickAt(onScreen(10.7, 10.3)).isNothing());
   }
 
-  // As when a dock floats: the widget gets another context and must draw on.
+  // For a dock that floats: the widget gets another context and must draw on.
   void survivesAnotherContext() {
     showSheet();
     m_mesh->setLoops({squareLoop(0, QColor(0x00, 0x72, 0xb2))});

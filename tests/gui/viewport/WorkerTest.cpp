@@ -19,7 +19,7 @@ class WorkerTest : public QObject {
     QCOMPARE(watcher->future().results(), QList<int>({0, 1, 2}));
   }
 
-  // What was done before stays, the rest does not come, and the program goes on.
+  // Earlier results stay, the rest does not come, and the program goes on.
   void outOfMemory() {
     const auto watcher = runOnWorker<int>([](QPromise<int>& promise) {
       promise.addResult(7);

@@ -18,7 +18,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What was not saved when the program ended without asking comes back at the next start.
+// Unsaved changes are recovered at the next start after the program ended without asking.
 class AutosaveTest : public QObject {
   Q_OBJECT
 
@@ -107,7 +107,7 @@ class AutosaveTest : public QObject {
     QCOMPARE(driver.text("figures"), wanted);
   }
 
-  // What was never saved is called as before: in its tab, by Save and in the question at closing.
+  // A document that was never saved keeps its name: in its tab, by Save and in the question at closing.
   void aNameWithoutAFileComesBack() {
     QString wanted;
     {
@@ -150,7 +150,7 @@ class AutosaveTest : public QObject {
     QSettings().setValue("autosaveSeconds", 5);
   }
 
-  // Who does not want them back is not asked again; nor about those that cannot be read.
+  // A user who does not want them back is not asked again; nor about those that cannot be read.
   void leftoversCanBeDiscarded() {
     const QString session = QString::fromStdString(recoveryFolder().string()) + "/dead";
     QVERIFY(QDir().mkpath(session));
@@ -258,7 +258,7 @@ class AutosaveTest : public QObject {
     QVERIFY(!driver.window().isWindowModified());
   }
 
-  // What the rest of a damaged file holds stays in it: "Save" asks for another name, as it did before the crash.
+  // The readable rest of a damaged file stays in it: "Save" asks for another name, as it did before the crash.
   void aDamagedFileIsNotOverwritten() {
     QTemporaryDir folder;
     const QString path = folder.filePath("damaged.stl");

@@ -17,7 +17,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// As if this machine took twice as long as the one where the presets were derived.
+// Returns curves for a machine that takes twice as long as the one from which the presets were derived.
 Calibration slowMachine() {
   const FidelityChoice shipped;
   Calibration calibration;
@@ -30,7 +30,7 @@ Calibration slowMachine() {
   return calibration;
 }
 
-// What the calibrator works with, without a window.
+// The objects that the calibrator needs, without a window.
 struct Fixture {
   QThreadPool pool;
   FidelityChoice choice;
@@ -70,7 +70,7 @@ class CalibrationWindowTest : public QObject {
     std::filesystem::remove(defaultCalibrationFile());
   }
 
-  // As soon as one setting is measured, its curve holds and is kept; cancelled, the others stay as they were.
+  // Once one setting is measured, its curve holds and is kept; if cancelled, the others are unchanged.
   void measuredUntilItIsCancelled() {
     {
       WindowDriver driver;
@@ -82,7 +82,7 @@ class CalibrationWindowTest : public QObject {
       QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
       QTRY_VERIFY_WITH_TIMEOUT(choice.calibration().curves.contains("servo.rate"), 3 * kPatienceMs);
       QCOMPARE(choice.calibration().ticksInUse.size(), std::size_t(5));  // 500 Hz to 8 kHz
-      // Where that alone took kLongestCalibration, nothing is measured any more: there it begins anew.
+      // If that alone took kLongestCalibration, nothing is measured any more, and it begins anew.
       if (!driver.window().findChild<BenchmarkRunner*>()->isRunning()) driver.click("calibrateButton");
       QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
       driver.click("calibrateButton");
@@ -148,7 +148,8 @@ class CalibrationWindowTest : public QObject {
     QVERIFY(driver.text("calibrationText").contains("another machine"));
   }
 
-  // What begins by itself stops when the user does something, and waits anew; it does not begin where all is known.
+  // A run that begins by itself stops when the user does something, and waits anew; it does not begin if all settings
+  // are known.
   void itBeginsByItselfAndStops() {
     Fixture fixture;
     bool isBusy = true;
@@ -166,7 +167,7 @@ class CalibrationWindowTest : public QObject {
     fixture.calibrator.start();
     QVERIFY(fixture.calibrator.isRunning());
     QTest::keyClick(&widget, Qt::Key_A);
-    QVERIFY(fixture.calibrator.isRunning());  // as the user has asked for it
+    QVERIFY(fixture.calibrator.isRunning());  // the user has asked for it
   }
 
   void itDoesNotBeginWhereAllIsKnown() {

@@ -25,7 +25,7 @@ void addSquare(TriangleSoup& soup, const Vec3& corner, const Vec3& u, const Vec3
   }
 }
 
-const Box kPlace(Vec3(-1, -1, 0), Vec3(1, 1, 0));
+const Box kRegion(Vec3(-1, -1, 0), Vec3(1, 1, 0));
 
 }  // namespace
 
@@ -36,25 +36,25 @@ class ClearViewTest : public QObject {
   void nothingInFrontMeansStraightOn() {
     TriangleSoup soup;
     addSquare(soup, {-10, -10, 0}, {20, 0, 0}, {0, 20, 0}, 20);
-    const Vec3 view = unobstructedDirection(buildMesh(soup).mesh, kPlace, {0, 0, 5});
+    const Vec3 view = unobstructedDirection(buildMesh(soup).mesh, kRegion, {0, 0, 5});
     QVERIFY((view - Vec3::UnitZ()).norm() < 1e-12);
   }
 
-  // A lid above the place: straight on shows the lid only, from the side the place is seen.
+  // A lid covers the region: straight on shows the lid only, from the side the region is seen.
   void looksPastWhatIsInFront() {
     TriangleSoup soup;
     addSquare(soup, {-10, -10, 0}, {20, 0, 0}, {0, 20, 0}, 20);
     addSquare(soup, {-2, -2, 5}, {4, 0, 0}, {0, 4, 0}, 8);
-    const Vec3 view = unobstructedDirection(buildMesh(soup).mesh, kPlace, {0, 0, 1});
+    const Vec3 view = unobstructedDirection(buildMesh(soup).mesh, kRegion, {0, 0, 1});
     QVERIFY(std::abs(view.norm() - 1.0) < 1e-12);
     QVERIFY(view.z() > 0.0);
-    // The sight line from the middle of the place passes the lid's plane outside the lid.
+    // The sight line from the middle of the region passes the lid's plane outside the lid.
     const Vec3 crossing = view * (5.0 / view.z());
     QVERIFY(std::abs(crossing.x()) > 2.0 || std::abs(crossing.y()) > 2.0);
   }
 
   void withoutADirectionThereIsNone() {
-    QCOMPARE(unobstructedDirection(HalfEdgeMesh(), kPlace, Vec3::Zero()).norm(), 0.0);
+    QCOMPARE(unobstructedDirection(HalfEdgeMesh(), kRegion, Vec3::Zero()).norm(), 0.0);
   }
 };
 

@@ -13,7 +13,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What happens to changed documents that are closed: once, twice, while they are saved, when saving fails.
+// Closing changed documents: once, twice, while they are saved, when saving fails.
 class ClosingTest : public QObject {
   Q_OBJECT
 
@@ -83,7 +83,7 @@ class ClosingTest : public QObject {
     QCOMPARE(openEdges(readStl(path)), 0);
   }
 
-  // What has not changed closes at once, and so does the window.
+  // Unchanged documents close at once, and so does the window.
   void quittingWithoutChanges() {
     WindowDriver driver;
     for (const char* name : {"one.stl", "two.stl"}) {
@@ -95,7 +95,7 @@ class ClosingTest : public QObject {
     QCOMPARE(driver.tabs(), 0);
   }
 
-  // Who cancels at the last question keeps all documents, with what was to be discarded and what had no changes.
+  // Cancelling at the last question keeps all documents, also those to be discarded and those without changes.
   void cancellingTheQuitKeepsEverything() {
     WindowDriver driver;
     writeStl(m_folder.filePath("whole.stl"), quadTorus(12, 8, {}));
@@ -123,7 +123,7 @@ class ClosingTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
   }
 
-  // What changes after its answer, while another is saved, is asked about again.
+  // A document that changes after its answer, while another is saved, is asked about again.
   void changedAfterTheAnswer() {
     WindowDriver driver;
     openChanged(driver, m_folder.filePath("early.stl"));

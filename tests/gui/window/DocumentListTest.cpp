@@ -104,7 +104,7 @@ class DocumentListTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // What stands in a row has the sides of a picture of the view, not those of an icon.
+  // The picture in a row has the proportions of the view, not those of an icon.
   void rowsShowPictures() {
     WindowDriver driver;
     QVERIFY(driver.open(file("picture.stl")));

@@ -9,7 +9,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What is said about a document is said while that document is in view.
+// Messages about a document are shown while that document is in view.
 class DocumentMessagesTest : public QObject {
   Q_OBJECT
 
@@ -111,7 +111,7 @@ class DocumentMessagesTest : public QObject {
     QVERIFY(!isSeen(driver));
   }
 
-  // What the first file held is of no interest once the document has another.
+  // Messages about the first file end once the document has another.
   void whatWasSaidOfAFileEndsWithSavingAs() {
     WindowDriver driver;
     QVERIFY(driver.open(texturedFile()));

@@ -14,14 +14,14 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What is selected in one document is never looked up in another, which may have fewer holes; nor is what was typed.
+// A selection in one document is never looked up in another, which may have fewer holes; nor is typed text.
 class DocumentSwitchTest : public QObject {
   Q_OBJECT
 
  private:
   QTemporaryDir m_folder;
 
-  // As many holes as asked for, each a quad.
+  // Returns a file with this number of holes, each a quad.
   QString fileWithHoles(int holes) {
     const QString path = m_folder.filePath(QStringLiteral("%1-holes.stl").arg(holes));
     std::set<std::pair<int, int>> missing;
@@ -62,7 +62,7 @@ class DocumentSwitchTest : public QObject {
     QVERIFY(isSelectionOfDocument(driver));
   }
 
-  // What is typed is of the document that was in view, also when its tab is left by a click or a key.
+  // Typed text belongs to the document that was in view, also if its tab is left by a click or a key.
   void aTypedTaskStaysWithItsExercise() {
     const QTemporaryDir folder;
     WindowDriver driver;
@@ -90,7 +90,7 @@ class DocumentSwitchTest : public QObject {
     QCOMPARE(task(0), before);
   }
 
-  // Whatever is selected, kept open, previewed or worked on by a tool; also while jobs run.
+  // Switches with any selection, loop kept open, preview or tool; also while jobs run.
   void inEveryState() {
     const bool holds = rc::check([this] {
       WindowDriver driver;

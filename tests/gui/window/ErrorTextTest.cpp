@@ -53,7 +53,8 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorAdvice({DocumentError::ExtensionUnknown, {".x", ".stl", ".ply", ".step"}, {}, {}}),
              "Use a name that ends in .stl, .ply or .step.");
     QCOMPARE(errorAdvice({DocumentError::ExtensionUnknown, {"", ".csv"}, {}, {}}), "Use a name that ends in .csv.");
-    QCOMPARE(errorAdvice({DocumentError::FormatUnknown, {}, {}, {}}), "Choose another file.");  // of keys, for example
+    QCOMPARE(errorAdvice({DocumentError::FormatUnknown, {}, {}, {}}),
+             "Choose another file.");  // an error about keys, for example
   }
 
   // The end of a file's name says which it is.
@@ -66,7 +67,7 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorAdvice(package), "Put the folder 'ur' into '/home/a' or a folder above it, and open the file again.");
   }
 
-  // What the program itself says is not cut off, whatever signs are in it.
+  // The program's own phrases are not cut off, even with any signs in them.
   void ownPhrasesAreWhole() {
     const std::string phrase = "balls were expected: x; y; z; radius, with “|” between them";
     const Error error{ErrorCode::ElementMalformed, {"plan.forbidden", phrase}, {}, {}};
@@ -114,7 +115,8 @@ class ErrorTextTest : public QObject {
     QVERIFY(summary.contains("1 hole to be kept open lost with removed triangles"));
   }
 
-  // Each property in the same place, whether it holds or not; nothing is said of what was not looked for.
+  // Each property is at the same position, whether it holds or not; properties that were not examined are not
+  // mentioned.
   void stateOfAPart() {
     EnglishPlurals english;
     QCoreApplication::installTranslator(&english);

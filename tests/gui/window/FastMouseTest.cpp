@@ -15,7 +15,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// The mouse goes on while the window is busy with a frame: no place is lost.
+// The mouse goes on while the window is busy with a frame: no position is lost.
 class FastMouseTest : public QObject {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class FastMouseTest : public QObject {
 
  private slots:
   void aLassoKeepsAllItsPlaces() {
-    constexpr int kPlaces = 60;
+    constexpr int kPositions = 60;
     QTemporaryDir folder;
     WindowDriver driver;
     writeStl(folder.filePath("part.stl"), quadTorus(48, 24, {}));
@@ -77,25 +77,25 @@ class FastMouseTest : public QObject {
     const auto* host = driver.window().findChild<ToolHost*>();
     QVERIFY(host);
     std::size_t drawn = 0;
-    const auto place = [view](int i) {
-      const double turn = 2.0 * M_PI * i / kPlaces;
+    const auto position = [view](int i) {
+      const double turn = 2.0 * M_PI * i / kPositions;
       return view->rect().center() +
              QPoint(static_cast<int>(150 * std::cos(turn)), static_cast<int>(150 * std::sin(turn)));
     };
     {
       Mouse mouse(*view);
-      mouse.send(MotionNotify, place(0), 0);
-      mouse.send(ButtonPress, place(0), 0);
-      for (int i = 1; i < kPlaces; ++i) mouse.send(MotionNotify, place(i), Button1Mask);
+      mouse.send(MotionNotify, position(0), 0);
+      mouse.send(ButtonPress, position(0), 0);
+      for (int i = 1; i < kPositions; ++i) mouse.send(MotionNotify, position(i), Button1Mask);
       QThread::msleep(100);  // they have all arrived before the window looks at the first
       connect(host, &ToolHost::updated, this, [&] {
         const Tool* tool = const_cast<ToolHost*>(host)->runner().tool();
         for (const auto& line : tool ? tool->preview().lines : std::vector<std::vector<Vec3>>())
           drawn = std::max(drawn, line.size());
       });
-      if (!QTest::qWaitFor([&] { return drawn >= kPlaces; }))
-        QFAIL(qPrintable(QStringLiteral("%1 of %2 places").arg(drawn).arg(kPlaces)));
-      mouse.send(ButtonRelease, place(kPlaces - 1), Button1Mask);
+      if (!QTest::qWaitFor([&] { return drawn >= kPositions; }))
+        QFAIL(qPrintable(QStringLiteral("%1 of %2 places").arg(drawn).arg(kPositions)));
+      mouse.send(ButtonRelease, position(kPositions - 1), Button1Mask);
     }
     QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
     QVERIFY(driver.settle());

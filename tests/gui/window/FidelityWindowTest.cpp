@@ -40,7 +40,7 @@ std::vector<Corners> tornSheet() {
 
 }  // namespace
 
-// What the user chooses between speed and accuracy reaches what reads it, and the panel shows where that leads.
+// The user's choices between speed and accuracy reach their readers, and the panel shows the effect.
 class FidelityWindowTest : public QObject {
   Q_OBJECT
 
@@ -67,7 +67,7 @@ class FidelityWindowTest : public QObject {
   static QSlider* slider(WindowDriver& driver) { return driver.find<QSlider>("fidelitySlider"); }
   static double mark(WindowDriver& driver) {  // the cost at the present point
     for (const PlotMark& each : driver.find<PlotWidget>("fidelityCurve")->plot().marks) {
-      if (each.label == "now") return each.place.x();
+      if (each.label == "now") return each.position.x();
     }
     return -1.0;
   }
@@ -203,8 +203,8 @@ class FidelityWindowTest : public QObject {
     }
   }
 
-  // What drawing takes, by the frames that were drawn; beside it the sum of what the curves say of the settings that
-  // have a part of a frame, at their present values.
+  // The panel shows the drawing time of the drawn frames, and beside it the sum of the predictions for the settings
+  // that have a part of a frame, at their present values.
   void thePanelShowsTheUseOfAFrame() {
     WindowDriver driver;
     raisePanel(driver);

@@ -33,7 +33,7 @@ class FocusTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(driver.find<QAction>("fillHole")->isEnabled(), kPatienceMs);
   }
 
-  // As a hand does it: what the press leads to is done before the release.
+  // Clicks like a user: the effect of the press is complete before the release.
   static void clickSlowly(QAbstractButton* button) {
     QTest::mousePress(button, Qt::LeftButton);
     QTest::qWait(50);
@@ -65,7 +65,8 @@ class FocusTest : public QObject {
     QTRY_VERIFY(isInView(driver));
   }
 
-  // Who comes to a button by Tab and presses it loses it when it is disabled: to the view, not to the next button.
+  // A button that was reached by Tab and pressed loses the focus when it is disabled: to the view, not to the next
+  // button.
   void whenTheFocusedButtonIsDisabled() {
     WindowDriver driver;
     open(driver);

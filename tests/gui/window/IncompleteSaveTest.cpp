@@ -13,7 +13,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What a file of another program cannot hold of a document is reported when it is saved.
+// Parts of a document that a file of another program cannot hold are reported when it is saved.
 class IncompleteSaveTest : public QObject {
   Q_OBJECT
 
@@ -57,7 +57,7 @@ class IncompleteSaveTest : public QObject {
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
   }
 
-  // What another program wrote meanwhile is not replaced without a question.
+  // A file that another program wrote meanwhile is not replaced without a question.
   void aFileThatChangedIsNotReplaced() {
     WindowDriver driver;
     const QString path = openMarked(driver, "changed.stl");
@@ -78,7 +78,7 @@ class IncompleteSaveTest : public QObject {
     QVERIFY(save(driver));
   }
 
-  // What was changed while it was written is saved by the next save: no other program has written the file.
+  // A change during a save is saved by the next save: no other program has written the file.
   void aChangeDuringASaveIsSavedNext() {
     WindowDriver driver;
     const QString path = openMarked(driver, "slow.stl");
@@ -106,7 +106,7 @@ class IncompleteSaveTest : public QObject {
     QVERIFY2(!driver.text("messageText").contains("another program"), qPrintable(driver.text("messageText")));
   }
 
-  // Who has read it need not read it at each save; but when there is something else.
+  // A report that was read is not repeated at each save, unless there is something new.
   void itIsReportedOnce() {
     WindowDriver driver;
     openMarked(driver, "once.stl");
@@ -126,7 +126,7 @@ class IncompleteSaveTest : public QObject {
     QVERIFY2(driver.text("messageText").contains("display unit"), qPrintable(driver.text("messageText")));
   }
 
-  // What is closed could not be saved any more: it stays open until its user knows.
+  // A closed document could not be saved any more: it stays open until its user knows.
   void closingWaitsUntilItWasReported() {
     WindowDriver driver;
     const QString path = openMarked(driver, "closed.stl");

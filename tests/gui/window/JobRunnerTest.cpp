@@ -144,7 +144,7 @@ class JobRunnerTest : public QObject {
     QCOMPARE(done, QStringList({"save", "save again", "repair", "compare"}));
   }
 
-  // What a document started ends with it; the jobs of others go on.
+  // Jobs of a document end with it; the jobs of others go on.
   void jobsGoWithTheirOwner() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Queue, pool);

@@ -36,7 +36,7 @@ class JobsWindowTest : public QObject {
   }
 
  private slots:
-  // Who cancels a repair still wants what was saved while it ran.
+  // Cancelling a repair does not cancel the save that ran meanwhile.
   void aSaveGoesOnWhenTheRepairIsCancelled() {
     WindowDriver driver;
     const QString path = openHalfRepaired(driver, "both.stl");

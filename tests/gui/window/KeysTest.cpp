@@ -97,7 +97,7 @@ class KeysTest : public QObject {
     QTest::keyClick(line, Qt::Key_Escape);
   }
 
-  // A tool that ends gives way to the usual one, so a click into a hole always selects it.
+  // A tool that ends is replaced by the usual one, so a click into a hole always selects it.
   void theUsualToolComesBack() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHoles("usual.stl")));
@@ -143,7 +143,7 @@ class KeysTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // What the tooltip and the page of keys say follows what the user has chosen.
+  // The tooltip and the page of keys follow the user's choice.
   void changedKeysAreReported() {
     WindowDriver driver;
     auto* open = driver.find<QAction>("openFile");

@@ -36,7 +36,7 @@ class LogCommandTest : public QObject {
     }
     return command;
   }
-  // As a shell would run it, in another folder; its exit code.
+  // Runs the command in a shell, in another folder; returns its exit code.
   static int paste(const QString& command) {
     QProcess process;
     process.setWorkingDirectory(QDir::rootPath());
@@ -89,7 +89,7 @@ class LogCommandTest : public QObject {
     QVERIFY(readStl(m_folder.filePath("copy.stl")) == copy);
   }
 
-  // Whatever was done by hand, and taken back, leads to the same bytes again.
+  // Any manual work, done and undone, leads to the same bytes again.
   void handWork() {
     const QString path = m_folder.filePath("by hand.stl"), saved = m_folder.filePath("made.ply");
     writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
@@ -169,7 +169,7 @@ class LogCommandTest : public QObject {
     driver.find<QAction>("selectTool")->trigger();
     QVERIFY(driver.settle());
     auto* by = driver.find<QWidget>("property/mode")->findChild<QComboBox*>();
-    by->setCurrentIndex(3);  // what hangs together
+    by->setCurrentIndex(3);  // connected faces
     emit by->activated(3);
     auto* view = driver.find<Viewport>("viewport");
     QTRY_VERIFY_WITH_TIMEOUT(view->isPickingReady(), kPatienceMs);

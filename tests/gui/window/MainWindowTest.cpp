@@ -14,7 +14,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What holds for the window as a whole.
+// Properties of the window as a whole.
 class MainWindowTest : public QObject {
   Q_OBJECT
 
@@ -63,8 +63,8 @@ class MainWindowTest : public QObject {
     }
   }
 
-  // What takes the focus has a name, what is written has the room that it needs: with each kind of document, in each
-  // panel.
+  // Widgets that take the focus have a name, and texts have the space that they need: with each kind of document, in
+  // each panel.
   void everybodyCanReadIt() {
     WindowDriver driver;
     const auto look = [&driver](const char* what) {

@@ -69,7 +69,7 @@ class PanelRoomTest : public QObject {
       QTest::qWait(100);  // sizes are asked for when the window is idle
       QVERIFY2(driver.window().size() == made, dock);
     }
-    // What has no room is scrolled: no panel asks for more than a small part of the height.
+    // Contents without space are scrolled: no panel asks for more than a small part of the height.
     for (const char* dock : {"fidelityDock", "deviceDock", "replayDock"}) {
       const int least = driver.find<QDockWidget>(dock)->minimumSizeHint().height();
       QVERIFY2(least <= made.height() / 2, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(dock)).arg(least)));

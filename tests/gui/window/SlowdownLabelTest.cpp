@@ -27,7 +27,7 @@ class SlowdownLabelTest : public QObject {
     const int percent = label.text().remove(QRegularExpression("[^0-9]")).toInt();
     QVERIFY2(percent >= 40 && percent <= 95, qPrintable(label.text()));
     QTRY_VERIFY_WITH_TIMEOUT(label.isHidden(), 5000);
-    service.countLost(10'000'000);  // as much as a scheduler takes
+    service.countLost(10'000'000);  // the usual loss by a scheduler
     QTest::qWait(1200);
     QVERIFY(label.isHidden());
   }

@@ -6,7 +6,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Which keys can be given to the actions of tools, and what comes of one that something else has.
+// The keys that can be given to the actions of tools, and the treatment of keys that are already in use.
 class ToolKeyRulesTest : public QObject {
   Q_OBJECT
 
@@ -47,11 +47,11 @@ void ToolKeyRulesTest::conflictsBothWays() {
   const double before = fixture.radius();
   fixture.press(Qt::Key_7);
   QVERIFY(fixture.radius() < before);
-  driver.find<QAction>("measureTool")->trigger();  // which leaves the key to the window
+  driver.find<QAction>("measureTool")->trigger();  // it leaves the key to the window
   fixture.press(Qt::Key_7);
   QTRY_VERIFY((view->camera().towardsViewer() - front).norm() > 0.1);
   KeyPage page(driver);
-  page.press("fitView", Qt::Key_BracketRight);    // the other way round
+  page.press("fitView", Qt::Key_BracketRight);    // the opposite direction
   QCOMPARE(page.conflicts("fitView").size(), 3);  // to select, to sculpt, to shape clay
   QVERIFY(page.conflicts("tool/sculpt/larger").contains("Fit"));
   page.choose(kSmaller);

@@ -17,7 +17,7 @@ namespace handwheel::test {
 
 inline constexpr const char* kSmaller = "tool/select/smaller";
 
-// The page of keys in the preferences, as a person uses it.
+// The page of keys in the preferences, as the user operates it.
 class KeyPage {
  public:
   explicit KeyPage(WindowDriver& driver) : m_driver(driver) {
@@ -46,7 +46,7 @@ class KeyPage {
     auto* keys = m_driver.find<QKeySequenceEdit>("shortcutKeys");
     keys->setFocus();
     QTest::keyClick(keys, Qt::Key(key), modifiers);
-    emit keys->editingFinished();  // as after the pause
+    emit keys->editingFinished();  // emitted after the pause in the program
   }
   QString shownKeys(const QString& id) const {
     return rowOf(id).siblingAtColumn(ShortcutModel::Keys).data().toString();

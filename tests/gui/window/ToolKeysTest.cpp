@@ -43,7 +43,7 @@ std::vector<ToolUnderTest> allTools() {
 
 }  // namespace
 
-// What keys do in a tool is listed and changed with the keys of the other commands, and then so.
+// The keys of a tool are listed and changed with the keys of the other commands, and take effect.
 class ToolKeysTest : public QObject {
   Q_OBJECT
 
@@ -170,7 +170,7 @@ void ToolKeysTest::signsNeedShiftOrNot() {
   }
   const double before = fixture.radius();
   KeyPage(driver).press(kSmaller, Qt::Key_X);
-  fixture.press(Qt::Key_X, Qt::ShiftModifier);  // of a letter it is another key
+  fixture.press(Qt::Key_X, Qt::ShiftModifier);  // for a letter it is another key
   QCOMPARE(fixture.radius(), before);
 }
 

@@ -30,7 +30,7 @@ class ToolPanelTest : public QObject {
       return panel.findChild<QPushButton*>(QStringLiteral("toolAction/") + QLatin1String(id));
     }
     // Top and height; the width is that of the panel.
-    std::map<QString, std::pair<int, int>> places() {
+    std::map<QString, std::pair<int, int>> rows() {
       std::map<QString, std::pair<int, int>> all;
       for (const QPushButton* each : panel.findChildren<QPushButton*>())
         if (each->isVisible()) all[each->objectName()] = {each->y(), each->height()};
@@ -46,36 +46,36 @@ class ToolPanelTest : public QObject {
   }
 
  private slots:
-  // Return and Esc come to mean the same: the second button keeps its place and its title, and cannot be pressed.
+  // Return and Esc come to mean the same: the second button keeps its position and its title, and cannot be pressed.
   void anEffectThatTwoHave() {
     Fixture fixture;
     fixture.show(actions("apply the placement", "leave it unchanged"));
-    const auto before = fixture.places();
+    const auto before = fixture.rows();
     QCOMPARE(before.size(), std::size_t(3));
     const QPushButton* smooth = fixture.button("smooth");
     fixture.show(actions("done", "done"));
-    QVERIFY(fixture.places() == before);
+    QVERIFY(fixture.rows() == before);
     QCOMPARE(fixture.button("smooth"), smooth);  // a press that has begun on it ends on it
     QCOMPARE(fixture.button("commit")->text(), QString("Done"));
     QCOMPARE(fixture.button("revert")->text(), QString("Leave it unchanged"));
     QVERIFY(fixture.button("commit")->isEnabled() && !fixture.button("revert")->isEnabled());
     fixture.show(actions("apply the placement", "leave it unchanged"));
-    QVERIFY(fixture.places() == before);
+    QVERIFY(fixture.rows() == before);
     QVERIFY(fixture.button("revert")->isEnabled());
     QTest::mouseClick(fixture.button("revert"), Qt::LeftButton);
     QCOMPARE(fixture.pressed, QList<std::string>{"revert"});
   }
 
-  // What is not possible now says why, in the same place.
+  // An action that is not possible now shows the reason, at the same position.
   void whatIsNotPossible() {
     Fixture fixture;
     std::vector<ToolAction> all = actions("apply the placement", "leave it unchanged");
     fixture.show(all);
-    const auto before = fixture.places();
+    const auto before = fixture.rows();
     all[2].enabled = false;
     all[2].reason = "choose a boundary";
     fixture.show(all);
-    QVERIFY(fixture.places() == before);
+    QVERIFY(fixture.rows() == before);
     QVERIFY(!fixture.button("smooth")->isEnabled());
     QCOMPARE(fixture.button("smooth")->toolTip(), QString("Not now: choose a boundary."));
   }
@@ -84,7 +84,7 @@ class ToolPanelTest : public QObject {
   void settingsThatAppear() {
     Fixture fixture;
     fixture.show(actions("apply the placement", "leave it unchanged"));
-    const auto before = fixture.places();
+    const auto before = fixture.rows();
     std::vector<Property> many;
     for (const char* id : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m",
                            "n", "o", "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z"})
@@ -92,7 +92,7 @@ class ToolPanelTest : public QObject {
     for (const std::size_t count : {std::size_t(1), std::size_t(3), many.size(), std::size_t(0)}) {
       fixture.panel.settings().setProperties({many.begin(), many.begin() + static_cast<std::ptrdiff_t>(count)});
       QTest::qWait(20);
-      QVERIFY(fixture.places() == before);
+      QVERIFY(fixture.rows() == before);
     }
   }
 

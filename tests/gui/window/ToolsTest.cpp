@@ -40,7 +40,7 @@ class ToolsTest : public QObject {
   }
 
  private slots:
-  // What was set for a tool holds the next time.
+  // A setting of a tool holds the next time.
   void settingsStayAsTheyWereLeft() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));
@@ -52,7 +52,8 @@ class ToolsTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // How much is selected is said; what clears it keeps its place; and a whole piece does not go without a word.
+  // The size of the selection is shown; the button that clears it keeps its position; and a whole piece is not deleted
+  // without a message.
   void aWholePieceIsDeleted() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));
@@ -102,8 +103,8 @@ class ToolsTest : public QObject {
     QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
   }
 
-  // The edge that is worked on is that of the hole in the list; what is done to it is one step. Then the list lets go
-  // of the hole, so that no patch is in the way and Return is the tool's.
+  // The edge that is worked on is that of the hole in the list; each change of it is one step. Then the list deselects
+  // the hole, so that no patch is in the way and Return is the tool's.
   void theEdgeOfTheChosenHole() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));
@@ -167,13 +168,13 @@ class ToolsTest : public QObject {
     QVERIFY(driver.settle());
     auto* view = driver.find<Viewport>("viewport");
     QTRY_VERIFY(view->isPickingReady());
-    QPoint place;
-    for (int x = view->width() / 4; faceOf(view->pickAt(place)) == kNone && x < view->width(); x += 5)
-      place = {x, view->height() / 2};
+    QPoint position;
+    for (int x = view->width() / 4; faceOf(view->pickAt(position)) == kNone && x < view->width(); x += 5)
+      position = {x, view->height() / 2};
     for (int stroke = 0; stroke < 3; ++stroke) {
-      QTest::mousePress(view, Qt::LeftButton, {}, place);
-      QTest::mouseMove(view, place + QPoint(5, 2));
-      QTest::mouseRelease(view, Qt::LeftButton, {}, place + QPoint(9, 5 * stroke));
+      QTest::mousePress(view, Qt::LeftButton, {}, position);
+      QTest::mouseMove(view, position + QPoint(5, 2));
+      QTest::mouseRelease(view, Qt::LeftButton, {}, position + QPoint(9, 5 * stroke));
     }
     driver.find<QAction>("selectTool")->trigger();
     QVERIFY(driver.settle());
@@ -186,8 +187,8 @@ class ToolsTest : public QObject {
     QVERIFY2(undo->text().contains(QStringLiteral("Subdivide patch")), qPrintable(undo->text()));
   }
 
-  // How a hole is filled is chosen with the hole or in the tool's panel, and holds for the next one. "Repair all" takes
-  // the setting of fidelity: neither changes the other, but what was the same stays the same.
+  // The method to fill a hole is chosen with the hole or in the tool's panel, and holds for the next one. "Repair all"
+  // takes the setting of fidelity: neither changes the other, but equal values stay equal.
   void theMethodForAHoleIsItsOwn() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));
@@ -252,7 +253,7 @@ class ToolsTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // What places a part is for one edit: it would scale the next part, or this one twice.
+  // A placement is for one edit: it would scale the next part, or this one twice.
   void aPlacementIsNotRemembered() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));

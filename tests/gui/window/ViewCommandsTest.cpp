@@ -14,7 +14,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// How a document is seen, and what the status bar leaves to a panel.
+// The view of a document, and the information that the status bar leaves to a panel.
 class ViewCommandsTest : public QObject {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class ViewCommandsTest : public QObject {
     QVERIFY(!command->shortcut().isEmpty());
     driver.choose("perspective");
     QCOMPARE(view->projection(), other(before));
-    // Of documents that are opened afterwards, and of those that were left before.
+    // Also for documents that are opened afterwards, and for those that were left before.
     QVERIFY(driver.open(file("two.stl")));
     QCOMPARE(view->projection(), other(before));
     driver.choose("perspective");

@@ -23,12 +23,11 @@
 #include <QtTest>
 #include <utility>
 
-// A main window for tests with settings of its own. It is driven through the widgets that a person uses, found by their
-// names.
+// A main window for tests with settings of its own. It is driven through the widgets of the user, found by their names.
 namespace handwheel::test {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int kPatienceMs = 120000;  // all takes several times as long
+constexpr int kPatienceMs = 120000;  // everything takes several times as long
 #else
 constexpr int kPatienceMs = 20000;
 #endif
@@ -82,7 +81,7 @@ class WindowDriver {
   }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 
-  // No job begins between the two.
+  // No job begins between the two lines.
   void hold() {
     m_workers.setMaxThreadCount(1);
     m_workers.start([this] { m_gate.acquire(); });
@@ -116,7 +115,7 @@ class WindowDriver {
       return dialog && dialog->isVisible();
     };
     if (!QTest::qWaitFor(appears, kPatienceMs)) return false;
-    // The suggested file may be selected by now, and would count for more than the name.
+    // The suggested file may be selected by now, and would take precedence over the name.
     dialog->findChild<QAbstractItemView*>(QStringLiteral("listView"))->clearSelection();
     dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
     QMetaObject::invokeMethod(dialog, "accept");

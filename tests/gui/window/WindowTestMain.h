@@ -15,8 +15,8 @@
 
 namespace handwheel::test {
 
-// Runs a test of the window, with settings and autosaves in a temporary folder. Otherwise as the program starts.
-// Classes run beside each other: none may find, or remove, what another stores for recovery.
+// Runs a test of the window, with settings and autosaves in a temporary folder. Otherwise it starts like the program.
+// Classes run beside each other: none may find, or remove, the recovery data of another.
 template <class Test>
 int runWindowTest(int argc, char** argv) {
   Viewport::prepareApplication();

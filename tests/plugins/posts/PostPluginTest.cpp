@@ -52,7 +52,7 @@ class PostPluginTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What it writes is proven as that of the program's own posts.
+  // A written program is verified like that of the program's own posts.
   void writtenAndRead_data() {
     QTest::addColumn<QByteArray>("robot");
     for (const char* id : {"irb120", "kr6r900", "ur5"}) QTest::newRow(id) << QByteArray(id);
@@ -84,7 +84,7 @@ class PostPluginTest : public QObject {
     QVERIFY2(cell.run({"verify", "cell.handwheel", "p.moves"}) == 0, cell.complaints);
   }
 
-  // None of its code runs; the program says which file it is, and has its own posts all the same.
+  // None of its code runs; the program reports the file, and has its own posts nevertheless.
   void madeForAnotherVersion() {
     Cell cell(OLD_PLUGINS);
     QCOMPARE(cell.run({"post", "cell.handwheel", "path", "--controller", "rapid", "-o", "p.mod"}), 0);

@@ -9,10 +9,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kTenth = 0.1;       // of a division: the finest that a person sets
-constexpr double kSameTenth = 0.01;  // of a tenth: as near as that is on it
+constexpr double kTenth = 0.1;       // part of a division: the finest that a person sets
+constexpr double kSameTenth = 0.01;  // part of a tenth: anything as near as that is on it
 
-// Floor division and its rest, for both signs.
+// Returns the rest of a floor division, for both signs.
 double restOf(double count, double whole) {
   const double rest = count - whole * std::floor(count / whole);
   return rest >= 0.0 && rest < whole ? rest : 0.0;  // a count too large to have a rest has none

@@ -4,8 +4,8 @@
 
 namespace handwheel {
 
-// The place of a slide as its dial counts it. In whole turns and divisions from the zero that was set. Plain values,
-// any thread; mm. What is not finite changes nothing.
+// The position of a slide in turns and divisions of its dial. They are counted from the zero that was set. Plain
+// values, any thread; mm. Values that are not finite change nothing.
 class DialCount {
  public:
   static constexpr int kMostDivisions = 1000;
@@ -20,13 +20,13 @@ class DialCount {
   int perTurn() const { return m_perTurn; }
   double mmPerDivision() const { return m_mmPerDivision; }
 
-  // The reading in divisions. Within a thousandth of a division of a tenth it is that tenth.
+  // Returns the reading in divisions. Within a thousandth of a division of a tenth it is that tenth.
   double divisions() const;
-  double turns() const;         // whole ones, rounded down
+  double turns() const;         // whole turns, rounded down
   double restOfTurn() const;    // divisions, 0 to below perTurn()
-  double wheelDegrees() const;  // by which the wheel is turned clockwise, 0 to below 360, whatever the zero
+  double wheelDegrees() const;  // clockwise rotation of the wheel, 0 to below 360, independent of the zero
 
-  // The value after some tenths of a division. From a place on a tenth it comes to a place on a tenth.
+  // Returns the value after some tenths of a division. From a position on a tenth it comes to one on a tenth.
   double after(double tenths) const;
 
  private:

@@ -23,7 +23,7 @@ QPointF polar(const QPointF& centre, double radius, double degrees) {
   return centre + QPointF(radius * std::sin(angle), -radius * std::cos(angle));
 }
 
-// The smallest usual step of which a turn has a whole number and which is long enough.
+// Returns the smallest usual step that divides a turn and is long enough.
 int stepFor(int perTurn, double least) {
   for (int step : kSteps) {
     if (perTurn % step == 0 && step >= least) return step;
@@ -35,7 +35,7 @@ class DialPainting {
  public:
   DialPainting(QPainter& painter, const QRectF& square, const DialCount& count, const ThemeColours& colours)
       : m_painter(painter), m_count(count), m_colours(colours) {
-    // On the middle of a pixel, where upright lines are sharp.
+    // The centre is the middle of a pixel, where upright lines are sharp.
     m_centre = QPointF(std::floor(square.center().x()) + 0.5, std::floor(square.center().y()) + 0.5);
     m_radius = std::max(0.0, 0.5 * std::min(square.width(), square.height()) - kIndexHeight - 2.0);
   }
@@ -71,7 +71,7 @@ class DialPainting {
     }
   }
 
-  // Engraved: they turn with the ring.
+  // Draws an engraved figure, which turns with the ring.
   void figure(int division, double degrees) {
     m_painter.save();
     m_painter.translate(m_centre);

@@ -16,12 +16,12 @@ struct ThemeColours;
 void paintDial(QPainter& painter, const QRectF& square, const DialCount& count, const ThemeColours& colours,
                bool hasFocus);
 
-// Which divisions of the ring are drawn and which have figures: multiples of these, so that none touch.
+// Steps between the divisions of the ring that are drawn and that have figures, so that none touch.
 struct DialMarks {
   int eachMark = 1;
   int eachFigure = 10;
 };
-// radius: of the ring, figureWidth: of the widest figure, pixels.
+// Returns the steps for a ring. radius: that of the ring; figureWidth: that of the widest figure; pixels.
 DialMarks dialMarks(int perTurn, double radius, double figureWidth);
 
 }  // namespace handwheel

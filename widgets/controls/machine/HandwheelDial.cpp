@@ -23,21 +23,21 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kTenths = 10.0;       // to a division
-constexpr double kShownSteps = 100.0;  // to a division: a smaller change is not drawn
+constexpr double kTenths = 10.0;       // tenths of a division
+constexpr double kShownSteps = 100.0;  // steps per division: a smaller change is not drawn
 constexpr double kLongNumber = 1e9;    // from here on with an exponent
 constexpr double kHub = 4.0;           // pixels: within them the pointer has no direction
-constexpr double kMostTenths = 1e6;    // of one event
+constexpr double kMostTenths = 1e6;    // limit for one event
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-// Clockwise from the top; none at the centre.
+// Returns the clockwise angle from the top; none at the centre.
 std::optional<double> angleAt(const QPointF& offset) {
   if (std::hypot(offset.x(), offset.y()) < kHub) return std::nullopt;
   return std::atan2(offset.x(), -offset.y());
 }
 
-// The same turn the short way.
-double shortWay(double angle) {
+// Returns the same turn within half a revolution.
+double withinHalfTurn(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
@@ -187,7 +187,7 @@ void HandwheelDial::mouseMoveEvent(QMouseEvent* event) {
   if (!m_angle) m_angle = angleAt(m_pressed - centre());
   const std::optional<double> now = angleAt(event->position() - centre());
   if (!now) return;
-  const double by = m_angle ? shortWay(*now - *m_angle) : 0.0;
+  const double by = m_angle ? withinHalfTurn(*now - *m_angle) : 0.0;
   m_angle = now;
   turn(by / (2.0 * std::numbers::pi) * m_count.perTurn());
 }
@@ -209,7 +209,7 @@ void HandwheelDial::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-// Before actions of the window that have the same keys.
+// Accepts its keys before actions of the window that have the same ones.
 bool HandwheelDial::event(QEvent* event) {
   constexpr int kKeys[] = {Qt::Key_Up,     Qt::Key_Right,    Qt::Key_Down, Qt::Key_Left,
                            Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Home};

@@ -10,45 +10,45 @@
 
 namespace handwheel {
 
-// A handwheel with a graduated dial, as on the slides of a machine tool. Turned clockwise the value rises. The wheel is
-// dragged around its centre; with the focus, a notch of the mouse wheel or an arrow key is one division (Shift: ten,
+// A handwheel with a graduated dial, like those of a machine tool's slides. Turned clockwise the value rises. The wheel
+// is dragged around its centre; with the focus, a notch of the mouse wheel or an arrow key is one division (Shift: ten,
 // Ctrl: a tenth) and Page Up and Down are a turn. Home or a double click sets the dial to zero at the present value, as
-// the ring of a slide is set. Who owns it may answer moved() with another value: what is turned on from there counts
-// from that. Values in mm. Window thread.
+// the ring of a slide is set. Its owner may answer moved() with another value: further turning counts from that. Values
+// in mm. Window thread.
 class HandwheelDial : public QWidget {
   Q_OBJECT
 
  public:
   explicit HandwheelDial(QWidget* parent = nullptr);
 
-  // Sets the place of the slide, without a signal. A value that is not finite changes nothing.
+  // Sets the position of the slide, without a signal. A value that is not finite changes nothing.
   void setValue(double mm);
-  // 1 to 1000 divisions to a turn. A division that is not finite or not above zero changes nothing.
+  // Sets 1 to 1000 divisions per turn. A division that is not finite or not above zero changes nothing.
   void setDivisions(int perTurn, double mmPerDivision);
   // Sets the value at which the dial shows zero.
   void setZero(double mm);
-  void setRange(double least, double largest);  // of the value, for the person who turns; none when least > largest
+  void setRange(double least, double largest);  // range of the value for turning by hand; none when least > largest
   void setPrefix(const QString& prefix);        // before the number: "⌀", "R"
-  void setLabel(const QString& label);          // for screen readers: "Cross slide"
-  // Where keys belong to something else and nothing scrolls: the mouse gives it no focus, and its wheel turns it
-  // without.
+  void setLabel(const QString& label);          // accessible name: "Cross slide"
+  // For windows in which keys belong to something else and nothing scrolls: the mouse gives it no focus, and its wheel
+  // turns it without.
   void setMouseFirst();
 
   double value() const { return m_count.value(); }
   double zero() const { return m_count.zero(); }
-  QString numberText() const;   // what the dial shows: "⌀ 12.350 mm"
+  QString numberText() const;   // the displayed value: "⌀ 12.350 mm"
   QString readingText() const;  // "2 turns + 47.0 div"
   QString text() const;         // both
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
-  // The centre of the wheel, logical pixels.
+  // Returns the centre of the wheel, logical pixels.
   QPointF centre() const;
 
  signals:
-  void moved(double mm);        // by the person, to this value
-  void zeroChanged(double mm);  // by the person
+  void moved(double mm);        // by the user, to this value
+  void zeroChanged(double mm);  // by the user
 
  protected:
   bool event(QEvent* event) override;
@@ -72,13 +72,13 @@ class HandwheelDial : public QWidget {
   DialCount m_count;
   double m_least;
   double m_largest;
-  double m_rest = 0.0;  // divisions, turned but less than a tenth
+  double m_rest = 0.0;  // divisions turned, less than a tenth
   double m_shown = 0.0;
   QString m_prefix;
   QPointF m_pressed;
   bool m_isHeld = false;
   bool m_isMouseFirst = false;
-  std::optional<double> m_angle;  // of the pointer, radian, while it turns the wheel
+  std::optional<double> m_angle;  // angle of the pointer, radian, while it turns the wheel
 };
 
 }  // namespace handwheel

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kShownColumns = 48;
 constexpr int kShownLines = 20;
-constexpr int kMostTexts = 20;  // of the marks of a line
+constexpr int kMostTexts = 20;  // texts of the marks of a line
 
 QTextEdit::ExtraSelection wholeLine(const QTextBlock& line, const QColor& colour) {
   QTextEdit::ExtraSelection selection;
@@ -127,13 +127,13 @@ QString ProgramEditor::markText(const QTextBlock& line) const {
 void ProgramEditor::forEachShownLine(const std::function<void(const QTextBlock&, const QRectF&)>& visit) const {
   const double bottom = viewport()->height();
   QTextBlock line = firstVisibleBlock();
-  QRectF place = blockBoundingGeometry(line).translated(contentOffset());
-  while (line.isValid() && place.top() <= bottom) {
-    visit(line, place);
-    const double next = place.bottom();
+  QRectF rectangle = blockBoundingGeometry(line).translated(contentOffset());
+  while (line.isValid() && rectangle.top() <= bottom) {
+    visit(line, rectangle);
+    const double next = rectangle.bottom();
     line = line.next();
-    place = blockBoundingRect(line);
-    place.moveTop(next);
+    rectangle = blockBoundingRect(line);
+    rectangle.moveTop(next);
   }
 }
 
@@ -142,7 +142,7 @@ QSize ProgramEditor::sizeHint() const {
           kShownLines * fontMetrics().lineSpacing()};
 }
 
-// The margin beside and the search below what is shown.
+// Lays out the margin beside and the search below the text.
 void ProgramEditor::layOut() {
   const int left = m_margin->sizeHint().width();
   const int below = m_search->isHidden() ? 0 : m_search->sizeHint().height();
@@ -158,7 +158,7 @@ void ProgramEditor::colourShown() {
   m_highlighter->show(first, first + shown);
 }
 
-// The line of the cursor and the executed one.
+// Highlights the line of the cursor and the executed one.
 void ProgramEditor::showLines() {
   const ThemeColours& colours = themeColours(currentTheme());
   QList<QTextEdit::ExtraSelection> lines{wholeLine(textCursor().block(), colours.hover)};
@@ -180,7 +180,7 @@ void ProgramEditor::changeEvent(QEvent* event) {
   }
 }
 
-// Before actions of the window that have the same keys.
+// Accepts its keys before actions of the window that have the same ones.
 bool ProgramEditor::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     auto* key = static_cast<QKeyEvent*>(event);

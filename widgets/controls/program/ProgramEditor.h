@@ -14,10 +14,10 @@ class ProgramHighlighter;
 class ProgramMargin;
 class ProgramSearchBar;
 
-// An editor of machine programs with line numbers, coloured words, marks and search. Marks stand in the margin, under
-// the words and in tool tips; F8 and Shift+F8 go to the next and the last one, Ctrl+F searches, F3 and Shift+F3 go on.
-// Tab leaves the editor. Only what is shown is coloured: 100,000 lines open at once. Lines and columns count from 1.
-// Window thread.
+// An editor of machine programs with line numbers, coloured words, marks and search. Marks are drawn in the margin,
+// under the words and in tool tips; F8 and Shift+F8 go to the next and the last one, Ctrl+F searches, F3 and Shift+F3
+// go on. Tab leaves the editor. Only the visible lines are coloured: 100,000 lines open at once. Lines and columns
+// count from 1. Window thread.
 class ProgramEditor : public QPlainTextEdit {
   Q_OBJECT
 
@@ -28,19 +28,19 @@ class ProgramEditor : public QPlainTextEdit {
 
   // Replaces all marks. They move with their lines while the program is edited, until the next call.
   void setMarks(std::vector<Mark> marks);
-  // The executed line, scrolled into view; 0: none. The cursor stays where it is.
+  // Sets the executed line, scrolled into view; 0: none. The cursor does not move.
   void setCurrentLine(int line);
   int currentLine() const { return m_currentLine; }
-  // Puts the cursor to a place and shows it. What is beyond the program's end is its end.
+  // Puts the cursor to a position and shows it. A position beyond the end of the program means its end.
   void goTo(int line, int column = 1);
-  // Goes to the next mark from the cursor, or the last one before it; around the ends. False when there are none.
+  // Goes to the next mark from the cursor, or the last one before it; around the ends. Returns false if there are none.
   bool goToMark(bool backwards = false);
-  // Selects the next place of a text, around the ends. Without regard to case. False when there is none.
+  // Selects the next occurrence of a text, around the ends. Ignores case. Returns false if there is none.
   bool findText(const QString& text, bool backwards = false);
 
-  // What is said about a line, a line for each mark; empty when nothing is.
+  // Returns the texts of the marks of a line, one per line; empty if it has none.
   QString markText(const QTextBlock& line) const;
-  // Calls visit(line, place in the viewport) for each line that is shown, from the top.
+  // Calls visit(line, its rectangle in the viewport) for each visible line, from the top.
   void forEachShownLine(const std::function<void(const QTextBlock&, const QRectF&)>& visit) const;
   void scrollByWheel(QWheelEvent* event) { wheelEvent(event); }
 

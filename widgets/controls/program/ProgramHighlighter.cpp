@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostColoured = 4000;  // characters of a line: what is beyond keeps the colour of text
 
-// By EditorWord::Kind.
+// Colours by EditorWord::Kind.
 constexpr std::array<QRgb, 10> kLight{0xff616975, 0xff1f5fc4, 0xff9a5b00, 0xff0b7d5f, 0xff1d2128,
                                       0xff616975, 0xff8a3a8f, 0xff8a3a8f, 0xff1f5fc4, 0xffc02a25};
 constexpr std::array<QRgb, 10> kDark{0xff9ba3af, 0xff7fb0ff, 0xfff0b24a, 0xff3ecf9f, 0xffe4e7eb,
@@ -57,7 +57,7 @@ void ProgramHighlighter::highlightBlock(const QString& text) {
   underline(text, words);
 }
 
-// From the marked column to the end of the word there; all of the line where no column is said.
+// Underlines from the marked column to the end of the word there; all of the line if no column is given.
 void ProgramHighlighter::underline(const QString& text, const std::vector<EditorWord>& words) {
   const std::vector<ProgramMark>& marks = programMarks(currentBlock());
   for (const ProgramMark& mark : std::span(marks).first(std::min(marks.size(), kMostUnderlined))) {

@@ -10,20 +10,21 @@
 
 namespace handwheel {
 
-// The colour of a word in a program editor. It has a contrast of at least 4.5:1 on the ground of lists and fields.
+// Returns the colour of a word in a program editor. It has a contrast of at least 4.5:1 on the ground of lists and
+// fields.
 QColor programColour(EditorWord::Kind kind, ThemeKind theme);
 
-// Colours the words of a program and underlines what is marked. Only the lines that are shown are coloured, so that a
-// long program opens at once: the editor says which.
+// Colours the words of a program and underlines marked ones. Only the lines that the editor reports as visible are
+// coloured, so that a long program opens at once.
 class ProgramHighlighter : public QSyntaxHighlighter {
   Q_OBJECT
 
  public:
   explicit ProgramHighlighter(QTextDocument* document);
 
-  // The lines that are shown, counted from 0. Colours those that are not yet.
+  // Sets the visible lines, counted from 0. Colours those that are not coloured yet.
   void show(int first, int last);
-  // Colours what is shown anew: the marks or the theme are others.
+  // Colours the visible lines again, after a change of the marks or the theme.
   void refresh();
 
  protected:

@@ -54,10 +54,10 @@ void ProgramMargin::paintEvent(QPaintEvent* event) {
   const QFontMetrics metrics(m_editor->font());
   const double icon = 0.5 * metrics.height();
   const int cursorLine = m_editor->textCursor().blockNumber();
-  m_editor->forEachShownLine([&](const QTextBlock& line, const QRectF& place) {
+  m_editor->forEachShownLine([&](const QTextBlock& line, const QRectF& rectangle) {
     const int number = line.blockNumber();
     painter.setPen(number == cursorLine ? colours.text : colours.muted);
-    const QRectF row(0.0, place.top(), width() - kNumberGap, metrics.height());
+    const QRectF row(0.0, rectangle.top(), width() - kNumberGap, metrics.height());
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, QString::number(number + 1));
     const QRectF box(kNumberGap, row.center().y() - 0.5 * icon, icon, icon);
     const std::vector<ProgramMark>& marks = programMarks(line);

@@ -12,7 +12,7 @@ class QTextDocument;
 
 namespace handwheel {
 
-// A remark about a place in a program: an error, a warning, a note. Lines and columns count from 1.
+// A remark about a position in a program: an error, a warning, a note. Lines and columns count from 1.
 struct ProgramMark {
   enum class Severity { Note, Warning, Error };
   int line = 1;
@@ -22,14 +22,14 @@ struct ProgramMark {
   bool operator==(const ProgramMark&) const = default;
 };
 
-// The marks of a document, kept at its lines, with which they move while it is edited. Those of lines that the document
-// does not have go to its last one. Cost: all lines once.
+// Sets the marks of a document. They are kept at its lines and move with them while it is edited. Those of lines that
+// the document does not have go to its last one. Cost: all lines once.
 void setProgramMarks(QTextDocument& document, std::vector<ProgramMark> marks);
 
-// The marks of a line; empty when there are none.
+// Returns the marks of a line; empty when there are none.
 const std::vector<ProgramMark>& programMarks(const QTextBlock& line);
 
-// The worst of a line that has marks.
+// Returns the worst severity of at least one mark.
 ProgramMark::Severity worstOf(const std::vector<ProgramMark>& marks);
 
 QColor severityColour(ProgramMark::Severity severity, const ThemeColours& colours);

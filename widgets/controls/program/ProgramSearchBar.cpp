@@ -31,7 +31,7 @@ ProgramSearchBar::ProgramSearchBar(ProgramEditor* editor)
     : QWidget(editor), m_editor(editor), m_text(new QLineEdit(this)), m_state(new QLabel(this)) {
   setObjectName(QStringLiteral("programSearch"));
   setAutoFillBackground(true);
-  setFont(QWidget().font());  // not that of programs
+  setFont(QWidget().font());  // not the font of programs
   m_text->setObjectName(QStringLiteral("programSearchText"));
   m_text->setPlaceholderText(tr("Find in the program"));
   m_text->setAccessibleName(m_text->placeholderText());
@@ -69,7 +69,7 @@ void ProgramSearchBar::go(bool backwards) {
   if (!m_text->text().isEmpty()) showFound(m_editor->findText(m_text->text(), backwards));
 }
 
-// What is found stays found while the text grows.
+// A found text stays found while it grows.
 void ProgramSearchBar::searchFromSelection() {
   QTextCursor cursor = m_editor->textCursor();
   cursor.setPosition(cursor.selectionStart());

@@ -11,7 +11,7 @@ namespace handwheel {
 
 class ProgramEditor;
 
-// The line below a program that searches in it while one types. Enter goes on, Shift+Enter back, Esc closes it.
+// A bar below a program for incremental search. Enter goes on, Shift+Enter back, Esc closes it.
 class ProgramSearchBar : public QWidget {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ProgramSearchBar : public QWidget {
 
   // Shows it with a text, or with the last one.
   void start(const QString& text);
-  // To the next place of the text, or the one before.
+  // Goes to the next occurrence of the text, or the previous one.
   void go(bool backwards);
 
  signals:

@@ -60,7 +60,7 @@ class ProgramScanner {
     if (!c.isSpace() && !kSigns.contains(c)) add(start, Kind::Unknown);
   }
 
-  // #1, #<name>, and ##1: the variable whose number another one holds.
+  // Scans #1, #<name>, and ##1: the variable whose number another one holds.
   void variable() {
     const qsizetype start = m_at;
     while (here() == u'#') ++m_at;
@@ -79,7 +79,7 @@ class ProgramScanner {
     while (isFigure(here())) ++m_at;
   }
 
-  // With its sign, if there is a number behind it; blanks may stand between.
+  // Scans a number with its sign, if digits follow; blanks may stand between.
   void number() {
     const qsizetype start = m_at;
     while (here() == u' ') ++m_at;
@@ -89,7 +89,7 @@ class ProgramScanner {
     if (m_at == digits) m_at = start;
   }
 
-  // A letter is the address of a word; two and more in a row are a word of the language.
+  // Scans letters. One letter is the address of a word; two and more in a row are a word of the language.
   void letters() {
     const qsizetype start = m_at;
     while (isLetter(here())) ++m_at;

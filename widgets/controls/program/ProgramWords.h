@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// A word of a line of a machine program, for its colour. Only what the letters say: whether a machine takes the word is
-// decided by its interpreter.
+// A word of a line of a machine program, for its colour. It is classified by its letters only; the interpreter of a
+// machine decides whether it is valid.
 struct EditorWord {
   enum class Kind {
-    Comment,      // ( … ) to its end or that of the line, ; …
+    Comment,      // ( … ) to its end or the end of the line, ; …
     Preparatory,  // G and its number
     Machine,      // M, T, S, F, D, H and their numbers
     Axis,         // X Y Z A B C U V W I J K R E L P Q
@@ -20,7 +20,7 @@ struct EditorWord {
     Subprogram,   // O and its number or name
     Variable,     // #1, #<name>
     Keyword,      // IF, WHILE, SIN, EQ
-    Unknown,      // a character that no program has
+    Unknown,      // a character that occurs in no program
   };
   int start = 0;
   int length = 0;
@@ -28,7 +28,7 @@ struct EditorWord {
   bool operator==(const EditorWord&) const = default;
 };
 
-// The words of a line, in order, without blanks and signs of calculation. Any thread; cost in proportion to the line.
+// Returns the words of a line, in order, without blanks and operators. Any thread; cost in proportion to the line.
 std::vector<EditorWord> programWords(QStringView line);
 
 }  // namespace handwheel

@@ -46,7 +46,7 @@ void PropertyDialog::edit(const std::string& id, const PropertyValue& value) {
   m_list->setProperties(m_shown());
 }
 
-// A field that loses the focus as it is deleted commits its text, when the functions are gone.
+// A field that loses the focus while it is deleted commits its text, when the functions no longer exist.
 PropertyDialog::~PropertyDialog() {
   m_list->disconnect(this);
 }

@@ -21,19 +21,20 @@ class PropertyDialog : public QDialog {
   struct Text {
     QString title, intro, button;
   };
-  // What the dialog shows, and how it changes that. An error is said at the field. Both are called from it alone.
+  // The functions that return the displayed properties and change one. Errors are displayed at the field. Only the
+  // dialog calls them.
   using Shown = std::function<std::vector<Property>()>;
   using Change = std::function<Status(const std::string& id, const PropertyValue& value)>;
   PropertyDialog(const Text& text, Shown shown, Change change, QWidget* parent);
   ~PropertyDialog() override;
 
-  // To be called when what is shown has changed by itself.
+  // To be called when the properties have changed by themselves.
   void refresh() { m_list->setProperties(m_shown()); }
   void setIntro(const QString& text) { m_intro->setText(text); }
-  // Puts a view of what is shown between introduction and fields; it belongs to the dialog then.
+  // Adds a view of the result between introduction and fields; the dialog takes ownership.
   void addView(QWidget* view);
   void setLengthUnit(LengthUnit unit) { m_list->setLengthUnit(unit); }
-  // Changes numbers while they are being typed, and not only when they are entered.
+  // Changes numbers while they are being typed, not only when they are entered.
   void followTyping() { connect(m_list, &PropertyList::typed, this, &PropertyDialog::edit); }
 
  private:

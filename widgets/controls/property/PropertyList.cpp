@@ -17,9 +17,9 @@ namespace handwheel {
 
 namespace {
 constexpr int kUsualWidth = 256;
-constexpr int kRemarkLines = 3;    // for which there is room below a form
-constexpr int kRemarkMargin = 4;   // pixels, around them
-constexpr int kRemarkIndent = 12;  // pixels, as of the fields
+constexpr int kRemarkLines = 3;    // lines reserved below a form
+constexpr int kRemarkMargin = 4;   // pixels around the remarks
+constexpr int kRemarkIndent = 12;  // pixels, the same as for the fields
 }  // namespace
 
 PropertyList::PropertyList(QWidget* parent)
@@ -66,7 +66,7 @@ void PropertyList::foldRows() {
   updateGeometry();
 }
 
-// Whether the present rows and headings are right for them.
+// Returns true if the present rows and headings are right for them.
 bool PropertyList::fit(const std::vector<Property>& properties) const {
   if (properties.size() != m_rows.size()) return false;
   for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -75,9 +75,9 @@ bool PropertyList::fit(const std::vector<Property>& properties) const {
   return true;
 }
 
-// Rows that still fit are kept, wherever they stand now.
+// Keeps the rows that still fit, at any position.
 void PropertyList::rebuild() {
-  const int place = verticalScrollBar()->value();
+  const int scrolled = verticalScrollBar()->value();
   std::vector<PropertyRow*> old = std::exchange(m_rows, {});
   for (QWidget* heading : std::exchange(m_headings, {})) {  // one may be the sender
     heading->hide();
@@ -100,7 +100,7 @@ void PropertyList::rebuild() {
     m_column->addWidget(row);
   }
   m_column->addStretch();
-  for (PropertyRow* row : old) {  // one of them may be the sender of what led here
+  for (PropertyRow* row : old) {  // one of them may be the sender of the present signal
     row->hide();
     row->deleteLater();
   }
@@ -109,10 +109,10 @@ void PropertyList::rebuild() {
   chainTab();
   updateGeometry();
   // The page is short until it is laid out anew, which scrolls it up.
-  QTimer::singleShot(0, this, [this, place] { verticalScrollBar()->setValue(place); });
+  QTimer::singleShot(0, this, [this, scrolled] { verticalScrollBar()->setValue(scrolled); });
 }
 
-// Tab goes down the page, also where rows were moved or added.
+// Orders the tab chain down the page, also after rows were moved or added.
 void PropertyList::chainTab() {
   QWidget* last = nullptr;
   for (const PropertyRow* row : m_rows) {
@@ -124,7 +124,8 @@ void PropertyList::chainTab() {
   }
 }
 
-// A field that is being edited loses the focus with the list, and would tell its value to a list that is half gone.
+// A field that is being edited loses the focus with the list, and would report its value to a list that is partly
+// destroyed.
 PropertyList::~PropertyList() {
   for (PropertyRow* row : m_rows) row->disconnect(this);
 }
@@ -144,7 +145,7 @@ void PropertyList::setEmptyText(const QString& text) {
   m_empty->setText(text);
 }
 
-void PropertyList::keepPlaceForRemarks() {
+void PropertyList::reserveRemarkSpace() {
   m_remarks = new QLabel(this);
   m_remarks->setObjectName(QStringLiteral("propertyRemarks"));
   m_remarks->setProperty("bad", true);
@@ -156,7 +157,7 @@ void PropertyList::keepPlaceForRemarks() {
   setViewportMargins(0, 0, 0, m_remarks->height());
 }
 
-// What was refused first, for somebody is typing it. All of it is in the tool tip, should it be long.
+// Refused values come first, for somebody is typing them. All of it is in the tool tip, should it be long.
 void PropertyList::showRemarks() {
   if (!m_remarks) return;
   QStringList refused, others;
@@ -172,7 +173,7 @@ void PropertyList::showRemarks() {
 void PropertyList::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
   if (!m_remarks) return;
-  const QRect above = viewport()->geometry();  // which leaves a scroll bar alone
+  const QRect above = viewport()->geometry();  // without the scroll bar
   m_remarks->setGeometry(above.left(), height() - m_remarks->height(), above.width(), m_remarks->height());
 }
 

@@ -26,22 +26,23 @@ class PropertyList : public QScrollArea {
 
   // Shows the properties, grouped in the given order. Ids must be unique.
   void setProperties(const std::vector<Property>& properties);
-  // Groups whose fields can be folded away below their heading, and whether they are open at first. Of a group for
-  // which that has not changed it stays as a person left it. To be called before setProperties().
+  // Sets the groups whose fields can be folded below their heading, and whether they are open at first. A group with an
+  // unchanged entry stays as the user left it. To be called before setProperties().
   void setFolding(const std::map<std::string, bool>& open);
   void setLengthUnit(LengthUnit unit);
-  // Says at its field why the document has not taken a value. Nothing happens when it is not shown any more.
+  // Shows at its field why the document has not taken a value. Nothing happens if it is not shown any more.
   void refuse(const std::string& id, const PropertyValue& entered, const QString& reason);
   void setEmptyText(const QString& text);  // shown when there are no properties
-  // Remarks on values stand in a place below the form that is kept for them, else below their field: no field moves
-  // when one comes or goes. To be called before setProperties().
-  void keepPlaceForRemarks();
+  // Shows remarks on values in an area reserved below the form, instead of below their field: no field moves when one
+  // comes or goes. To be called before setProperties().
+  void reserveRemarkSpace();
 
   QSize sizeHint() const override;
 
  signals:
   void edited(const std::string& id, const handwheel::PropertyValue& value, bool stillDragging);
-  void typed(const std::string& id, const handwheel::PropertyValue& value);  // a number, before it is entered
+  // emitted for a number before it is entered
+  void typed(const std::string& id, const handwheel::PropertyValue& value);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -51,7 +52,7 @@ class PropertyList : public QScrollArea {
   void rebuild();
   void chainTab();
   PropertyRow* addRow(const Property& property);
-  void addHeading(const Property& property);  // above it: its group
+  void addHeading(const Property& property);  // adds the heading of its group above the property
   QWidget* makeHeading(const std::string& group, const QString& text);
   void foldRows();
   void showRemarks();
@@ -59,10 +60,10 @@ class PropertyList : public QScrollArea {
   QWidget* m_page;
   QVBoxLayout* m_column;
   QLabel* m_empty;
-  QLabel* m_remarks = nullptr;  // null: they stand below their fields
+  QLabel* m_remarks = nullptr;  // null: remarks are shown below their fields
   std::vector<PropertyRow*> m_rows;
   std::vector<QWidget*> m_headings;
-  std::map<std::string, bool> m_openAtFirst, m_isOpen;  // by the group
+  std::map<std::string, bool> m_openAtFirst, m_isOpen;  // by group
   std::vector<Property> m_properties;
   LengthUnit m_unit = LengthUnit::Millimetre;
 };

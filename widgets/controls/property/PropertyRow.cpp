@@ -109,7 +109,7 @@ PropertyRow::Kind PropertyRow::kindOf(const Property& property) {
   if (!property.choices.empty()) return property.continuous ? Kind::List : Kind::Choice;
   if (std::holds_alternative<bool>(property.value)) return Kind::Switch;
   if (!std::holds_alternative<std::string>(property.value)) return Kind::Number;
-  // What people write sentences into.
+  // Properties for whole sentences.
   if (property.id == "text" || property.id.ends_with(".text")) return Kind::LongText;
   return property.id.ends_with(".colour") ? Kind::Colour : Kind::Text;
 }

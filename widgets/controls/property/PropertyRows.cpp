@@ -30,16 +30,17 @@ namespace handwheel {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr double kNearLimit = 0.05;  // of the range: what is nearer to a limit is shown there
+constexpr double kNearLimit = 0.05;  // share of the range: values nearer to a limit are shown there
 constexpr int kMostListed = 8;       // rows of two lines, before a list scrolls
-// A box is as wide as its longest choice, in wide letters, of which three are as wide as four others; within these.
+// Limits on the width of a box, in letters. It is that of its longest choice, in wide letters, of which three are as
+// wide as four others.
 constexpr int kFewestLetters = 6;
 constexpr int kMostLetters = 15;
 constexpr qsizetype kMostBeside = 20;  // letters of a choice beside its label
 constexpr int kListMargin = 24;        // pixels, for frame and scroll bar
 constexpr double kMostCount = 1e15;    // whole numbers beyond have digits that a double does not
 
-// With the wheel over them, these would change instead of letting the form scroll.
+// A slider that ignores the wheel, which would otherwise change it instead of scrolling the form.
 class FormSlider final : public QSlider {
  public:
   using QSlider::QSlider;
@@ -50,7 +51,8 @@ class FormSlider final : public QSlider {
     event->ignore();
   }
 };
-// Also with the focus, which a box has since its choice was made: whoever then scrolls the form would choose anew.
+// A combo box that ignores the wheel also with the focus, which it keeps after a choice: scrolling the form would
+// choose anew.
 class FormBox final : public QComboBox {
  public:
   using QComboBox::QComboBox;
@@ -59,7 +61,8 @@ class FormBox final : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
-// A value of another type than the row is made for would be a bug of the document; it shows as zero or nothing.
+// Returns a value as the type that the row is made for. Another type would be a bug of the document; it shows as zero
+// or nothing.
 template <class T>
 T valueAs(const Property& property) {
   const T* value = std::get_if<T>(&property.value);
@@ -71,7 +74,8 @@ int choiceOf(const Property& property) {
   return index >= 0.0 && index < static_cast<double>(property.choices.size()) ? static_cast<int>(index) : -1;
 }
 
-// Grouped as in all sentences: "33,992". A field has no groups, for its comma could be a decimal one.
+// Returns true for counts, which are grouped as in all sentences: "33,992". A field has no groups, for its comma could
+// be a decimal one.
 bool isCount(const Property& property) {
   const auto value = valueAs<double>(property);
   return property.quantity == Quantity::Number && property.prefix.empty() && std::abs(value) < kMostCount &&
@@ -134,7 +138,7 @@ void NumberRow::showValue(const Property& property, LengthUnit unit) {
   m_slider->setValue(static_cast<int>(std::lround(share * kSliderSteps)));
 }
 
-// The limit that the value is near to is highlighted.
+// Highlights the limit that the value is near to.
 void NumberRow::showNearness(double share) {
   const std::pair<QLabel*, bool> limits[] = {{m_lower, share < kNearLimit}, {m_upper, share > 1.0 - kNearLimit}};
   for (const auto& [label, isNear] : limits) {
@@ -148,7 +152,7 @@ void NumberRow::setLabel(const QString& label) {
   m_slider->setAccessibleName(label);
 }
 
-// Weighted, so that both ends are met exactly.
+// The value is a weighted mean, so that both ends are met exactly.
 void NumberRow::slide(int position) {
   const double share = static_cast<double>(position) / kSliderSteps;
   const double value = (1.0 - share) * m_least + share * m_largest;
@@ -191,7 +195,7 @@ QString TextRow::shown(const QString& value) const {
   return m_isNumbers ? withLocalNumbers(value, locale()) : value;
 }
 
-// What was refused is out of date when the value has changed and nobody is typing any more.
+// Refused text is out of date when the value has changed and nobody is typing any more.
 void TextRow::showValue(const Property& property, LengthUnit) {
   m_isNumbers = property.isNumbers;
   const QString value = shown(plainText(property));
@@ -232,7 +236,7 @@ bool TextRow::eventFilter(QObject* watched, QEvent* event) {
 
 LongTextRow::LongTextRow(QWidget* parent)
     : PropertyRow(parent), m_heading(new QLabel(this)), m_field(new QPlainTextEdit(this)) {
-  constexpr int kLines = 5;  // that are seen at once
+  constexpr int kLines = 5;  // lines visible at once
   m_field->setObjectName(QStringLiteral("propertyLongText"));
   m_field->setTabChangesFocus(true);
   m_field->setFixedHeight(kLines * m_field->fontMetrics().lineSpacing() + 12);
@@ -248,7 +252,7 @@ LongTextRow::LongTextRow(QWidget* parent)
   arrange(both, false);
 }
 
-// As in TextRow.
+// The same as in TextRow.
 void LongTextRow::showValue(const Property& property, LengthUnit) {
   const QString value = plainText(property);
   if (std::exchange(m_value, value) != value && !m_field->hasFocus()) {
@@ -350,11 +354,11 @@ void ChoiceRow::showValue(const Property& property, LengthUnit) {
         static_cast<int>(std::clamp(longest * 3 / 4, qsizetype{kFewestLetters}, qsizetype{kMostLetters})));
     m_box->clear();
     m_box->addItems(choices);
-    // Long names, as those of materials, have all of the width, below the label; the list is as wide as they are.
+    // Long names, such as those of materials, have all of the width, below the label; the list is as wide as they are.
     const bool isBelow = longest > kMostBeside;
     auto* const line = static_cast<QBoxLayout*>(layout()->itemAt(0)->layout());
     line->setDirection(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    line->setStretch(0, isBelow ? 0 : kLabelStretch);  // the stretches are those of widths
+    line->setStretch(0, isBelow ? 0 : kLabelStretch);  // the stretches apply to widths
     line->setStretch(1, isBelow ? 0 : kEditorStretch);
     m_box->view()->setMinimumWidth(m_box->view()->sizeHintForColumn(0) + kListMargin);
   }

@@ -19,8 +19,8 @@ namespace handwheel {
 
 class NumberField;
 
-// A row for a number, with an optional slider below. The slider is shown, between the limits, when the property asks to
-// be changed between these.
+// A row for a number, with an optional slider below. The slider is shown if the property requests it, between the
+// limits of its range.
 class NumberRow : public PropertyRow {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class NumberRow : public PropertyRow {
   void showNearness(double share);
 
   NumberField* m_field;
-  QWidget* m_travel;  // with the slider between its limits
+  QWidget* m_travel;  // contains the slider between its limits
   QSlider* m_slider;
   QLabel* m_lower;
   QLabel* m_upper;
@@ -68,7 +68,7 @@ class TextRow : public PropertyRow {
   explicit TextRow(QWidget* parent);
 
  protected:
-  // With another widget beside the line.
+  // Creates a row with another widget beside the line.
   TextRow(QWidget* parent, QWidget* beside);
   void showValue(const Property& property, LengthUnit unit) override;
   void setLabel(const QString& label) override;
@@ -79,11 +79,11 @@ class TextRow : public PropertyRow {
   QString shown(const QString& value) const;
 
   QLineEdit* m_line;
-  QString m_value;           // as it is shown
-  bool m_isNumbers = false;  // with the decimal separator of the user
+  QString m_value;           // displayed text
+  bool m_isNumbers = false;  // its numbers have the decimal separator of the user
 };
 
-// A row for a text of several lines, below its label. It is taken when the field is left, or by Ctrl+Return.
+// A row for a text of several lines, below its label. It is entered when the field is left, or by Ctrl+Return.
 class LongTextRow : public PropertyRow {
   Q_OBJECT
 
@@ -105,7 +105,7 @@ class LongTextRow : public PropertyRow {
   QString m_value;
 };
 
-// A row for a colour, "#rrggbb": a line edit, and a button that opens the dialog for colours.
+// A row for a colour, "#rrggbb": a line edit, and a button that opens the colour dialog.
 class ColourRow : public TextRow {
   Q_OBJECT
 
@@ -139,7 +139,7 @@ class ChoiceRow : public PropertyRow {
   QComboBox* m_box;
 };
 
-// A row for one of several choices that are all seen: a list, below the heading of the group.
+// A row for one of several choices that are all visible: a list, below the heading of the group.
 class ListRow : public PropertyRow {
   Q_OBJECT
 

@@ -17,7 +17,7 @@ constexpr int kMarkWidth = 26;
 constexpr int kRowsShown = 6;
 constexpr int kIndentation = 14;  // pixels: the panel is narrow
 
-// The key of a press without modifiers; 0 for others.
+// Returns the key of a press without modifiers; 0 for others.
 int plainKeyOf(const QEvent& event) {
   const auto& key = static_cast<const QKeyEvent&>(event);
   return (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier ? key.key() : 0;
@@ -98,7 +98,7 @@ void BodyList::follow() {
   emit selected(m_selected);
 }
 
-// Of a selected body: all that are selected.
+// A selected body stands for all that are selected.
 void BodyList::toggle(const BodyPointer& body) {
   const std::set<BodyId> one{body->id};
   emit visibilityRequested(m_selected.contains(body->id) ? std::set<BodyId>(m_selected) : one, !body->visible);
@@ -121,7 +121,7 @@ void BodyList::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!clickEye(*event)) QTreeView::mouseDoubleClickEvent(event);
 }
 
-// A drop changes the document, and that the rows: none is removed here.
+// A drop changes the document, and the document changes the rows: none is removed here.
 void BodyList::startDrag(Qt::DropActions actions) {
   QMimeData* const dragged = m_model->mimeData(selectionModel()->selectedRows(BodyModel::Name));
   if (!dragged) return;
@@ -130,7 +130,7 @@ void BodyList::startDrag(Qt::DropActions actions) {
   drag->exec(actions);
 }
 
-// The keys of a row are no commands of the window.
+// The keys of a row are not commands of the window.
 bool BodyList::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && isOfRow(plainKeyOf(*event))) event->accept();
   return QTreeView::event(event);

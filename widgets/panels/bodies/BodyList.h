@@ -10,24 +10,24 @@
 namespace handwheel {
 
 // A list of the bodies of a document: colour, name, link and eye. Several can be selected. F2 or a double click
-// renames, Del removes, Space and a click on an eye hide or show; bodies are dragged onto what carries them. It only
-// asks for changes.
+// renames, Del removes, Space and a click on an eye hide or show; bodies are dragged onto their carriers. The list
+// itself changes nothing, but emits requests.
 class BodyList : public QTreeView {
   Q_OBJECT
 
  public:
   explicit BodyList(QWidget* parent = nullptr);
 
-  void setBodies(const BodySet& bodies, const QStringList& carriers = {});  // as BodyModel
+  void setBodies(const BodySet& bodies, const QStringList& carriers = {});  // see BodyModel
   // Selects these rows, and scrolls to a single one.
   void setSelected(const std::set<BodyId>& bodies);
 
  signals:
   void selected(const std::set<handwheel::BodyId>& bodies);  // by the user
   void renameRequested(handwheel::BodyId body, const QString& name);
-  void removalRequested();  // of the selected ones
+  void removalRequested();  // the selected bodies
   void visibilityRequested(const std::set<handwheel::BodyId>& bodies, bool visible);
-  void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);  // as BodyModel
+  void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);  // see BodyModel
 
  protected:
   bool event(QEvent* event) override;
@@ -44,7 +44,7 @@ class BodyList : public QTreeView {
 
   BodyModel* m_model;
   std::set<BodyId> m_selected;
-  bool m_isFollowing = false;  // the selection is set from outside, or rows come and go
+  bool m_isFollowing = false;  // the selection is set from outside, or rows are inserted or removed
 };
 
 }  // namespace handwheel

@@ -41,14 +41,14 @@ void BodyModel::setBodies(const BodySet& bodies, const QStringList& carriers) {
   }
   std::vector<Bodies> next(m_bodies.size());
   for (const BodyPointer& body : bodies) {
-    // -1, of one that is carried by nothing that is known, gives the group of those that stand.
+    // -1, for a body without a known carrier, gives the group of bodies without one.
     const auto carrier = body->carrier.empty() ? -1 : m_carriers.indexOf(QString::fromStdString(body->carrier));
     next[static_cast<std::size_t>(carrier + 1)].push_back(body);
   }
   for (std::size_t group = 0; group < next.size(); ++group) setGroup(group, next[group]);
 }
 
-// What stands before and after the change keeps its rows, with selection and place in the view.
+// Unchanged bodies before and after the change keep their rows, with selection and scroll position.
 void BodyModel::setGroup(std::size_t group, const Bodies& next) {
   Bodies& bodies = m_bodies[group];
   const auto head = std::mismatch(bodies.begin(), bodies.end(), next.begin(), next.end(), isSameBody);
@@ -192,7 +192,7 @@ QVariant BodyModel::eyeData(const Body& body, int role) const {
   }
 }
 
-// Bodies can be dropped on everything, also beside the rows, where anything can carry them.
+// Bodies can be dropped on everything, also beside the rows, if there is a carrier.
 Qt::ItemFlags BodyModel::flags(const QModelIndex& index) const {
   const Qt::ItemFlags dropping = m_carriers.empty() ? Qt::NoItemFlags : Qt::ItemIsDropEnabled;
   if (!index.isValid()) return dropping;

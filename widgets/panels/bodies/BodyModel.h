@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// The bodies of a document as rows, in the order in which they were added. Where there are things that carry bodies,
-// each is a row behind those of the bodies that stand by themselves, with the bodies that it carries below it. A change
-// of the document costs a comparison of pointers for each body.
+// The bodies of a document as rows, in the order in which they were added. If there are carriers, each is a row after
+// those of the bodies without a carrier, with the bodies that it carries below it. A change of the document costs a
+// comparison of pointers for each body.
 class BodyModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -21,10 +21,10 @@ class BodyModel : public QAbstractItemModel {
 
   explicit BodyModel(QObject* parent = nullptr);
 
-  // carriers: the names of what can carry bodies (Body::carrier).
+  // carriers: the names of objects that can carry bodies (Body::carrier).
   void setBodies(const BodySet& bodies, const QStringList& carriers = {});
-  BodyPointer body(const QModelIndex& index) const;  // null for an invalid index, and for what carries
-  QModelIndex indexOf(BodyId id) const;              // of the name; invalid when there is none; O(carriers · log n)
+  BodyPointer body(const QModelIndex& index) const;  // null for an invalid index, and for a carrier
+  QModelIndex indexOf(BodyId id) const;  // index of the name; invalid when there is none; O(carriers · log n)
   QModelIndex indexOfCarrier(const QString& name) const;  // the same
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -33,17 +33,17 @@ class BodyModel : public QAbstractItemModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
-  bool setData(const QModelIndex& index, const QVariant& value, int role) override;  // asks for a new name
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;  // emits renameRequested()
   Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
   QStringList mimeTypes() const override { return {m_mimeType}; }
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
   bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
-                    const QModelIndex& parent) override;  // asks for another carrier
+                    const QModelIndex& parent) override;  // emits carrierRequested()
 
  signals:
   void renameRequested(handwheel::BodyId body, const QString& name);
-  // Bodies were dropped on what can carry them; empty: beside all that, or on a body that stands by itself. What was
-  // dropped on a body that is carried is to be carried by the same.
+  // Emitted when bodies were dropped on a carrier; empty: beside all carriers, or on a body without one. Bodies dropped
+  // on a carried body are to get its carrier.
   void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);
 
  private:
@@ -58,8 +58,8 @@ class BodyModel : public QAbstractItemModel {
   QVariant eyeData(const Body& body, int role) const;
 
   QStringList m_carriers;
-  std::vector<Bodies> m_bodies{1};  // those that stand by themselves, then those of each carrier
-  QString m_mimeType;               // of this model alone: numbers of bodies mean nothing elsewhere
+  std::vector<Bodies> m_bodies{1};  // the bodies without a carrier, then those of each carrier
+  QString m_mimeType;               // unique to this model: numbers of bodies mean nothing elsewhere
 };
 
 }  // namespace handwheel

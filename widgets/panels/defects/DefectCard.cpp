@@ -49,7 +49,7 @@ void DefectCard::showDefect(const QString& name, const QString& hint, const QStr
   followReason();
 }
 
-// Not twice, where the preview says the same.
+// Hides the reason if the preview says the same.
 void DefectCard::followReason() {
   m_remains->setVisible(!m_reason.isEmpty() && !m_status->text().contains(m_reason));
 }

@@ -16,9 +16,9 @@ class DefectCard : public QFrame {
  public:
   explicit DefectCard(QAction* fix, QWidget* parent = nullptr);
 
-  // remains: why it is still there after a repair or fix, as the end of a sentence; or empty.
+  // remains: the reason why it is still there after a repair or fix, as the end of a sentence; or empty.
   void showDefect(const QString& name, const QString& hint, const QString& remains);
-  // What the fix would do: a sentence, or empty.
+  // Shows the expected effect of the fix: a sentence, or empty.
   void showPreview(const QString& text);
 
  private:

@@ -22,7 +22,7 @@ bool isGroup(const QModelIndex& index) {
   return !index.parent().isValid();
 }
 
-// With the indentation, which the view leaves to the delegate (see the style sheet).
+// Returns the row with the indentation, which the view leaves to the delegate (see the style sheet).
 QRect wholeRow(const QRect& item) {
   return {0, item.top(), item.right() + 1, item.height()};
 }
@@ -45,7 +45,7 @@ QFont groupFont(const QStyleOptionViewItem& option, const QModelIndex& group) {
 
 }  // namespace
 
-// As wide as name and number, or name and brief detail: nothing of these is to be cut off.
+// The width is that of name and number, or name and brief detail: nothing of these is to be cut off.
 QSize DefectDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const QString name = index.data().toString();
   int width = 0;

@@ -16,7 +16,7 @@ class DefectDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-  // The loop under the cursor in the viewport, drawn as if under the cursor here; -1 for none.
+  // Sets the loop under the cursor in the viewport, drawn as if under the cursor here; -1 for none.
   void setHighlightedLoop(int loop) { m_highlightedLoop = loop; }
   // Advances the animated symbol of a running search. Called by the panel while one runs.
   void turnSpinner() { m_spinnerAngle = (m_spinnerAngle + 30) % 360; }

@@ -22,7 +22,7 @@ DefectList::DefectList(MeshDocument& document, QObject* parent) : QObject(parent
             const bool isRoundedAnew = were != numbers;
             if (isRoundedAnew && m_selfIntersections)
               m_intersectionsBeforeRounding = std::exchange(m_selfIntersections, std::nullopt);
-            else if (isRoundedAnew && !m_intersectionsBeforeRounding)  // with nothing to compare with
+            else if (isRoundedAnew && !m_intersectionsBeforeRounding)  // there is nothing to compare with
               m_findings.hopeless.erase(DefectKind::SelfIntersection);
             if (unit != before || isRoundedAnew) emit changed();
           });
@@ -78,7 +78,7 @@ std::size_t DefectList::sheetCount() const {
 
 void DefectList::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
   if (revision != m_document.revision()) return;
-  // What no cut separates, none does in numbers of a file in which the same triangles intersect.
+  // Intersections that no cut separates are not separated in numbers of a file in which the same triangles intersect.
   if (m_intersectionsBeforeRounding && *m_intersectionsBeforeRounding != pairs)
     m_findings.hopeless.erase(DefectKind::SelfIntersection);
   m_intersectionsBeforeRounding.reset();

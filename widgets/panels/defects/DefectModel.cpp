@@ -17,7 +17,7 @@ DefectKind kindOfRow(const QModelIndex& index) {
   return static_cast<DefectKind>(index.internalId() - 1);
 }
 
-// The outward normal of a face, not normalised.
+// Returns the outward normal of a face, not normalised.
 Vec3 normalOf(const HalfEdgeMesh& mesh, Face f) {
   const Triangle& t = mesh.triangle(f);
   const Vec3& a = mesh.position(t[0]);
@@ -270,7 +270,7 @@ std::vector<Vertex> DefectModel::verticesOf(DefectKind kind, int row) const {
   return {};
 }
 
-std::pair<Box, Vec3> DefectModel::placeOf(const QModelIndex& index) const {
+std::pair<Box, Vec3> DefectModel::viewTargetOf(const QModelIndex& index) const {
   Box box;
   Vec3 outward = Vec3::Zero();
   if (!m_defectList || !index.isValid() || index.internalId() == 0) return {box, outward};

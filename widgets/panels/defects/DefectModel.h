@@ -20,11 +20,11 @@ class DefectModel : public QAbstractItemModel {
     KindRole = Qt::UserRole,  // int of DefectKind
     LoopRole,                 // loop id of a hole or kept-open row, else -1
     DetailRole,               // secondary text at the right
-    BriefRole,                // its most important part, where there is too little room
-    CountRole,                // of a group; -1 while still searching
-    BeforeRole,               // of a group: the count before the last repair; -1 when there is nothing to compare
-    NoteRole,                 // of a row: why it remains after a repair or fix
-    ShownRole,                // of a group: its marks are drawn in the viewport
+    BriefRole,                // its most important part, for narrow rows
+    CountRole,                // count of a group; -1 while still searching
+    BeforeRole,               // the count of a group before the last repair; -1 when there is nothing to compare
+    NoteRole,                 // the reason why the defect of a row remains after a repair or fix
+    ShownRole,                // the marks of a group are drawn in the viewport
   };
 
   using QAbstractItemModel::QAbstractItemModel;
@@ -37,11 +37,11 @@ class DefectModel : public QAbstractItemModel {
   bool isShown(DefectKind kind) const { return !m_hidden.contains(kind); }
   void setShown(DefectKind kind, bool shown);
 
-  // What a kind is, and how many triangles of this mesh are of it where that matters.
+  // Returns an explanation of a kind, with the number of affected triangles of this mesh where that matters.
   QString hint(DefectKind kind) const;
-  // The bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
-  std::pair<Box, Vec3> placeOf(const QModelIndex& index) const;
-  // The faces of a row's defect; none for a loop, an edge or a vertex, or for an index that is no row.
+  // Returns the bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
+  std::pair<Box, Vec3> viewTargetOf(const QModelIndex& index) const;
+  // Returns the faces of a row's defect; none for a loop, an edge or a vertex, or for an index that is no row.
   std::vector<Face> facesOf(const QModelIndex& index) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -64,7 +64,7 @@ class DefectModel : public QAbstractItemModel {
   std::vector<Vertex> verticesOf(DefectKind kind, int row) const;
 
   QPointer<const DefectList> m_defectList;
-  std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // that is no defect any more
+  std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // Flipped faces are no longer a defect
 };
 
 }  // namespace handwheel

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// The name of a kind of defects: "Holes", "Non-manifold edges", …
+// Returns the name of a kind of defects: "Holes", "Non-manifold edges", …
 QString defectKindName(DefectKind kind);
-// What a kind is, how it is chosen, and what can be done about it.
+// Returns an explanation of a kind, the criterion, and the remedies.
 QString defectKindHint(DefectKind kind);
 
 }  // namespace handwheel

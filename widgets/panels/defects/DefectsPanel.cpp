@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kFewestRows = 3;  // of the list, whatever is below it
+constexpr int kFewestRows = 3;  // rows of the list, whatever is below it
 constexpr int kRowMargin = 8;   // px
 
 QTreeView* defectList(QWidget* parent, DefectModel* model, DefectDelegate* delegate) {

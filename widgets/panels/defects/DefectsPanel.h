@@ -43,10 +43,10 @@ class DefectsPanel : public QWidget {
   DefectModel* model() const { return m_model; }
   HoleSettings* settings() const { return m_settings; }
 
-  // What the fix that is offered would do: a sentence, or empty.
+  // Shows the expected effect of the offered fix: a sentence, or empty.
   void showFixPreview(const QString& text);
   void setSelectedLoop(int loop);     // -1 for none
-  void setHighlightedLoop(int loop);  // under the cursor in the viewport
+  void setHighlightedLoop(int loop);  // the loop under the cursor in the viewport
 
  signals:
   void loopSelected(int loop);

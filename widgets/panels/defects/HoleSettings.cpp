@@ -30,12 +30,12 @@ QComboBox* methodBox(QWidget* parent) {
     box->addItem(fillMethodName(method), static_cast<int>(method));
     box->setItemData(box->count() - 1, fillMethodHint(method), Qt::ToolTipRole);
   }
-  constexpr int kPadding = 24;  // of the items, by the style sheet
+  constexpr int kPadding = 24;  // padding of the items, by the style sheet
   box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kPadding);
   return box;
 }
 
-// A check box that stands for a checkable action.
+// Creates a check box for a checkable action.
 QCheckBox* checkBoxFor(QAction* action, QWidget* parent) {
   auto* box = new QCheckBox(action->iconText(), parent);
   box->setObjectName(action->objectName() + QStringLiteral("Check"));
@@ -71,7 +71,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   m_otherStatus->setProperty("muted", true);
   m_otherStatus->setObjectName(QStringLiteral("otherPreviewStatus"));
   for (QLabel* label : {m_measures, m_status, m_otherStatus}) label->setWordWrap(true);
-  // Keeps its room, so that the button under the pointer stays where it is when the text appears.
+  // The label keeps its room, so that the button under the pointer does not move when the text appears.
   QSizePolicy keepsRoom = m_otherStatus->sizePolicy();
   keepsRoom.setRetainSizeWhenHidden(true);
   m_otherStatus->setSizePolicy(keepsRoom);
@@ -148,7 +148,7 @@ QWidget* HoleSettings::thicknessRow() {
   m_thickness->setToolTip(
       tr("Thickness of the sheet's thin body, which grows to the side opposite to the normals: the triangles of the "
          "sheet stay where they are. Less where that would intersect anything; the log says what was reached."));
-  constexpr double kLeast = 1e-9, kMost = 1e9;  // mm, as the operation takes it
+  constexpr double kLeast = 1e-9, kMost = 1e9;  // mm, the range of the operation
   m_thickness->setRange(kLeast, kMost);
   auto* fields = new QHBoxLayout(row);
   fields->setContentsMargins(0, 0, 0, 0);
@@ -198,7 +198,7 @@ void HoleSettings::showOtherPreview(const QString& text) {
 
 void HoleSettings::showPreview(const PreviewState& state) {
   m_status->setProperty("bad", state.kind == PreviewState::Kind::Failed);
-  m_status->style()->polish(m_status);  // the style sheet colours what is bad
+  m_status->style()->polish(m_status);  // the style sheet colours errors
   switch (state.kind) {
     case PreviewState::Kind::Off:
       return m_status->clear();

@@ -22,10 +22,10 @@ enum class LengthUnit;
 struct PreviewState {
   enum class Kind { Off, Working, Ready, Failed };
   Kind kind = Kind::Off;
-  std::size_t triangles = 0;                // when ready
-  FillMethod method = FillMethod::Fair;     // the method of the patch; differs from the chosen one when that failed
-  FillFailure failure = FillFailure::None;  // when failed
-  PatchComparison shape = {};               // when ready
+  std::size_t triangles = 0;                // set if ready
+  FillMethod method = FillMethod::Fair;     // the method of the patch; differs from the chosen one if that failed
+  FillFailure failure = FillFailure::None;  // set if failed
+  PatchComparison shape = {};               // set if ready
 };
 
 // The settings and buttons for filling the selected hole. Changes apply to the preview at once.
@@ -38,17 +38,17 @@ class HoleSettings : public QFrame {
   HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QAction* thickenSheet, QAction* cutAndClose,
                QWidget* parent = nullptr);
 
-  // The available methods, in order.
+  // Returns the available methods, in order.
   static std::span<const FillMethod> methods();
   FillMethod method() const;
   void setMethod(FillMethod method);
   void showLoop(const QString& name, const QString& detail, const QString& measures);
   void showPreview(const PreviewState& state);
-  // What the other way to close it would do, of which the pointer is on the button: a sentence, or empty.
+  // Shows the expected effect of the other action whose button is under the pointer: a sentence, or empty.
   void showOtherPreview(const QString& text);
-  // The thickness that a sheet will get, mm.
+  // Sets the thickness that a sheet will get, mm.
   void showThickness(double thickness, LengthUnit unit);
-  // Whether the comparison of the methods is open, and their statistics are needed.
+  // Returns true if the comparison of the methods is open, and their statistics are needed.
   bool isComparing() const;
   void showTrials(const std::vector<MethodTrial>& trials);
 

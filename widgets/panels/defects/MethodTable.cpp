@@ -56,7 +56,7 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   headerItem()->setToolTip(kTriangles, tr("Triangles of the patch"));
   headerItem()->setToolTip(kArea, tr("Area of the patch"));
   headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
-  // All in view, however narrow the panel: the names of the methods give way.
+  // All columns are visible, however narrow the panel: the names of the methods shrink.
   header()->setMinimumSectionSize(24);
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(kMethod, QHeaderView::Stretch);
@@ -72,7 +72,7 @@ void MethodTable::showTrials(const std::vector<MethodTrial>& trials) {
   clear();
   for (const MethodTrial& trial : trials) fill(*new QTreeWidgetItem(this), trial);
   if (trials.empty()) return;
-  // All methods where there is room; else some, and it scrolls, so that the list above keeps its rows.
+  // All methods if there is room; else some, and it scrolls, so that the list above keeps its rows.
   const auto heightOf = [this](int rows) {
     return header()->sizeHint().height() + rows * sizeHintForRow(0) + 2 * frameWidth();
   };

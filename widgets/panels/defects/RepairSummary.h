@@ -10,13 +10,13 @@ namespace handwheel {
 
 class DefectList;
 
-// The one summary of what a repair or fix did, for card, log and messages. The list of defects shows the same counts.
+// The summary of a repair or fix, for card, log and messages. The list of defects shows the same counts.
 
-// "26 holes", in the grammar of a list; all kinds that may be wrong or left open.
+// Returns a phrase like "26 holes", in the grammar of a list; for all kinds that may be wrong or left open.
 QString defectPhrase(DefectKind kind, std::size_t count);
 
-// What has changed since the counts in RepairFindings::before, a phrase each: "26 of 28 holes filled", "new: 2 pieces
-// of debris", then what else was done. Empty where nothing is known to compare with.
+// Returns a phrase for each change since the counts in RepairFindings::before: "26 of 28 holes filled", "new: 2 pieces
+// of debris", then the other changes. Empty if these counts are unknown.
 QStringList defectSummary(const DefectList& defectList);
 
 }  // namespace handwheel

@@ -43,7 +43,7 @@ Verdict verdictOn(const DefectList& defectList) {
   return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes")};
 }
 
-// The state, and what was done that is no part of it.
+// Returns the state, and the changes that are no part of it.
 QString detailsOf(const DefectList& defectList) {
   QStringList parts{stateText(defectList.state())};
   const auto add = [&](std::size_t count, const auto& phrase) {
@@ -97,7 +97,7 @@ void StateCard::showState(const DefectList& defectList) {
   m_icon->setPixmap(icon(verdict.icon, verdict.colour).pixmap(QSize(28, 28), devicePixelRatioF()));
   m_headline->setText(verdict.headline);
   m_headline->setProperty("good", defectList.state().isKnownSound());
-  m_headline->style()->polish(m_headline);  // the style sheet colours what is good
+  m_headline->style()->polish(m_headline);  // the style sheet colours a good state
   m_details->setText(detailsOf(defectList));
   setAccessibleName(verdict.headline + QStringLiteral(", ") + m_details->text());
 }

@@ -10,8 +10,8 @@ namespace handwheel {
 
 class DefectList;
 
-// The state of a mesh in a word or two: "3 holes", "Watertight". The most important defect comes first; panel, card and
-// status bar say the same.
+// Returns the state of a mesh in a word or two: "3 holes", "Watertight". The most important defect comes first; panel,
+// card and status bar use the same text.
 QString stateHeadline(const DefectList& defectList);
 
 // Shows the overall state of a document. "Watertight" in green, or its defects, most important first.

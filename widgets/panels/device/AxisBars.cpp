@@ -22,14 +22,14 @@ constexpr double kUnknownReach = 100.0;  // mm, of a device that does not state 
 constexpr double kGripperReach = 50.0;
 constexpr int kBarHeight = 8;
 constexpr int kGap = 8;
-constexpr double kKnob = 6.0;                                      // logical pixels, its radius
+constexpr double kKnob = 6.0;                                      // logical pixels, radius of the knob
 constexpr double kKeyStep = 1.0, kKeyFine = 0.1, kKeyPage = 10.0;  // mm or degrees by key
 
 double orUnknown(double reach) {
   return reach > 0.0 && std::isfinite(reach) ? reach : kUnknownReach;
 }
 
-// Axis times angle, degrees. A quaternion and its opposite are the same turn: the shorter way is shown.
+// Returns axis times angle, degrees. A quaternion and its opposite are the same turn: the smaller angle is shown.
 Vec3 rotationVector(Eigen::Quaterniond turn) {
   if (turn.w() < 0.0) turn.coeffs() *= -1.0;
   const double sine = turn.vec().norm();

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Shows the live position of a device. Each measured axis has a bar from the middle and its value. Where the hand at
-// the device is simulated, a knob on each bar leads it, by the mouse or with arrow keys.
+// Shows the live position of a device. Each measured axis has a bar from the middle and its value. If the hand at the
+// device is simulated, a knob on each bar moves it, by the mouse or with arrow keys.
 class AxisBars : public QWidget {
   Q_OBJECT
 
@@ -23,28 +23,28 @@ class AxisBars : public QWidget {
   void setDevice(const DeviceCapabilities& device);
   void showState(const DeviceState& state);
 
-  // What the axes do in the work, X first; empty words and missing ones: nothing that is known.
+  // Sets the meanings of the axes in the work, X first; empty and missing words: unknown.
   void setWords(const QStringList& words);
 
-  // Whether the user leads the hand here.
+  // Sets whether the user moves the simulated hand here.
   void setLed(bool isLed);
-  // Sets where the hand is led to: what the knobs show.
+  // Sets the target of the hand, which the knobs show.
   void showHand(const HandPose& hand);
 
-  // The displayed and accessible text: "X 12.5 mm", "X 12.5 mm, Y …".
+  // Return the displayed and accessible text: "X 12.5 mm", "X 12.5 mm, Y …".
   QString text(std::size_t axis) const;
   QString text() const;
   std::size_t axes() const { return m_axes.size(); }
-  double share(std::size_t axis) const;  // of the range, -1 to 1; 0 for NaN
+  double share(std::size_t axis) const;  // share of the range, -1 to 1; 0 for NaN
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
-  // The bar of an axis, from one end of its range to the other.
+  // Returns the bar of an axis, from one end of its range to the other.
   QRectF barRect(std::size_t axis) const;
 
  signals:
-  void handLed(const handwheel::HandPose& hand);  // only its position and orientation are other ones
+  void handLed(const handwheel::HandPose& hand);  // only its position and orientation differ
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -58,7 +58,7 @@ class AxisBars : public QWidget {
     QString unit;
     double reach = 1.0;
     double value = 0.0;
-    double wanted = 0.0;  // by the hand
+    double wanted = 0.0;  // target of the hand
   };
   int rowHeight() const;
   QString number(const Axis& axis) const;
@@ -69,7 +69,7 @@ class AxisBars : public QWidget {
   std::vector<Axis> m_axes;
   QStringList m_words;
   HandPose m_hand;
-  std::size_t m_chosen = 0;  // axis that mouse and keys lead
+  std::size_t m_chosen = 0;  // axis that mouse and keys move
   bool m_isLed = false;
   bool m_isDragged = false;
 };

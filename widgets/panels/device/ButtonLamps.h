@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Shows the buttons of a device as lamps, lit while held. They are numbered from 1. Where the hand at the device is
+// Shows the buttons of a device as lamps, lit while held. They are numbered from 1. If the hand at the device is
 // simulated, a click on a lamp holds the button until the next click; so does its number as a key.
 class ButtonLamps : public QWidget {
   Q_OBJECT
@@ -19,20 +19,20 @@ class ButtonLamps : public QWidget {
   void setCount(int count);
   void showButtons(std::uint32_t held);  // bit n: button n + 1
 
-  // Whether the user presses the buttons here.
+  // Sets whether the user presses the buttons here.
   void setLed(bool isLed);
 
-  QString text() const;  // "Held: 1, 3", or that none is held
+  QString text() const;  // "Held: 1, 3", or a text for none
 
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
-  QRect lampRect(int button) const;  // of button + 1
+  QRect lampRect(int button) const;  // lamp of button + 1
 
  signals:
-  void toggled(int button);  // button + 1 is to be pressed, or let go
+  void toggled(int button);  // button + 1 is to be pressed, or released
 
  protected:
   void paintEvent(QPaintEvent* event) override;

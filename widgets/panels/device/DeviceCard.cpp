@@ -141,7 +141,7 @@ void DeviceCard::showLoop(const ServoLoopStatus& loop) {
   if (std::exchange(m_isRealTimeRefused, isRefused) != isRefused) showState();
 }
 
-// The list stays as it is while nothing has come or gone: somebody may have it open.
+// Fills the list, which does not change while the devices are the same: it may be open.
 void DeviceCard::fillList() {
   std::vector<DeviceInfo> listed = m_view.found;
   const auto isChosen = [this](const DeviceInfo& each) { return m_view.chosen && isSame(each, *m_view.chosen); };

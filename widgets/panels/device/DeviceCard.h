@@ -21,7 +21,7 @@ class DeviceCard : public QWidget {
   explicit DeviceCard(QWidget* parent = nullptr);
 
   void showDevice(const DeviceInUse& view);
-  void showStatus(DeviceStatus status);  // of the chosen one, as it changes
+  void showStatus(DeviceStatus status);  // status of the chosen device, as it changes
   void showLoop(const ServoLoopStatus& loop);
 
  signals:

@@ -13,18 +13,18 @@ namespace handwheel {
 // The devices found and the state of the chosen one, for display.
 struct DeviceInUse {
   std::vector<DeviceInfo> found;
-  std::optional<DeviceInfo> chosen;  // not among those found when it was unplugged
-  DeviceCapabilities capabilities;   // of the chosen one
+  std::optional<DeviceInfo> chosen;  // unplugged: not among those found
+  DeviceCapabilities capabilities;   // capabilities of the chosen device
   DeviceStatus status = DeviceStatus::Absent;
-  std::vector<std::string> spaceMice;  // names of those that move the view
+  std::vector<std::string> spaceMice;  // names of the SpaceMouse devices that move the view
   bool isPointer = false;              // the mouse is used as device
-  bool isLed = false;                  // nobody holds it: its hand is led in the panel
+  bool isLed = false;                  // nobody holds it: its hand is moved in the panel
   bool isForceOn = false;
 };
 
 // The state of the servo loop, for display.
 struct ServoLoopStatus {
-  double rate = 0.0;  // ticks a second, as measured
+  double rate = 0.0;  // measured ticks per second
   std::uint64_t missedTicks = 0;
   RealTimeState realTime = RealTimeState::NotRunning;
 };

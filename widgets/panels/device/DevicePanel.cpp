@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kLeastWidth = 296;  // logical pixels: for the titles of the axes
 
-// A page that scrolls where the window is low.
+// Creates an area that scrolls a page if the window is low.
 QScrollArea* scrolling(QWidget* page) {
   auto* area = new QScrollArea;
   area->setFrameShape(QFrame::NoFrame);
@@ -69,7 +69,7 @@ DevicePanel::DevicePanel(QWidget* parent)
   m_safety->setWordWrap(true);
   m_safety->setContentsMargins(12, 4, 12, 8);
   m_safety->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // Two lines always have room: what comes and goes would move the rest to and fro.
+  // Two lines are always reserved: a changing text would move the rest to and fro.
   m_safety->setMinimumHeight(2 * m_safety->fontMetrics().lineSpacing() + 12);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -87,13 +87,13 @@ void DevicePanel::addPages() {
   m_pages->tabBar()->setDrawBase(false);
   m_pages->tabBar()->setAccessibleName(tr("About the device"));
   m_pages->addTab(scrolling(m_live), tr("Live"));
-  m_pages->addTab(new ScrolledPanel(m_mapping, ScrolledPanel::Ways::Vertical), tr("Mapping"));
+  m_pages->addTab(new ScrolledPanel(m_mapping, ScrolledPanel::Directions::Vertical), tr("Mapping"));
   m_pages->addTab(scrolling(m_timing), tr("Timing"));
   m_pages->addTab(m_dataSheet, tr("Data"));
 }
 
 void DevicePanel::addPage(QWidget* page, const QString& title) {
-  m_pages->addTab(new ScrolledPanel(page, ScrolledPanel::Ways::Vertical), title);
+  m_pages->addTab(new ScrolledPanel(page, ScrolledPanel::Directions::Vertical), title);
 }
 
 void DevicePanel::showPage(QWidget* page) {
@@ -121,7 +121,7 @@ void DevicePanel::showDevice(const DeviceInUse& view) {
   m_card->showDevice(view);
   m_live->showDevice(view);
   m_mapping->setDevice(view.capabilities);
-  m_mapping->setEnabled(view.chosen.has_value());  // it is that of a device
+  m_mapping->setEnabled(view.chosen.has_value());  // a mapping belongs to a device
   m_dataSheet->setProperties(sheetOf(view, locale()));
   if (isSame) return;
   clearLive();
@@ -144,7 +144,7 @@ void DevicePanel::showHand(const HandPose& hand) {
   m_live->showHand(hand);
 }
 
-// A touch may be shorter than the time to read what it says.
+// Notes the softening for a while, because a touch may be shorter than the time to read the text.
 void DevicePanel::noteSoftening(const ServoSample& sample, double stiffnessAtDevice) {
   const ForceOut& felt = sample.felt;
   const double age = sample.tip.time - m_softenedAt;
@@ -172,7 +172,7 @@ void DevicePanel::showTiming(const ServoStatistics& measure) {
   if (m_timing->isVisible()) m_timing->showTiming(measure);
 }
 
-// What comes later would seem to follow upon what was seen last.
+// Later values would seem to follow upon those seen last.
 void DevicePanel::hideEvent(QHideEvent* event) {
   clearLive();
   QWidget::hideEvent(event);
@@ -193,7 +193,7 @@ void DevicePanel::showSafety(SafetyActions actions) {
   m_safety->setText(text);
   m_safety->setProperty("bad", !actions.isEmpty());
   m_safety->setProperty("muted", actions.isEmpty());
-  m_safety->style()->polish(m_safety);  // the style sheet colours what is bad
+  m_safety->style()->polish(m_safety);  // the style sheet colours errors
 }
 
 }  // namespace handwheel

@@ -23,8 +23,8 @@ struct HandPose;
 struct ServoSample;
 
 // The panel for the haptic devices. For the one in use it has pages for live values, mapping, servo timing and data
-// sheet, and the state of the safety chain. It shows what it is given and emits signals for the user's requests; while
-// it is hidden, samples and timings are ignored.
+// sheet, and the state of the safety chain. It only displays, and emits signals for the user's requests; while it is
+// hidden, samples and timings are ignored.
 class DevicePanel : public QWidget {
   Q_OBJECT
 
@@ -37,18 +37,18 @@ class DevicePanel : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
-  // At the rate of the display. stiffnessAtDevice: felt as 1 in the scene.
+  // To be called at the rate of the display. stiffnessAtDevice: felt as 1 in the scene.
   void showSample(const ServoSample& sample, double stiffnessAtDevice = 1.0);
-  void showHand(const HandPose& hand);          // of a device that nobody holds: where its hand is led to
-  void setAxisWords(const QStringList& words);  // as AxisBars
-  void showLoop(const ServoLoopStatus& loop);   // at a low rate, as the next
+  void showHand(const HandPose& hand);          // for a device that nobody holds: the target of its hand
+  void setAxisWords(const QStringList& words);  // see AxisBars
+  void showLoop(const ServoLoopStatus& loop);   // at a low rate, like the next function
   void showTiming(const ServoStatistics& measure);
 
  signals:
   void deviceChosen(const std::string& driver, const std::string& address);
   void deviceLeft();
   void rescanRequested();
-  // Its sceneFromView is the one last set.
+  // Emitted with the changed mapping. Its sceneFromView is the one last set.
   void mappingChanged(const handwheel::WorkspaceMapping& mapping);
   void forceOnChanged(bool isOn);
   void forceTestRequested();
@@ -74,7 +74,7 @@ class DevicePanel : public QWidget {
   SafetyActionHold m_memory;
   DeviceInUse m_view;
   double m_rate = 0.0;        // measured, Hz
-  QString m_softened;         // what was made softer
+  QString m_softened;         // text on the reduced stiffness
   double m_softenedAt = 0.0;  // s since the loop started
 };
 

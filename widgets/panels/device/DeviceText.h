@@ -18,14 +18,14 @@ class DeviceText {
 
  public:
   static QString status(DeviceStatus status);
-  // What the user can do about a status; empty when there is nothing. driver: of the device, each homes in its own way.
+  // Returns the remedy for a status; empty if there is none. driver: that of the device, as each homes differently.
   static QString advice(DeviceStatus status, const std::string& driver);
-  // One sentence for each action of the safety chain, in the order of its stages.
+  // Returns one sentence for each action of the safety chain, in the order of its stages.
   static QStringList safety(SafetyActions actions);
-  // What was made softer than it was set, and why. Both stiffnesses at the device, N/mm; rate: of the loop, Hz.
+  // Describes a reduced stiffness and its reason. Both stiffnesses at the device, N/mm; rate: that of the loop, Hz.
   static QString softened(double stiffness, double asked, const DeviceInUse& device, double rate,
                           const QLocale& locale);
-  // What to do when the loop is not real-time, and the command that does it.
+  // Returns advice for a loop that is not real-time, and the command to follow it.
   static QString realTimeAdvice();
   static QString realTimeCommand();
 

@@ -31,7 +31,7 @@ class ForcePlot : public PlotWidget {
 
   ForceTrace m_trace;
   double m_drawn = 0.0;    // s: time of the last drawn point
-  bool m_isStill = false;  // the drawn picture
+  bool m_isStill = false;  // the drawn picture does not change with time
 };
 
 }  // namespace handwheel

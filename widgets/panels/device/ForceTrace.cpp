@@ -12,7 +12,7 @@ void ForceTrace::add(const Point& point) {
   if (m_count > 0 && point.time < last().time) clear();
   if (m_count > 0 && point.time - last().time < kSpacing) {
     Point& present = m_ring[(m_first + m_count - 1) % m_ring.size()];
-    present.asked = std::fmax(present.asked, point.asked);  // a NaN gives way
+    present.asked = std::fmax(present.asked, point.asked);  // a NaN is ignored
     present.sent = std::fmax(present.sent, point.sent);
     return;
   }

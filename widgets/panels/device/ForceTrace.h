@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// A ring buffer of the forces of the last seconds. It is thinned to the resolution of the plot; of several values in an
-// interval the largest is kept.
+// A ring buffer of the forces of the last seconds. It is thinned to the resolution of the plot, keeping the largest of
+// several values in an interval.
 class ForceTrace {
  public:
   static constexpr double kSeconds = 10.0;
@@ -25,7 +25,7 @@ class ForceTrace {
   void add(const Point& point);
   void clear() { m_count = 0; }
 
-  // Whether the force was constant for all of kSeconds, so that the plot does not change with time.
+  // Returns true if the force was constant for all of kSeconds, so that the plot does not change with time.
   bool isStill() const;
 
   std::size_t size() const { return m_count; }

@@ -27,8 +27,8 @@ class LivePage : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void showSample(const ServoSample& sample, double forceGain);
-  void showHand(const HandPose& hand);          // where a hand that is led here is led to
-  void setAxisWords(const QStringList& words);  // as AxisBars
+  void showHand(const HandPose& hand);          // the target of a simulated hand
+  void setAxisWords(const QStringList& words);  // see AxisBars
   void clear();
 
  signals:

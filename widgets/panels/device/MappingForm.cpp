@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::array<const char*, 3> kAxisIds{"right", "up", "near"};  // of the view: x, y, z
+constexpr std::array<const char*, 3> kAxisIds{"right", "up", "near"};  // x, y, z of the view
 constexpr double kLeastGain = 1e-4, kLargestGain = 1e4;
 constexpr double kLargestDeadZone = 100.0;  // mm
 
@@ -44,7 +44,7 @@ Property choice(const char* id, const char* group, const char* label, int chosen
   return property;
 }
 
-// X, -X, Y, -Y, Z, -Z
+// Returns the index of an axis in X, -X, Y, -Y, Z, -Z.
 int choiceOf(const DeviceAxis& axis) {
   return 2 * axis.axis + (axis.isInverted ? 1 : 0);
 }
@@ -91,7 +91,7 @@ void addMotion(std::vector<Property>& properties, const WorkspaceMapping& m, con
                               kLeastGain, kLargestGain));
 }
 
-// None, each single button; another set of buttons, which only a file can hold, shows as its first.
+// Adds the choice of none or a single button; another set of buttons, which only a file can hold, shows as its first.
 void addClutch(std::vector<Property>& properties, const WorkspaceMapping& mapping, const DeviceCapabilities& device) {
   const int buttons = std::clamp(device.buttons, 0, 32);
   std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "No button")};

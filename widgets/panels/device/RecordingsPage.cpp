@@ -22,10 +22,10 @@ namespace handwheel {
 namespace {
 
 constexpr int kKey = Qt::UserRole;
-constexpr double kMilliseconds = 1e3;     // in a second
-constexpr int kStep = 100, kPage = 1000;  // ms, of the slider by key
+constexpr double kMilliseconds = 1e3;     // ms per second
+constexpr int kStep = 100, kPage = 1000;  // ms, steps of the slider by key
 
-// "1:05.3"
+// Formats a time as "1:05.3".
 QString clockText(double seconds, const QLocale& locale) {
   const auto tenths = static_cast<long long>(std::floor(10.0 * seconds));
   return QStringLiteral("%1:%2%3%4")
@@ -77,12 +77,12 @@ RecordingsPage::RecordingsPage(const Actions& actions, QWidget* parent)
   record->setSpacing(8);
   record->addWidget(new ActionButton(actions.record, ActionButton::Rank::Primary, this));
   record->addWidget(m_recorded, 1);
-  auto* way = new QHBoxLayout;
-  way->setSpacing(4);
-  way->addWidget(toolButton(actions.play, this));
-  way->addWidget(toolButton(actions.leave, this));
-  way->addWidget(m_slider, 1);
-  way->addWidget(m_position);
+  auto* playback = new QHBoxLayout;
+  playback->setSpacing(4);
+  playback->addWidget(toolButton(actions.play, this));
+  playback->addWidget(toolButton(actions.leave, this));
+  playback->addWidget(m_slider, 1);
+  playback->addWidget(m_position);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
   row->addWidget(new ActionButton(actions.exportCsv, ActionButton::Rank::Ordinary, this));
@@ -94,7 +94,7 @@ RecordingsPage::RecordingsPage(const Actions& actions, QWidget* parent)
   column->setSpacing(8);
   column->addLayout(record);
   column->addWidget(m_list, 1);
-  column->addLayout(way);
+  column->addLayout(playback);
   column->addLayout(row);
   connect(m_list, &QTableWidget::currentCellChanged, this, [this](int at) {
     if (at >= 0) emit chosen(m_list->item(at, 0)->data(kKey).toString());
@@ -137,7 +137,7 @@ int RecordingsPage::rowOf(const QString& key) const {
   return row == m_rows.end() ? -1 : static_cast<int>(row - m_rows.begin());
 }
 
-// A name that is empty is none.
+// Takes the edited name; an empty name is ignored.
 void RecordingsPage::take(QTableWidgetItem* item) {
   const QString key = item->data(kKey).toString();
   const int at = item->column() == 0 ? rowOf(key) : -1;
@@ -165,7 +165,7 @@ void RecordingsPage::showPosition(double seconds, double duration) {
   m_position->setText(duration > 0.0
                           ? QStringLiteral("%1 / %2").arg(clockText(seconds, locale()), clockText(duration, locale()))
                           : QString());
-  if (m_slider->isSliderDown()) return;  // the hand has it
+  if (m_slider->isSliderDown()) return;  // the user drags it
   const QSignalBlocker quiet(m_slider);
   m_slider->setRange(0, static_cast<int>(std::lround(duration * kMilliseconds)));
   m_slider->setValue(static_cast<int>(std::lround(seconds * kMilliseconds)));

@@ -15,7 +15,7 @@ class QTableWidgetItem;
 namespace handwheel {
 
 // The page with the haptic recordings of a document. It shows a running recording, the list, and the position of
-// playback. It shows what it is given and emits signals for the user's requests.
+// playback. It only displays, and emits signals for the user's requests.
 class RecordingsPage : public QWidget {
   Q_OBJECT
 
@@ -42,9 +42,9 @@ class RecordingsPage : public QWidget {
 
   // chosen: a key; empty: none.
   void showRecordings(const std::vector<Row>& rows, const QString& chosen);
-  void showRecorded(double seconds, std::size_t ticks);  // of the running recording
+  void showRecorded(double seconds, std::size_t ticks);  // length of the running recording
   void showNotRecording();
-  void showPosition(double seconds, double duration);  // of playback; duration 0: none
+  void showPosition(double seconds, double duration);  // position of playback; duration 0: none
   void editName(const QString& key);
 
  signals:

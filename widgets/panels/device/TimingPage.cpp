@@ -96,7 +96,7 @@ QWidget* TimingPage::warning() {
 void TimingPage::showLoop(const ServoLoopStatus& loop) {
   m_warning->setVisible(loop.realTime == RealTimeState::NotPermitted);
   if (loop.realTime == RealTimeState::NotRunning) return m_rate->setText(tr("The servo loop is not running."));
-  // Plural forms take whole numbers; the count of missed ticks may outgrow them.
+  // Plural forms need whole numbers; the count of missed ticks may outgrow them.
   m_rate->setText(tr("%1 ticks a second, %2 missed so far")
                       .arg(locale().toString(loop.rate, 'f', 0), locale().toString(qulonglong(loop.missedTicks))));
 }

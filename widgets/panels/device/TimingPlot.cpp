@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 constexpr std::ptrdiff_t kMostBars = 40;
-constexpr double kMicroseconds = 1e6;  // in a second
+constexpr double kMicroseconds = 1e6;  // us per second
 }  // namespace
 
 TimingCounts countsOf(const TimingHistogram& histogram) {
@@ -34,7 +34,7 @@ Plot timingPlot(const TimingCounts& timing, const QString& title, const QLocale&
   const auto isUsed = [](std::uint64_t count) { return count > 0; };
   const auto first = std::find_if(counts.begin(), counts.end(), isUsed);
   const auto end = std::find_if(counts.rbegin(), std::make_reverse_iterator(first), isUsed).base();
-  const std::ptrdiff_t bins = std::max<std::ptrdiff_t>(1, (end - first + kMostBars - 1) / kMostBars);  // in a bar
+  const std::ptrdiff_t bins = std::max<std::ptrdiff_t>(1, (end - first + kMostBars - 1) / kMostBars);  // bins per bar
   PlotSeries bars;
   bars.name = plot.y.title;
   bars.barWidth = static_cast<double>(bins) * timing.binSeconds * kMicroseconds;

@@ -16,14 +16,14 @@ struct TimingCounts {
   double median = 0.0;   // s; like all of these the upper end of a bin
   double most = 0.0;     // 99th percentile
   double longest = 0.0;  // maximum, unless isOpen
-  bool isOpen = false;   // some are beyond the range of the histogram
+  bool isOpen = false;   // some values are beyond the range of the histogram
 };
 // Copies the counts of a histogram and computes the percentiles.
 TimingCounts countsOf(const TimingHistogram& histogram);
 
-// A bar plot of the number of ticks by duration in microseconds. From the shortest to the longest that occurred, with
-// at most 40 bars: bins are merged where there are more. The number of ticks is on a logarithmic axis, so that rare
-// late ticks are visible.
+// Returns a bar plot of the number of ticks by duration in microseconds. From the shortest to the longest that
+// occurred, with at most 40 bars: bins are merged if there are more. The number of ticks is on a logarithmic axis, so
+// that rare late ticks are visible.
 Plot timingPlot(const TimingCounts& counts, const QString& title, const QLocale& locale);
 
 }  // namespace handwheel

@@ -13,7 +13,7 @@ bool isFinite(const QPointF& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y());
 }
 
-// From the beginning to the end of a recording, ascending in both; what falls back is left out.
+// Returns the points from the beginning to the end of a recording, ascending in both; decreasing ones are left out.
 std::vector<QPointF> ascending(const std::vector<QPointF>& points, double duration) {
   std::vector<QPointF> kept;
   for (const QPointF& p : points) {
@@ -92,7 +92,7 @@ std::vector<QPointF> thinnedCurve(const std::vector<QPointF>& points, std::size_
     const auto first = sound.begin() + static_cast<std::ptrdiff_t>(group * sound.size() / groups);
     const auto end = sound.begin() + static_cast<std::ptrdiff_t>((group + 1) * sound.size() / groups);
     const auto [least, largest] = std::minmax_element(first, end, lower);
-    // The first and the last, too: a group that rises or falls keeps its ends.
+    // The first and the last are kept, too: a group that rises or falls keeps its ends.
     for (auto at : {first, std::min(least, largest), std::max(least, largest), end - 1}) {
       if (kept.empty() || kept.back() != *at) kept.push_back(*at);
     }

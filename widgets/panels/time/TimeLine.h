@@ -14,10 +14,10 @@ struct TimeLineCurve {
   QString name;                 // "Cutting force"; curves of the same name are drawn together
   QString unit;                 // "N"
   std::vector<QPointF> points;  // (s, value), times ascending
-  QString label = {};           // beside the line; empty: the name of the recording
+  QString label = {};           // text beside the line; empty: the name of the recording
 };
 
-// An event that one can jump to.
+// An event to which the user can jump.
 struct TimeLineMarker {
   enum class Severity { Note, Warning, Error };
   double time = 0.0;  // s
@@ -25,13 +25,13 @@ struct TimeLineMarker {
   Severity severity = Severity::Note;
 };
 
-// What a time line shows of a recording.
+// A recording as a time line shows it.
 struct TimeLineRecording {
   QString name;
   double duration = 0.0;  // s; one that is not finite or below zero counts as zero
   std::vector<TimeLineCurve> curves;
   std::vector<TimeLineMarker> markers;
-  std::vector<QPointF> distance;  // (s, mm) along the path of the tool, both ascending; empty: not known
+  std::vector<QPointF> distance;  // (s, mm) along the path of the tool, both ascending; empty: unknown
 };
 
 }  // namespace handwheel

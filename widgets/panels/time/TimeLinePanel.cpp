@@ -23,9 +23,9 @@ namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
 constexpr int kFrameMs = 16;               // while playing: 60 Hz, and 30 Hz where drawing takes as long again
-constexpr double kLongestStep = 0.5;       // s: after a pause of the window it goes on, and does not leap
+constexpr double kLongestStep = 0.5;       // s: after a pause of the window playback goes on without a leap
 constexpr std::size_t kMostShown = 2;      // recordings
-constexpr std::size_t kMostPoints = 2000;  // of a curve
+constexpr std::size_t kMostPoints = 2000;  // points of a curve
 
 QToolButton* timeButton(const char* name, const char* iconName, const QString& text, QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -63,7 +63,7 @@ TimeLinePanel::TimeLinePanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
-  // What is used stays in sight where the panel is low.
+  // The controls stay visible if the panel is low.
   column->addWidget(controls());
   column->addWidget(m_text);
   column->addWidget(m_track);
@@ -182,7 +182,7 @@ double TimeLinePanel::speed() const {
   return m_speed->currentData().toDouble();
 }
 
-// The first recording sets the pace; behind its end what is left of the other one goes on at its mean speed.
+// The first recording sets the pace; after its end, the rest of the other one goes on at its mean speed.
 void TimeLinePanel::advance(double seconds) {
   if (m_recordings.empty() || !(seconds > 0.0)) return;
   const double by = std::min(seconds, kLongestStep) * speed();
@@ -246,7 +246,7 @@ void TimeLinePanel::showLanes() {
 QString TimeLinePanel::positionText() const {
   if (m_recordings.empty()) return {};
   const auto number = [this](double value) { return locale().toString(value, 'f', 2); };
-  // Over time the line goes on to the end of the longer one; over distance the time is that of the first.
+  // On the axis of time the line goes to the end of the longer one; on that of distance the time is that of the first.
   const bool isDistance = m_axis.kind() == TimeAxis::Kind::Distance;
   QString text =
       tr("%1 of %2 s")

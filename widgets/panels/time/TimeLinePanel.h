@@ -17,9 +17,9 @@ namespace handwheel {
 class TimePlot;
 class TimeTrack;
 
-// Plays and scrubs one or two recordings, with their curves and markers. It shows what it is
-// given and says where it is; who shows the recording itself listens. Two recordings stand on one axis, of time or of
-// distance, and the first sets the pace. Space plays and stops. Window thread.
+// Plays and scrubs one or two recordings, with their curves and markers. The panel shows no recording itself: it emits
+// the time to the owner of the display. Two recordings share one axis, of time or of distance, and the first sets the
+// pace. Space plays and stops. Window thread.
 class TimeLinePanel : public QWidget {
   Q_OBJECT
 
@@ -28,24 +28,24 @@ class TimeLinePanel : public QWidget {
 
   explicit TimeLinePanel(QWidget* parent = nullptr);
 
-  // At most two are shown. Stops, and goes to the beginning, without a signal.
+  // Sets the recordings, of which at most two are shown. Stops, and goes to the beginning, without a signal.
   void setRecordings(std::vector<TimeLineRecording> recordings);
   // Shows a time of the first recording, without a signal.
   void setTime(double seconds);
-  // The time that a recording is at, s; 0 where there is none.
+  // Returns the present time of a recording, s; 0 if there is none.
   double timeOf(std::size_t recording) const;
   double time() const { return timeOf(0); }
 
   void setPlaying(bool isPlaying);
   bool isPlaying() const { return m_timer.isActive(); }
-  void setSpeed(double speed);  // within kSlowest to kFastest; to the nearest that is offered
+  void setSpeed(double speed);  // within kSlowest to kFastest; the nearest available speed is used
   double speed() const;
   void setAxis(TimeAxis::Kind kind);
-  // Moves on as playing does, by a time on the clock, s.
+  // Advances as in playing, by a time on the clock, s.
   void advance(double seconds);
 
  signals:
-  void timeChanged(double s);  // of the first recording; ask timeOf() for the other one
+  void timeChanged(double s);  // time of the first recording; see timeOf() for the other one
   void playingChanged(bool isPlaying);
 
  protected:
@@ -64,7 +64,7 @@ class TimeLinePanel : public QWidget {
   std::vector<TimeLineRecording> m_recordings;
   TimeAxis m_axis;
   double m_position = 0.0;  // on the axis
-  double m_time = 0.0;      // of the first recording: on the axis of distance it may rest while time goes on
+  double m_time = 0.0;      // time of the first recording: on the axis of distance it may rest while time goes on
   QTimer m_timer;
   QElapsedTimer m_clock;
   TimePlot* m_plot;

@@ -22,7 +22,7 @@ void TimePlot::showCurves(Plot plot) {
   setPlot(std::move(plot));
 }
 
-// A time line asks for it for each event that it draws.
+// Caches the layout, because a time line needs it for each event that it draws.
 const PlotLayout& TimePlot::layoutOfAxis() const {
   if (!m_layout) m_layout.emplace(plot(), rect(), QFontMetricsF(font()));
   return *m_layout;
@@ -40,13 +40,13 @@ void TimePlot::changeEvent(QEvent* event) {
 
 double TimePlot::screenX(double position) const {
   const PlotLayout& layout = layoutOfAxis();
-  return layout.frame().left() + layout.x().placeOf(position) * layout.frame().width();
+  return layout.frame().left() + layout.x().positionOf(position) * layout.frame().width();
 }
 
 double TimePlot::positionAt(double screenX) const {
   const PlotLayout& layout = layoutOfAxis();
-  const double place = (screenX - layout.frame().left()) / std::max(1.0, layout.frame().width());
-  return layout.x().least + place * (layout.x().largest - layout.x().least);
+  const double share = (screenX - layout.frame().left()) / std::max(1.0, layout.frame().width());
+  return layout.x().least + share * (layout.x().largest - layout.x().least);
 }
 
 void TimePlot::paintEvent(QPaintEvent* event) {

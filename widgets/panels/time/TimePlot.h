@@ -13,10 +13,10 @@ class TimePlot : public PlotWidget {
  public:
   explicit TimePlot(QWidget* parent = nullptr);
 
-  void showCurves(Plot plot);         // in place of setPlot()
+  void showCurves(Plot plot);         // to be used instead of setPlot()
   void setPosition(double position);  // units of x
 
-  // Between a position on the axis and pixels of this widget.
+  // Convert between a position on the axis and pixels of this widget.
   double screenX(double position) const;
   double positionAt(double screenX) const;
 
@@ -37,7 +37,7 @@ class TimePlot : public PlotWidget {
   const PlotLayout& layoutOfAxis() const;
 
   double m_position = 0.0;
-  mutable std::optional<PlotLayout> m_layout;  // of the present plot and size
+  mutable std::optional<PlotLayout> m_layout;  // layout for the present plot and size
 };
 
 }  // namespace handwheel

@@ -18,9 +18,9 @@ namespace handwheel {
 namespace {
 
 constexpr double kLaneBar = 8.0;  // pixels
-constexpr double kMarker = 5.0;   // half of its width
-constexpr double kReach = 6.0;    // from the pointer to a marker that it means
-constexpr double kSamePlace = 1e-9;
+constexpr double kMarker = 5.0;   // pixels, half of its width
+constexpr double kReach = 6.0;    // pixels from the pointer to the marker that it hits
+constexpr double kSamePosition = 1e-9;
 
 // Circle, triangle and square: the severities differ without colours, too.
 void paintMarker(QPainter& painter, const QPointF& at, TimeLineMarker::Severity severity) {
@@ -75,7 +75,7 @@ double TimeTrack::length() const {
   return longest;
 }
 
-// About a hundredth of the length: 1, 2 or 5 times a power of ten.
+// Returns about a hundredth of the length: 1, 2 or 5 times a power of ten.
 double TimeTrack::step() const {
   const double hundredth = 0.01 * length();
   if (!(hundredth > 0.0)) return 0.0;
@@ -86,7 +86,7 @@ double TimeTrack::step() const {
 
 std::optional<double> TimeTrack::nextMarker(bool backwards) const {
   std::optional<double> next;
-  const double same = kSamePlace * length();
+  const double same = kSamePosition * length();
   for (const Lane& lane : m_lanes) {
     for (const Marker& marker : lane.markers) {
       const double ahead = backwards ? m_position - marker.position : marker.position - m_position;
@@ -99,19 +99,19 @@ std::optional<double> TimeTrack::nextMarker(bool backwards) const {
 const TimeTrack::Marker* TimeTrack::markerHere() const {
   for (const Lane& lane : m_lanes) {
     for (const Marker& marker : lane.markers) {
-      if (std::abs(marker.position - m_position) <= kSamePlace * length()) return &marker;
+      if (std::abs(marker.position - m_position) <= kSamePosition * length()) return &marker;
     }
   }
   return nullptr;
 }
 
-const TimeTrack::Marker* TimeTrack::markerAt(const QPointF& place) const {
+const TimeTrack::Marker* TimeTrack::markerAt(const QPointF& pixel) const {
   const Marker* nearest = nullptr;
   double least = kReach;
   for (std::size_t lane = 0; lane < m_lanes.size(); ++lane) {
-    if (std::abs(place.y() - bar(lane).center().y()) > 0.5 * laneHeight()) continue;
+    if (std::abs(pixel.y() - bar(lane).center().y()) > 0.5 * laneHeight()) continue;
     for (const Marker& marker : m_lanes[lane].markers) {
-      const double distance = std::abs(m_mapping.screenX(marker.position) - place.x());
+      const double distance = std::abs(m_mapping.screenX(marker.position) - pixel.x());
       if (distance > least) continue;
       least = distance;
       nearest = &marker;

@@ -19,7 +19,7 @@ class TimeTrack : public QWidget {
   Q_OBJECT
 
  public:
-  // What is drawn, in units of the axis.
+  // The displayed markers and lanes, in units of the axis.
   struct Marker {
     double position = 0.0;
     QString label;
@@ -30,7 +30,7 @@ class TimeTrack : public QWidget {
     double length = 0.0;
     std::vector<Marker> markers;  // ascending
   };
-  // From a position to a pixel, and back: the same as in the plot above.
+  // Conversion between a position and a pixel: the same as in the plot above.
   struct Mapping {
     std::function<double(double)> screenX;
     std::function<double(double)> positionAt;
@@ -39,13 +39,13 @@ class TimeTrack : public QWidget {
   explicit TimeTrack(Mapping mapping, QWidget* parent = nullptr);
 
   void setLanes(std::vector<Lane> lanes);
-  void setPosition(double position, const QString& text);  // and what a screen reader says of it
+  void setPosition(double position, const QString& text);  // text: accessible description of the position
 
-  // The next marker of any lane behind or before the position.
+  // Returns the next marker of any lane behind or before the position.
   std::optional<double> nextMarker(bool backwards) const;
-  // The marker at the position, or below a pixel.
+  // Return the marker at the position, or below a pixel.
   const Marker* markerHere() const;
-  const Marker* markerAt(const QPointF& place) const;
+  const Marker* markerAt(const QPointF& pixel) const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -73,7 +73,7 @@ class TimeTrack : public QWidget {
   double m_position = 0.0;
 };
 
-// The colour of an event, as everywhere in the window.
+// Returns the colour of an event, as everywhere in the window.
 QColor markerColour(TimeLineMarker::Severity severity);
 
 }  // namespace handwheel

@@ -12,8 +12,8 @@ namespace handwheel {
 namespace {
 
 constexpr double kRadiansPerPixel = std::numbers::pi / 500;  // a drag over 500 pixels turns the model half around
-// Under perspective, shares of the eye's distance from the focus, and of the farthest drawn distance. What is nearer
-// to the eye is not drawn: the depth buffer has 24 bits for all between.
+// Under perspective, shares of the eye's distance from the focus, and of the farthest drawn distance. Nearer objects
+// are not drawn: the depth buffer has 24 bits for all between.
 constexpr double kNearestSight = 1e-9;
 constexpr double kNearestFocus = 0.05;
 constexpr double kNearestShare = 1e-3;
@@ -134,7 +134,7 @@ CameraState CameraNavigation::fittedPerspective(std::span<const Vec3> points, do
   Box inView;
   for (const Vec3& p : points) {
     const Vec3 v = m_camera.orientation.conjugate() * (p - points[0]);
-    const Vec2 level(v.x(), v.y() + raised * v.z());  // seen as if the middle of the free part were that of the view
+    const Vec2 level(v.x(), v.y() + raised * v.z());  // seen with the middle of the free part as that of the view
     most = most.cwiseMax(level + slope * v.z());
     least = least.cwiseMax(slope * v.z() - level);
     inView.extend(v);
@@ -174,7 +174,7 @@ Eigen::Quaterniond orientationOf(StandardView view) {
     case StandardView::Bottom:
       return looking(-z, -y);
     case StandardView::Lathe:
-      return looking(x - 0.7 * y + 0.35 * z, (x - 0.7 * y).cross(z));  // so that the axis is level
+      return looking(x - 0.7 * y + 0.35 * z, (x - 0.7 * y).cross(z));  // makes the axis level
     case StandardView::Isometric:
       break;
   }
@@ -183,7 +183,7 @@ Eigen::Quaterniond orientationOf(StandardView view) {
 
 Eigen::Quaterniond latheFrame() {
   Eigen::Matrix3d frame;
-  frame << Vec3::UnitZ(), -Vec3::UnitX(), -Vec3::UnitY();  // of right, back and top
+  frame << Vec3::UnitZ(), -Vec3::UnitX(), -Vec3::UnitY();  // right, back and top
   return Eigen::Quaterniond(frame);
 }
 
@@ -198,7 +198,7 @@ Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& 
   if (!(outward.squaredNorm() > 0) || !outward.allFinite()) return present;
   const Vec3 from = present * Vec3::UnitZ();
   const Vec3 to = outward.normalized();
-  // To the opposite side every way is equally short: turn about the upright of the screen.
+  // To the opposite side every rotation is equally short: turn about the upright of the screen.
   if (from.dot(to) < -0.9999) return Eigen::AngleAxisd(std::numbers::pi, present * Vec3::UnitY()) * present;
   return (Eigen::Quaterniond::FromTwoVectors(from, to) * present).normalized();
 }

@@ -27,21 +27,22 @@ class CameraNavigation {
 
   const CameraState& camera() const { return m_camera; }
   bool isPerspective() const { return m_camera.projection == Projection::Perspective; }
-  // Model units (mm) per pixel: at the focus, and at p.
+  // Return model units (mm) per pixel: at the focus, and at p.
   double unitsPerPixel() const { return m_camera.height / m_size.y(); }
   double unitsPerPixelAt(const Vec3& p) const;
 
-  // False for points beside or behind the eye, which are not on the screen.
+  // Returns false for points beside or behind the eye, which are not on the screen.
   bool isBeforeEye(const Vec3& p) const;
-  // p must be in front of the eye.
+  // Projects a point, which must be in front of the eye.
   Vec2 toScreen(const Vec3& p) const;
-  // The distance of p from the plane through the focus, positive towards the viewer.
+  // Returns the distance of p from the plane through the focus, positive towards the viewer.
   double depth(const Vec3& p) const { return (p - m_camera.centre).dot(m_camera.towardsViewer()); }
-  // The point of the plane through the focus that appears at s.
+  // Returns the point of the plane through the focus that appears at s.
   Vec3 fromScreen(const Vec2& s) const;
-  // The pick ray at s. Starts at the eye; under parallel projection in front of the box.
+  // Returns the pick ray at s. Starts at the eye; under parallel projection in front of the box.
   ViewRay rayAt(const Vec2& s, const Box& box) const;
-  // Chosen so that everything within the bounding sphere of the box is drawn, unless it is very close to the eye.
+  // Returns a camera whose range contains everything within the bounding sphere of the box, unless it is very close to
+  // the eye.
   CameraClippingRange viewpoint(const Box& box) const;
 
   // Rotates about the screen axes through pivot, which keeps its screen position.
@@ -53,7 +54,7 @@ class CameraNavigation {
   // Moves the camera so that the grabbed point moves by delta on the screen.
   CameraState panned(const Vec2& delta, const Vec3& grabbed) const;
   CameraState panned(const Vec2& delta) const { return panned(delta, m_camera.centre); }
-  // factor > 1 enlarges, and moves the eye nearer; the point keeps its screen position.
+  // Zooms about a point, which keeps its screen position. factor > 1 enlarges, and moves the eye nearer.
   CameraState zoomedAbout(const Vec3& fixed, double factor) const;
   CameraState zoomedAt(const Vec2& cursor, double factor) const { return zoomedAbout(fromScreen(cursor), factor); }
   // Fits all points into the view, as large as possible. share: the fraction of the view that they fill, 0…1. covered:
@@ -68,17 +69,17 @@ class CameraNavigation {
   Vec2 m_size;
 };
 
-// The corners of a box.
+// Returns the corners of a box.
 std::array<Vec3, 8> cornersOf(const Box& box);
-// The orientation of a standard view.
+// Returns the orientation of a standard view.
 Eigen::Quaterniond orientationOf(StandardView view);
-// The rotation that takes the sides of standard views to those of a lathe, as its operator sees them: right is along
+// Returns the rotation from the sides of standard views to those of a lathe, as its operator sees them. Right is along
 // the axis, z, away from the chuck, front is the side of the tool, x, and top is against y.
 Eigen::Quaterniond latheFrame();
-// The upright orientation that looks against outward, with z up. From straight above or below it is as in StandardView.
-// outward need not be of unit length; zero, or a vector that is not finite, gives the isometric view.
+// Returns the upright orientation that looks against outward, with z up. From straight above or below it is that of
+// StandardView. outward need not be of unit length; zero, or a vector that is not finite, gives the isometric view.
 Eigen::Quaterniond uprightTowards(const Vec3& outward);
-// The orientation that looks against outward, by the shortest rotation from the present one.
+// Returns the orientation that looks against outward, by the shortest rotation from the present one.
 Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward);
 // Rotates the camera to an orientation about pivot, which keeps its screen position.
 CameraState turnedAbout(const CameraState& camera, const Vec3& pivot, const Eigen::Quaterniond& orientation);

@@ -28,7 +28,7 @@ struct CameraState {
   Vec3 up() const { return orientation * Vec3::UnitY(); }
   Vec3 towardsViewer() const { return orientation * Vec3::UnitZ(); }
 
-  // The distance of the eye from the focus under perspective: there the field of view spans the height.
+  // Returns the distance of the eye from the focus under perspective: there the field of view spans the height.
   double eyeDistance() const { return height / (2.0 * std::tan(kFieldOfView / 2.0)); }
   Vec3 eye() const { return centre + eyeDistance() * towardsViewer(); }
 

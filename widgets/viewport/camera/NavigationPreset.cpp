@@ -23,7 +23,7 @@ constexpr NavigationBinding kBlender[] = {
     {kMiddle, kShift, Pan},
     {kMiddle, kCtrl, Zoom},
 };
-// Its style "CAD".
+// Bindings of its style "CAD".
 constexpr NavigationBinding kFreeCad[] = {
     {kMiddle | kLeft, kNoKey, Orbit},
     {kMiddle | kRight, kNoKey, Orbit},
@@ -37,7 +37,7 @@ constexpr NavigationBinding kSolidWorks[] = {
     {kMiddle, kCtrl, Pan},
     {kMiddle, kShift, Zoom},
 };
-// Many desktops keep Alt and the left button for moving windows: so the right button can do all, too.
+// Many desktops keep Alt and the left button for moving windows: so the right button can do everything, too.
 constexpr NavigationBinding kLaptop[] = {
     {kRight, kNoKey, Orbit}, {kRight, kShift, Pan},       {kRight, kCtrl, Zoom},       {kLeft, kNoKey, Orbit, true},
     {kLeft, kAlt, Orbit},    {kLeft, kAlt | kShift, Pan}, {kLeft, kAlt | kCtrl, Zoom},

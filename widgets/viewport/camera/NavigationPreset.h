@@ -27,21 +27,21 @@ struct NavigationBinding {
   bool onBackground = false;  // only when the drag starts beside the model
 };
 
-// The mouse bindings of a preset.
+// Returns the mouse bindings of a preset.
 std::span<const NavigationBinding> bindingsOf(NavigationPreset preset);
-// The gesture that a preset assigns to buttons and modifiers.
+// Returns the gesture that a preset assigns to buttons and modifiers.
 NavigationGesture gestureFor(NavigationPreset preset, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers,
                              bool onBackground);
-// Whether the wheel zooms in when turned away from the user, not towards.
+// Returns true if the wheel zooms in when turned away from the user, not towards.
 bool wheelAwayEnlarges(NavigationPreset preset);
 
-// The id of a preset for settings: "handwheel", "blender", "freecad", "solidworks", "laptop". Unknown ids give
+// Returns the id of a preset for settings: "handwheel", "blender", "freecad", "solidworks", "laptop". Unknown ids give
 // Handwheel.
 QString idOf(NavigationPreset preset);
 NavigationPreset presetOf(const QString& id);
-// The name of a preset for menus, translated.
+// Returns the name of a preset for menus, translated.
 QString nameOf(NavigationPreset preset);
-// The navigation hints: pairs of input and effect, such as "Shift+middle", "pan". Translated.
+// Returns the navigation hints: pairs of input and effect, such as "Shift+middle", "pan". Translated.
 std::vector<std::pair<QString, QString>> navigationHints(NavigationPreset preset);
 
 }  // namespace handwheel

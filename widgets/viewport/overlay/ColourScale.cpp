@@ -17,13 +17,13 @@ struct Lab {
 constexpr Lab kNeutral{95.0, 0.0, 0.0}, kLow{40.0, 14.494, -54.092}, kHigh{40.0, 50.753, 23.667};
 constexpr double kWhite[] = {0.95047, 1.0, 1.08883};  // D65
 
-// CIE 15:2004, sections 8.2.1 and Annex B.
+// Inverts the function of CIE 15:2004, sections 8.2.1 and Annex B.
 double unfolded(double f) {
   constexpr double kKnee = 6.0 / 29.0;
   return f > kKnee ? f * f * f : 3.0 * kKnee * kKnee * (f - 4.0 / 29.0);
 }
 
-// IEC 61966-2-1.
+// Encodes according to IEC 61966-2-1.
 float encoded(double linear) {
   const double c = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
   return static_cast<float>(std::clamp(c, 0.0, 1.0));

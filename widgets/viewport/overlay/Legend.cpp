@@ -16,9 +16,9 @@ constexpr double kLegendMargin = 16.0;
 constexpr double kWidth = 14.0;
 constexpr double kHeight = 220.0;
 constexpr double kLeastHeight = 60.0;
-constexpr double kRoom = 130.0;  // above and below, for view cube and scale bar
+constexpr double kRoom = 130.0;  // pixels above and below, for view cube and scale bar
 
-// "+0.25", "0", "-0.25"; the sign that the stroked letters have.
+// Returns "+0.25", "0" or "-0.25", with the minus sign of the stroke font.
 QString labelOf(double value) {
   const QString number = QLocale().toString(std::abs(value), 'g', 3);
   if (value == 0.0) return number;

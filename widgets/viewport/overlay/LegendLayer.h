@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A view layer that draws the legend of a colour scale. What is coloured is in other layers.
+// A view layer that draws the legend of a colour scale. The coloured geometry is in other layers.
 class LegendLayer : public ViewLayer {
  public:
   void setScale(const std::optional<ColourScale>& scale);  // none: no legend

@@ -58,7 +58,7 @@ QFont overlayFont(const QPainter& painter, bool bold) {
   return font;
 }
 
-// Text whose middle is at the point.
+// Draws a text whose middle is at the point.
 void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const QColor& colour,
                QColor rim) {
   if (!hasFonts()) {
@@ -135,7 +135,7 @@ void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& came
   painter.setRenderHint(QPainter::Antialiasing);
   const double reach = kTriadRadius + 18;  // with the letters
   paintTriad(painter, QPointF(kMargin + reach, size.height() - kMargin - reach), camera, colours);
-  if (camera.projection == Projection::Perspective) return;  // no length holds for the whole picture
+  if (camera.projection == Projection::Perspective) return;  // no single length is valid for the whole picture
   paintScaleBar(painter, size, camera.height / std::max(size.height(), 1.0), unit, colours);
 }
 

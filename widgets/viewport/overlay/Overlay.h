@@ -22,7 +22,7 @@ void paintLines(QPainter& painter, const CameraNavigation& view, const std::vect
 
 // Draws a text centred at a point, in the colour of the scale bar.
 void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const SceneColours& colours);
-// The width of a text as paintText() draws it.
+// Returns the width of a text as paintText() draws it.
 double textWidth(const QPainter& painter, const QString& text);
 
 // The length of a scale bar and its size on the screen. The length is the largest of 1, 2, 5 × 10ⁿ of the unit that is

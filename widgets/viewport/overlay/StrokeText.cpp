@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-// On a grid of 4 × 6 cells, x to the right, y up from the base line. A point with a negative x lifts the pen.
+// A point on a grid of 4 × 6 cells, x to the right, y up from the base line. A negative x lifts the pen.
 struct GridPoint {
   double x, y;
 };

@@ -11,7 +11,7 @@ namespace handwheel {
 // fonts. Supports digits, point, comma, minus and the letters of the axes and units ("XYZ", "mµcin"); leaves a space
 // for any other character. height: of a capital letter. The path starts at (0, 0) on the base line, y down.
 QPainterPath strokeText(const QString& text, double height);
-// The width of a text in the stroke font.
+// Returns the width of a text in the stroke font.
 double strokeTextWidth(const QString& text, double height);
 
 }  // namespace handwheel

@@ -13,9 +13,9 @@ namespace handwheel {
 namespace {
 
 constexpr int kSize = 112;      // logical pixels
-constexpr double kHalf = 32.0;  // of the cube's edge; its corners reach √3 times as far
+constexpr double kHalf = 32.0;  // half of the cube's edge; its corners reach √3 times as far
 constexpr double kCubeDragThreshold = 4.0;
-constexpr double kTextHeight = 0.42;  // of the capitals, in halves of the cube's edge
+constexpr double kTextHeight = 0.42;  // height of the capitals, in halves of the cube's edge
 constexpr double kTextWidth = 1.2;    // at most
 
 QPolygonF toPolygon(const std::array<Vec2, 4>& outline) {
@@ -24,7 +24,7 @@ QPolygonF toPolygon(const std::array<Vec2, 4>& outline) {
   return polygon;
 }
 
-// The name of a side about (0, 0), y down, in halves of the cube's edge.
+// Returns the name of a side about (0, 0), y down, in halves of the cube's edge.
 QPainterPath textPath(const QString& text, QFont font) {
   font.setPixelSize(24);
   font.setBold(true);
@@ -66,7 +66,7 @@ QString ViewCube::nameOf(const CubeRegion& region) {
 void ViewCube::setOrientation(const Eigen::Quaterniond& orientation) {
   if (orientation.coeffs() == m_orientation.coeffs()) return;
   m_orientation = orientation;
-  // What a screen reader tells of it.
+  // The orientation is the accessible description.
   const QString facing = nameOf(regionFacing(orientation));
   if (facing != accessibleDescription()) setAccessibleDescription(facing);
   update();
@@ -105,7 +105,7 @@ void ViewCube::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), 8, 8);
 }
 
-// A side that faces the viewer is bright, one at a slant darker; edges and corners stand off a little.
+// Draws the cells. A side that faces the viewer is bright, one at a slant darker; edges and corners stand off a little.
 void ViewCube::paintCells(QPainter& painter) const {
   for (const CubeCell& cell : geometryNow().cells()) {
     const double facing = (m_orientation.conjugate() * Vec3(cell.side.cast<double>())).z();

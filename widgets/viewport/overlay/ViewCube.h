@@ -22,7 +22,7 @@ class ViewCube : public QWidget {
   void setColours(const SceneColours& colours);
   QSize sizeHint() const override;
 
-  // "Front", "Front · Right · Top": translated.
+  // Returns a translated name: "Front", "Front · Right · Top".
   static QString nameOf(const CubeRegion& region);
 
  signals:

@@ -10,9 +10,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMiddleShare = 0.66;  // of a side, that is the side's own
+constexpr double kMiddleShare = 0.66;  // share of a side that is the side's own
 constexpr double kOnBorder = 1e-6;     // square pixels
-constexpr double kFacing = 1e-3;       // a side that faces the viewer less is not worth showing
+constexpr double kFacing = 1e-3;       // sides that face the viewer less are not drawn
 
 std::array<CubeRegion, 6> sides() {
   std::array<CubeRegion, 6> all;
@@ -20,7 +20,7 @@ std::array<CubeRegion, 6> sides() {
   return all;
 }
 
-// Its border included: no position of the cube lies between two cells.
+// Returns true if the point is inside or on the border: no position of the cube lies between two cells.
 bool isInside(const Vec2& p, const std::array<Vec2, 4>& outline) {
   double least = 0.0, most = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -91,7 +91,7 @@ CubeRegion steppedFrom(const CubeRegion& region, int aroundSteps, int upSteps) {
   constexpr double eighth = std::numbers::pi / 4;
   const CubeRegion level(region.x(), region.y(), 0);
   const bool isPole = level.isZero();
-  // From straight above, down is to the front.
+  // From straight above, a step down leads to the front.
   const Vec3 front = isPole ? Vec3(-Vec3::UnitY()) : Vec3(level.cast<double>());
   const double around = std::atan2(front.y(), front.x()) + aroundSteps * eighth;
   const int elevation = std::clamp((isPole ? 2 : 1) * region.z() + upSteps, -2, 2);

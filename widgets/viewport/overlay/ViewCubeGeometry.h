@@ -26,7 +26,7 @@ class ViewCubeGeometry {
   // half: half of the cube's edge.
   ViewCubeGeometry(const Eigen::Quaterniond& orientation, const Vec2& middle, double half);
 
-  std::vector<CubeCell> cells() const;  // of the visible sides
+  std::vector<CubeCell> cells() const;  // cells of the visible sides
   std::optional<CubeRegion> regionAt(const Vec2& position) const;
   Vec2 toScreen(const Vec3& p) const;  // the cube reaches from -1 to 1
 
@@ -36,11 +36,11 @@ class ViewCubeGeometry {
   double m_half;
 };
 
-// The right and up directions of the text on a side.
+// Returns the right and up directions of the text on a side.
 std::pair<Vec3, Vec3> axesOn(const CubeRegion& side);
-// The region that faces the viewer most.
+// Returns the region that faces the viewer most.
 CubeRegion regionFacing(const Eigen::Quaterniond& orientation);
-// The region reached by steps of 45° around the vertical and upwards. So every region can be reached.
+// Returns the region reached by steps of 45° around the vertical and upwards. Every region can be reached.
 CubeRegion steppedFrom(const CubeRegion& region, int aroundSteps, int upSteps);
 
 }  // namespace handwheel

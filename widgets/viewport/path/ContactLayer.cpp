@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 Vec3 endOf(const ContactMark& mark) {
-  return mark.place + ContactLayer::kNormalLength * mark.normal;
+  return mark.position + ContactLayer::kNormalLength * mark.normal;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ class ContactLayer::Private {
 
 void ContactLayer::Private::build() {
   std::vector<std::array<Vec3, 2>> ends;
-  for (const ContactMark& mark : contacts) ends.push_back({mark.place, endOf(mark)});
+  for (const ContactMark& mark : contacts) ends.push_back({mark.position, endOf(mark)});
   const auto strokesOf = [&](std::size_t points, const QColor& colour) {
     std::vector<Stroke> strokes;
     for (const auto& pair : ends) strokes.push_back({std::span(pair).first(points), false, colour});
@@ -62,7 +62,7 @@ void ContactLayer::setContacts(std::vector<ContactMark> contacts) {
   d->contacts = std::move(contacts);
   d->box = {};
   for (const ContactMark& mark : d->contacts) {
-    d->box.extend(mark.place);
+    d->box.extend(mark.position);
     d->box.extend(endOf(mark));
   }
   d->origin = d->box.isEmpty() ? Vec3::Zero() : Vec3(d->box.center());

@@ -10,16 +10,16 @@
 
 namespace handwheel {
 
-// A place where two surfaces touch, with the way out of the one.
+// A contact point of two surfaces, with the outward normal of one.
 struct ContactMark {
-  Vec3 place = Vec3::Zero();    // mm
-  Vec3 normal = Vec3::UnitZ();  // of unit length
+  Vec3 position = Vec3::Zero();  // mm
+  Vec3 normal = Vec3::UnitZ();   // unit length
 };
 
-// The colour of contacts. It stands out on what has the colour of collisions.
+// Returns the colour of contacts. It stands out on surfaces in the colour of collisions.
 QColor contactColour();
 
-// A view layer with dots where things touch. Lines lead along the normals. Nothing hides them. It is not fitted and not
+// A view layer with dots at contact points. Lines lead along the normals. Nothing hides them. It is not fitted and not
 // picked.
 class ContactLayer : public ViewLayer {
  public:

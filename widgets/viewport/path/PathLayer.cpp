@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kBlockPoints = 10'000;
-constexpr double kMostDashes = 400;  // of a line
+constexpr double kMostDashes = 400;  // dashes of a line
 
 double widthOf(PathLine::Look look) {  // logical pixels
   switch (look) {
@@ -26,7 +26,7 @@ double widthOf(PathLine::Look look) {  // logical pixels
     case PathLine::Look::AxisY:
     case PathLine::Look::AxisZ:
       return 2.4;
-    case PathLine::Look::Place:
+    case PathLine::Look::Waypoint:
       return 6.0;
     case PathLine::Look::Thread:
     case PathLine::Look::Collision:
@@ -44,11 +44,11 @@ QColor pathColour(PathLine::Look look, const SceneColours& colours) {
       return isDark ? QColor(0xf2, 0x8b, 0x82) : QColor(0xc0, 0x30, 0x28);
     case PathLine::Look::Travel:
     case PathLine::Look::Feed:
-    case PathLine::Look::Place:
+    case PathLine::Look::Waypoint:
       return isDark ? QColor(0x6c, 0xb8, 0xf0) : QColor(0x12, 0x5f, 0xa8);
     case PathLine::Look::Collision:
       return isDark ? QColor(0xff, 0x5a, 0x4d) : QColor(0xd4, 0x10, 0x10);
-    case PathLine::Look::AxisX:  // as the triad of the view
+    case PathLine::Look::AxisX:  // the same as in the triad of the view
       return QColor(0xe0, 0x4b, 0x43);
     case PathLine::Look::AxisY:
       return QColor(0x4c, 0xa8, 0x4f);
@@ -74,15 +74,16 @@ std::vector<PathLine> dashed(const PathLine& line, double length) {
   const double period = length * 5.0 / 3.0;
   if (!(period > 0.0) || !(whole > length) || !(whole / period < kMostDashes)) return {line};
   std::vector<PathLine> dashes;
-  double way = 0.0;  // to the beginning of the piece
+  double distance = 0.0;  // length to the beginning of the piece
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     const Vec3 a = line.points[i - 1], along = line.points[i] - a;
     const double size = along.norm();
-    for (double from = std::floor(way / period) * period; from < way + size; from += period) {
-      const double begin = std::max(from, way) - way, end = std::min(from + length, way + size) - way;
+    for (double from = std::floor(distance / period) * period; from < distance + size; from += period) {
+      const double begin = std::max(from, distance) - distance,
+                   end = std::min(from + length, distance + size) - distance;
       if (end > begin) dashes.push_back({{a + along * (begin / size), a + along * (end / size)}, line.look});
     }
-    way += size;
+    distance += size;
   }
   return dashes;
 }
@@ -94,7 +95,7 @@ class PathLayer::Private {
     toolCore.drawOverAll();
   }
 
-  // The actors stay for the next lines.
+  // Begins new lines. The actors are reused for them.
   void begin() {
     for (const auto& block : blocks) block->strokes.hide();
     next = shown = 0;
@@ -125,7 +126,7 @@ class PathLayer::Private {
   int built = 0;
 };
 
-// Lines of one look that follow each other make a block.
+// Builds a block of consecutive lines of one look.
 std::size_t PathLayer::Private::buildBlock() {
   if (!lines || next >= lines->size()) return 0;
   const PathLine::Look look = (*lines)[next].look;

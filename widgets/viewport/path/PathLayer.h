@@ -12,21 +12,21 @@ namespace handwheel {
 
 // A line of a tool path in one look.
 struct PathLine {
-  enum class Look { Rapid, Travel, Feed, Thread, Collision, AxisX, AxisY, AxisZ, Place };
+  enum class Look { Rapid, Travel, Feed, Thread, Collision, AxisX, AxisY, AxisZ, Waypoint };
   static constexpr std::size_t kLooks = 9;
 
   std::vector<Vec3> points;  // mm; a single one is a dot
   Look look = Look::Feed;
 };
 
-// A line as dashes of this length and gaps of two thirds of it; as one dash where there would be very many. Rapid moves
-// are drawn so.
+// Splits a line into dashes of this length and gaps of two thirds of it; one dash instead of very many. Used for rapid
+// moves.
 std::vector<PathLine> dashed(const PathLine& line, double length);
 
-// The axes of a frame, of these lengths (mm), each in the colour that it has everywhere.
+// Returns the axes of a frame, of these lengths (mm), each in the colour that is used everywhere.
 std::vector<PathLine> axisLines(const Pose& pose, const Vec3& lengths);
 
-// The colour of a look, on the background of the view.
+// Returns the colour of a look, on the background of the view.
 QColor pathColour(PathLine::Look look, const SceneColours& colours);
 
 // A view layer with a tool path and the outline of the tool. It lies over the model and hides none of it. It is not
@@ -39,7 +39,7 @@ class PathLayer : public ViewLayer {
   ~PathLayer() override;
 
   void setLines(Lines lines);  // null: none
-  // Closed outlines, such as those of a nose and its holder; empty: none.
+  // Sets the closed outlines of the tool, such as those of a nose and its holder; empty: none.
   void setTool(std::vector<std::vector<Vec3>> outlines);
 
   Box bounds() const override { return {}; }

@@ -9,11 +9,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kDash = 12.0;                                  // mm, of travel
+constexpr double kDash = 12.0;                                  // mm, dashes of travel
 constexpr double kPathArrow = 15.0, kPathArrowHalfWidth = 5.0;  // mm
 constexpr double kArrowsApart = 60.0, kDotsApart = 5.0;         // mm, at least
 
-// Two barbed lines across each other, which look like an arrow from all sides.
+// Adds two barbed lines across each other, which look like an arrow from all sides.
 void addArrow(const Vec3& middle, const Vec3& direction, PathLine::Look look, std::vector<PathLine>& lines) {
   const Vec3 tip = middle + 0.5 * kPathArrow * direction, end = tip - kPathArrow * direction;
   const Vec3 side = kPathArrowHalfWidth * direction.unitOrthogonal();
@@ -21,7 +21,7 @@ void addArrow(const Vec3& middle, const Vec3& direction, PathLine::Look look, st
     lines.push_back({{end + aside, tip, end - aside}, look});
 }
 
-// The way of a leg between the points from `begin` to before `end`, with the one before it.
+// The path of a leg between the points from `begin` to before `end`, with the one before it.
 class Leg {
  public:
   Leg(std::span<const PathPoint> points, std::size_t begin, std::size_t end)
@@ -72,21 +72,21 @@ std::vector<PathLine> pathPicture(std::span<const PathPoint> given) {
   std::vector<PathLine> lines = linesThrough(points);
   if (points.empty()) return lines;
   Vec3 dot = points.front().at;
-  lines.push_back({{dot}, PathLine::Look::Place});
-  double way = 0.0, arrowAt = -std::numeric_limits<double>::infinity();
+  lines.push_back({{dot}, PathLine::Look::Waypoint});
+  double travelled = 0.0, arrowAt = -std::numeric_limits<double>::infinity();
   for (std::size_t begin = 1, end = 1; begin < points.size(); begin = end) {
     while (end < points.size() && points[end].leg == points[begin].leg) ++end;
     const Leg leg(points, begin, end);
-    const double middle = way + 0.5 * leg.length();
+    const double middle = travelled + 0.5 * leg.length();
     if (leg.length() > 0.0 && middle - arrowAt >= kArrowsApart) {
       leg.addArrowInTheMiddle(lines);
       arrowAt = middle;
     }
-    way += leg.length();
-    const Vec3& place = points[end - 1].at;
-    if (end < points.size() && (place - dot).norm() < kDotsApart) continue;
-    dot = place;
-    lines.push_back({{dot}, PathLine::Look::Place});
+    travelled += leg.length();
+    const Vec3& last = points[end - 1].at;
+    if (end < points.size() && (last - dot).norm() < kDotsApart) continue;
+    dot = last;
+    lines.push_back({{dot}, PathLine::Look::Waypoint});
   }
   std::ranges::stable_sort(lines, {}, &PathLine::look);
   return lines;

@@ -8,16 +8,16 @@
 
 namespace handwheel {
 
-// A point of the way of a tool, as it is to be drawn.
+// A point of the path of a tool, for drawing.
 struct PathPoint {
   Vec3 at;                                     // mm
-  std::size_t leg = 0;                         // that goes through it or ends there
-  PathLine::Look look = PathLine::Look::Feed;  // of the piece from the point before
+  std::size_t leg = 0;                         // leg through this point, or ending at it
+  PathLine::Look look = PathLine::Look::Feed;  // look of the piece from the previous point
 };
 
-// A path with its direction and its places: lines, of travel as dashes; an arrow in the middle of each leg; a dot at
-// the beginning and where each leg ends. Where legs are short some go without. Lines of one look follow each other.
-// Points that are not finite are left out. O(points · log points).
+// Returns the lines that draw a path with its direction and its waypoints. Travel is drawn as dashes; an arrow is in
+// the middle of each leg; a dot at the beginning and at the end of each leg. Short legs may have none. Lines of one
+// look follow each other. Points that are not finite are left out. O(points · log points).
 std::vector<PathLine> pathPicture(std::span<const PathPoint> points);
 
 }  // namespace handwheel

@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-// The cells of the grid that hold vertices, numbered as they are met.
+// The cells of the grid that hold vertices, numbered in the order of their discovery.
 class Clusters {
  public:
   Clusters(const HalfEdgeMesh& mesh, const Box& bounds, double cell, const std::vector<double>* values)
@@ -37,8 +37,8 @@ class Clusters {
 
   Vec3 position(std::uint32_t cluster) const { return m_corner + m_members[cluster].sum / m_members[cluster].count; }
 
-  // Where clustering folds the surface over itself, a triangle shows its back to the outside; it covers nothing that
-  // its neighbours do not.
+  // If clustering folds the surface over itself, a triangle shows its back to the outside; it covers nothing that its
+  // neighbours do not.
   bool isFoldedOver(const std::array<std::uint32_t, 3>& t) const {
     const Vec3 n = (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0]));
     return n.dot(m_members[t[0]].normal + m_members[t[1]].normal + m_members[t[2]].normal) <= 0;

@@ -43,13 +43,13 @@ void FaceActors::drop(std::size_t piece) {
 }
 
 DepthOffsetActor& FaceActors::actor(std::size_t piece) {
-  const auto [place, isNew] = m_actors.try_emplace(piece, m_props, m_lift);
+  const auto [entry, isNew] = m_actors.try_emplace(piece, m_props, m_lift);
   if (isNew) {
-    setOverlayMaterial(place->second.property());
-    place->second.property()->SetOpacity(m_opacity);
+    setOverlayMaterial(entry->second.property());
+    entry->second.property()->SetOpacity(m_opacity);
     setColour(m_colour);
   }
-  return place->second;
+  return entry->second;
 }
 
 }  // namespace handwheel

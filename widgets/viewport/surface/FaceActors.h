@@ -18,7 +18,7 @@ class FaceActors {
 
   FaceActors(LayerProps& props, double lift, double opacity);
 
-  bool set(const FaceSelection& faces);  // false when they are the same as before
+  bool set(const FaceSelection& faces);  // returns false when they are the same as before
   void setColour(const QColor& colour);
   // To be called when the mesh was replaced or edited.
   void setStale();
@@ -36,8 +36,8 @@ class FaceActors {
   double m_opacity;
   QColor m_colour;
   FaceSelection m_faces;
-  std::set<std::size_t> m_stale;                     // pieces
-  std::map<std::size_t, DepthOffsetActor> m_actors;  // of the pieces that have faces
+  std::set<std::size_t> m_stale;                     // piece numbers
+  std::map<std::size_t, DepthOffsetActor> m_actors;  // actors of the pieces that have faces
 };
 
 }  // namespace handwheel

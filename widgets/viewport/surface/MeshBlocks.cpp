@@ -119,7 +119,8 @@ std::size_t MeshBlocks::colourOne() {
   return std::max<std::size_t>(static_cast<std::size_t>(triangles), 1);
 }
 
-// Blocks that wait already keep their place, so that all have their turn while a scale is being dragged.
+// Blocks that wait already keep their position in the queue, so that all have their turn while a scale is being
+// dragged.
 void MeshBlocks::setColourScale(const std::optional<ColourScale>& scale) {
   if (!scale && !m_colourMap) return;
   m_colourMap = scale ? colourMapOf(*scale) : nullptr;

@@ -21,17 +21,17 @@ class MeshBlocks {
   explicit MeshBlocks(LayerProps& props);
 
   void clear();
-  // Queues the geometry; the block shows its former state until then.
+  // Queues the geometry of a block, which shows its former state until then.
   void enqueue(std::size_t block, SurfaceGeometry geometry);
-  // Takes one block from the queue, so that the next frame uploads no more than that. Returns its number of triangles;
-  // 0 when none was waiting.
+  // Uploads one block from the queue, so that no frame uploads more than that. Returns its number of triangles; 0 when
+  // none was waiting.
   std::size_t takeOne();
   void setCoarse(std::optional<SurfaceGeometry> geometry);
   // Shows the simplified version instead of the blocks, if there is one.
   void setCoarseShown(bool reduced);
 
   void setStyle(const SurfaceStyle& style);
-  // Sets the place of the geometry in the drawing.
+  // Sets the position of the geometry in the drawing.
   void setOffset(const Vec3& offset);
   // Sets the colours of geometry with values; none: the values are not shown. Applied block by block by takeOne(),
   // because each is uploaded again.
@@ -54,7 +54,7 @@ class MeshBlocks {
   std::vector<vtkSmartPointer<vtkActor>> m_blocks;
   vtkSmartPointer<vtkActor> m_coarse;
   std::deque<Pending> m_queue;
-  std::deque<std::size_t> m_toColour;               // blocks
+  std::deque<std::size_t> m_toColour;               // block numbers
   vtkSmartPointer<vtkScalarsToColors> m_colourMap;  // null: values are not shown
   SurfaceStyle m_style;
   Vec3 m_offset = Vec3::Zero();

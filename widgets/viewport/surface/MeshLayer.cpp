@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kOutlineFaces = 5000;
 
-// Corners of faces at even intervals.
+// Returns corners of faces at even intervals.
 std::vector<Vec3> sample(const HalfEdgeMesh& mesh) {
   std::vector<Vec3> points;
   const std::size_t step = mesh.faceSlots() / kOutlineFaces + 1;
@@ -76,9 +76,9 @@ void MeshLayer::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& to
   d->dropDerived(true);
   d->mesh = mesh;
   d->outline = sample(mesh);
-  // Faces that went may leave the bounds too large, which harms nothing; measuring a large mesh anew takes its time.
+  // Removed faces may leave the bounds too large, which harms nothing; measuring a large mesh anew takes its time.
   for (const Face f : touched) {
-    if (f >= mesh.faceSlots() || !mesh.isLive(f)) continue;  // its slot may be gone with it
+    if (f >= mesh.faceSlots() || !mesh.isLive(f)) continue;  // its slot may have been removed with it
     for (const Vertex v : mesh.triangle(f)) d->box.extend(mesh.position(v));
   }
   d->marks.setMesh(mesh, d->origin);
@@ -150,7 +150,7 @@ void MeshLayer::setHighlightedLoop(int id) {
   report(LayerChange::Look);
 }
 
-// A tool may say with each move of the mouse all that it shows: what is the same costs no frame.
+// A tool may set all that it shows with each move of the mouse: equal values cost no frame.
 
 void MeshLayer::setSelectedFaces(const FaceSelection& faces) {
   if (d->marks.setSelectedFaces(faces)) report(LayerChange::Look);

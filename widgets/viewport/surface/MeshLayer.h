@@ -18,27 +18,28 @@ class MeshLayer : public ViewLayer {
   MeshLayer();
   ~MeshLayer() override;
 
-  // Sets how many faces are built and drawn together, from the next setMesh() on: the setting view.block_faces.
+  // Sets the number of faces that are built and drawn together, from the next setMesh() on: the setting
+  // view.block_faces.
   void setBlockFaces(Face faces);
-  // Sets roughly how many triangles a slow display draws of a large mesh while the camera moves, from the next
-  // setMesh() or edit on: the setting view.coarse_triangles.
+  // Sets the approximate number of triangles that a slow display draws of a large mesh while the camera moves, from the
+  // next setMesh() or edit on: the setting view.coarse_triangles.
   void setCoarseTriangles(std::size_t triangles);
 
   // Shows another model, and keeps the marks. Returns at once; the blocks appear over the next frames.
   void setMesh(const HalfEdgeMesh& mesh);
-  // The same with known bounds of the live faces, because computing them is slow for a large mesh.
+  // Does the same with known bounds of the live faces, because computing them is slow for a large mesh.
   void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
-  // The same, with all blocks built by this call and none of it picked: for pictures. values: to each vertex slot, or
+  // Does the same, with all blocks built by this call and none pickable: for pictures. values: per vertex slot, or
   // null.
   void setMeshAtOnce(const HalfEdgeMesh& mesh, VertexValues values, const ColourScale& scale);
-  // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
-  // the blocks concerned.
+  // Shows the same model after an edit that touched these faces (added, removed, turned or with moved corners).
+  // Rebuilds only the blocks concerned.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
   // Removes the mesh and every mark.
   void clear();
 
-  // Colours the mesh by a value to each vertex slot, with a legend, until it changes or is replaced; null removes them.
-  // The blocks change colour over the next frames.
+  // Colours the mesh by a value per vertex slot, with a legend, until it changes or is replaced; null removes them. The
+  // blocks change colour over the next frames.
   void setSurfaceValues(VertexValues values, const ColourScale& scale);
   // Changes the colour scale of these values; rebuilds no geometry.
   void setColourScale(const ColourScale& scale);
@@ -57,13 +58,13 @@ class MeshLayer : public ViewLayer {
   // Sets the faces that are selected, and those that a tool highlights, until the next call.
   void setSelectedFaces(const FaceSelection& faces);
   void setHighlightedFaces(const FaceSelection& faces);
-  // Shows another version in place of the mesh while a tool works on it; null for none. Nothing else follows it: marks
+  // Shows another version instead of the mesh while a tool works on it; null for none. Nothing else follows it: marks
   // and picking are those of the mesh. It appears once its blocks are built, and is skipped when the next version
   // arrives sooner.
   void setPreviewMesh(const std::shared_ptr<const PreviewMesh>& previewMesh);
 
-  // The search structure over the faces of the mesh, for tools, too. Of an older version while the present one's is
-  // being built; null before the first.
+  // Returns the search structure over the faces of the mesh, for tools, too. It is that of an older version while the
+  // present one's is being built; null before the first.
   std::shared_ptr<const FaceHierarchy> faces() const;
 
   Box bounds() const override;
@@ -89,8 +90,8 @@ class MeshLayer : public ViewLayer {
   std::unique_ptr<Private> d;
 };
 
-// The face or the loop of a mesh layer that was hit; kNone and -1 when it was something else. A loop within 8 pixels
-// takes precedence over the face it lies on.
+// Return the face or the loop of a mesh layer that was hit; kNone and -1 if it was something else. A loop within 8
+// pixels takes precedence over the face it lies on.
 Face faceOf(const Pick& pick);
 int loopOf(const Pick& pick);
 

@@ -11,7 +11,7 @@ namespace handwheel {
 
 struct PreviewMesh;
 
-// The private data of MeshLayer, shared by its source files. One takes what is shown, the other answers the view.
+// The private data of MeshLayer, shared by its source files. One sets the content, the other answers the view.
 class MeshLayer::Private {
  public:
   explicit Private(MeshLayer& layer)
@@ -30,7 +30,7 @@ class MeshLayer::Private {
                      },
                      [this] { q.report(LayerChange::OutOfMemory); }}) {}
 
-  // The search structure is that of the mesh before; values and versions of tools are of that mesh, too.
+  // Drops the search structure, values and tool versions of the previous mesh.
   void dropDerived(bool areFacesAwaitedNow) {
     faces.reset();
     areFacesAwaited = areFacesAwaitedNow;
@@ -52,7 +52,7 @@ class MeshLayer::Private {
     if (previewMesh) previewMesh->touched.forEach([&](Face f) { found.insert(f / preparation.blockFaces()); });
     return found;
   }
-  // No face of a mesh that is not shown as it is.
+  // Marks no hovered face while another version is shown.
   void markHovered() { marks.setHovered(listLoop, hoveredLoop, previewMesh ? kNone : hoveredFace); }
 
   MeshLayer& q;
@@ -60,13 +60,13 @@ class MeshLayer::Private {
   MarkActors marks;
   HalfEdgeMesh mesh;
   Box box;
-  Box previewBox;  // of what a tool has changed
+  Box previewBox;  // bounds of the changes by a tool
   std::vector<Vec3> outline;
   Vec3 origin = Vec3::Zero();                  // the model point at the origin of the geometry
   std::shared_ptr<const FaceHierarchy> faces;  // for picking
   bool areFacesAwaited = false;
   MeshPreparation preparation;
-  VertexValues values;  // that colour the mesh; null for none
+  VertexValues values;  // values that colour the mesh; null for none
   ColourScale colourScale;
   std::shared_ptr<const PreviewMesh> previewMesh;
   int listLoop = -1;

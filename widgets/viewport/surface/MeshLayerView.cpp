@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a view asks of a mesh layer.
+// The functions of a mesh layer that a view calls.
 #include "viewport/LinePicking.h"
 #include "viewport/overlay/Legend.h"
 #include "viewport/surface/MeshLayerPrivate.h"
@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint64_t kLoop = std::uint64_t{1} << 32;  // in the numbers of elements that are loops
+constexpr std::uint64_t kLoop = std::uint64_t{1} << 32;  // bit of the numbers of elements that are loops
 
 }  // namespace
 
@@ -75,7 +75,7 @@ std::optional<LayerHit> MeshLayer::firstHit(const Vec3& origin, const Vec3& dire
   return LayerHit{hit->face, hit->point, hit->distance};
 }
 
-// Not before one can tell which of them are hidden.
+// Lines are not found before their visibility can be determined.
 void MeshLayer::findNear(const CameraNavigation& view, const Vec2& cursor, std::vector<LayerHit>& found) const {
   if (d->areFacesAwaited) return;
   for (const LoopMark& loop : d->marks.loops())

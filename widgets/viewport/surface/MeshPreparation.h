@@ -13,11 +13,11 @@
 
 namespace handwheel {
 
-// The default approximate number of triangles of the simplified mesh. A slow display draws it in place of a large mesh
+// The default approximate number of triangles of the simplified mesh. A slow display draws it instead of a large mesh
 // while the camera moves: the setting view.coarse_triangles.
 inline constexpr std::size_t kCoarseTriangles = 50000;
-// Whether a mesh gets a simplified version. It must have at most a quarter of the triangles, or the loss of quality is
-// not worth it.
+// Returns true if a mesh gets a simplified version. It must have at most a quarter of the triangles, or the loss of
+// quality is not worth it.
 bool hasCoarseVersion(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
 
 // Prepares a mesh for drawing and picking on worker threads. Builds the blocks, a simplified version and the search
@@ -37,7 +37,7 @@ class MeshPreparation {
 
   // Sets the number of faces per block, from the next startAll() on: the setting view.block_faces.
   void setBlockFaces(Face faces) { m_nextBlockFaces = faces; }
-  Face blockFaces() const { return m_blockFaces; }  // at present
+  Face blockFaces() const { return m_blockFaces; }  // the present number
 
   // Sets the size of the simplified version, from the next start on.
   void setCoarseTriangles(std::size_t triangles) { m_coarseTriangles = triangles; }
@@ -53,7 +53,7 @@ class MeshPreparation {
   // Builds all blocks of the last started mesh with other values, and the rest.
   void startAgain(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   // Builds blocks of a version that is shown only temporarily. One run ends before the next starts, so that something
-  // is visible however fast versions arrive; of those that arrive meanwhile only the last is built.
+  // is visible even if versions arrive fast; of those that arrive meanwhile only the last is built.
   void show(const HalfEdgeMesh& mesh, const Vec3& origin, const std::set<std::size_t>& blocks);
   void cancel();
   // Waits for the blocks and delivers them.
@@ -65,7 +65,7 @@ class MeshPreparation {
     std::shared_ptr<SurfaceGeometry> geometry;  // shared, as futures hand out copies
   };
   struct Rest {
-    std::shared_ptr<SurfaceGeometry> coarse;  // null where there is none
+    std::shared_ptr<SurfaceGeometry> coarse;  // null if there is none
     std::shared_ptr<const FaceHierarchy> faces;
   };
 
@@ -85,7 +85,7 @@ class MeshPreparation {
     Vec3 origin;
     std::set<std::size_t> blocks;
   };
-  std::optional<Shown> m_next;  // to be shown when the present run has ended
+  std::optional<Shown> m_next;  // the version to show after the present run
   // A watcher is used for one run; destroying it drops pending results.
   std::unique_ptr<QFutureWatcher<Block>> m_blocks;
   std::unique_ptr<QFutureWatcher<Rest>> m_rest;

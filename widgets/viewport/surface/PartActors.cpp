@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kScanned = 2'000'000;  // points that set() looks at, whatever the size of the soups: 5 ms
 constexpr double kFadedOpacity = 0.4;
-constexpr float kTint = 0.35f;  // of the accent, in a highlighted part
+constexpr float kTint = 0.35f;  // share of the accent, in a highlighted part
 constexpr float kSelectedTint = 0.6f;
 
 QColor toColour(const std::array<float, 3>& c) {
@@ -85,7 +85,7 @@ PartActors::ShapePointer PartActors::shapeFor(const Soup& soup, std::size_t scan
 
 void PartActors::want(Part& part, ShapePointer shape) {
   if (part.wanted == shape) return;
-  // The earliest that is not complete is the one under way.
+  // The earliest that is not complete is the one being built.
   const bool isAwaited = part.wanted && part.wanted != part.shown && !part.wanted->isComplete();
   if (isAwaited && !part.awaited) part.awaited = part.wanted;
   part.wanted = std::move(shape);
@@ -99,7 +99,7 @@ void PartActors::want(Part& part, ShapePointer shape) {
   }
 }
 
-// The newest shape that can be shown instead of the present one, or null.
+// Returns the newest shape that can be shown instead of the present one, or null.
 PartActors::ShapePointer PartActors::Part::complete() const {
   if (wanted->isComplete()) return wanted;
   return awaited && awaited->isComplete() ? awaited : nullptr;
@@ -113,8 +113,8 @@ void PartActors::show(Part& part, const ShapePointer& shape) {
   for (const auto& block : shape->blocks) addActor(part, block);
 }
 
-// Shows what came with one call of set() as soon as all of it can be shown. What changes faster than it can be built
-// joins the next call's.
+// Shows the changes of one call of set() as soon as all of them can be shown. A part that changes faster than it can be
+// built joins the next call's.
 void PartActors::showGroup(const std::string& group) {
   if (group.empty()) return;
   std::set<std::uint64_t> waiting;
@@ -137,7 +137,7 @@ std::vector<PartActors::Soup> PartActors::missing() const {
   for (const Part& part : m_parts) {
     if (part.wanted->blockCount == 0) parts.push_back(&part);
   }
-  // One that changes all the time gives way to those of which nothing newer can be shown yet.
+  // A part that changes all the time comes after those of which nothing newer can be shown yet.
   const auto rank = [](const Part* part) { return std::pair(part->complete() != nullptr, part->outdatedSince); };
   std::stable_sort(parts.begin(), parts.end(), [&](const Part* a, const Part* b) { return rank(a) < rank(b); });
   std::vector<Soup> soups;
@@ -196,8 +196,8 @@ void PartActors::remove(Part& part) {
   part.actors.clear();
 }
 
-// The geometry stands about a point of the part, the drawing about a point near the model: so that far away from their
-// origins, too, only small numbers meet single precision.
+// Sets the matrices of the actors. The geometry is relative to a point of the part, the drawing to a point near the
+// model: so that far away from their origins, too, only small numbers meet single precision.
 void PartActors::place(const Part& part) const {
   if (!part.shown) return;
   Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = part.description.pose.matrix();
@@ -235,7 +235,7 @@ void PartActors::setOrigin(const Vec3& origin) {
   }
 }
 
-// Of a group all parts are highlighted: to the user they are one.
+// All parts of a group are highlighted: to the user they are one.
 bool PartActors::isHighlighted(const Part& part) const {
   if (m_highlighted.empty()) return false;
   return part.description.name == m_highlighted || part.isIn(m_highlightedGroup);

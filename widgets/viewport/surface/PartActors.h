@@ -29,12 +29,12 @@ class PartActors {
 
   // Sets the parts, which are identified by name.
   void set(const std::vector<DisplayPart>& parts);
-  // The soups whose shape is still to be built, those first that have been awaited longest.
+  // Returns the soups whose shape is still to be built, those first that have been awaited longest.
   std::vector<Soup> missing() const;
   // Takes a finished shape; takeOne() then uploads it block by block. Returns false when no part waits for this soup.
   bool setShape(const Soup& soup, PartShape& made);
-  // Builds one block, so that the next frame uploads no more than that. Returns its number of triangles; 0 when none
-  // was waiting.
+  // Builds one block, so that no frame uploads more than that. Returns its number of triangles; 0 when none was
+  // waiting.
   std::size_t takeOne();
 
   void setStyle(const SurfaceStyle& style);
@@ -43,27 +43,27 @@ class PartActors {
   // Tints the parts of this name, and of its group, with the accent colour; empty: none.
   void setHighlighted(const std::string& name);
 
-  // Tints the parts of these names more strongly. isCovered: draws all others translucently, so that these are seen.
+  // Tints the parts of these names more strongly. isCovered: draws all others translucently, so that these are visible.
   // Returns false when nothing changes.
   bool setSelected(const std::set<std::string>& names, bool isCovered);
 
-  // Draws the parts with the names of the proposed ones translucently, because two opaque surfaces in one place cause
+  // Draws the parts with the names of the proposed ones translucently, because two coincident opaque surfaces cause
   // z-fighting. Returns false when they are the same as before.
   bool setFaded(const std::vector<DisplayPart>& proposed);
 
-  // Draws the parts of this group translucently, as what is no longer of the others; empty: none.
+  // Draws the parts of this group translucently, because they no longer belong to the others; empty: none.
   void setFaintGroup(const std::string& group);
 
   bool isEmpty() const { return m_parts.empty(); }
-  // Whether some part has been uploaded, in its present or a former shape.
+  // Returns true if some part has been uploaded, in its present or a former shape.
   bool isAnyShown() const;
   const Box& bounds() const { return m_bounds; }
-  // Some thousand points to estimate the extent of the parts in any direction.
+  // Returns some thousand points to estimate the extent of the parts in any direction.
   std::vector<Vec3> outline() const;
-  // The first part along a ray, by the number that it keeps as long as its name is there. A part whose search structure
-  // is not ready is not found.
+  // Returns the first part along a ray, by its number, which it keeps while a part of its name exists. A part whose
+  // search structure is not ready is not found.
   std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const;
-  // Empty when there is no such part.
+  // Returns the name of a part; empty if there is no such part.
   std::string nameOf(std::uint64_t number) const;
   int builtCount() const { return m_built; }
 
@@ -71,7 +71,7 @@ class PartActors {
   struct Shape {
     PartOutline outline;
     Vec3 origin = Vec3::Zero();
-    std::size_t blockCount = 0;  // 0: it is not made yet
+    std::size_t blockCount = 0;  // 0: not built yet
     std::vector<vtkSmartPointer<vtkPolyData>> blocks;
     bool isComplete() const { return blockCount > 0 && blocks.size() == blockCount; }
     std::shared_ptr<const FaceHierarchy> faces;
@@ -86,7 +86,7 @@ class PartActors {
     ShapePointer shown;    // null while there is nothing to show
     std::vector<vtkSmartPointer<vtkActor>> actors;
     std::uint64_t wantedSince = 0;    // number of the call of set() that brought the wanted shape
-    std::uint64_t outdatedSince = 0;  // and of the one from which on the shown one is out of date; 0: it is not
+    std::uint64_t outdatedSince = 0;  // number of the call since which the shown one is out of date; 0: it is not
     bool isIn(const std::string& group) const { return !group.empty() && description.group == group; }
     ShapePointer complete() const;
   };
@@ -105,7 +105,7 @@ class PartActors {
   LayerProps& m_props;
   const double m_opacity;
   std::vector<Part> m_parts;
-  std::vector<Part> m_leaving;  // are no more, and stay in view until what changed with them is there
+  std::vector<Part> m_leaving;  // removed parts, which stay in view until the changes made with them can be shown
   std::map<Soup, std::weak_ptr<Shape>> m_shapes;
   std::deque<std::pair<ShapePointer, SurfaceGeometry>> m_queue;
   std::uint64_t m_lastNumber = 0;
@@ -116,9 +116,9 @@ class PartActors {
   std::set<std::string> m_faded;
   std::string m_faintGroup;
   std::string m_highlighted;       // a name
-  std::string m_highlightedGroup;  // of that part
+  std::string m_highlightedGroup;  // group of that part
   std::set<std::string> m_selected;
-  bool m_isCovered = false;  // the selected ones are
+  bool m_isCovered = false;  // the selected parts are covered
   int m_built = 0;
 };
 

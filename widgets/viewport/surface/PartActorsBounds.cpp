@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-// The extent of the parts, and what a ray meets of them.
+// The extent of the parts, and their hits by a ray.
 namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kHoverOutlinePoints = 20'000;  // of all parts
+constexpr std::size_t kHoverOutlinePoints = 20'000;  // points of all parts
 
 }  // namespace
 
@@ -47,7 +47,7 @@ std::vector<Vec3> PartActors::outline() const {
   for (const Part& part : m_parts) {
     const std::vector<Vec3>& own = part.wanted->outline.points;
     for (std::size_t i = 0; i < own.size(); i += step) points.push_back(part.description.pose * own[i]);
-    // However many parts there are: the points that touch the box of the part, which stand last.
+    // For any number of parts, the points that touch the box of the part are used; they are the last.
     for (std::size_t i = own.size() < 6 ? 0 : own.size() - 6; step > 1 && i < own.size(); ++i) {
       points.push_back(part.description.pose * own[i]);
     }

@@ -38,9 +38,9 @@ class PartPreparation {
   Receiver m_receiver;
   std::function<void()> m_outOfMemory;  // a shape will not be delivered
   std::deque<Soup> m_waiting;
-  Soup m_present;  // that of the run
+  Soup m_present;  // the soup of the run
   std::unique_ptr<Run> m_run;
-  int m_serial = 0;  // of the run
+  int m_serial = 0;  // serial number of the run
   QObject m_context;
 };
 

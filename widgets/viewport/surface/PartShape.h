@@ -12,7 +12,7 @@ namespace handwheel {
 // The prepared geometry of a part, for drawing and picking. In the frame of the part.
 struct PartShape {
   Vec3 origin = Vec3::Zero();           // the point at the origin of the geometry
-  std::vector<SurfaceGeometry> blocks;  // never empty
+  std::vector<SurfaceGeometry> blocks;  // at least one
   std::shared_ptr<const FaceHierarchy> faces;
 };
 

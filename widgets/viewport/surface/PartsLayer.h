@@ -20,16 +20,16 @@ class PartsLayer : public ViewLayer {
   // Shows these parts. Returns at once. A part whose soup is still the same object is moved, not rebuilt; one whose
   // soup changed keeps its former shape until the new one has been built.
   void setParts(const std::vector<DisplayPart>& parts);
-  // The same, with all shapes built by this call: for pictures.
+  // Does the same, with all shapes built by this call: for pictures.
   void setPartsAtOnce(const std::vector<DisplayPart>& parts);
-  // Draws the parts with the names of these, which a tool proposes, translucently.
+  // Draws the parts with the names of these proposals of a tool translucently.
   void setFaded(const std::vector<DisplayPart>& proposed);
   // Draws the parts of this group translucently, from now on; empty: none.
   void setFaintGroup(const std::string& group);
-  // Marks the parts of these names by their colour. isCovered: all others are drawn translucently, so that they are
-  // seen.
+  // Marks the parts of these names by their colour. isCovered: all others are drawn translucently, so that the marked
+  // ones are visible.
   void setSelected(const std::set<std::string>& names, bool isCovered);
-  // Empty when there is no such part.
+  // Returns the name of an element; empty if there is no such part.
   std::string nameOf(std::uint64_t element) const;
 
   Box bounds() const override;
@@ -49,7 +49,7 @@ class PartsLayer : public ViewLayer {
   std::unique_ptr<Private> d;
 };
 
-// The name of the part of a layer of parts that was hit; empty when it was something else.
+// Returns the name of the part that was hit; empty if it was not of a layer of parts.
 std::string partOf(const Pick& pick);
 
 }  // namespace handwheel

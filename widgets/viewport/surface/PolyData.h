@@ -11,15 +11,15 @@
 
 namespace handwheel {
 
-// Triangles with points and normals (x y z …) and three corners each as vtkPolyData.
+// Returns vtkPolyData of triangles with points, normals (x y z …) and three corners each.
 vtkSmartPointer<vtkPolyData> toPolyData(const std::vector<float>& positions, const std::vector<float>& normals,
                                         const std::vector<std::int32_t>& corners);
-// Gives its points colours: r g b for each, in its order.
+// Sets the colours of the points: r g b for each, in order.
 void setColours(vtkPolyData& data, const std::vector<unsigned char>& colours);
 // Converts surface geometry to vtkPolyData.
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry);
 
-// Converts the live ones of the faces to vtkPolyData. Without normals or colours, relative to an origin near the model.
+// Converts the live faces among these to vtkPolyData. Without normals or colours, relative to an origin near the model.
 vtkSmartPointer<vtkPolyData> facesOf(const HalfEdgeMesh& mesh, std::span<const Face> faces, const Vec3& origin);
 
 // Builds vtkPolyData from coloured points, lines and triangles. Positions are relative to an origin near the model.

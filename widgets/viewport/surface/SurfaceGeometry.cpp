@@ -13,7 +13,7 @@ constexpr double kCreaseCosine = 0.7660444431189780;  // cos 40°
 
 struct Corner {
   HalfEdge edge = 0;  // the half-edge of the face that leaves the vertex
-  Vec3 normal;        // of the face, unit length; zero for a face without area
+  Vec3 normal;        // normal of the face, unit length; zero for a face without area
   double angle = 0;
 };
 

@@ -13,9 +13,9 @@ namespace handwheel {
 // model far from its own origin does not jitter; one vertex for each position and normal.
 struct SurfaceGeometry {
   std::vector<float> positions;       // x y z …
-  std::vector<float> normals;         // the same number, of unit length
+  std::vector<float> normals;         // the same number, unit length
   std::vector<std::int32_t> indices;  // three per triangle
-  std::vector<float> values;          // of the vertices, when the surface is coloured by values; else empty
+  std::vector<float> values;          // values of the vertices if the surface is coloured by values; else empty
 
   std::size_t vertexCount() const { return positions.size() / 3; }
 };
@@ -23,10 +23,10 @@ struct SurfaceGeometry {
 // The default number of face slots in a block of the mesh. Block b has the faces b * blockFaces … (b + 1) * blockFaces
 // - 1. The setting view.block_faces.
 inline constexpr Face kBlockFaces = 65536;
-// The number of blocks of a mesh.
+// Returns the number of blocks of a mesh.
 std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces = kBlockFaces);
-// The blocks whose picture an edit changes: those of the touched faces, and of the faces around their corners, as these
-// share normals with them.
+// Returns the blocks whose picture an edit changes: those of the touched faces, and of the faces around their corners,
+// as these share normals with them.
 std::vector<std::size_t> blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                       const std::vector<Face>& touched, Face blockFaces);
 

@@ -60,7 +60,7 @@ std::string shaderColour(const double* colour, double share) {
 // Hatches the flat back side at 45° on the screen, as drawings have sections, also where the front has colours for each
 // point. The names are those of vtkOpenGLPolyDataMapper.
 void hatchInnerSide(vtkActor* actor, double pixelRatio) {
-  constexpr double kPeriod = 9.0, kLine = 1.6, kShade = 0.62;  // logical pixels along a row; of the colour
+  constexpr double kPeriod = 9.0, kLine = 1.6, kShade = 0.62;  // logical pixels along a row; factor of the colour
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << kColourTag << "\n  if (gl_FrontFacing == false) {\n    ambientColor = "

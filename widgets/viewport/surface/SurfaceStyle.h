@@ -16,7 +16,7 @@ namespace handwheel {
 struct SurfaceStyle {
   Shading shading = Shading::Shaded;
   SceneColours colours;
-  double pixelRatio = 1.0;         // device pixels to a logical pixel
+  double pixelRatio = 1.0;         // device pixels per logical pixel
   vtkSmartPointer<vtkPlane> clip;  // relative to the origin of the drawing; null for none
 };
 
@@ -25,7 +25,7 @@ struct SurfaceMaterial {
   QColor front;
   bool smooth = true;  // shade by point normals, else by face normals
   double opacity = 1.0;
-  double gloss = 0.12;   // of highlights, 0…1; 0 where they would whiten colours that carry data
+  double gloss = 0.12;   // strength of highlights, 0…1; 0 if they would whiten colours that carry data
   bool isSolid = false;  // closed, so that under a clipping plane its back side is the section, which is hatched
 };
 

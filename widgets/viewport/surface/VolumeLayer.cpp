@@ -24,7 +24,8 @@ using Key = VolumeSurface::Key;
 using Piece = VolumeSurface::Piece;
 using Mask = std::shared_ptr<const ClayMask>;
 
-// Whether a piece of so many cells along each axis looks the same under two masks, which are compared by 64³ of them.
+// Returns true if a piece of so many cells along each axis looks the same under two masks, which are compared by 64³ of
+// them.
 bool looksSame(const Key& key, int cells, const Mask& one, const Mask& other) {
   if (one == other) return true;
   const ClayMask none;
@@ -39,7 +40,7 @@ bool looksSame(const Key& key, int cells, const Mask& one, const Mask& other) {
   return true;
 }
 
-// Colours points by how much they are protected; none where nothing is.
+// Colours points by their protection; no colours if nothing is protected.
 void colour(vtkPolyData& data, const std::vector<float>& points, const Vec3& origin, const ClayMask& mask) {
   std::vector<unsigned char> colours;
   colours.reserve(points.size());
@@ -57,7 +58,7 @@ void colour(vtkPolyData& data, const std::vector<float>& points, const Vec3& ori
   if (isAny) setColours(data, colours);
 }
 
-// Some of the points of a piece.
+// Returns some of the points of a piece.
 std::vector<Vec3> outlineOf(const VolumePiece& piece) {
   constexpr std::size_t kStep = 3 * 16;
   const std::vector<float>& points = piece.coarse.points.empty() ? piece.fine.points : piece.coarse.points;
@@ -77,7 +78,7 @@ class VolumeLayer::Private {
     Piece piece;
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkPolyData> fine, coarse;
-    Mask mask;  // that they are coloured by
+    Mask mask;  // the mask that colours them
   };
 
   void want(const VolumeSurface& surface);
@@ -92,14 +93,14 @@ class VolumeLayer::Private {
   Look look;
   SparseVolume volume;
   std::map<Key, Piece> wanted;
-  int pieceCells = VolumeSurface::kPieceCells;  // of those
+  int pieceCells = VolumeSurface::kPieceCells;  // size of those
   Mask mask;
   std::map<Key, Shown> shown;
   std::deque<Key> waiting;     // pieces to be built
-  std::map<Key, Shown> built;  // that are seen when all of them are
-  bool isFirst = true;         // nothing was seen before them: they are seen as they come
+  std::map<Key, Shown> built;  // shown when all of them are built
+  bool isFirst = true;         // nothing was visible before: they are shown as they come
   SurfaceStyle style;
-  Vec3 origin = Vec3::Zero();  // of the drawing
+  Vec3 origin = Vec3::Zero();  // origin of the drawing
   bool isCoarse = false;
   int builtCount = 0;
 };

@@ -12,12 +12,12 @@ namespace handwheel {
 // on a slow display it is drawn coarse.
 class VolumeLayer : public ViewLayer {
  public:
-  enum class Look { Clay, Mesh };  // Mesh: as the triangles beside which it is a part of a mesh
+  enum class Look { Clay, Mesh };  // Mesh: in the style of the mesh that it is a part of
   explicit VolumeLayer(Look look = Look::Clay);
   ~VolumeLayer() override;
 
-  // Shows a volume with its surface; an empty one: nothing. What is protected is dark; null: nothing is. Only pieces
-  // that are others than before are uploaded, and what changed in one call is seen in one frame. Returns at once.
+  // Shows a volume with its surface; an empty one: nothing. Protected material is dark; null: none is protected. Only
+  // changed pieces are uploaded, and the changes of one call appear in one frame. Returns at once.
   void setVolume(const SparseVolume& volume, const VolumeSurface& surface,
                  std::shared_ptr<const ClayMask> mask = nullptr);
 

@@ -20,7 +20,7 @@ constexpr std::size_t kMostFiles = 1000000;
 
 using Endings = std::set<std::string>;  // lower case with the point
 
-// Of files that are repaired into others of their format.
+// Endings for files that are repaired into others of their format.
 Endings meshEndings(const DocumentKinds& kinds) {
   Endings endings;
   if (const DocumentKind* kind = kinds.withId(kMeshKind)) {
@@ -78,10 +78,10 @@ class Planner {
   }
 
  private:
-  void add(const fs::path& input, fs::path place, std::string problem) {
+  void add(const fs::path& input, fs::path relative, std::string problem) {
     if (m_plan.files.size() > kMostFiles || !m_known.insert(wholePath(input)).second) return;
-    if (!m_ending.empty()) place.replace_extension(m_ending);
-    m_plan.files.push_back({input, m_output / place, std::move(problem)});
+    if (!m_ending.empty()) relative.replace_extension(m_ending);
+    m_plan.files.push_back({input, m_output / relative, std::move(problem)});
   }
 
   void addFolder(const fs::path& root) {
@@ -93,7 +93,7 @@ class Planner {
       list(root, folder, folders, found);
     }
     std::sort(found.begin(), found.end());
-    for (auto& [place, problem] : found) add(root / place, place, std::move(problem));
+    for (auto& [relative, problem] : found) add(root / relative, relative, std::move(problem));
   }
 
   // The files of one folder below the root, and the folders in it.

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Whether the arguments ask for a batch repair. That is: several operands, a folder, or an option that only batches
-// have.
+// Returns true if the arguments ask for a batch repair. That is: several operands, a folder, or an option that only
+// batches have.
 bool isBatch(const Arguments& arguments);
 
 // Runs 'handwheel repair' on many files. Exit codes: kExitDone: all are closed; kExitSomethingLeft: some are not, but

@@ -75,7 +75,7 @@ Json toJson(const BatchEntry& entry) {
   return json;
 }
 
-// What the files in one state, or in any, come to.
+// The sums over the files in one state, or in any.
 struct Total {
   std::size_t files = 0, filled = 0;
   double seconds = 0.0;
@@ -166,7 +166,7 @@ bool readOutcome(std::string_view line, BatchEntry& entry) {
   const Result<nlohmann::json> json = parseJson(line, "outcome");
   BatchEntry said = entry;
   if (!json || !takeEntry(*json, said)) return false;
-  // Where it is and when it began is ours to say.
+  // The paths and the start are known here, not to the child.
   said.input = entry.input;
   said.output = entry.output;
   said.inputStamp = entry.inputStamp;

@@ -29,14 +29,14 @@ struct BatchEntry {
   BatchState state = BatchState::Failed;
   LoopCounts loops;
   std::size_t left = 0;            // remaining defects that keep the written file from being closed
-  std::string reason;              // of the first of them, or why it failed, as a sentence
+  std::string reason;              // the reason for the first of them, or for the failure, as a sentence
   std::vector<std::string> notes;  // losses and damage
   double seconds = 0.0;
 };
 
 // The results of a batch repair, including the options it ran with.
 struct BatchReport {
-  std::string program;               // its version
+  std::string program;               // version of the program
   std::vector<std::string> options;  // repair options, as command line words
   std::string unit;
   std::size_t fileCount = 0;  // including those without an entry yet
@@ -46,19 +46,19 @@ struct BatchReport {
 // The report as the text of its file.
 std::string textOf(const BatchReport& report);
 
-// Reads a report from a file. None where there is no file. Errors: those of reading it; ElementMalformed where it is
-// not such a report.
+// Reads a report from a file. None if there is no file. Errors: those of reading it; ElementMalformed if it is not such
+// a report.
 Result<std::optional<BatchReport>> readBatchReport(const std::filesystem::path& path);
 
-// Parses the --json output of the child process that repaired one file. Returns false when it is not valid.
+// Parses the --json output of the child process that repaired one file. Returns false if it is not valid.
 bool readOutcome(std::string_view line, BatchEntry& entry);
 
-// The result in words: "closed, 4 holes filled", "failed: ..."
+// Returns the result in words: "closed, 4 holes filled", "failed: ..."
 std::string sentenceFor(const BatchEntry& entry);
-// The same as a line of JSON.
+// Returns the result as a line of JSON.
 std::string lineOf(const BatchEntry& entry);
 
-// A table of files, filled holes and seconds by state, for people.
+// Returns a table of files, filled holes and seconds by state, for people.
 std::string summaryTable(const BatchReport& report);
 
 }  // namespace handwheel

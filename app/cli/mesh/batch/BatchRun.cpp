@@ -17,7 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPoll = 5ms;
-constexpr int kReportShare = 20;  // of the time at most one part goes into writing the report
+constexpr int kReportShare = 20;  // At most one part in this number of the time goes into writing the report
 constexpr std::size_t kMostNotes = 20;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -75,7 +75,7 @@ BatchEntry BatchRun::blankEntry(std::size_t file) const {
   return entry;
 }
 
-// Whether an earlier run has done this file: nothing that its result depends on has changed, and it is there.
+// Takes the result of an earlier run if its output exists and nothing has changed on which it depends.
 bool BatchRun::takeEarlier(std::size_t file) {
   const auto found = m_earlier.find(planned(file).output.string());
   if (found == m_earlier.end() || found->second->state == BatchState::Failed) return false;

@@ -15,16 +15,16 @@ namespace handwheel {
 // The parameters of a batch repair.
 struct BatchRequest {
   BatchPlan plan;
-  std::vector<std::string> repairOptions;  // as command line words, for the child process that repairs a file
+  std::vector<std::string> repairOptions;  // command line words for the child process that repairs a file
   std::string unit;
   std::filesystem::path report;
   std::size_t jobs = 1;
   std::optional<double> timeLimit;     // seconds
-  std::optional<BatchReport> earlier;  // of the run that this one resumes
+  std::optional<BatchReport> earlier;  // report of the run that this one resumes
   bool asJson = false;
 };
 
-// Repairs many files, each in a child process. Some run in parallel; when one fails, the others continue. Prints the
+// Repairs many files, each in a child process. Some run in parallel; if one fails, the others continue. Prints the
 // result of each and keeps the report up to date: a killed run loses only its last moments.
 class BatchRun {
  public:
@@ -39,7 +39,7 @@ class BatchRun {
     std::size_t file;  // in the plan
     FileTimestamp stamp;
     Clock::time_point start;
-    std::optional<Clock::time_point> askedToEnd;  // when it was asked to end
+    std::optional<Clock::time_point> askedToEnd;  // time of the request to end
   };
 
   const BatchFile& planned(std::size_t file) const { return m_request.plan.files[file]; }
@@ -58,11 +58,11 @@ class BatchRun {
   int exitCode() const;
 
   BatchRequest m_request;
-  std::map<std::string, const BatchEntry*> m_earlier;  // by output; of an earlier run with the same options
+  std::map<std::string, const BatchEntry*> m_earlier;  // by output; entries of an earlier run with the same options
   std::vector<std::optional<BatchEntry>> m_entries;    // by file
   std::size_t m_finished = 0;
   std::vector<Running> m_running;
-  std::vector<std::unique_ptr<ChildProcess>> m_children;  // of m_running, in the same order
+  std::vector<std::unique_ptr<ChildProcess>> m_children;  // child processes of m_running, in the same order
   ProgressBar m_bar{"Repairing"};
   Clock::time_point m_nextReport = Clock::time_point::max();
   bool m_isMute = false;                // stdout cannot be written any more

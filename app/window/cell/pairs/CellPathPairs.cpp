@@ -16,8 +16,8 @@ namespace handwheel {
 
 namespace {
 
-// Whether a tool is meant to come to a body: a path leads along it, or a target is on it. part: that a path leads along
-// which is not in the plans yet; empty: there is none.
+// Returns true if a tool is meant to work on a body: a path leads along it, or a target is on it. part: the part of a
+// path that is not yet in the plans; empty: none.
 bool isWorkedOn(const Body& body, const std::string& part, const CellPlans& plans, const BodySet& bodies) {
   const auto isPart = [&](const std::string& text) {
     const Result<BodyPointer> called = bodyCalled(bodies, text);
@@ -33,13 +33,15 @@ bool isWorkedOn(const Body& body, const std::string& part, const CellPlans& plan
          std::any_of(plans.targets.begin(), plans.targets.end(), isOn);
 }
 
-// The row of a place that an error about a path names, where the robot can be sent to see what it meets; none: there is
-// no such row, as of where the robot stands, or of a curve.
-std::optional<PlanTree::Entry> rowOfPlace(const std::string& place, const std::string& path, const CellPlans& plans) {
-  if (plans.configuration(place)) return PlanTree::Entry{PlanTree::Entry::Kind::Configuration, place};
+// Returns the row of a waypoint that an error about a path names, to which the robot can be sent to show the collision;
+// nothing if there is no such row, as for the present configuration or a point of a curve.
+std::optional<PlanTree::Entry> rowOfWaypoint(const std::string& waypoint, const std::string& path,
+                                             const CellPlans& plans) {
+  if (plans.configuration(waypoint)) return PlanTree::Entry{PlanTree::Entry::Kind::Configuration, waypoint};
   const RobotPath* const of = plans.path(path);
-  for (std::size_t i = 0; of && !of->process && i < of->places.size(); ++i) {
-    if (nameOfPlace(of->places[i], i) == place) return PlanTree::Entry{PlanTree::Entry::Kind::Place, path, i};
+  for (std::size_t i = 0; of && !of->process && i < of->waypoints.size(); ++i) {
+    if (nameOfWaypoint(of->waypoints[i], i) == waypoint)
+      return PlanTree::Entry{PlanTree::Entry::Kind::Waypoint, path, i};
   }
   return std::nullopt;
 }
@@ -76,10 +78,10 @@ void CellPaths::askForPairs() {
 // stands around, is none to allow in passing.
 void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QString& title, const PlanRequest& request) {
   const std::vector<std::string>& named = error.arguments;
-  const bool isMet = error.code == CellError::PlaceCollides || error.code == CellError::LineCollides;
-  const bool isNear = error.code == CellError::PlaceTooNear || error.code == CellError::LineTooNear;
+  const bool isMet = error.code == CellError::WaypointCollides || error.code == CellError::LineCollides;
+  const bool isNear = error.code == CellError::WaypointTooNear || error.code == CellError::LineTooNear;
   const bool isOnCurve = error.code == CellError::TrackBlocked;
-  const std::size_t at = isOnCurve ? 5 : 1;  // where the error has the two
+  const std::size_t at = isOnCurve ? 5 : 1;  // Position of the two names in the error
   const RobotCellDocument& edited = cellIn(tab);
   const BodySet& bodies = edited.bodies();
   auto pair = (isMet || isOnCurve) && named.size() >= at + 2
@@ -89,7 +91,7 @@ void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QStri
       !isWorkedOn(*bodies.withName(named[at + 1]), request.part, *edited.plans(), bodies))
     pair.reset();
   const auto row =
-      (isMet || isNear) && !named.empty() ? rowOfPlace(named.front(), request.name, *edited.plans()) : std::nullopt;
+      (isMet || isNear) && !named.empty() ? rowOfWaypoint(named.front(), request.name, *edited.plans()) : std::nullopt;
   if (!pair && !row) return report(&tab, error, title);
   Message said{
       .weight = Message::Weight::Error, .title = title, .detail = errorSentence(error), .advice = errorAdvice(error)};
@@ -103,8 +105,8 @@ void CellPaths::reportHindered(DocumentTab& tab, const Error& error, const QStri
     if (document == m_document) goTo(*row);
   };
   const QString goText = !row ? QString()
-                         : row->kind == PlanTree::Entry::Kind::Place
-                             ? tr("&Go to place %1").arg(row->place + 1)
+                         : row->kind == PlanTree::Entry::Kind::Waypoint
+                             ? tr("&Go to place %1").arg(row->waypoint + 1)
                              : tr("&Go to %1").arg(QString::fromStdString(row->name));
   if (pair) {
     said.actionText =

@@ -15,18 +15,18 @@ class PairsDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // found: what meets, or is too near, and may not.
+  // found: pairs that collide or are too close, and may not touch.
   PairsDialog(const CellPlans& plans, const std::set<PairNames>& found, const BodySet& bodies, QWidget* parent);
 
  signals:
-  // Pairs that may touch from now on, and those that may no longer; not both are empty.
+  // allowed: pairs that may touch from now on; forbidden: those that no longer may. Not both are empty.
   void chosen(const std::vector<handwheel::PairNames>& allowed, const std::vector<handwheel::PairNames>& forbidden);
 
  private:
   void add(const PairNames& pair, const BodySet& bodies, bool isAllowed);
   void accept() override;
 
-  std::vector<std::pair<PairNames, bool>> m_pairs;  // of each row, and whether it might touch before
+  std::vector<std::pair<PairNames, bool>> m_pairs;  // Pair of each row, and true if it was allowed before
   QListWidget* m_list;
 };
 

@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kNarrow = 1.0 / 3;     // of the points of a hole lie on either side of a waist, at least
+constexpr double kNarrow = 1.0 / 3;     // smallest fraction of the points of a hole on either side of a waist
 constexpr std::size_t kMostTried = 30;  // waists
 
 }  // namespace
@@ -24,14 +24,14 @@ bool DemoHole::take(const HalfEdgeMesh& mesh, const DefectList& defectList) {
     if (!longest || defectList.loop(id).length > longest->length) longest = &defectList.loop(id);
   }
   if (!longest) return false;
-  m_place = longest->box;
+  m_region = longest->box;
   m_outward.setZero();
   for (const HalfEdge h : longest->halfEdges) {
     m_rim.insert(mesh.from(h));
     const TrianglePoints p = mesh.points(HalfEdgeMesh::face(h));
     m_outward += (p[1] - p[0]).cross(p[2] - p[0]);
   }
-  m_outward = unobstructedDirection(mesh, m_place, m_outward);
+  m_outward = unobstructedDirection(mesh, m_region, m_outward);
   return true;
 }
 

@@ -18,24 +18,24 @@ struct BoundaryLoop;
 // original boundary.
 class DemoHole {
  public:
-  // Chooses the hole with the longest boundary; false when there is none.
+  // Chooses the hole with the longest boundary; returns false if there is none.
   bool take(const HalfEdgeMesh& mesh, const DefectList& defectList);
   void forget() { m_rim.clear(); }
   bool isTaken() const { return !m_rim.empty(); }
 
-  // The original place of the hole, and the direction from which it is seen best.
-  const Box& place() const { return m_place; }
+  // The original region of the hole, and the direction from which it is seen best.
+  const Box& region() const { return m_region; }
   const Vec3& outward() const { return m_outward; }
 
   bool holds(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const;
-  // The shortest loop that remains of it; null when it is closed.
+  // Returns the shortest loop that remains of it; null if it is closed.
   const BoundaryLoop* nextPart(const HalfEdgeMesh& mesh, const DefectList& defectList) const;
-  // The nearest two points of a loop that divide it into similar parts and can be bridged.
+  // Returns the nearest two points of a loop that divide it into similar parts and can be bridged.
   static std::optional<BoundaryPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);
 
  private:
-  std::set<Vertex> m_rim;  // of the original hole
-  Box m_place;             // of it
+  std::set<Vertex> m_rim;  // vertices on the rim of the original hole
+  Box m_region;            // region of the original hole
   Vec3 m_outward = Vec3::Zero();
 };
 

@@ -23,14 +23,14 @@ namespace {
 constexpr std::uint32_t kFirstLook = 1u << 0, kSecond = 1u << 1;
 constexpr double kClick = 0.2;                 // s that a button is held
 constexpr double kLookTime = 1.4;              // s to see what was proposed or done
-constexpr double kNear = 0.6;                  // of the hole is what the camera would fly to
-constexpr double kBrush = 0.25, kPull = 0.06;  // of the diagonal of the hole
+constexpr double kNear = 0.6;                  // fraction of the size of the hole that the camera shows
+constexpr double kBrush = 0.25, kPull = 0.06;  // fraction of the diagonal of the hole
 constexpr int kStrokes = 5;                    // over the seam
 
-DemoStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
+DemoStep click(std::function<std::optional<Vec3>()> goal, std::function<bool()> isReady = {}) {
   DemoStep step;
   step.isReady = std::move(isReady);
-  step.place = std::move(place);
+  step.goal = std::move(goal);
   step.rest = kClick;
   return step;
 }
@@ -186,7 +186,7 @@ void RepairDemo::addSculpting(std::vector<DemoStep>& steps) {
   refine.detail = tr("It is subdivided and dragged at its coarse level; the fine level follows as if on a spring.");
   refine.begin = [this] {
     useTool("sculptTool");
-    const double size = m_hole.place().diagonal().norm();
+    const double size = m_hole.region().diagonal().norm();
     choose("sculpt", "brush", 0.0);
     choose("sculpt", "radius", kBrush * size);
     lookFrom(m_hole.outward() + m_parts.viewport.camera().right());
@@ -198,7 +198,7 @@ void RepairDemo::addSculpting(std::vector<DemoStep>& steps) {
   const auto pulled = [this](double out) {
     return [this, out]() -> std::optional<Vec3> {
       std::optional<Vec3> corner = cornerNear(middleOf(m_document->newest));
-      if (corner) *corner += out * m_hole.place().diagonal().norm() * m_hole.outward().normalized();
+      if (corner) *corner += out * m_hole.region().diagonal().norm() * m_hole.outward().normalized();
       return corner;
     };
   };
@@ -219,7 +219,7 @@ void RepairDemo::addSculpting(std::vector<DemoStep>& steps) {
   const auto side = [this](bool isFar) {
     return [this, isFar]() -> std::optional<Vec3> {
       const Vec3 middle = middleOf(m_document->newest);
-      return cornerNear(isFar ? Vec3(2.0 * m_hole.place().center() - middle) : middle);
+      return cornerNear(isFar ? Vec3(2.0 * m_hole.region().center() - middle) : middle);
     };
   };
   steps.insert(steps.end(), {whole, click(side(false)), press(kFirstLook)});
@@ -231,14 +231,14 @@ void RepairDemo::addSculpting(std::vector<DemoStep>& steps) {
   steps.push_back(rest(2.0 * kLookTime, [this] { return isSettled(); }));
 }
 
-// Of the surface, the corner nearest to a place.
-std::optional<Vec3> RepairDemo::cornerNear(const Vec3& place) const {
+// Returns the corner of the surface nearest to a position.
+std::optional<Vec3> RepairDemo::cornerNear(const Vec3& position) const {
   const HalfEdgeMesh& mesh = m_document->document.mesh();
   std::optional<Vec3> nearest;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     for (const Vec3& p : mesh.points(f)) {
-      if (!nearest || (p - place).norm() < (*nearest - place).norm()) nearest = p;
+      if (!nearest || (p - position).norm() < (*nearest - position).norm()) nearest = p;
     }
   }
   return nearest;
@@ -276,8 +276,8 @@ std::optional<Vec3> RepairDemo::firstPoint(const BoundaryLoop* loop) const {
 }
 
 void RepairDemo::lookFrom(const Vec3& direction) {
-  const Vec3 half = kNear * 0.5 * m_hole.place().sizes();
-  m_parts.viewport.flyTo(Box(m_hole.place().center() - half, m_hole.place().center() + half), direction);
+  const Vec3 half = kNear * 0.5 * m_hole.region().sizes();
+  m_parts.viewport.flyTo(Box(m_hole.region().center() - half, m_hole.region().center() + half), direction);
 }
 
 void RepairDemo::useTool(const char* action) {
@@ -297,7 +297,7 @@ void RepairDemo::choose(const char* tool, const char* setting, const PropertyVal
   m_parts.tools.choose(tool, setting, value);
 }
 
-// Whether the tool in use shows this among its settings.
+// Returns true if the tool in use shows this among its settings.
 bool RepairDemo::shows(const char* tool, const char* setting) const {
   const Tool* running = m_parts.tools.runner().tool();
   if (!running || running->id() != tool) return false;

@@ -17,9 +17,9 @@ class MeshTools;
 class RepairJobs;
 struct MeshTab;
 
-// A demonstration in which the simulated device repairs a hole of the sample scan. It uses the tools in the order in
-// which a designer with a haptic device does it: choose, smooth, stitch, fill, sculpt (He 2008, section 4.1). Its edits
-// can be undone like those of the user.
+// A demonstration in which the simulated device repairs a hole of the sample scan. It uses the tools in the same order
+// as a designer with a haptic device: choose, smooth, stitch, fill, sculpt (He 2008, section 4.1). Its edits can be
+// undone like those of the user.
 class RepairDemo : public QObject {
   Q_OBJECT
 
@@ -29,11 +29,11 @@ class RepairDemo : public QObject {
   void setDocument(MeshTab* document);
   QAction* action() { return &m_action; }
   bool isRunning() const { return m_hand.isRunning(); }
-  // The present step and how to do it; empty when no demonstration runs.
+  // Returns the present step with its instructions; empty if no demonstration runs.
   Suggestion step();
 
  signals:
-  void changed();  // the result of step()
+  void changed();  // the result of step() has changed
 
  private:
   void start();
@@ -48,7 +48,7 @@ class RepairDemo : public QObject {
 
   bool isSettled() const;
   Vec3 middleOf(const FaceSelection& faces) const;
-  std::optional<Vec3> cornerNear(const Vec3& place) const;
+  std::optional<Vec3> cornerNear(const Vec3& position) const;
   bool takeHole();
   const BoundaryLoop* nextPart() const;
   std::optional<Vec3> firstPoint(const BoundaryLoop* loop) const;

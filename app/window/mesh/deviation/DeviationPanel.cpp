@@ -22,11 +22,11 @@ namespace {
 constexpr int kHistogramHeight = 210;  // logical pixels
 constexpr std::size_t kBins = 31;      // odd, so that one is about zero
 
-QPushButton* placeButton(const char* name, const QString& tip, QWidget* parent) {
+QPushButton* zoomButton(const char* name, const QString& tip, QWidget* parent) {
   auto* button = new QPushButton(parent);
   button->setObjectName(QString::fromLatin1(name));
   button->setProperty("flat", true);
-  button->setStyleSheet(QStringLiteral("text-align: left"));  // as the figures below it
+  button->setStyleSheet(QStringLiteral("text-align: left"));  // aligned with the values below it
   button->setToolTip(tip);
   return button;
 }
@@ -38,8 +38,8 @@ DeviationPanel::DeviationPanel(QWidget* parent)
       m_title(new QLabel(this)),
       m_status(new QLabel(this)),
       m_content(new QWidget(this)),
-      m_highest(placeButton("deviationHighest", tr("Zoom to this place"), m_content)),
-      m_lowest(placeButton("deviationLowest", tr("Zoom to this place"), m_content)),
+      m_highest(zoomButton("deviationHighest", tr("Zoom to this place"), m_content)),
+      m_lowest(zoomButton("deviationLowest", tr("Zoom to this place"), m_content)),
       m_range(new NumberField(m_content)),
       m_histogram(new PlotWidget(m_content)),
       m_reading(new QLabel(m_content)) {
@@ -69,8 +69,8 @@ DeviationPanel::DeviationPanel(QWidget* parent)
   column->addStretch();
   connect(close, &QPushButton::clicked, this, &DeviationPanel::closed);
   connect(other, &QPushButton::clicked, this, &DeviationPanel::otherFileRequested);
-  connect(m_highest, &QPushButton::clicked, this, [this] { emit placeChosen(m_deviation->ofMesh().highest); });
-  connect(m_lowest, &QPushButton::clicked, this, [this] { emit placeChosen(m_deviation->ofMesh().lowest); });
+  connect(m_highest, &QPushButton::clicked, this, [this] { emit positionChosen(m_deviation->ofMesh().highest); });
+  connect(m_lowest, &QPushButton::clicked, this, [this] { emit positionChosen(m_deviation->ofMesh().lowest); });
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
     if (!m_deviation) return;  // a field that is hidden commits what was typed into it
     emit rangeChosen(range);

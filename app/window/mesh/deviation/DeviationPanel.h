@@ -29,13 +29,13 @@ class DeviationPanel : public QWidget {
 
   // Shows a comparison. Null while it is running or after it was cancelled; status then describes this.
   void show(const MeshDeviation* deviation, LengthUnit unit, const QString& status = {});
-  // The displayed reading.
+  // Returns the displayed reading.
   QString reading() const;
   // Shows the distance of the surface point under the pointer from the scan; none: the pointer is not on the surface.
   void setReading(const std::optional<double>& distance);
 
  signals:
-  void placeChosen(const handwheel::DeviationPlace& place);
+  void positionChosen(const handwheel::DeviationExtremum& position);
   void rangeChosen(double range);  // mm
   void otherFileRequested();
   void reportRequested();
@@ -57,7 +57,7 @@ class DeviationPanel : public QWidget {
   QWidget* m_content;  // the widgets that need a result
   QPushButton* m_highest;
   QPushButton* m_lowest;
-  std::vector<QLabel*> m_values;  // of the other statistics
+  std::vector<QLabel*> m_values;  // values of the other statistics
   NumberField* m_range;
   PlotWidget* m_histogram;
   QLabel* m_reading;

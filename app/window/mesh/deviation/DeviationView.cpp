@@ -32,7 +32,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kPlace = 0.08;          // share of the model's diagonal that the camera shows around a place
+constexpr double kZoomShare = 0.08;      // share of the model's diagonal that the camera shows around a point
 constexpr std::size_t kFineBins = 4000;  // from which the histogram of any range is made
 
 Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, Progress progress) {
@@ -68,7 +68,7 @@ DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObje
   connect(m_panel, &DeviationPanel::closed, this, &DeviationView::close);
   connect(m_panel, &DeviationPanel::otherFileRequested, this, &DeviationView::askForFile);
   connect(m_panel, &DeviationPanel::reportRequested, this, &DeviationView::askForReport);
-  connect(m_panel, &DeviationPanel::placeChosen, this, &DeviationView::flyTo);
+  connect(m_panel, &DeviationPanel::positionChosen, this, &DeviationView::flyTo);
   connect(m_panel, &DeviationPanel::rangeChosen, this, [this](double range) {
     m_document->deviation->scale.range = range;
     m_layer.setColourScale(m_document->deviation->scale);
@@ -198,7 +198,7 @@ void DeviationView::askForReport() {
   dialog->open();
 }
 
-// As a job: the pictures are drawn beside the window, which goes on working.
+// Runs as a job: the pictures are drawn beside the window, which goes on working.
 void DeviationView::saveReport(const QString& path) {
   const std::shared_ptr<const MeshDeviation> found = m_document->deviation;
   Comparison comparison;
@@ -236,10 +236,10 @@ void DeviationView::reportSaved(const QString& path, const std::optional<Error>&
                 {}});
 }
 
-void DeviationView::flyTo(const DeviationPlace& place) {
-  const Vec3 around = Vec3::Constant(0.5 * kPlace / std::sqrt(3.0) * m_document->deviation->diagonal);
-  const Vec3 outward = (place.distance < 0.0 ? -1.0 : 1.0) * (place.place - place.nearest);
-  const Box box(place.place - around, place.place + around);
+void DeviationView::flyTo(const DeviationExtremum& extremum) {
+  const Vec3 around = Vec3::Constant(0.5 * kZoomShare / std::sqrt(3.0) * m_document->deviation->diagonal);
+  const Vec3 outward = (extremum.distance < 0.0 ? -1.0 : 1.0) * (extremum.position - extremum.nearest);
+  const Box box(extremum.position - around, extremum.position + around);
   m_parts.viewport.flyTo(box, unobstructedDirection(m_document->document.mesh(), box, outward));
 }
 

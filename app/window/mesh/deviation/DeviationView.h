@@ -28,7 +28,7 @@ class DeviationView : public QObject {
   DeviationPanel* panel() { return m_panel; }
 
   void setDocument(MeshTab* document);
-  // Whether a comparison of the current document is shown or running.
+  // Returns true if a comparison of the current document is shown or running.
   bool isShown() const;
 
  signals:
@@ -37,7 +37,7 @@ class DeviationView : public QObject {
 
  private:
   enum class Round { First, Second };
-  // path: of the file to compare with; empty for the mesh as it was opened.
+  // path: the file to compare with; empty for the mesh as it was opened.
   void compare(MeshTab* document, const QString& path, Round round);
   void take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round);
   void fail(MeshTab* document, std::uint64_t request, const Error& error);
@@ -48,7 +48,7 @@ class DeviationView : public QObject {
   void askForReport();
   void saveReport(const QString& path);
   void reportSaved(const QString& path, const std::optional<Error>& problem);
-  void flyTo(const DeviationPlace& place);
+  void flyTo(const DeviationExtremum& extremum);
   void read(const Pick& pick);
 
   WindowContext m_parts;
@@ -56,8 +56,8 @@ class DeviationView : public QObject {
   QAction m_action;
   QPointer<DeviationPanel> m_panel;
   MeshTab* m_document = nullptr;
-  const MeshTab* m_running = nullptr;  // whose comparison is running
-  std::uint64_t m_request = 0;         // the comparison that counts: the results of earlier ones are discarded
+  const MeshTab* m_running = nullptr;  // document whose comparison is running
+  std::uint64_t m_request = 0;         // number of the present comparison: the results of earlier ones are discarded
 };
 
 }  // namespace handwheel

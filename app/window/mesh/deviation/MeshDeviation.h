@@ -14,15 +14,16 @@ struct MeshDeviation {
   QString file;               // the file it was compared with; empty: the mesh as it was opened
   std::uint64_t changes = 0;  // MeshTab::changes of the mesh that was compared
   Deviation statistics;
-  VertexValues atVertex;  // of statistics.ofMesh, which has none itself
+  VertexValues atVertex;  // values for statistics.ofMesh, which has none itself
   std::shared_ptr<const SurfaceDistance> scan;
-  double diagonal = 0.0;  // mm, of the scan
+  double diagonal = 0.0;  // diagonal of the scan, mm
   ColourScale scale;
 
   const SurfaceDeviation& ofMesh() const { return statistics.ofMesh; }
 };
 
-// The area fractions in equally wide bins from -range to range. Values beyond are counted in the bins at the ends.
+// Returns the area fractions in equally wide bins from -range to range. Values beyond are counted in the bins at the
+// ends.
 std::vector<double> sharesWithin(const SurfaceDeviation& deviation, double range, std::size_t bins);
 
 }  // namespace handwheel

@@ -15,17 +15,17 @@ namespace handwheel {
 class WindowServices;
 struct MeshTab;
 
-// A fix that can be tried. It is made only when that is wanted: it may name millions of triangles.
+// A fix that can be tried. It is made on demand only, because it may name millions of triangles.
 struct OfferedFix {
-  // These tell it from other fixes of the same mesh.
+  // These members distinguish it from other fixes of the same mesh.
   const QAction* action;
   std::optional<DefectKind> kind;
-  int row;  // or loop
+  int row;  // row of the defect, or loop
   std::function<std::optional<MeshChange>()> make;
 };
 
-// Shows what the offered fix would do. It is tried on a worker as soon as it is offered, and given up with the
-// selection.
+// Shows the effect that the offered fix would have. The fix is tried on a worker thread as soon as it is offered, and
+// given up with the selection.
 class FixPreview : public QObject {
   Q_OBJECT
 
@@ -33,15 +33,15 @@ class FixPreview : public QObject {
   // isWanted: the check box of the previews.
   FixPreview(QThreadPool& pool, WindowServices& services, const QAction& isWanted, QObject* parent = nullptr);
 
-  // Requests the preview of a fix. Does nothing when it is already shown or being computed. No fix: no preview.
+  // Requests the preview of a fix. Does nothing if it is already shown or being computed. No fix: no preview.
   void request(MeshTab* document, std::optional<OfferedFix> fix);
 
   bool isWorking() const { return m_isWorking; }
-  // What is shown; empty while there is nothing.
+  // The shown preview; empty while there is none.
   const ChangePreview& shown() const { return m_shown; }
-  // It was tried, and would do nothing.
+  // Returns true if the fix was tried, and would do nothing.
   bool isPointless() const { return m_isReady && m_shown.isEmpty(); }
-  QString text() const;  // "Removes 2 triangles, adds 3"; empty when there is no fix
+  QString text() const;  // "Removes 2 triangles, adds 3"; empty if there is no fix
 
  signals:
   void changed();

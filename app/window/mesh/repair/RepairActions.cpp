@@ -17,7 +17,7 @@ namespace handwheel {
 namespace {
 
 const auto kPreviewKey = QStringLiteral("showPreview");
-// The patch is seen in its place for a moment before the camera leaves for the next hole.
+// The patch is shown for a moment before the camera leaves for the next hole.
 constexpr int kLookMs = 450;
 
 void prepare(QAction& action, const char* name, const char* iconName, const QList<QKeySequence>& keys,
@@ -117,7 +117,7 @@ void RepairActions::setDocument(MeshTab* document) {
   follow();
 }
 
-// Which actions are possible, and what the preview shows, follows from document and selection.
+// Updates the possible actions and the preview after document and selection.
 void RepairActions::follow() {
   MeshTab* document = m_document;
   const int loop = document ? m_selection.loop() : -1;
@@ -144,7 +144,7 @@ void RepairActions::offerJob(QAction& action, bool isThere, const QString& reaso
   offer(action, obstacle.isEmpty() && isThere, obstacle.isEmpty() ? reason : obstacle);
 }
 
-// Whether another repair would find what the last one left, and no more: the list has the reasons.
+// Returns true if another repair would find the same defects as the last one left: the list has the reasons.
 bool RepairActions::isTried(const MeshTab& document) const {
   if (!document.isRepaired() || document.repairedWith != m_fidelity.values()) return false;
   const auto& holes = document.defectList.holes();

@@ -23,7 +23,7 @@ class RepairActions : public QObject {
 
   QAction* repairAll() { return &m_repairAll; }
   QAction* removeDebris() { return &m_removeDebris; }
-  QAction* undoRepair() { return &m_undoRepair; }  // of what was done last; for the card
+  QAction* undoRepair() { return &m_undoRepair; }  // undoes the last repair; for the card
   QAction* goOneByOne() { return &m_oneByOne; }
   QAction* repairByVolume() { return &m_byVolume; }  // for the card
   QAction* fill() { return &m_fill; }
@@ -35,15 +35,15 @@ class RepairActions : public QObject {
   QList<QAction*> all();
 
  signals:
-  void showLoopRequested(int loop);  // move the camera there
-  void volumeRepairRequested();      // choose its tool
+  void showLoopRequested(int loop);  // moves the camera to the loop
+  void volumeRepairRequested();      // chooses the tool for repair by volume
 
  private:
   void connectActions();
   void follow();
   void followPreview();
   void followUndo();
-  // Enables an action of the document, or says why it is disabled: no job can begin, or for this reason.
+  // Enables an action of the document, or disables it with a reason: no job can begin, or the given one.
   void offerJob(QAction& action, bool isThere, const QString& reason) const;
   bool isTried(const MeshTab& document) const;
   void fillSelected();

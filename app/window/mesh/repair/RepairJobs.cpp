@@ -28,7 +28,7 @@
 namespace handwheel {
 namespace {
 
-// Whether numbers of this type hold all digits of a mesh. O(n).
+// Returns true if numbers of this type hold all digits of a mesh. O(n).
 bool isExactIn(const HalfEdgeMesh& mesh, NumberType numbers) {
   if (numbers == NumberType::Float64) return true;
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
@@ -122,7 +122,7 @@ void RepairJobs::changeEnded() {
   ended.ended();
 }
 
-// Those that are not under way.
+// Removes the changes that are not running.
 void RepairJobs::dropChanges(const DocumentTab* document) {
   if (m_changes.empty()) return;
   m_changes.erase(std::remove_if(m_changes.begin() + 1, m_changes.end(),

@@ -24,8 +24,8 @@ class LogModel;
 struct Message;
 struct DocumentTab;
 
-// Runs changes of a mesh as jobs on snapshots. The result becomes one undo step; when the document was changed
-// meanwhile, the result is discarded and the job runs once more.
+// Runs changes of a mesh as jobs on snapshots. The result becomes one undo step; if the document was changed meanwhile,
+// the result is discarded and the job runs once more.
 class RepairJobs : public QObject {
   Q_OBJECT
 
@@ -40,19 +40,20 @@ class RepairJobs : public QObject {
   // Applies a change requested by a tool, or a fix of these defects. Changes run one after the other.
   void change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of = std::nullopt);
 
-  // Whether a fill, a repair or another change is waiting or running, of any document or of this one.
+  // Return true if a fill, a repair or another change is waiting or running, for any document or for this one.
   bool isWorking() const { return !m_working.empty(); }
   bool isWorkingOn(const DocumentTab* document) const { return m_working.count(document) > 0; }
-  // Why nothing can be changed now in this document, if any; empty: it can.
+  // Returns the reason why nothing can be changed now in this document; empty: it can be changed.
   QString obstacle(const MeshTab* document) const;
 
  signals:
-  // key: of the loop that was filled. cache: the filler cache, valid for the present document.
+  // key: the loop that was filled. cache: the filler cache, valid for the present document.
   void filled(handwheel::MeshTab* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> cache);
   void workingChanged();
   // A change had no effect. why: a sentence.
   void changedNothing(const handwheel::MeshTab* document, const QString& what, const QString& why);
-  // A change had its effect on some of the sheets only. what: which, and why not on the others.
+  // A change had its effect on some of the sheets only. what: the change; how: the affected sheets, and the reason for
+  // the others.
   void changedPartly(const handwheel::MeshTab* document, const QString& what, const QString& how);
   // A job failed.
   void message(const handwheel::Message& message);
@@ -64,7 +65,7 @@ class RepairJobs : public QObject {
     MeshTab* document;
     MeshChange wanted;
     std::optional<DefectRow> of;
-    std::uint64_t revision = 0;  // for which it runs
+    std::uint64_t revision = 0;  // revision for which it runs
   };
   void startChange(Request request, Round round);
   void logChange(const MeshTab& document, const MeshChange& done, const QString& text, const QString& command);
@@ -85,7 +86,7 @@ class RepairJobs : public QObject {
     RepairOptions options;
     FidelityValues settings;
     std::string step;
-    std::optional<FacePairs> pairs;  // that intersect then, where that is known of the mesh before
+    std::optional<FacePairs> pairs;  // intersecting pairs in the result, if those of the mesh before are known
     RemainingDefects left;
   };
   void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
@@ -99,7 +100,7 @@ class RepairJobs : public QObject {
   JobRunner& m_jobs;
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
-  std::multiset<const DocumentTab*> m_working;  // of the jobs
+  std::multiset<const DocumentTab*> m_working;  // documents of the jobs
   std::deque<Request> m_changes;                // the first is running
 };
 

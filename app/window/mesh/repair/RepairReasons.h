@@ -8,14 +8,15 @@
 
 namespace handwheel {
 
-// Why boundary loops are still open after a repair, by their keys in its result. Only of loops that were to be closed.
+// Returns the reasons why loops are still open after a repair. The map is indexed by their keys in its result. Contains
+// only loops that were to be closed.
 std::map<Vertex, FillFailure> failuresOf(const RepairReport& report);
 
-// Why the other defects of its result remain, translated.
+// Returns the reasons why the other defects of its result remain, translated.
 DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report, const RepairOptions& options);
 
-// Notes why a change left some of what it was to repair: the rows of the list keep it. of: what that was. isSame: the
-// change had no effect, so that its row is still the same.
+// Notes the reason why a change left some of the defects that it was to repair: the rows of the list keep it. of: these
+// defects. isSame: the change had no effect, so that its row is still the same.
 void noteReasons(DefectList& defectList, const MeshChange& change, std::optional<DefectRow> of, bool isSame);
 
 }  // namespace handwheel

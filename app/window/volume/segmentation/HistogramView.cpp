@@ -27,7 +27,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent), m_histogram{{0.
 }
 
 void HistogramView::setHistogram(const ImageHistogram& histogram) {
-  // As many bars as are seen, of so many bins that those between whole numbers leave no gaps.
+  // The number of bars fits the width, and each has enough bins that integer values leave no gaps.
   constexpr std::size_t kBars = 256;
   const std::size_t bins = histogram.counts.size(), each = std::max<std::size_t>(1, bins / kBars);
   m_histogram = {histogram.values, std::vector<std::size_t>((bins + each - 1) / each, 0)};
@@ -46,7 +46,7 @@ double HistogramView::end(Handle handle) const {
                     m_histogram.values.largest);
 }
 
-double HistogramView::placeOf(double value) const {
+double HistogramView::positionOf(double value) const {
   const double extent = m_histogram.values.largest - m_histogram.values.least;
   const double share = extent > 0.0 ? (value - m_histogram.values.least) / extent : 0.0;
   return kMargin + share * (width() - 2.0 * kMargin);
@@ -74,7 +74,7 @@ void HistogramView::paintEvent(QPaintEvent*) {
   const double most =
       std::log1p(static_cast<double>(*std::max_element(m_histogram.counts.begin(), m_histogram.counts.end())));
   const double bottom = height() - kMargin, top = kMargin;
-  const double lower = placeOf(end(Handle::Lower)), upper = placeOf(end(Handle::Upper));
+  const double lower = positionOf(end(Handle::Lower)), upper = positionOf(end(Handle::Upper));
   // A column of pixels shows the largest of its bins.
   for (int x = static_cast<int>(kMargin); x < width() - static_cast<int>(kMargin); ++x) {
     const std::size_t first = m_histogram.binOf(valueAt(x)),
@@ -89,7 +89,7 @@ void HistogramView::paintEvent(QPaintEvent*) {
   }
   painter.setRenderHint(QPainter::Antialiasing);
   for (const Handle handle : {Handle::Lower, Handle::Upper}) {
-    const double x = placeOf(end(handle));
+    const double x = positionOf(end(handle));
     const bool isChosen = hasFocus() && handle == m_handle;
     painter.setPen(QPen(colours.text, isChosen ? 2.5 : 1.0));
     painter.drawLine(QPointF(x, 0), QPointF(x, height()));
@@ -101,9 +101,10 @@ void HistogramView::paintEvent(QPaintEvent*) {
 void HistogramView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const double x = event->position().x();
-  const double toLower = std::abs(x - placeOf(end(Handle::Lower))), toUpper = std::abs(x - placeOf(end(Handle::Upper)));
-  // Where both are in one place: the one that can go the way of the pointer.
-  const bool isRight = x > placeOf(end(Handle::Upper));
+  const double toLower = std::abs(x - positionOf(end(Handle::Lower))),
+               toUpper = std::abs(x - positionOf(end(Handle::Upper)));
+  // If both handles coincide, the one that can move towards the pointer is chosen.
+  const bool isRight = x > positionOf(end(Handle::Upper));
   m_handle = toUpper < toLower || (toUpper == toLower && isRight) ? Handle::Upper : Handle::Lower;
   m_isDragging = true;
   move(valueAt(x), true);

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // A histogram with a logarithmic scale and two handles, the ends of a range. A handle is dragged, or moved by the arrow
-// keys: left and right by a hundredth (Ctrl: by a thousandth), up and down choose the other one.
+// keys: left and right by a hundredth (Ctrl: by a thousandth); up and down select the other one.
 class HistogramView : public QWidget {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class HistogramView : public QWidget {
   explicit HistogramView(QWidget* parent = nullptr);
 
   void setHistogram(const ImageHistogram& histogram);
-  // Ends may be infinite: the handle is at the end of the values then.
+  // Sets the range. The handle of an infinite end is at the end of the values.
   void setRange(const ValueRange& range);
   const ValueRange& range() const { return m_range; }
 
@@ -25,7 +25,8 @@ class HistogramView : public QWidget {
   QSize minimumSizeHint() const override { return {120, 80}; }
 
  signals:
-  // While a handle is dragged stillDragging is true; the last range is sent once more with false.
+  // Emitted when the user changes the range. stillDragging is true while a handle is dragged; the final range is sent
+  // again with false.
   void rangeEdited(const handwheel::ValueRange& range, bool stillDragging);
 
  protected:
@@ -39,13 +40,13 @@ class HistogramView : public QWidget {
   enum class Handle { Lower, Upper };
 
   double end(Handle handle) const;
-  double placeOf(double value) const;  // pixels
+  double positionOf(double value) const;  // pixels
   double valueAt(double x) const;
   void move(double value, bool stillDragging);
 
-  ImageHistogram m_histogram;  // with wider bins
+  ImageHistogram m_histogram;  // copy with wider bins
   ValueRange m_range{0.0, 0.0};
-  Handle m_handle = Handle::Lower;  // the one that is moved
+  Handle m_handle = Handle::Lower;  // handle moved by keys and mouse
   bool m_isDragging = false;
 };
 

@@ -33,7 +33,7 @@ namespace {
 GreyWindow usualGreys(const ImageHistogram& histogram) {
   const double black = histogram.quantile(0.01), white = histogram.quantile(0.998);
   const double width = std::max(white - black, histogram.width());
-  // To whole numbers where there are hundreds of them.
+  // Rounds to integers if the range spans hundreds.
   const double unit = width > 100.0 ? 1.0 : 1e-3 * width;
   return width > 0.0 ? GreyWindow{unit * std::round((black + 0.5 * width) / unit), unit * std::round(width / unit)}
                      : GreyWindow{black, 1.0};
@@ -78,7 +78,7 @@ void Segmentation::makeDocks() {
   m_slicesDock = dock(tr("Slices"), "slicesDock");
   m_panel = new SegmentationPanel(m_panelDock);
   m_slices = new SlicesPanel(m_slicesDock);
-  m_panelDock->setWidget(new ScrolledPanel(m_panel, ScrolledPanel::Ways::Both, m_panelDock));
+  m_panelDock->setWidget(new ScrolledPanel(m_panel, ScrolledPanel::Directions::Both, m_panelDock));
   m_slicesDock->setWidget(m_slices);
   window->addDockWidget(Qt::RightDockWidgetArea, m_panelDock);
   if (auto* kind = window->findChild<QDockWidget*>(QStringLiteral("kindDock")))
@@ -101,7 +101,7 @@ void Segmentation::makeDocks() {
 }
 
 void Segmentation::connectSlices() {
-  connect(m_slices, &SlicesPanel::crosshairMoved, m_panel, &SegmentationPanel::setPlace);
+  connect(m_slices, &SlicesPanel::crosshairMoved, m_panel, &SegmentationPanel::setPosition);
   for (SliceCanvas* canvas : m_slices->canvases()) {
     connect(canvas, &SliceCanvas::greysEdited, this, &Segmentation::setGreys);
     connect(canvas, &SliceCanvas::strokeBegan, this, &Segmentation::begin);
@@ -127,7 +127,7 @@ void Segmentation::setDocument(DocumentTab* document) {
     const std::shared_ptr<const Scan>& scan = volume().scan();
     m_panel->setScan(scan);
     m_slices->setScan(scan);
-    m_panel->setPlace(m_slices->crosshair());
+    m_panel->setPosition(m_slices->crosshair());
     setGreys(usualGreys(scan->histogram));
     setBrush();
     m_figures = {};
@@ -154,7 +154,7 @@ void Segmentation::show() {
   const bool isShown = isOpen();
   m_panelDock->setVisible(isShown);
   m_slicesDock->setVisible(isShown);
-  // Once the window has raised the panel of the kind, and the dock has its place among the tabs.
+  // Deferred until the window has raised the panel of the kind, and the dock has its tab.
   QTimer::singleShot(0, this, [this] {
     if (isOpen()) m_panelDock->raise();
   });
@@ -163,7 +163,7 @@ void Segmentation::show() {
 void Segmentation::refresh() {
   const Segment& segment = volume().segment();
   if (segment == m_shown) return;
-  dropStroke();  // what was undone meanwhile is not painted on
+  dropStroke();  // a stroke does not continue after an undo
   m_shown = segment;
   m_panel->setSegment(segment);
   m_slices->setSegment(segment);
@@ -241,7 +241,7 @@ void Segmentation::endStroke() {
   commitWaiting();
 }
 
-// What waits for its end may come in the middle of an undo, and so is committed after it.
+// The waiting commits may be triggered in the middle of an undo, so they run after it.
 void Segmentation::dropStroke() {
   if (!m_stroke) return;
   m_stroke.reset();

@@ -18,9 +18,9 @@ namespace handwheel {
 class SlicesPanel;
 class VolumeDocument;
 
-// The segmentation of a scan in the window: the docks “Segmentation” and “Slices”. They are there as long as a document
-// with a scan is current and the user has not closed them. Every change of the segment is an edit of the document.
-// Window thread.
+// The segmentation of a scan in the window: the docks “Segmentation” and “Slices”. They are shown while a document with
+// a scan is current, unless the user has closed them. Every change of the segment is an edit of the document. Window
+// thread.
 class Segmentation : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class Segmentation : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  // What a job makes of a segment; no segment: the reason why not.
+  // The result of a job on a segment: the new segment, or the problem.
   struct Changed {
     std::optional<Segment> segment;
     QString problem = {};
@@ -58,11 +58,11 @@ class Segmentation : public QObject {
   void endStroke();
   void dropStroke();
   void commitWaiting();
-  // Commits at once, or when the stroke that is painted on this document has ended.
+  // Commits immediately, or after the stroke that is being painted on this document.
   void afterStroke(const Document& document, std::function<void()> commit);
   void setBrush();
   void setGreys(const GreyWindow& greys);
-  // As a job, once more where the segment was changed meanwhile.
+  // Runs a change as a job, and repeats it if the segment was changed meanwhile.
   void change(const QString& name, const QString& text, const Change& how);
   void keepFirst(int parts);
   void grow(const Vec3& index);
@@ -70,7 +70,7 @@ class Segmentation : public QObject {
   void makeSurface();
   void fail(const QString& what, const QString& why);
 
-  // A stroke of the brush that goes on.
+  // An unfinished stroke of the brush.
   struct Stroke {
     Segment segment;
     std::optional<int> plane;
@@ -79,7 +79,7 @@ class Segmentation : public QObject {
     Vec3 last;
   };
 
-  // What a job made while a stroke was painted.
+  // The result of a job that finished during a stroke.
   struct Waiting {
     const Document* document;
     std::function<void()> commit;
@@ -90,13 +90,13 @@ class Segmentation : public QObject {
   QPointer<QDockWidget> m_panelDock, m_slicesDock;
   QPointer<SegmentationPanel> m_panel;
   QPointer<SlicesPanel> m_slices;
-  DocumentTab* m_document = nullptr;  // null: the current one has no scan
+  DocumentTab* m_document = nullptr;  // null: the current document has no scan
   Segment m_shown;
   std::optional<Stroke> m_stroke;
   std::vector<Waiting> m_waiting;
-  SegmentStatistics m_figures;  // of m_counted
+  SegmentStatistics m_figures;  // statistics of m_counted
   Segment m_counted;
-  QTimer m_pause;  // until the segment has been left alone for a moment
+  QTimer m_pause;  // delay after the last change of the segment
   JobRunner m_counting;
 };
 

@@ -193,12 +193,12 @@ QWidget* SegmentationPanel::makeActions() {
   m_isBall->setObjectName(QStringLiteral("segmentBall"));
   m_isBall->setToolTip(
       tr("The brush is a ball that reaches into neighbouring slices; otherwise it paints in one slice"));
-  m_place = textLabel("segmentPlace");
+  m_position = textLabel("segmentPlace");
   connect(m_actions, &QButtonGroup::idClicked, this, &SegmentationPanel::brushChanged);
   connect(m_radius, &NumberField::valueEdited, this, &SegmentationPanel::brushChanged);
   connect(m_isBall, &QCheckBox::toggled, this, &SegmentationPanel::brushChanged);
   return groupOf(tr("In the slices"), {rowOf({look, paint, erase}), rowOf({grow}),
-                                       rowOf({new QLabel(tr("Radius")), m_radius, m_isBall}), m_place});
+                                       rowOf({new QLabel(tr("Radius")), m_radius, m_isBall}), m_position});
 }
 
 QWidget* SegmentationPanel::makeGreys() {
@@ -288,7 +288,7 @@ void SegmentationPanel::setGreys(const GreyWindow& greys) {
   m_width->setValue(greys.width);
 }
 
-void SegmentationPanel::setPlace(const Vec3& index) {
+void SegmentationPanel::setPosition(const Vec3& index) {
   if (!m_scan) return;
   const ImageVolume& image = m_scan->image;
   const std::array<int, 3>& size = image.grid().size;
@@ -297,10 +297,10 @@ void SegmentationPanel::setPlace(const Vec3& index) {
       (static_cast<std::size_t>(at.z()) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(at.y())) *
           static_cast<std::size_t>(size[0]) +
       static_cast<std::size_t>(at.x());
-  const Vec3 place = image.grid().place(at.cast<double>());
+  const Vec3 position = image.grid().position(at.cast<double>());
   const auto mm = [](double value) { return QLocale().toString(value, 'f', 1); };
-  m_place->setText(tr("Value %1 at x %2, y %3, z %4 mm")
-                       .arg(number(image.value(sample), 6), mm(place.x()), mm(place.y()), mm(place.z())));
+  m_position->setText(tr("Value %1 at x %2, y %3, z %4 mm")
+                          .arg(number(image.value(sample), 6), mm(position.x()), mm(position.y()), mm(position.z())));
 }
 
 SegmentationPanel::Brush SegmentationPanel::brush() const {
@@ -321,7 +321,7 @@ SegmentationPanel::Surface SegmentationPanel::surface() const {
 void SegmentationPanel::take(const ValueRange& range, bool stillDragging) {
   if (!m_scan) return;
   ValueRange taken = range;
-  // Samples are whole: so are the ends, and none shows digits that make no difference.
+  // Integer samples have integer ends, and no end shows insignificant digits.
   if (m_scan->image.isWhole()) {
     taken.least = std::round(taken.least);
     taken.largest = std::round(taken.largest);

@@ -20,27 +20,27 @@ namespace handwheel {
 class HistogramView;
 class NumberField;
 
-// What there is to say of a segment besides its parts.
+// Statistics of a segment.
 struct SegmentStatistics {
   std::shared_ptr<const SegmentParts> parts;
   double faces = 0.0;  // facesOf(), mm²
 };
 
-// The controls of a segmentation. They are range, parts, smoothing, what the mouse does in the slices, greys, the
-// surface. What is done comes out as signals. Window thread.
+// The controls of a segmentation. They are range, parts, smoothing, the action of the mouse in the slices, greys, and
+// the surface. The panel reports actions by signals. Window thread.
 class SegmentationPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit SegmentationPanel(QWidget* parent = nullptr);
 
-  // What the brush is.
+  // The settings of the brush.
   struct Brush {
     SliceAction action = SliceAction::Look;
     double radius = 5.0;  // mm
     bool isBall = false;
   };
-  // How the surface is made.
+  // The settings of the surface.
   struct Surface {
     double voxel = 1.0;  // mm
     bool isSmoothed = false;
@@ -48,21 +48,21 @@ class SegmentationPanel : public QWidget {
 
   void setScan(const std::shared_ptr<const Scan>& scan);
   void setSegment(const Segment& segment);
-  // Null parts: they are being counted.
+  // Shows the statistics. Null parts: still being counted.
   void setFigures(const SegmentStatistics& figures);
-  // They could not be counted: a surface can be made all the same.
+  // Shows that counting has failed; a surface can still be made.
   void setUncounted();
   void setGreys(const GreyWindow& greys);
-  // The value and the place at the crosshair.
-  void setPlace(const Vec3& index);
+  // Shows the value and the position at the crosshair.
+  void setPosition(const Vec3& index);
   Brush brush() const;
   void stepRadius(double factor);
   Surface surface() const;
-  double surfaceBytes() const;  // that it is going to need; 0 until parts are counted
+  double surfaceBytes() const;  // memory that the surface needs; 0 until the parts are counted
 
  signals:
   void rangeEdited(const handwheel::ValueRange& range, bool stillDragging);
-  void firstPartsKept(int parts);  // the largest ones
+  void firstPartsKept(int parts);  // number of the largest parts to keep
   void smoothingRequested();
   void brushChanged();
   void greysEdited(const handwheel::GreyWindow& greys);
@@ -86,7 +86,7 @@ class SegmentationPanel : public QWidget {
   HistogramView* m_histogram;
   NumberField* m_lower;
   NumberField* m_upper;
-  QList<QPushButton*> m_presets;  // of CTs alone
+  QList<QPushButton*> m_presets;  // shown only for CTs
   QLabel* m_painted;
   QLabel* m_parts;
   QSpinBox* m_keep;
@@ -98,7 +98,7 @@ class SegmentationPanel : public QWidget {
   QCheckBox* m_isBall;
   NumberField* m_level;
   NumberField* m_width;
-  QLabel* m_place;
+  QLabel* m_position;
   NumberField* m_voxel;
   QCheckBox* m_isSmoothed;
   QLabel* m_memory;

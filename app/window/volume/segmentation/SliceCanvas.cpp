@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint32_t kOverlay = 0x70ff9d2e;  // of the segment: amber, as nothing in a picture of greys is
+constexpr std::uint32_t kOverlay = 0x70ff9d2e;  // colour of the segment: amber, which differs from all greys
 const QColor kCross(90, 200, 250, 170);
 
 }  // namespace
@@ -142,7 +142,7 @@ void SliceCanvas::drawPicture(QPainter& painter) {
                        4 * static_cast<qsizetype>(made.width), QImage::Format_RGB32)
                     .copy();
   }
-  // Near enough to count them, samples are shown as they are.
+  // Large samples are drawn without smoothing.
   painter.setRenderHint(QPainter::SmoothPixmapTransform, pictureArea().width() < 3.0 * m_picture.width());
   painter.drawImage(pictureArea(), m_picture);
 }
@@ -150,7 +150,7 @@ void SliceCanvas::drawPicture(QPainter& painter) {
 void SliceCanvas::drawCrosshair(QPainter& painter) const {
   const QPointF at = shownAt(m_crosshair);
   painter.setPen(kCross);
-  constexpr double kGap = 6.0;  // pixels: the place itself is seen
+  constexpr double kGap = 6.0;  // pixels; keeps the crosshair's position visible
   painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - kGap, at.y()));
   painter.drawLine(QPointF(at.x() + kGap, at.y()), QPointF(width(), at.y()));
   painter.drawLine(QPointF(at.x(), 0), QPointF(at.x(), at.y() - kGap));
@@ -206,16 +206,17 @@ void SliceCanvas::mousePressEvent(QMouseEvent* event) {
 
 void SliceCanvas::mouseMoveEvent(QMouseEvent* event) {
   m_hover = event->position();
-  const QPointF way = event->position() - m_last;
+  const QPointF displacement = event->position() - m_last;
   m_last = event->position();
   if (m_drag == Drag::Look) emit crosshairMoved(inImage(indexAt(m_last)));
   if (m_drag == Drag::Stroke) emit strokeMoved(indexAt(m_last));
-  if (m_drag == Drag::Pan) m_pan += way;
+  if (m_drag == Drag::Pan) m_pan += displacement;
   if (m_drag == Drag::Greys) {
-    // As viewers of scans do: to the right wider, downwards brighter, all values in some 500 pixels.
+    // The convention of viewers of scans: to the right wider, downwards brighter; 500 pixels span all values.
     const double extent = m_scan->histogram.values.largest - m_scan->histogram.values.least;
     const double perPixel = std::max(extent, 1e-9) / 500.0;
-    emit greysEdited({m_greys.level - way.y() * perPixel, std::max(perPixel, m_greys.width + way.x() * perPixel)});
+    emit greysEdited(
+        {m_greys.level - displacement.y() * perPixel, std::max(perPixel, m_greys.width + displacement.x() * perPixel)});
   }
   update();
 }

@@ -12,13 +12,13 @@
 
 namespace handwheel {
 
-// What the left button does in a slice.
+// The action of the left button in a slice.
 enum class SliceAction { Look, Paint, Erase, Grow };
 
-// A slice of a scan at the crosshair, with the segment over it. Letters name the patient's sides. The left button does
-// the chosen action, with Shift it moves the crosshair; the right one changes level and width of the greys, the middle
-// one moves the picture; the wheel goes through the slices, with Ctrl it zooms. The keys do the same at the crosshair:
-// arrows, Page up and down, Home and End, Space for the action, [ and ] for the radius, + and - to zoom.
+// A slice of a scan at the crosshair, with the segment over it. Letters name the patient's sides. The left button
+// performs the chosen action, or moves the crosshair with Shift; the right one changes level and width of the greys,
+// the middle one pans; the wheel changes the slice, or zooms with Ctrl. Keys do the same at the crosshair: arrows, Page
+// up and down, Home and End, Space for the action, [ and ] for the radius, + and - to zoom.
 class SliceCanvas : public QWidget {
   Q_OBJECT
 
@@ -29,13 +29,13 @@ class SliceCanvas : public QWidget {
   void setSegment(const Segment& segment);
   void setGreys(const GreyWindow& greys);
   void setCrosshair(const Vec3& index);
-  // radius: of the brush, mm.
+  // radius: radius of the brush, mm.
   void setAction(SliceAction action, double radius);
 
   const SliceView& view() const { return m_view; }
   int slice() const;
   void goToSlice(int slice);
-  // Where a place in the image is shown, pixels of the widget.
+  // Returns the position of a sample on the widget, pixels.
   QPointF shownAt(const Vec3& index) const;
 
   QSize sizeHint() const override { return {300, 260}; }
@@ -44,7 +44,8 @@ class SliceCanvas : public QWidget {
  signals:
   void crosshairMoved(const handwheel::Vec3& index);
   void greysEdited(const handwheel::GreyWindow& greys);
-  // A stroke of the brush: its first place, each next one, its end. opposite: erase instead of paint, and back.
+  // Emitted for a stroke of the brush: its first position, each next one, its end. opposite: erase instead of paint, or
+  // vice versa.
   void strokeBegan(int through, const handwheel::Vec3& index, bool opposite);
   void strokeMoved(const handwheel::Vec3& index);
   void strokeEnded();
@@ -63,7 +64,7 @@ class SliceCanvas : public QWidget {
  private:
   enum class Drag { None, Look, Stroke, Greys, Pan };
 
-  QRectF pictureArea() const;  // of all samples, pixels of the widget
+  QRectF pictureArea() const;  // area of all samples, pixels of the widget
   Vec3 indexAt(const QPointF& position) const;
   Vec3 inImage(const Vec3& index) const;
   void zoomAt(const QPointF& position, double factor);
@@ -82,12 +83,12 @@ class SliceCanvas : public QWidget {
   Vec3 m_crosshair = Vec3::Zero();
   SliceAction m_action = SliceAction::Look;
   double m_radius = 5.0;  // mm
-  QImage m_picture;       // empty: it is to be made anew
-  double m_zoom = 1.0;    // 1: all of it is seen
-  QPointF m_pan;          // of the middle of the picture from that of the widget, pixels
+  QImage m_picture;       // empty: to be drawn again
+  double m_zoom = 1.0;    // 1: the whole slice is visible
+  QPointF m_pan;          // offset of the picture's centre from the widget's, pixels
   Drag m_drag = Drag::None;
-  QPointF m_last;                  // of the pointer while it drags
-  std::optional<QPointF> m_hover;  // of the pointer; none: it is elsewhere
+  QPointF m_last;                  // position of the pointer while it drags
+  std::optional<QPointF> m_hover;  // position of the pointer; none: outside
 };
 
 }  // namespace handwheel

@@ -14,14 +14,14 @@ class QSlider;
 namespace handwheel {
 
 // Axial, coronal and sagittal slices of a scan with one crosshair, each with a slider. They are side by side, or one
-// above the other where the panel is higher than wide. Window thread.
+// above the other if the panel is higher than wide. Window thread.
 class SlicesPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit SlicesPanel(QWidget* parent = nullptr);
 
-  void setScan(const std::shared_ptr<const Scan>& scan);  // the crosshair is in the middle then
+  void setScan(const std::shared_ptr<const Scan>& scan);  // moves the crosshair to the centre
   void setSegment(const Segment& segment);
   void setGreys(const GreyWindow& greys);
   void setAction(SliceAction action, double radius);

@@ -9,19 +9,19 @@ namespace handwheel {
 
 class NumberField;
 
-// Asks for some numbers; the window stays usable meanwhile. Deleted when closed.
+// A dialog that asks for some numbers. The window stays usable meanwhile. Deleted when closed.
 class NumbersDialog : public QDialog {
   Q_OBJECT
 
  public:
   struct Number {
-    const char* name;  // of its field, for tests
+    const char* name;  // name of its field, for tests
     QString label;
     QString unit;  // "mm", "r/min"
     double value, least, largest;
     QString tip = {};
   };
-  // button: what accepting does.
+  // button: text of the button that accepts.
   NumbersDialog(const QString& title, const QString& intro, const QString& button, std::vector<Number> numbers,
                 QWidget* parent);
 

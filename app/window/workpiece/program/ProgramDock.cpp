@@ -4,7 +4,7 @@
 
 #include "controls/ScrolledPanel.h"
 #include "document/workpiece/WorkpieceDocument.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "panels/DockTitle.h"
 #include "panels/MessageBar.h"
 #include "viewport/Viewport.h"
@@ -61,13 +61,13 @@ void ProgramDock::makeDock() {
   m_dock->setAccessibleName(m_dock->windowTitle());
   m_dock->setTitleBarWidget(new DockTitle(m_dock));
   m_pages = new QStackedWidget(m_dock);
-  m_dock->setWidget(new ScrolledPanel(m_pages, ScrolledPanel::Ways::Both, m_dock));
+  m_dock->setWidget(new ScrolledPanel(m_pages, ScrolledPanel::Directions::Both, m_dock));
   window->addDockWidget(Qt::RightDockWidgetArea, m_dock);
   if (auto* kind = window->findChild<QDockWidget*>(QStringLiteral("kindDock"))) window->tabifyDockWidget(kind, m_dock);
   window->resizeDocks({m_dock}, {kUsualWidth}, Qt::Horizontal);
   connect(m_dock, &QDockWidget::visibilityChanged, this, [this](bool isVisible) {
     m_toggle.setChecked(isVisible);
-    // Of the panels behind it, the one of the part is what comes next.
+    // Raises the panel of the part before the other panels behind it.
     if (std::exchange(m_isInFront, isVisible) && m_dock->isHidden()) raiseKindPanel(m_parts);
     if (!m_document || !m_dock->isHidden()) return;  // another dock covers it, or no workpiece is shown
     m_isOpen = false;
@@ -142,9 +142,9 @@ void ProgramDock::showBanner(const ProgramSession* session) {
     m_banner->hide();
 }
 
-// On the axis, at the finished face or the end of the bar.
+// Shows the zero on the axis, at the finished face or the end of the bar.
 void ProgramDock::showZero(bool isShown) {
-  constexpr double kSize = 0.06;  // of the diameter of the bar
+  constexpr double kSize = 0.06;  // share of the diameter of the bar
   std::pair<double, double> zero;
   if (isShown) {
     const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(m_document->document).workpiece();

@@ -34,17 +34,17 @@ class ProgramDock : public QObject {
   QAction* action() { return &m_toggle; }
   void setDocument(DocumentTab* document);
   void forget(DocumentTab* document);
-  void setVisible(bool isVisible);  // what is shown in the view, with the document
+  void setVisible(bool isVisible);  // visibility of the document, and so of its program in the view
   bool isSettled() const;
 
-  // Opens a program in the dock; false: it is none by its name.
+  // Opens a program in the dock; false: the file name is not that of a program.
   bool take(const QString& path);
-  // The program whose text would be lost with a document; empty: none.
+  // Returns the name of the program whose text would be lost with a document; empty: none.
   QString unsavedOf(const DocumentTab& document) const;
   void saveOf(const DocumentTab& document, std::function<void(bool isSaved)> ended);
 
  signals:
-  // What the view is to show in place of the document; null: the document.
+  // Emits a part that the view shows instead of the document; null: the document.
   void partShown(const std::shared_ptr<const handwheel::DisplayModel>& part);
   void message(const handwheel::Message& message);
 
@@ -59,14 +59,14 @@ class ProgramDock : public QObject {
 
   WindowContext m_parts;
   QAction m_toggle;
-  bool m_isOpen = false;     // as the user wants it, for any workpiece
-  bool m_isInFront = false;  // of the panels that share its place
+  bool m_isOpen = false;     // set by the user, for all workpieces
+  bool m_isInFront = false;  // in front of the panels that are tabbed with it
   QPointer<QDockWidget> m_dock;
   QPointer<QStackedWidget> m_pages;
   QPointer<SimulationBanner> m_banner;
   std::shared_ptr<PathLayer> m_layer, m_zeroLayer;
-  std::pair<double, double> m_zero;  // mm: z of the zero that is drawn, and its size; 0: none is
-  bool m_isVisible = true;           // the document is
+  std::pair<double, double> m_zero;  // mm: z of the drawn zero, and its size; 0: none is drawn
+  bool m_isVisible = true;           // visibility of the document
   std::map<const DocumentTab*, std::unique_ptr<ProgramSession>> m_sessions;
   DocumentTab* m_document = nullptr;
 };

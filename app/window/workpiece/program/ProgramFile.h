@@ -17,15 +17,16 @@ struct ProgramFile {
   bool hasReturns = false;  // lines end in "\r\n"
 };
 
-// What an editor can show without a wait; a run from the command line takes more.
+// The largest program that an editor can show without a delay; a run from the command line accepts more.
 inline constexpr std::size_t kMostProgramBytes = std::size_t{4} << 20;
 
-// Errors: those of readFileBytes(), FileTooLarge. Blocks.
+// Reads a program. Errors: those of readFileBytes(), FileTooLarge. Blocks.
 Result<ProgramFile> readProgramFile(const std::filesystem::path& path, Progress progress);
-// As it was read; as UTF-8 where the text has other characters. Errors: those of writeFileAtomically(). Blocks.
+// Writes a program in its original encoding, or as UTF-8 if the text has other characters. Errors: those of
+// writeFileAtomically(). Blocks.
 Status writeProgramFile(const std::filesystem::path& path, const ProgramFile& file, Progress progress);
 
-// Whether a name is that of a program: .ngc, .nc, .tap, .txt.
+// Returns true if a file name is that of a program: .ngc, .nc, .tap, .txt.
 bool isProgramName(const QString& path);
 QString programNameFilter();  // "*.ngc *.nc …"
 

@@ -99,7 +99,7 @@ ProgramPanel::ProgramPanel(const Actions& actions, QWidget* parent)
   column->setSpacing(6);
   column->addWidget(makeFileRow(actions));
   column->addWidget(makeSetupRow());
-  column->addWidget(makeRunRow());  // above what comes and goes, so that it stays in its place
+  column->addWidget(makeRunRow());  // above widgets that come and go, so that it does not move
   column->addWidget(m_editor, 1);
   column->addWidget(m_summary);
   column->addWidget(m_list);
@@ -225,10 +225,10 @@ void ProgramPanel::setFindings(std::vector<ProgramFinding> findings) {
   for (const ProgramFinding& each : m_findings) {
     if (each.line > 0) marks.push_back({each.line, each.column, severityOf(each.weight), each.text});
     if (static_cast<std::size_t>(m_list->count()) >= kMostListed) continue;
-    const QString place = each.line == 0     ? QString()
-                          : each.column == 0 ? tr("Line %1: ").arg(each.line)
-                                             : tr("Line %1, column %2: ").arg(each.line).arg(each.column);
-    m_list->addItem(new QListWidgetItem(iconOf(each.weight), place + each.text));
+    const QString prefix = each.line == 0     ? QString()
+                           : each.column == 0 ? tr("Line %1: ").arg(each.line)
+                                              : tr("Line %1, column %2: ").arg(each.line).arg(each.column);
+    m_list->addItem(new QListWidgetItem(iconOf(each.weight), prefix + each.text));
   }
   m_editor->setMarks(std::move(marks));
   m_list->setVisible(!m_findings.empty());

@@ -23,14 +23,14 @@ class NumberField;
 class ProgramEditor;
 class ProgramPlayer;
 
-// A line of the list below a program: an error, a collision, a note. A click on it jumps there.
+// A line of the list below a program: an error, a collision, a note. A click on it selects its position in the text.
 struct ProgramFinding {
   enum class Weight { Note, Warning, Error };
   Weight weight = Weight::Note;
-  int line = 0;    // of the program, from 1; 0: none
+  int line = 0;    // line of the program, from 1; 0: none
   int column = 0;  // from 1; 0: the whole line
   QString text;
-  std::optional<std::size_t> move;  // of the tool path, at whose end it is
+  std::optional<std::size_t> move;  // move of the tool path that ends at the finding
 };
 
 // The widgets of a program: editor, dialect and nose, run and cut, findings, player. It decides nothing. Window thread.
@@ -38,7 +38,7 @@ class ProgramPanel : public QWidget {
   Q_OBJECT
 
  public:
-  // What the buttons above the editor do.
+  // The actions of the buttons above the editor.
   struct Actions {
     QAction *open, *save, *saveAs, *fromPasses, *cycles;
   };
@@ -47,18 +47,18 @@ class ProgramPanel : public QWidget {
   ProgramEditor& editor() { return *m_editor; }
   ProgramPlayer& player() { return *m_player; }
 
-  QString name() const;  // of the file, with a sign where its text is not saved
+  QString name() const;  // file name, with a sign if its text is not saved
   void setName(const QString& name);
   ProgramDialect dialect() const;
-  void setDialect(ProgramDialect dialect);  // without a signal
+  void setDialect(ProgramDialect dialect);  // emits no signal
   double nose() const;                      // mm
-  void setNose(double mm);                  // without a signal
-  void setToolCount(std::size_t count);     // in the table
+  void setNose(double mm);                  // emits no signal
+  void setToolCount(std::size_t count);     // number of tools in the table
 
-  // Also as marks in the editor.
+  // Sets the list of findings and the marks in the editor.
   void setFindings(std::vector<ProgramFinding> findings);
   void setSummary(const QString& text);
-  // A run under way shows its progress (0…1) and can be cancelled.
+  // Shows a run with its progress (0…1) and a button to cancel it.
   void setRunning(bool isRunning);
   void setProgress(double fraction);
   void setCuttable(bool isCuttable, const QString& why);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kFrameTimeMs = 40;
 constexpr double kLongestLeap = 0.25;  // s on the clock: after a pause of the window it goes on, and does not leap
-constexpr int kPlaces = 10'000;        // of the slider
+constexpr int kPlayerSteps = 10'000;   // steps of the slider
 constexpr int kTimes[] = {1, 2, 5, 10, 20, 50, 100};
 constexpr int kUsualTimes = 3;  // index: ten times as fast as the machine
 
@@ -46,8 +46,8 @@ ProgramPlayer::ProgramPlayer(QWidget* parent)
   setObjectName(QStringLiteral("programPlayer"));
   m_slider->setObjectName(QStringLiteral("programTimeSlider"));
   m_slider->setAccessibleName(tr("Time in the program"));
-  m_slider->setRange(0, kPlaces);
-  m_slider->setPageStep(kPlaces / 20);
+  m_slider->setRange(0, kPlayerSteps);
+  m_slider->setPageStep(kPlayerSteps / 20);
   m_speed->setObjectName(QStringLiteral("programSpeed"));
   m_speed->setAccessibleName(tr("Speed of playing"));
   m_speed->setToolTip(tr("Speed relative to that of the machine"));
@@ -98,7 +98,7 @@ void ProgramPlayer::setDuration(double seconds) {
 void ProgramPlayer::setTime(double seconds) {
   m_time = std::clamp(seconds, 0.0, m_duration);
   const QSignalBlocker quiet(m_slider);
-  m_slider->setValue(m_duration > 0.0 ? static_cast<int>(std::lround(kPlaces * m_time / m_duration)) : 0);
+  m_slider->setValue(m_duration > 0.0 ? static_cast<int>(std::lround(kPlayerSteps * m_time / m_duration)) : 0);
   m_text->setText(m_duration > 0.0 ? tr("%1 of %2").arg(programTime(m_time), programTime(m_duration)) : QString());
 }
 
@@ -119,9 +119,9 @@ void ProgramPlayer::advance() {
   if (to >= m_duration) setPlaying(false);
 }
 
-void ProgramPlayer::wind(int place) {
+void ProgramPlayer::wind(int position) {
   setPlaying(false);
-  emit timeWanted(m_duration * place / kPlaces);
+  emit timeWanted(m_duration * position / kPlayerSteps);
 }
 
 }  // namespace handwheel

@@ -13,17 +13,17 @@ class QToolButton;
 
 namespace handwheel {
 
-// Controls to play a program by line and by time. They are Back, Play or Pause, Step, a slider, and how much faster
-// than the machine it plays. It says what is wanted, and shows the time that it is given. Window thread.
+// Controls to play a program by line and by time. They are Back, Play or Pause, Step, a slider, and the speed relative
+// to the machine. They request times by signals, and show the time that is set. Window thread.
 class ProgramPlayer : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProgramPlayer(QWidget* parent = nullptr);
 
-  // The length of a run, s; 0: there is none, and nothing to play. Stops.
+  // Sets the length of a run, s; 0: there is no run. Stops playing.
   void setDuration(double seconds);
-  void setTime(double seconds);  // without a signal
+  void setTime(double seconds);  // emits no signal
   double time() const { return m_time; }
   void setPlaying(bool isPlaying);
   bool isPlaying() const { return m_clock.isActive(); }
@@ -35,7 +35,7 @@ class ProgramPlayer : public QWidget {
  private:
   QToolButton* button(const char* name, const char* iconName, const QString& tip);
   void advance();
-  void wind(int place);
+  void wind(int position);
 
   QToolButton* m_back;
   QToolButton* m_play;
@@ -49,7 +49,7 @@ class ProgramPlayer : public QWidget {
   double m_time = 0.0;
 };
 
-// "1:05.3": minutes and seconds, with hours where there are some.
+// Returns "1:05.3": minutes and seconds, with hours if there are any.
 QString programTime(double seconds);
 
 }  // namespace handwheel

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The text of a program. Its file: ProgramSessionFile.cpp; what is done with it: ProgramSessionRun.cpp and
-// ProgramSessionMake.cpp.
+// The text of a program. ProgramSessionFile.cpp has its file, ProgramSessionRun.cpp and ProgramSessionMake.cpp its use.
 #include "window/workpiece/program/ProgramSession.h"
 
 #include "controls/program/ProgramEditor.h"
@@ -136,7 +135,7 @@ void ProgramSession::connectPanel() {
     if (!m_trial) return;
     const ProgramTimeline& steps = m_trial->steps();
     goTo(isBack ? steps.previous(m_position) : steps.next(m_position));
-    showPlace();
+    showPosition();
   });
   connect(&m_runs, &JobRunner::progressed, this, [this] {
     const std::vector<JobStatus> jobs = m_runs.jobs();

@@ -21,15 +21,15 @@ class TargetProfile;
 class WorkpieceDocument;
 struct CycleRest;
 
-// What the view shows of a program that was run.
+// The display of a program run in the view.
 struct ProgramPicture {
   PathLayer::Lines lines;
   std::vector<std::vector<Vec3>> tool;       // outlines
-  std::shared_ptr<const DisplayModel> part;  // as it is cut up to the line; null: as the document has it
+  std::shared_ptr<const DisplayModel> part;  // the part cut up to the current position; null: the part of the document
 };
 
-// The program of one document: its text, file, runs, and the current position. Window thread; runs are jobs on what
-// they were given.
+// The program of one document: its text, file, runs, and the current position. Window thread; runs are jobs on copies
+// of their input.
 class ProgramSession : public QObject {
   Q_OBJECT
 
@@ -43,16 +43,16 @@ class ProgramSession : public QObject {
   bool isUnsaved() const;
   QString fileName() const;  // "shaft.ngc"
 
-  // The view shows what a run would cut, and the document has not.
+  // Returns true if the view shows the simulated cut of a run, which the document does not have.
   bool isSimulated() const { return m_trial != nullptr; }
   bool isCuttable() const;
-  QString cuttingTip() const;  // what cutting would do, or why it cannot
-  // Cuts the work with the program that was run; with crashes only after they were read.
+  QString cuttingTip() const;  // the effect of cutting, or the reason why it is impossible
+  // Cuts the work with the program that was run; asks first if there are collisions.
   void cut();
-  // Shows the part as it is; the text stays.
+  // Shows the part of the document; the text stays.
   void leave();
 
-  // Reads a program, and replaces the text by it, which the undo of the editor brings back.
+  // Reads a program, and replaces the text; undo of the editor restores it.
   void read(const QString& path);
   void save(std::function<void(bool isSaved)> ended);
 
@@ -64,17 +64,18 @@ class ProgramSession : public QObject {
   const WorkpieceDocument& workpiece() const;
   ProgramSetup setup() const;
   void prepareActions();
-  bool isToBeDoneByHand() const;  // as the exercise wants it that this is work on; O(its description)
-  // mm, of the first tool of the exercise that turns the outside; none: there is no exercise, or no such tool.
+  bool isToBeDoneByHand() const;  // required by the exercise; O(its description)
+  // Returns the nose radius of the first tool of the exercise that turns the outside, mm; none: there is no exercise,
+  // or no such tool.
   std::optional<double> noseOfExercise() const;
-  bool isRefused();  // as it is to be done by hand; says so
+  bool isRefused();  // shows a message if the work is to be done by hand
   void connectPanel();
-  // The text is another one, or is understood otherwise: what was found of it is over.
+  // The text, or its interpretation, has changed: results of checks and runs are dropped.
   void textChanged();
   void documentChanged();
   void forgetRun();
   void check();
-  void checked(const std::vector<Error>& problems, bool isJumping);  // to the first
+  void checked(const std::vector<Error>& problems, bool isJumping);  // isJumping: selects the first problem
   void run();
   void ran(ProgramTrial::Pointer trial, PathLayer::Lines lines, const std::vector<ProgramFinding>& limits);
   void askToCut();
@@ -93,15 +94,15 @@ class ProgramSession : public QObject {
   void storeTools(const ProgramTools& chosen);
   void dialectChanged();
   void writeCycles(const std::vector<double>& numbers);
-  // What cycles leave of the target; nothing where that is not worth telling.
+  // Warns of the material that cycles leave on the target, unless it is negligible.
   void warnOfRest(const CycleRest& rest, const TargetProfile& target, double drill);
   void offer(const std::string& text, ProgramTools tools);
   void showName();
   void fail(const QString& title, const Error& error);
 
-  // Looking at a run.
+  // Display of a run.
   void goTo(const ProgramPosition& position);
-  void showPlace();
+  void showPosition();
   void showPart();
   void choose(const ProgramFinding& finding);
   std::vector<ProgramFinding> findingsOf(const ProgramTrial& trial) const;
@@ -111,21 +112,21 @@ class ProgramSession : public QObject {
   DocumentTab& m_document;
   QAction m_open, m_save, m_saveAs, m_fromPasses, m_cycles;
   QPointer<ProgramPanel> m_panel;
-  ProgramTools m_tools;                               // the table; what is not in it has the nose of the panel
-  std::shared_ptr<const ProgramTools> m_storedTools;  // of the document, as they were last
+  ProgramTools m_tools;                               // the table; tools that are not in it have the nose of the panel
+  std::shared_ptr<const ProgramTools> m_storedTools;  // last table of the document
   bool m_isByHand = false;                            // the exercise allows no programs
-  bool m_hasOwnTools = false;                         // the user made it, so that it is that of the next text, too
-  QString m_path;                                     // of the file; empty: none yet
+  bool m_hasOwnTools = false;                         // the user made the table, so it is kept for the next text
+  QString m_path;                                     // path of the file; empty: none yet
   ProgramFile m_file;
-  std::uint64_t m_texts = 0;  // that were begun: a file that is saved is that of its text only
+  std::uint64_t m_texts = 0;  // number of texts begun; a file that was saved belongs to its own text only
   JobRunner m_checks, m_runs, m_views, m_files;
-  QString m_text;  // as it was last
+  QString m_text;  // last text
   QTimer m_pause;  // since the last change of the text
 
-  ProgramTrial::Pointer m_trial;  // null: the text was not run as it is
-  WorkpieceSnapshot m_start;      // of the trial
+  ProgramTrial::Pointer m_trial;  // null: the present text was not run
+  WorkpieceSnapshot m_start;      // initial workpiece of the trial
   ProgramPosition m_position, m_shown;
-  bool m_isShowing = false;  // a job makes the part of a place
+  bool m_isShowing = false;  // a job is making the part of a position
   ProgramPicture m_picture;
 };
 

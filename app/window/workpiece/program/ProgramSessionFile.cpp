@@ -64,7 +64,7 @@ void ProgramSession::taken(const QString& path, const ProgramFile& file) {
   m_parts.log.add(tr("Program read from %1").arg(QFileInfo(path).fileName()));
 }
 
-// By the cursor, so that the editor can undo it.
+// Uses the cursor, so that the editor can undo the change.
 void ProgramSession::setText(const QString& text, ProgramTools tools) {
   if (!tools.empty()) {
     m_panel->setNose(tools.begin()->second.noseRadius);

@@ -7,7 +7,7 @@
 #include "document/workpiece/PassesProgram.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/TurningFidelity.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/lathe/LatheMounting.h"
@@ -88,10 +88,10 @@ void ProgramSession::askForCycles() {
 
 void ProgramSession::writeCycles(const std::vector<double>& numbers) {
   CycleSettings settings;
-  double* const places[] = {&settings.depth,      &settings.allowance, &settings.nose,        &settings.roughFeed,
+  double* const fields[] = {&settings.depth,      &settings.allowance, &settings.nose,        &settings.roughFeed,
                             &settings.finishFeed, &settings.speed,     &settings.mostSpindle, &settings.drill};
   std::size_t next = 0;
-  for (double* place : places) *place = numbers[next++];
+  for (double* field : fields) *field = numbers[next++];
   const double spacing = m_parts.fidelity.values().of(turnSpacingSetting());
   Job job;
   job.name = tr("Writing and simulating the cycles");

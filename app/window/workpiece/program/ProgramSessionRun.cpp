@@ -10,7 +10,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/exercise/AssignedTask.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/TurningFidelity.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramCheck.h"
@@ -47,13 +47,13 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
   return static_cast<std::size_t>(found - path.moves.begin());
 }
 
-// Whether a program does the same to both.
+// Returns true if a program does the same to both.
 bool isSameWork(const WorkpieceSnapshot& a, const WorkpieceSnapshot& b) {
   return a.part == b.part && a.chord == b.chord && a.stock == b.stock && programZero(a) == programZero(b) &&
          latheOf(a).chuck == latheOf(b).chuck && latheOf(a).tailstock == latheOf(b).tailstock;
 }
 
-// What the lathe of an exercise does not have, as the marks see it.
+// Returns the violated limits of the lathe of an exercise, judged as by the marks.
 std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnapshot work, const ProgramTrial& trial,
                                           Progress progress) {
   std::vector<ProgramFinding> findings;
@@ -75,7 +75,7 @@ std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnap
   return findings;
 }
 
-// With the place as %1 and %2.
+// Returns a text with the position as %1 and %2.
 QString collisionText(const ProgramCollision& collision) {
   const auto title = [](LathePart part) { return QCoreApplication::translate("LathePart", titleOf(part)); };
   switch (collision.kind) {
@@ -108,7 +108,7 @@ void ProgramSession::forgetRun() {
   emit pictureChanged();
 }
 
-// What was run on another part, or in another chuck, is over; so is what still runs.
+// Results of runs on another part, or in another chuck, are dropped, and such runs are cancelled.
 void ProgramSession::documentChanged() {
   const WorkpieceSnapshot& now = workpiece().workpiece();
   handwheel::offer(m_fromPasses, now.part != nullptr, tr("Nothing was cut yet."));
@@ -124,8 +124,8 @@ bool ProgramSession::isToBeDoneByHand() const {
   return task && !task->areProgramsAllowed;
 }
 
-// Of its first tool that turns the outside, as the teacher lists them. A tool without a body is only named, and taken
-// for one that does.
+// The first tool in the teacher's list that turns the outside counts. A tool without a body is only a name, and assumed
+// to do so.
 std::optional<double> ProgramSession::noseOfExercise() const {
   const auto task = assignedTask(m_document.document.file().assigned);
   if (!task) return std::nullopt;
@@ -241,17 +241,17 @@ void ProgramSession::cut() {
   cutAnyway(m_trial);
 }
 
-// Before anything is struck. Not modal: the places are in the list, and can be looked at first.
+// Before anything is struck. Not modal: the lines are in the list, and can be looked at first.
 void ProgramSession::askToCut() {
-  constexpr int kMostPlaces = 3;
+  constexpr int kMostInMessage = 3;
   const auto count = static_cast<int>(m_trial->collisionCount());
-  QStringList places;
+  QStringList lines;
   for (const ProgramFinding& each : findingsOf(*m_trial))
-    if (each.move && places.size() < kMostPlaces) places << tr("Line %1: %2").arg(each.line).arg(each.text);
-  if (count > places.size()) places << tr("…and %1 more, in the list of the program.").arg(count - places.size());
+    if (each.move && lines.size() < kMostInMessage) lines << tr("Line %1: %2").arg(each.line).arg(each.text);
+  if (count > lines.size()) lines << tr("…and %1 more, in the list of the program.").arg(count - lines.size());
   Message question{
       Message::Weight::Warning, tr("The program has %n collision(s); nothing is cut yet", nullptr, count),
-      places.join(QLatin1Char(' ')),
+      lines.join(QLatin1Char(' ')),
       tr("If you cut anyway, collisions are recorded as on the machine, and undo does not take them back.")};
   question.actionText = tr("Cut anyway");
   question.action = [session = QPointer(this), trial = m_trial] {
@@ -321,7 +321,7 @@ void ProgramSession::showPart() {
 }
 
 // Looks at the tool where it is out of sight.
-void ProgramSession::showPlace() {
+void ProgramSession::showPosition() {
   Box box;
   for (const auto& outline : m_picture.tool)
     for (const Vec3& p : outline) box.extend(p);
@@ -330,7 +330,7 @@ void ProgramSession::showPlace() {
   const Vec2 at = box.isEmpty() ? Vec2(-1, -1) : Vec2(navigation.toScreen(box.center()));
   const bool isInView = at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= view.width() && at.y() <= view.height();
   if (box.isEmpty() || isInView) return;
-  const double room = 0.5 * m_start.stock.diameter;  // of the part around it
+  const double room = 0.5 * m_start.stock.diameter;  // room around the part
   view.flyTo(Box(box.min() - Vec3::Constant(room), box.max() + Vec3::Constant(room)), Vec3::Zero());
 }
 
@@ -341,7 +341,7 @@ void ProgramSession::choose(const ProgramFinding& finding) {
   if (!m_trial || !finding.move) return;
   goTo({*finding.move + 1, 0.0});
   m_panel->editor().setCurrentLine(finding.line);
-  showPlace();
+  showPosition();
 }
 
 }  // namespace handwheel

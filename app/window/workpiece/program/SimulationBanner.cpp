@@ -44,13 +44,13 @@ void SimulationBanner::showFor(bool isCuttable, const QString& why) {
   m_cut->setEnabled(isCuttable);
   m_cut->setToolTip(why);
   show();
-  place();
+  reposition();
 }
 
 bool SimulationBanner::eventFilter(QObject* watched, QEvent* event) {
   const bool isPlaced = event->type() == QEvent::Resize || event->type() == QEvent::Move ||
                         event->type() == QEvent::Show || event->type() == QEvent::Hide;
-  if (isPlaced && (watched == parent() || watched == m_messages) && isVisible()) place();
+  if (isPlaced && (watched == parent() || watched == m_messages) && isVisible()) reposition();
   return QFrame::eventFilter(watched, event);
 }
 
@@ -60,7 +60,7 @@ void SimulationBanner::hideEvent(QHideEvent* event) {
   parentWidget()->update();
 }
 
-void SimulationBanner::place() {
+void SimulationBanner::reposition() {
   adjustSize();
   int top = kFromTop;
   if (m_messages && m_messages->isVisible()) {

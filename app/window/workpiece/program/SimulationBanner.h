@@ -12,8 +12,8 @@ namespace handwheel {
 
 class MessageBar;
 
-// A banner over the view while that shows the simulated cut of a program. It says that nothing of it is in the document
-// yet. It lies below the messages of the window. Window thread.
+// A banner over the view while that shows the simulated cut of a program. It says that the document does not have the
+// cut yet. It lies below the messages of the window. Window thread.
 class SimulationBanner : public QFrame {
   Q_OBJECT
 
@@ -25,14 +25,14 @@ class SimulationBanner : public QFrame {
 
  signals:
   void cutRequested();
-  void leaveRequested();  // the part as it is
+  void leaveRequested();  // show the part of the document
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void place();
+  void reposition();
 
   QLabel* m_text;
   QPushButton* m_cut;

@@ -11,7 +11,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kPathChord = 0.02;  // mm, of arcs
-constexpr int kMostArcPoints = 360;  // of a move
+constexpr int kMostArcPoints = 360;  // limit per move
 constexpr std::size_t kMostPathPoints = 400'000;
 constexpr int kNosePoints = 24;
 constexpr double kInsert = 6.0;  // mm, edge of the drawn insert

@@ -29,7 +29,7 @@ QString titleFor(const LatheTool& tool) {
          QString::fromStdString(tool.designation);
 }
 
-// On the radius, whatever X of the program is.
+// Returns the heading of a radius, even if X of the program is a diameter.
 QString offsetX() {
   return ToolTableDialog::tr("Offset X") + QStringLiteral(" R");
 }
@@ -131,7 +131,7 @@ void ToolTableDialog::addRow(int number, const ProgramTool& tool) {
   });
 }
 
-// Its nose and orientation are those of the tool, until somebody changes them.
+// Nose and orientation follow the body, until the user changes them.
 void ToolTableDialog::takeBody(int row) {
   const int index = cell<QComboBox>(*m_table, row, kBody)->currentIndex();
   if (index <= 0) return;
@@ -152,7 +152,7 @@ int ToolTableDialog::freeNumber() const {
   return std::min(last + 1, kMostNumber);
 }
 
-// Of two with one number the last counts.
+// If two rows have the same number, the last one counts.
 ProgramTools ToolTableDialog::tools() const {
   ProgramTools tools;
   for (int i = 0; i < m_table->rowCount(); ++i) {

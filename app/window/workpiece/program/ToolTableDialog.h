@@ -12,13 +12,12 @@ class QTableWidget;
 
 namespace handwheel {
 
-// Changes the table of tools of a program: which number is which tool. The window stays usable meanwhile. Deleted when
-// closed.
+// A dialog that changes the tool table of a program. The window stays usable meanwhile. Deleted when closed.
 class ToolTableDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // bodies: the tools of the lathe that may be chosen. post: what its post holds, from T1.
+  // bodies: the tools of the lathe to choose from. post: the tools in its post, from T1.
   ToolTableDialog(const ProgramTools& tools, LatheTools bodies, LatheTools post, ProgramDialect dialect,
                   QWidget* parent);
 

@@ -30,23 +30,22 @@ BodyPointer standingPart(const PathProcess& process, const CellPlacement& cell) 
 // A part and a robot that were moved as one still meet: only where the part is for the base counts.
 void compareStanding(const PathProcess& process, const Body& part, const Pose& base, OutdatedReasons& found) {
   const Pose planned = process.base.value_or(base);
-  if (isSamePlace(base.inverse(Eigen::Isometry) * part.pose, planned.inverse(Eigen::Isometry) * process.planned))
-    return;
-  found.isBaseOther = !isSamePlace(base, planned);
-  if (!found.isBaseOther || !isSamePlace(part.pose, process.planned)) found.part = part.name;
+  if (isSamePose(base.inverse(Eigen::Isometry) * part.pose, planned.inverse(Eigen::Isometry) * process.planned)) return;
+  found.isBaseOther = !isSamePose(base, planned);
+  if (!found.isBaseOther || !isSamePose(part.pose, process.planned)) found.part = part.name;
 }
 
 }  // namespace
 
 const NamedConfiguration* changedConfiguration(const CellRobot& robot, const CellPlans& plans, std::string_view arm,
-                                               const Waypoint& place) {
+                                               const Waypoint& waypoint) {
   constexpr double kAngle = 1e-3 * kRadiansPerDegree, kLength = 1e-3;  // rad, mm: as exactly as programs are read back
-  const NamedConfiguration* const known = plans.configuration(place.configuration);
+  const NamedConfiguration* const known = plans.configuration(waypoint.configuration);
   const auto number = armNumber(robot, arm);
   if (!known || !number || armNumber(robot, known->arm) != number) return nullptr;
   const auto isElsewhere = [&](std::uint32_t dof) {
     const double most = robot.model.jointOfDof(dof).kind == JointKind::Prismatic ? kLength : kAngle;
-    return !(std::abs(known->joints[dof] - place.joints[dof]) <= most);
+    return !(std::abs(known->joints[dof] - waypoint.joints[dof]) <= most);
   };
   const std::vector<std::uint32_t> dofs = dofsOfArm(robot, *number);
   return std::any_of(dofs.begin(), dofs.end(), isElsewhere) ? known : nullptr;
@@ -57,10 +56,10 @@ CellPlans withConfigurationRenamed(CellPlans plans, const std::string& name, con
     if (each.name == name) each.name = wanted;
   }
   for (RobotPath& path : plans.paths) {
-    for (Waypoint& place : path.places) {
-      if (place.configuration != name) continue;
-      place.configuration = wanted;
-      if (place.name == name) place.name = wanted;
+    for (Waypoint& waypoint : path.waypoints) {
+      if (waypoint.configuration != name) continue;
+      waypoint.configuration = wanted;
+      if (waypoint.name == name) waypoint.name = wanted;
     }
     for (const char* const end : {"from", "to"}) {
       if (!path.process) continue;
@@ -74,13 +73,13 @@ CellPlans withConfigurationRenamed(CellPlans plans, const std::string& name, con
 std::vector<std::string> pathsThrough(const CellPlans& plans, std::string_view configuration) {
   std::vector<std::string> names;
   for (const RobotPath& path : plans.paths) {
-    const auto standsForIt = [&](const Waypoint& place) { return place.configuration == configuration; };
-    if (std::any_of(path.places.begin(), path.places.end(), standsForIt)) names.push_back(path.name);
+    const auto standsForIt = [&](const Waypoint& waypoint) { return waypoint.configuration == configuration; };
+    if (std::any_of(path.waypoints.begin(), path.waypoints.end(), standsForIt)) names.push_back(path.name);
   }
   return names;
 }
 
-bool isSamePlace(const Pose& one, const Pose& other) {
+bool isSamePose(const Pose& one, const Pose& other) {
   constexpr double kDistance = 1e-3, kAngle = 1e-3 * kRadiansPerDegree;  // mm, rad
   const double angle = Eigen::Quaterniond(one.linear()).angularDistance(Eigen::Quaterniond(other.linear()));
   return (one.translation() - other.translation()).norm() <= kDistance && angle <= kAngle;
@@ -105,13 +104,14 @@ OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& c
     const auto number = armNumber(robot, path.arm);
     if (part && number) compareStanding(*path.process, *part, basePose(cell.robot, robot.arms[*number]), found);
     const std::optional<Pose>& tool = path.process->tool;
-    found.isToolOther = tool && !isSamePlace(toolOf(robot, cell.plans, path.arm), *tool);
+    found.isToolOther = tool && !isSamePose(toolOf(robot, cell.plans, path.arm), *tool);
   }
-  for (const Waypoint& place : path.places) {
-    if (changedConfiguration(robot, cell.plans, path.arm, place)) found.configurations.insert(place.configuration);
-    if (!place.target || found.targets.contains(place.target->name)) continue;
-    const auto now = targetInTool(robot, cell, path.arm, place.joints, place.target->name);
-    if (now && !isSamePlace(*now, place.target->inTool)) found.targets.insert(place.target->name);
+  for (const Waypoint& waypoint : path.waypoints) {
+    if (changedConfiguration(robot, cell.plans, path.arm, waypoint))
+      found.configurations.insert(waypoint.configuration);
+    if (!waypoint.target || found.targets.contains(waypoint.target->name)) continue;
+    const auto now = targetInTool(robot, cell, path.arm, waypoint.joints, waypoint.target->name);
+    if (now && !isSamePose(*now, waypoint.target->inTool)) found.targets.insert(waypoint.target->name);
   }
   return found;
 }

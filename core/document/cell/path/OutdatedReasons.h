@@ -15,11 +15,11 @@ struct CellRobot;
 
 // The reasons why a planned path is out of date.
 struct OutdatedReasons {
-  std::string part = {};               // that it leads along, where that stands elsewhere now
-  bool isBaseOther = false;            // its robot stands elsewhere than when its curve was planned
-  bool isToolOther = false;            // its curve was planned with another centre point of the tool
-  std::set<std::string> targets = {};  // that places of it were planned to, where the tool does not come to them now
-  std::set<std::string> configurations = {};  // that places of it stand for, and that are other joint values now
+  std::string part = {};                      // The part whose curve it follows, if it was moved
+  bool isBaseOther = false;                   // True if its robot was moved after its curve was planned
+  bool isToolOther = false;                   // True if its curve was planned with another tool centre point
+  std::set<std::string> targets = {};         // Targets of its waypoints that the tool does not reach any more
+  std::set<std::string> configurations = {};  // Configurations of its waypoints whose joint values have changed
 
   bool isAny() const {
     return isToolOther || isBaseOther || !part.empty() || !targets.empty() || !configurations.empty();
@@ -27,27 +27,28 @@ struct OutdatedReasons {
   bool operator==(const OutdatedReasons&) const = default;
 };
 
-// The reasons for a path now, with the other robots where they are. What does not exist any more does not count.
-// O(places · links + bodies).
+// Returns the reasons for a path at present, with the other robots at their present joint values. Parts, targets and
+// configurations that were removed do not count. O(waypoints · links + bodies).
 OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path);
 
-// Where a target is for the tool of this robot (CellPlans::arm) at these joint values of it; none where it is missing.
+// Returns the pose of a target in the frame of the tool of this robot (CellPlans::arm) at these joint values; nothing
+// if the target is missing.
 std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
                                  const JointValues& at, std::string_view target);
 
-// The configuration that a place of a path of this robot (CellPlans::arm) stands for, if it is other joint values now;
-// null also where it is missing, or of another robot.
+// Returns the configuration of a waypoint of this robot (CellPlans::arm) if its joint values have changed; null also if
+// it is missing, or of another robot.
 const NamedConfiguration* changedConfiguration(const CellRobot& robot, const CellPlans& plans, std::string_view arm,
-                                               const Waypoint& place);
+                                               const Waypoint& waypoint);
 
-// The plans with another name for a configuration, which must be free, also of the places of paths that stand for it
-// and of the ends of those along curves.
+// Returns the plans with another name for a configuration, which must be free. Waypoints at it, and the ends of paths
+// along curves, follow the new name.
 CellPlans withConfigurationRenamed(CellPlans plans, const std::string& name, const std::string& wanted);
 
-// The names of the paths with places that stand for a configuration.
+// Returns the names of the paths with waypoints at a configuration.
 std::vector<std::string> pathsThrough(const CellPlans& plans, std::string_view configuration);
 
-// Whether two poses are the same for programs, which are read back as exactly: 1e-3 mm, 1e-3°.
-bool isSamePlace(const Pose& one, const Pose& other);
+// Returns true if two poses are equal up to the precision of programs: 1e-3 mm, 1e-3°.
+bool isSamePose(const Pose& one, const Pose& other);
 
 }  // namespace handwheel

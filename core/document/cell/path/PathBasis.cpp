@@ -53,10 +53,10 @@ std::vector<std::vector<double>> configurationsOf(const CellRobot& robot, const 
   std::vector<std::vector<double>> all;
   const auto arm = armNumber(robot, path.arm);
   const std::vector<std::uint32_t> dofs = arm ? dofsOfArm(robot, *arm) : std::vector<std::uint32_t>();
-  for (const Waypoint& place : path.places) {
-    if (place.configuration.empty()) continue;
+  for (const Waypoint& waypoint : path.waypoints) {
+    if (waypoint.configuration.empty()) continue;
     all.emplace_back();
-    const NamedConfiguration* const known = plans.configuration(place.configuration);
+    const NamedConfiguration* const known = plans.configuration(waypoint.configuration);
     if (!known || armNumber(robot, known->arm) != arm) continue;
     for (const std::uint32_t dof : dofs) all.back().push_back(known->joints[dof]);
   }
@@ -65,9 +65,9 @@ std::vector<std::vector<double>> configurationsOf(const CellRobot& robot, const 
 
 std::vector<std::pair<NamedTarget, NamedFrame>> targetsOf(const CellPlans& plans, const RobotPath& path) {
   std::vector<std::pair<NamedTarget, NamedFrame>> targets;
-  for (const Waypoint& place : path.places) {
-    if (!place.target) continue;
-    const NamedTarget* const target = plans.target(place.target->name);
+  for (const Waypoint& waypoint : path.waypoints) {
+    if (!waypoint.target) continue;
+    const NamedTarget* const target = plans.target(waypoint.target->name);
     const NamedFrame* const frame = target ? plans.frame(target->frame) : nullptr;
     targets.emplace_back(target ? *target : NamedTarget(), frame ? *frame : NamedFrame());
     targets.back().first.name = targets.back().first.frame = targets.back().second.name = {};
@@ -77,7 +77,7 @@ std::vector<std::pair<NamedTarget, NamedFrame>> targetsOf(const CellPlans& plans
 
 BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, const RobotPath& path) {
   if (basis.robot != cell.robot) return BasisChange::Robots;
-  if (!areSameWay(basis.path, path)) return BasisChange::Path;
+  if (!haveSameWaypoints(basis.path, path)) return BasisChange::Path;
   if (!standAlike(basis, cell.joints)) return BasisChange::Joints;
   if (!collideAlike(basis.bodies, cell.bodies)) return BasisChange::Bodies;
   if (basis.allowed != cell.plans->allowed) return BasisChange::Pairs;
@@ -88,11 +88,11 @@ BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, c
   return BasisChange::Nothing;
 }
 
-bool areSameWay(const RobotPath& one, const RobotPath& other) {
+bool haveSameWaypoints(const RobotPath& one, const RobotPath& other) {
   const auto isSameBase = [](const auto& a, const auto& b) {
     return a.first == b.first && a.second.matrix() == b.second.matrix();
   };
-  return one.arm == other.arm && one.places == other.places &&
+  return one.arm == other.arm && one.waypoints == other.waypoints &&
          std::equal(one.bases.begin(), one.bases.end(), other.bases.begin(), other.bases.end(), isSameBase);
 }
 

@@ -13,7 +13,8 @@ namespace handwheel {
 
 namespace {
 
-// Of values one after the other; texts and lists go in with their sizes, so that no two sequences are the same bytes.
+// Digest of a sequence of values; texts and lists are added with their sizes, so that no two sequences give the same
+// bytes.
 class Digest {
  public:
   void add(std::uint64_t number) { addBytes(&number, sizeof number); }
@@ -71,7 +72,7 @@ std::string ofRobots(const CellRobot& robot) {
     digest.add(std::uint64_t{arm.base});
     digest.add(std::uint64_t{arm.flange});
   }
-  // What is no mesh is in the description. Meshes are stored in single precision.
+  // Shapes other than meshes are in the description. Meshes are stored in single precision.
   for (std::size_t i = 0; i < robot.surfaces.size(); ++i) {
     if (!std::holds_alternative<MeshShape>(robot.model.shapes[i])) continue;
     digest.add(std::uint64_t{robot.surfaces[i] ? 1u : 0u});
@@ -109,35 +110,35 @@ std::string ofPairs(const std::set<std::pair<std::string, std::string>>& pairs) 
 std::string ofPath(const RobotPath& path) {
   Digest digest;
   digest.add(path.arm);
-  digest.add(std::uint64_t{path.places.size()});
-  for (const Waypoint& place : path.places) {
-    digest.add(place.joints);
-    digest.add(place.name);
-    digest.add(std::uint64_t{place.isCritical ? 1u : 0u});
-    digest.add(static_cast<std::uint64_t>(place.motion));
-    digest.addNumber(place.speed);
-    digest.addNumber(place.blend);
+  digest.add(std::uint64_t{path.waypoints.size()});
+  for (const Waypoint& waypoint : path.waypoints) {
+    digest.add(waypoint.joints);
+    digest.add(waypoint.name);
+    digest.add(std::uint64_t{waypoint.isCritical ? 1u : 0u});
+    digest.add(static_cast<std::uint64_t>(waypoint.motion));
+    digest.addNumber(waypoint.speed);
+    digest.addNumber(waypoint.blend);
   }
   for (const auto& [robot, base] : path.bases) {
     digest.add(robot);
     digest.add(base);
   }
-  for (std::size_t i = 0; i < path.places.size(); ++i) {
-    const auto& target = path.places[i].target;
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const auto& target = path.waypoints[i].target;
     if (!target) continue;
     digest.add(std::uint64_t{i});
     digest.add(target->name);
     digest.add(target->inTool);
   }
-  for (std::size_t i = 0; i < path.places.size(); ++i) {
-    if (path.places[i].configuration.empty()) continue;
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    if (path.waypoints[i].configuration.empty()) continue;
     digest.add(std::uint64_t{i});
-    digest.add(path.places[i].configuration);
+    digest.add(path.waypoints[i].configuration);
   }
   return digest.text();
 }
 
-// Empty where no place was planned to a target, as of proofs that were stored when they did not tell.
+// Empty if no waypoint was planned to a target, as in proofs that were stored before these counted.
 std::string ofTargets(const CellPlans& plans, const RobotPath& path) {
   const auto targets = targetsOf(plans, path);
   if (targets.empty()) return {};
@@ -152,7 +153,7 @@ std::string ofTargets(const CellPlans& plans, const RobotPath& path) {
   return digest.text();
 }
 
-// Empty where no place stands for one, as above.
+// Empty if no waypoint is at a configuration, as above.
 std::string ofConfigurations(const RobotCellSnapshot& cell, const RobotPath& path) {
   const auto configurations = configurationsOf(*cell.robot, *cell.plans, path);
   if (configurations.empty()) return {};
@@ -164,7 +165,7 @@ std::string ofConfigurations(const RobotCellSnapshot& cell, const RobotPath& pat
   return digest.text();
 }
 
-// Where the joints stand that the path sets does not count.
+// The values of the joints that the path sets do not count.
 std::string ofJoints(const RobotCellSnapshot& cell, const std::string& arm) {
   JointValues others = cell.joints;
   for (const std::uint32_t dof : plannedDofs(*cell.robot, arm)) others[dof] = 0.0;

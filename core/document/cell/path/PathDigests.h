@@ -7,12 +7,12 @@
 
 namespace handwheel {
 
-// Digests of the inputs on which the verification of paths depends. For a proof that outlives the session: equal where
+// Digests of the inputs on which the verification of paths depends. For a proof that outlives the session: equal if
 // PathBasis (document/cell/path/PathBasis.h) finds no change, also in a cell that was stored and read again. Reads all
 // shapes once, about 5 s for a gigabyte of them. A value; any thread.
 class PathDigests {
  public:
-  // former: of an earlier state of the cell; what it shares with that is not read again.
+  // former: digests of an earlier state of the cell; data shared with that state is not read again.
   explicit PathDigests(std::shared_ptr<const RobotCellSnapshot> cell, const PathDigests* former = nullptr);
 
   BasisDigests of(const RobotPath& path) const;
@@ -22,7 +22,7 @@ class PathDigests {
   std::string m_robots, m_bodies, m_allowed;
 };
 
-// What differs first.
+// Returns the first difference.
 BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now);
 
 }  // namespace handwheel

@@ -37,7 +37,7 @@ class BinaryReader {
 
   std::uint32_t wordAt(std::size_t at) const { return loadNumber<std::uint32_t>(m_bytes.data() + at, m_order); }
 
-  // What the counts ask for, in bytes, if they are in this order.
+  // Returns the number of bytes that the counts require in this byte order.
   std::uint64_t bytesNeeded(std::endian order) const {
     const std::uint64_t vertices = loadNumber<std::uint32_t>(m_bytes.data() + m_at, order);
     const std::uint64_t faces = loadNumber<std::uint32_t>(m_bytes.data() + m_at + kWord, order);
@@ -88,16 +88,16 @@ class BinaryReader {
       m_corners.clear();
       for (std::uint32_t k = 0; k < count; ++k) m_corners.push_back(wordAt(m_at + (k + 1) * kWord));
       if (colours && wordAt(m_at + (count + 1) * kWord) > 0) m_assembly.lose(LostAttribute::Colour);
-      const InputPosition place = InputPosition::byte(m_at);
+      const InputPosition start = InputPosition::byte(m_at);
       m_at = end;
       if (count == 1) m_assembly.lose(LostAttribute::Points);
       if (count == 2) m_assembly.lose(LostAttribute::Lines);
-      if (count != 1 && count != 2 && !m_assembly.addPolygon(m_corners, place)) return false;
+      if (count != 1 && count != 2 && !m_assembly.addPolygon(m_corners, start)) return false;
     }
     return true;
   }
 
-  // Where the face that begins here ends; 0 when the file ends sooner.
+  // Returns the end of the face that begins here; 0 if the file ends sooner.
   std::size_t faceEnd(std::size_t at, bool colours) const {
     for (int part = 0; part < (colours ? 2 : 1); ++part) {
       if (m_bytes.size() - at < kWord) return 0;
@@ -108,7 +108,7 @@ class BinaryReader {
     return at;
   }
 
-  // The reading that ends with the file and has all faces is right; if none does, the one that has more.
+  // The interpretation that ends with the file and has all faces is right; if none does, the one with more faces.
   bool facesHaveColourCounts() {
     const Walk without = walkFaces(false), with = walkFaces(true);
     if (with.complete || without.complete) return with.complete;

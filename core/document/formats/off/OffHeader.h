@@ -14,16 +14,16 @@ struct OffKeyword {
   bool texture = false;         // two numbers after each vertex
   bool colour = false;          // in binary files four numbers
   bool normal = false;          // three numbers
-  bool otherDimension = false;  // 4OFF, nOFF: not points in space
+  bool otherDimension = false;  // 4OFF, nOFF: no points in space
   std::size_t length = 0;       // characters; a count may follow without a blank
 
   bool hasAttributes() const { return texture || colour || normal; }
 };
 
-// Parses the first word of an OFF file; nothing if it is not a keyword.
+// Parses the first word of an OFF file. Returns none if it is not a keyword.
 std::optional<OffKeyword> parseOffKeyword(std::string_view word);
 
-// Whether the first word that is no comment is the keyword.
+// Returns true if the first word outside comments is the keyword.
 bool beginsWithOffKeyword(std::string_view bytes);
 
 }  // namespace handwheel

@@ -14,14 +14,14 @@ namespace {
 
 class TextReader {
  public:
-  // The scanner stands behind the keyword.
+  // The scanner must be after the keyword.
   TextReader(std::string_view bytes, TextScanner scanner, OffKeyword keyword, const ReadOptions& options,
              Progress progress)
       : m_assembly(options, progress, bytes.size()), m_scanner(scanner), m_keyword(keyword) {}
 
   Result<MeshFile> read() {
     if (readCounts() && readVertices() && readFaces() && m_scanner.findWord())
-      m_assembly.noteExcess(m_scanner.position(), m_scanner.place());
+      m_assembly.noteExcess(m_scanner.position(), m_scanner.inputPosition());
     return m_assembly.finish(NumberType::Float64);
   }
 
@@ -37,7 +37,7 @@ class TextReader {
     const auto value = parseInteger(word);
     if (value && *value >= 0) count = *value;
     if (value && *value >= 0) return true;
-    return m_assembly.fail(unexpectedWord(what, word, m_scanner.place()));
+    return m_assembly.fail(unexpectedWord(what, word, m_scanner.inputPosition()));
   }
 
   bool readVertices() {
@@ -67,8 +67,9 @@ class TextReader {
     return good ? m_assembly.addPoint(point) : m_assembly.addUnreadablePoint(std::move(error));
   }
 
-  // A vertex has a line of its own, and whatever follows on it is an attribute; unless the file has too few lines for
-  // that, and three numbers a vertex lead to the first face. Decided once, when first asked.
+  // Returns true if vertices are not one per line. A vertex normally has its own line, and any further numbers on it
+  // are attributes; unless the file has too few lines for that, and three numbers per vertex lead to the first face.
+  // Decided once, on the first call.
   bool verticesRunOn(const TextScanner& here) {
     if (!m_verticesRunOn)
       m_verticesRunOn = m_keyword.hasAttributes() ? false : linesAreTooFew(here) && facesFollowNumbers(here);
@@ -101,7 +102,7 @@ class TextReader {
   void loseVertexAttributes() {
     if (m_keyword.normal) m_assembly.lose(LostAttribute::Normals);
     if (m_keyword.texture) m_assembly.lose(LostAttribute::TextureCoordinates);
-    // Without any announcement it is colour too: several programs write it so.
+    // Without an announcement they are colours, too: several programs write them so.
     if (m_keyword.colour || !m_keyword.hasAttributes()) m_assembly.lose(LostAttribute::Colour);
   }
 
@@ -116,7 +117,7 @@ class TextReader {
   }
 
   bool readFace() {
-    const InputPosition place = m_scanner.place();
+    const InputPosition position = m_scanner.inputPosition();
     std::int64_t count = 0;
     Error error;
     if (!readIndex(count, error)) return m_assembly.tolerate(std::move(error));
@@ -128,7 +129,7 @@ class TextReader {
       m_corners.push_back(corner);
     }
     if (!m_scanner.peek().empty()) m_assembly.lose(LostAttribute::Colour);
-    return storeFace(place);
+    return storeFace(position);
   }
 
   bool readIndex(std::int64_t& index, Error& error) {
@@ -136,20 +137,22 @@ class TextReader {
     const auto value = parseInteger(word);
     if (value) index = *value;
     if (value) return true;
-    error = unexpectedWord("a whole number", word, m_scanner.place());
+    error = unexpectedWord("a whole number", word, m_scanner.inputPosition());
     return false;
   }
 
-  bool storeFace(InputPosition place) {
+  bool storeFace(InputPosition position) {
     if (m_corners.size() == 1) m_assembly.lose(LostAttribute::Points);
     if (m_corners.size() == 2) m_assembly.lose(LostAttribute::Lines);
     if (m_corners.size() == 1 || m_corners.size() == 2) return true;
-    return m_assembly.addPolygon(m_corners, place);
+    return m_assembly.addPolygon(m_corners, position);
   }
 
   bool truncated(const char* what, std::int64_t announced) {
-    m_assembly.tolerate(
-        {ErrorCode::DataTruncated, {what, std::to_string(announced), std::to_string(m_read)}, m_scanner.place(), {}});
+    m_assembly.tolerate({ErrorCode::DataTruncated,
+                         {what, std::to_string(announced), std::to_string(m_read)},
+                         m_scanner.inputPosition(),
+                         {}});
     return false;
   }
 
@@ -158,7 +161,7 @@ class TextReader {
   OffKeyword m_keyword;
   std::int64_t m_vertices = 0;
   std::int64_t m_faces = 0;
-  std::int64_t m_read = 0;  // of the vertices, then of the faces
+  std::int64_t m_read = 0;  // number of vertices, then of faces
   std::optional<bool> m_verticesRunOn;
   std::vector<std::int64_t> m_corners;
 };
@@ -171,11 +174,12 @@ Result<MeshFile> readOff(std::string_view bytes, const ReadOptions& options, Pro
   const std::string_view first = scanner.wordOnAnyLine();
   const auto keyword = parseOffKeyword(first);
   if (!keyword) {
-    if (!parseInteger(first)) return Error{ErrorCode::HeaderMalformed, {"OFF"}, scanner.place(), {}};
+    if (!parseInteger(first)) return Error{ErrorCode::HeaderMalformed, {"OFF"}, scanner.inputPosition(), {}};
     return TextReader(bytes, start, {}, options, progress).read();
   }
   if (keyword->otherDimension)
-    return Error{MeshFileError::TypeUnknown, {std::string(first.substr(0, keyword->length))}, scanner.place(), {}};
+    return Error{
+        MeshFileError::TypeUnknown, {std::string(first.substr(0, keyword->length))}, scanner.inputPosition(), {}};
   scanner.stepBack(first.size() - keyword->length);
   if (scanner.peek() != "BINARY") return TextReader(bytes, scanner, *keyword, options, progress).read();
   return readBinaryOff(bytes, scanner.position(), *keyword, options, progress);

@@ -31,7 +31,7 @@ class HeaderParser {
 
   Result<PlyHeader> read() {
     if (m_scanner.wordOnAnyLine() != "ply") return malformed("ply");
-    // Files for old Macs end their lines with CR; then a line feed behind the header belongs to the body.
+    // Files for old Macs end their lines with CR; then a line feed after the header belongs to the body.
     const std::size_t end = m_scanner.position();
     m_carriageReturnOnly = m_bytes.substr(end, 1) == "\r" && m_bytes.substr(end, 2) != "\r\n";
     while (!m_done && m_scanner.nextLine())
@@ -49,7 +49,7 @@ class HeaderParser {
     if (word == "property") return readProperty();
     if (word == "end_header") return endHeader();
     if (word.empty() || word == "comment" || word == "obj_info") return true;
-    m_error = unexpectedWord("end_header", word, m_scanner.place());
+    m_error = unexpectedWord("end_header", word, m_scanner.inputPosition());
     return false;
   }
 
@@ -62,7 +62,7 @@ class HeaderParser {
     else if (word == "binary_big_endian")
       m_header.encoding = PlyEncoding::BigEndian;
     else
-      return fail(wordError(MeshFileError::TypeUnknown, word, m_scanner.place()));
+      return fail(wordError(MeshFileError::TypeUnknown, word, m_scanner.inputPosition()));
     m_formatKnown = true;
     return true;
   }
@@ -70,7 +70,7 @@ class HeaderParser {
   bool readElement() {
     const std::string_view name = m_scanner.word(), count = m_scanner.word();
     const auto value = parseInteger(count);
-    if (!value || *value < 0) return fail(unexpectedWord("a count", count, m_scanner.place()));
+    if (!value || *value < 0) return fail(unexpectedWord("a count", count, m_scanner.inputPosition()));
     m_header.elements.push_back({std::string(name), static_cast<std::uint64_t>(*value), {}});
     return true;
   }
@@ -94,14 +94,15 @@ class HeaderParser {
   bool readType(std::string_view word, PlyType& type) {
     const auto* found = std::find_if(std::begin(kTypeNames), std::end(kTypeNames),
                                      [&](const TypeName& known) { return known.name == word; });
-    if (found == std::end(kTypeNames)) return fail(wordError(MeshFileError::TypeUnknown, word, m_scanner.place()));
+    if (found == std::end(kTypeNames))
+      return fail(wordError(MeshFileError::TypeUnknown, word, m_scanner.inputPosition()));
     type = found->type;
     return true;
   }
 
   bool endHeader() {
     m_done = true;
-    m_header.bodyLine = m_scanner.place().value + 1;
+    m_header.bodyLine = m_scanner.inputPosition().value + 1;
     while (!m_scanner.word().empty()) {
     }
     std::size_t at = m_scanner.position();
@@ -111,7 +112,7 @@ class HeaderParser {
   }
 
   Error malformed(const char* expected) const {
-    return {ErrorCode::HeaderMalformed, {expected}, m_scanner.place(), {}};
+    return {ErrorCode::HeaderMalformed, {expected}, m_scanner.inputPosition(), {}};
   }
 
   bool fail(Error error) {

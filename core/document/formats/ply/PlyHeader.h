@@ -19,8 +19,8 @@ std::size_t sizeOf(PlyType type);  // bytes
 // A property of a PLY element.
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::Float32;   // of a list: of its items
-  std::optional<PlyType> countType;  // of a list only
+  PlyType type = PlyType::Float32;   // type of the items, for a list
+  std::optional<PlyType> countType;  // for a list only
 };
 
 // An element declared in a PLY header.

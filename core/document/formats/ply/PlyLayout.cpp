@@ -25,7 +25,7 @@ Kind kindOf(const PlyElement& element) {
   return element.name == "tristrips" ? Kind::Strips : Kind::Other;
 }
 
-// The list of corners has a customary name; failing that, it is the element's only list.
+// Returns the list of corners: that with the customary name, otherwise the only list of the element.
 const PlyProperty* cornersOf(const PlyElement& element) {
   const auto isList = [](const PlyProperty& p) { return p.countType.has_value(); };
   const auto& all = element.properties;

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// How a mesh uses one property of a row.
+// The use of one property of a row for a mesh.
 struct PlyField {
   enum class Role { X, Y, Z, Corners, Skipped };
   Role role = Role::Skipped;
@@ -16,20 +16,20 @@ struct PlyField {
   std::optional<PlyType> countType;
 };
 
-// How a mesh uses the rows of an element.
+// The use of the rows of an element for a mesh.
 struct PlyLayout {
   enum class Kind { Vertices, Faces, Strips, Other };
   Kind kind = Kind::Other;
   const char* rowsName = "rows";  // for messages
   std::vector<PlyField> fields;
   std::vector<std::pair<LostAttribute, std::string>> lost;  // with the names in the file
-  std::string missing;                                      // a property without which the rows cannot be understood
+  std::string missing;                                      // a missing property that the rows need
 };
 
-// The layout of the rows of an element.
+// Returns the layout of the rows of an element.
 PlyLayout layoutOf(const PlyElement& element);
 
-// The number type of the vertices' coordinates: single precision only when all are.
+// Returns the number type of the vertices' coordinates: single precision only if all have it.
 NumberType coordinateType(const PlyHeader& header);
 
 }  // namespace handwheel

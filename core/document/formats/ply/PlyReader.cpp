@@ -30,7 +30,7 @@ class BodyReader {
       if (!whole) break;
     }
     m_assembly.allPointsAdded();
-    if (whole && m_rows.hasExcess()) m_assembly.noteExcess(m_rows.position(), m_rows.place());
+    if (whole && m_rows.hasExcess()) m_assembly.noteExcess(m_rows.position(), m_rows.inputPosition());
     return m_assembly.finish(coordinateType(m_header));
   }
 
@@ -44,7 +44,7 @@ class BodyReader {
     for (const auto& [lost, name] : layout.lost) m_assembly.lose(lost, name);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!m_assembly.advance(m_rows.position())) return false;
-      const InputPosition place = m_rows.place();
+      const InputPosition position = m_rows.inputPosition();
       const bool isThere = m_rows.begin();
       const RowState state = isThere ? readRow(layout) : RowState::Ended;
       if (state == RowState::Ended) {
@@ -52,12 +52,12 @@ class BodyReader {
         m_assembly.tolerate(isRefused ? m_rows.error()
                                       : Error{ErrorCode::DataTruncated,
                                               {layout.rowsName, std::to_string(element.count), std::to_string(i)},
-                                              place,
+                                              position,
                                               {}});
         return false;
       }
       if (state == RowState::Bad) m_rows.abandon();
-      if (!(state == RowState::Good ? store(layout, place) : storeBad(layout))) return false;
+      if (!(state == RowState::Good ? store(layout, position) : storeBad(layout))) return false;
     }
     return true;
   }
@@ -77,11 +77,11 @@ class BodyReader {
   }
 
   RowState readList(const PlyField& field) {
-    const InputPosition place = m_rows.place();
+    const InputPosition position = m_rows.inputPosition();
     std::int64_t count = 0;
     if (const RowState state = m_rows.integer(*field.countType, count); state != RowState::Good) return state;
     if (count < 0)
-      return m_rows.refuse({MeshFileError::TokenUnexpected, {"a count", std::to_string(count)}, place, {}});
+      return m_rows.refuse({MeshFileError::TokenUnexpected, {"a count", std::to_string(count)}, position, {}});
     if (field.role == PlyField::Role::Skipped) return m_rows.skip(field.type, static_cast<std::uint64_t>(count));
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t corner = 0;
@@ -92,16 +92,16 @@ class BodyReader {
     return RowState::Good;
   }
 
-  bool store(const PlyLayout& layout, InputPosition place) {
+  bool store(const PlyLayout& layout, InputPosition position) {
     switch (layout.kind) {
       case PlyLayout::Kind::Vertices:
         if (m_point.allFinite()) return m_assembly.addPoint(m_point);
         return m_assembly.addUnreadablePoint(
-            {ErrorCode::NumberNotFinite, {m_point.hasNaN() ? "nan" : "inf"}, place, {}});
+            {ErrorCode::NumberNotFinite, {m_point.hasNaN() ? "nan" : "inf"}, position, {}});
       case PlyLayout::Kind::Faces:
-        return m_assembly.addPolygon(m_corners, place);
+        return m_assembly.addPolygon(m_corners, position);
       case PlyLayout::Kind::Strips:
-        return addStrips(place);
+        return addStrips(position);
       case PlyLayout::Kind::Other:
         break;
     }
@@ -113,14 +113,14 @@ class BodyReader {
     return m_assembly.tolerate(m_rows.error());
   }
 
-  // Strips of one row are parted by -1; every second triangle is turned.
-  bool addStrips(InputPosition place) {
+  // Adds strips. Strips of one row are separated by -1; every second triangle is reversed.
+  bool addStrips(InputPosition position) {
     std::size_t start = 0;
     for (std::size_t i = 0; i <= m_corners.size(); ++i) {
       const bool ends = i == m_corners.size() || m_corners[i] == -1;
       if (ends) {
         const std::size_t length = i - start;
-        if (length > 0 && length < 3 && !m_assembly.addPolygon(std::span(m_corners).subspan(start, length), place))
+        if (length > 0 && length < 3 && !m_assembly.addPolygon(std::span(m_corners).subspan(start, length), position))
           return false;
         start = i + 1;
         continue;
@@ -128,7 +128,7 @@ class BodyReader {
       if (i < start + 2) continue;
       std::array<std::int64_t, 3> triangle = {m_corners[i - 2], m_corners[i - 1], m_corners[i]};
       if ((i - start) % 2 == 1) std::swap(triangle[0], triangle[1]);
-      if (!m_assembly.advance(m_rows.position()) || !m_assembly.addPolygon(triangle, place)) return false;
+      if (!m_assembly.advance(m_rows.position()) || !m_assembly.addPolygon(triangle, position)) return false;
     }
     return true;
   }

@@ -51,20 +51,20 @@ RowState PlyTextRows::number(PlyType type, double& value) {
 RowState PlyTextRows::integer(PlyType, std::int64_t& value) {
   const std::string_view word = m_scanner.word();
   const auto parsed = parseInteger(word);
-  if (!parsed) return refuse(unexpectedWord("a whole number", word, m_scanner.place()));
+  if (!parsed) return refuse(unexpectedWord("a whole number", word, m_scanner.inputPosition()));
   value = *parsed;
   return RowState::Good;
 }
 
 RowState PlyTextRows::skip(PlyType, std::uint64_t numbers) {
   for (std::uint64_t i = 0; i < numbers; ++i)
-    if (m_scanner.word().empty()) return refuse(unexpectedWord("a number", {}, m_scanner.place()));
+    if (m_scanner.word().empty()) return refuse(unexpectedWord("a number", {}, m_scanner.inputPosition()));
   return RowState::Good;
 }
 
 RowState PlyTextRows::end() {
   const std::string_view word = m_scanner.word();
-  if (!word.empty()) return refuse(unexpectedWord("the end of the line", word, m_scanner.place()));
+  if (!word.empty()) return refuse(unexpectedWord("the end of the line", word, m_scanner.inputPosition()));
   m_scanner.nextLine();
   return RowState::Good;
 }
@@ -75,8 +75,8 @@ RowState PlyTextRows::refuse(Error error) {
 }
 
 RowState PlyTextRows::bad(ErrorCode why, std::string_view word) {
-  m_error =
-      word.empty() ? unexpectedWord("a number", word, m_scanner.place()) : wordError(why, word, m_scanner.place());
+  m_error = word.empty() ? unexpectedWord("a number", word, m_scanner.inputPosition())
+                         : wordError(why, word, m_scanner.inputPosition());
   return RowState::Bad;
 }
 
@@ -94,7 +94,7 @@ RowState PlyBinaryRows::number(PlyType type, double& value) {
 }
 
 RowState PlyBinaryRows::integer(PlyType type, std::int64_t& value) {
-  const InputPosition start = place();
+  const InputPosition start = inputPosition();
   double real = 0.0;
   if (number(type, real) != RowState::Good) return RowState::Ended;
   constexpr double kExact = 9007199254740992.0;  // 2^53
@@ -110,7 +110,7 @@ RowState PlyBinaryRows::skip(PlyType type, std::uint64_t numbers) {
   return RowState::Good;
 }
 
-// The place of the next row is unknown from here on.
+// The position of the next row is unknown from here on.
 RowState PlyBinaryRows::refuse(Error error) {
   m_error = std::move(error);
   return RowState::Ended;

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 // Result of reading part of a row. After Bad the rest of the row is unusable, but the next one can be read; after Ended
-// nothing can be read any more. error() is the reason.
+// nothing can be read any more. error() returns the reason.
 enum class RowState { Good, Bad, Ended };
 
 // Reads the rows of a PLY body as text: one line each. Same functions as PlyBinaryRows.
@@ -20,22 +20,22 @@ class PlyTextRows {
  public:
   PlyTextRows(std::string_view bytes, const PlyHeader& header) : m_scanner(bytes, header.bodyAt, header.bodyLine) {}
 
-  // False when there is no further row.
+  // Returns false if there is no further row.
   bool begin() { return m_scanner.findWord(); }
-  // The number as a file of this type holds it.
+  // Reads the number as a file of this type stores it.
   RowState number(PlyType type, double& value);
   RowState integer(PlyType type, std::int64_t& value);
   RowState skip(PlyType type, std::uint64_t numbers);
   RowState end();
   // Reports that the row has an impossible value.
   RowState refuse(Error error);
-  // Leaves a bad row.
+  // Skips the rest of a bad row.
   void abandon() { m_scanner.nextLine(); }
 
   const Error& error() const { return m_error; }
-  InputPosition place() const { return m_scanner.place(); }
+  InputPosition inputPosition() const { return m_scanner.inputPosition(); }
   std::size_t position() const { return m_scanner.position(); }
-  // Something other than white space is left.
+  // Returns true if anything other than white space is left.
   bool hasExcess() { return m_scanner.findWord(); }
 
  private:
@@ -59,7 +59,7 @@ class PlyBinaryRows {
   void abandon() {}
 
   const Error& error() const { return m_error; }
-  InputPosition place() const { return InputPosition::byte(m_at); }
+  InputPosition inputPosition() const { return InputPosition::byte(m_at); }
   std::size_t position() const { return m_at; }
   bool hasExcess() const;
 

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::size_t kLongestLine = 256;  // bytes, and those of the unit in it:
 constexpr std::size_t kLongestUnit = 32;
-constexpr std::string_view kOwnUnit = "millimetre";  // as the library calls it
+constexpr std::string_view kOwnUnit = "millimetre";  // name in the library
 
 // The first line of the answer of plugins/formats/step.
 struct StepSummary {
-  // parts of the file and those that were read, solids, open shells, faces and those that were lost
+  // numbers of: parts in the file, parts read, solids, open shells, faces, lost faces
   std::array<std::size_t, 6> counts{};
   double chord = 0.0;  // mm
   std::string unit;
@@ -34,7 +34,7 @@ struct StepSummary {
   std::size_t facesLost() const { return counts[5]; }
 };
 
-// The next word of a line, as a number; false when it is none.
+// Parses the next word of a line as a number. Returns false if it is none.
 template <class Number>
 bool takeNumber(std::string_view& line, Number& number) {
   const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
@@ -57,7 +57,7 @@ std::optional<StepSummary> summaryOf(std::string_view line) {
   return summary;
 }
 
-// What cannot be read of the file.
+// Returns the unreadable parts of the file.
 std::vector<Error> damageOf(const StepSummary& summary) {
   std::vector<Error> damage;
   const auto compare = [&](const char* what, std::size_t expected, std::size_t found) {

@@ -8,9 +8,9 @@ namespace handwheel {
 
 inline constexpr const char* kStepLibrary = "Open CASCADE";
 
-// Reads the mesh in the output of plugins/formats/step. It is as little trusted as any file. Errors: LibraryFailed
-// where it makes no sense; CountMismatch where parts or faces are missing, which are damage where options.partial is
-// set; OutOfMemory, Cancelled.
+// Reads the mesh in the output of plugins/formats/step, which is as untrusted as any file. Errors: LibraryFailed if it
+// is inconsistent; CountMismatch if parts or faces are missing, which are damage if options.partial is set;
+// OutOfMemory, Cancelled.
 Result<MeshFile> meshIn(std::string_view answer, const ReadOptions& options, Progress progress);
 
 }  // namespace handwheel

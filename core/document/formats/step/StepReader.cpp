@@ -12,7 +12,8 @@ namespace {
 
 IsolatedReader stepReader(std::size_t bytes) {
   IsolatedReader reader{readerProgram("step"), kStepLibrary, {}};
-  // It reads a megabyte in some three seconds; slow machines are to come to an end, too.
+  // Limit of the time per size: the library reads a megabyte in about three seconds, and slow machines must finish,
+  // too.
   constexpr std::size_t kMegabyte = 1 << 20;
   reader.limits.cpu += std::chrono::seconds(20 * bytes / kMegabyte);
   reader.limits.wall = 2 * reader.limits.cpu;

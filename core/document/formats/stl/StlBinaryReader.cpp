@@ -54,7 +54,7 @@ class BinaryStlParser {
   }
 
  private:
-  // The number of facets to read, from what is announced and what is there.
+  // Determines the number of facets to read from the announced count and the size.
   bool agreeOnCount() {
     const std::size_t announced = announcedFacets(m_bytes), room = m_bytes.size() - kFacetsAt;
     const std::size_t whole = room / kFacetSize, excess = room % kFacetSize;
@@ -75,7 +75,7 @@ class BinaryStlParser {
     return true;
   }
 
-  // Padding, or data of some other program behind the facets, is not geometry.
+  // Returns false for padding or data of another program after the facets, which is not geometry.
   bool restIsFacets(std::size_t first, std::size_t last) {
     bool anything = false;
     for (std::size_t i = first; i < last && m_assembly.step(); ++i) {

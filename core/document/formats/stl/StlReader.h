@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// Whether the size exactly matches the count of a binary STL. Then it can be nothing else.
+// Returns true if the size exactly matches the count of a binary STL. Then it can be nothing else.
 bool isWholeBinaryStl(std::string_view bytes);
 
-// Whether this is STL as text: binary files may begin with "solid" too.
+// Returns true if this is text STL: binary files may begin with "solid" too.
 bool isTextStl(std::string_view bytes);
 
 // Reads an STL file, as binary unless isTextStl(). Every facet has three points of its own.

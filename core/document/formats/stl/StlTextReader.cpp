@@ -17,7 +17,7 @@ class TextStlParser {
   Result<MeshFile> read() {
     while (m_assembly.advance(m_scanner.position()) && m_scanner.findWord() && readStatement()) {
     }
-    if (m_insideSolid) m_assembly.mend(unexpectedWord("endsolid", "", m_scanner.place()));
+    if (m_insideSolid) m_assembly.mend(unexpectedWord("endsolid", "", m_scanner.inputPosition()));
     return m_assembly.finish(NumberType::Float32);
   }
 
@@ -25,32 +25,32 @@ class TextStlParser {
   bool nextIs(std::string_view keyword) { return equalsIgnoringCase(m_scanner.peek(), keyword); }
 
   bool readStatement() {
-    const InputPosition place = m_scanner.place();
+    const InputPosition position = m_scanner.inputPosition();
     const std::string_view word = m_scanner.word();
-    if (equalsIgnoringCase(word, "facet")) return readFacet(place);
+    if (equalsIgnoringCase(word, "facet")) return readFacet(position);
     if (equalsIgnoringCase(word, "solid")) {
-      if (m_insideSolid) m_assembly.mend(unexpectedWord("endsolid", word, place));
+      if (m_insideSolid) m_assembly.mend(unexpectedWord("endsolid", word, position));
       m_insideSolid = true;
     } else if (equalsIgnoringCase(word, "endsolid")) {
       m_insideSolid = false;
     } else if (equalsIgnoringCase(word, "color")) {
       m_assembly.lose(LostAttribute::Colour);
     } else if (!isGarbledEnd(word)) {
-      if (!m_assembly.tolerate(unexpectedWord("facet", word, place))) return false;
+      if (!m_assembly.tolerate(unexpectedWord("facet", word, position))) return false;
     }
     skipName();
     return true;
   }
 
-  // "end solid", "endsoli" and the like: whatever it is, no facet is lost with it.
+  // Recognises "end solid", "endsoli" and the like; no facet is lost with such a line.
   bool isGarbledEnd(std::string_view word) {
     if (!equalsIgnoringCase(word.substr(0, 3), "end")) return false;
-    m_assembly.mend(unexpectedWord("endsolid", word, m_scanner.place()));
+    m_assembly.mend(unexpectedWord("endsolid", word, m_scanner.inputPosition()));
     m_insideSolid = false;
     return true;
   }
 
-  // A name ends with its line, or where a facet begins on the same line.
+  // Skips a name, which ends with its line, or at a facet on the same line.
   void skipName() {
     for (;;) {
       const TextScanner start = m_scanner;
@@ -63,7 +63,7 @@ class TextStlParser {
     m_scanner.nextLine();
   }
 
-  bool readFacet(InputPosition place) {
+  bool readFacet(InputPosition position) {
     m_corners.clear();
     // The normal is not needed, and often it is not a number either.
     while (!m_scanner.peek().empty() && !nextIs("outer")) m_scanner.word();
@@ -72,14 +72,14 @@ class TextStlParser {
         expect("outer", error) && expect("loop", error) && readCorners(error) && expect("endloop", error);
     const bool whole = cornersRead && expect("endfacet", error);
     if (!whole && !m_assembly.tolerate(std::move(error))) return false;
-    if (cornersRead && !addFacet(place)) return false;
+    if (cornersRead && !addFacet(position)) return false;
     return whole || resume();
   }
 
   bool expect(std::string_view keyword, Error& error) {
     m_scanner.findWord();
     if (nextIs(keyword)) return !m_scanner.word().empty();
-    error = unexpectedWord(keyword, m_scanner.peek(), m_scanner.place());
+    error = unexpectedWord(keyword, m_scanner.peek(), m_scanner.inputPosition());
     return false;
   }
 
@@ -94,7 +94,7 @@ class TextStlParser {
     return true;
   }
 
-  bool addFacet(InputPosition place) {
+  bool addFacet(InputPosition position) {
     m_indices.clear();
     for (std::size_t i = 0; i < m_corners.size(); ++i)
       m_indices.push_back(static_cast<std::int64_t>(m_assembly.pointCount() + i));
@@ -102,11 +102,11 @@ class TextStlParser {
       for (const Vec3& corner : m_corners)
         if (!m_assembly.addPoint(corner)) return false;
     if (m_corners.size() > 3)
-      m_assembly.mend({ErrorCode::CountMismatch, {"vertices", "3", std::to_string(m_corners.size())}, place, {}});
-    return m_assembly.addPolygon(m_indices, place);
+      m_assembly.mend({ErrorCode::CountMismatch, {"vertices", "3", std::to_string(m_corners.size())}, position, {}});
+    return m_assembly.addPolygon(m_indices, position);
   }
 
-  // Behind a facet that is not one: on to the next line that begins a statement.
+  // Skips an invalid facet, to the next line that begins a statement.
   bool resume() {
     do {
       if (!m_assembly.advance(m_scanner.position())) return false;

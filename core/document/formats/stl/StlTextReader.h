@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Reads a text STL file. Any number of solids in one file; keywords in any case; names are whatever follows "solid".
+// Reads a text STL file. Any number of solids in one file; keywords in any case; a name is the text after "solid".
 Result<MeshFile> readTextStl(std::string_view bytes, const ReadOptions& options, Progress progress);
 
 }  // namespace handwheel

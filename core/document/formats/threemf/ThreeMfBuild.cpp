@@ -12,14 +12,14 @@ constexpr std::uint64_t kMost = std::uint64_t{1} << 25;  // triangles, and point
 constexpr int kDeepestComponent = 100;
 
 Error malformed(const ThreeMfReference& reference, const char* what) {
-  return {ErrorCode::ElementMalformed, {"component", what}, reference.place, {}};
+  return {ErrorCode::ElementMalformed, {"component", what}, reference.position, {}};
 }
 
 Error tooLarge(const char* what) {
   return {ErrorCode::FileTooLarge, {what, "", std::to_string(kMost)}, {}, {}};
 }
 
-// Every object of the part that no component of the part leads to.
+// Returns every object of the part that is not a component of another.
 std::vector<ThreeMfReference> uppermost(const ThreeMfPart& part) {
   std::set<std::uint32_t> components;
   for (const auto& [id, object] : part.objects)
@@ -43,7 +43,7 @@ ThreeMfBuild::Target ThreeMfBuild::target(const ThreeMfPart& part, const ThreeMf
   return {there, found == there->objects.end() ? nullptr : &found->second};
 }
 
-// Adds what the reference builds to the size of what it is in, which stays below twice the limit.
+// Adds the result of the reference to the size of its parent, which stays below twice the limit.
 bool ThreeMfBuild::count(const ThreeMfPart& part, const ThreeMfReference& reference, int depth, Size& outer) {
   const auto giveUp = [&](Error error) {
     m_broken.insert(&reference);
@@ -52,10 +52,10 @@ bool ThreeMfBuild::count(const ThreeMfPart& part, const ThreeMfReference& refere
   const Target found = target(part, reference);
   if (!found.object) {
     const std::string name = reference.part + "#" + std::to_string(reference.object);
-    return giveUp({ErrorCode::ReferenceMissing, {"the object", name}, reference.place, {}});
+    return giveUp({ErrorCode::ReferenceMissing, {"the object", name}, reference.position, {}});
   }
   const auto [known, isNew] = m_sizes.try_emplace(found.object);
-  Size& size = known->second;  // in a map it stays where it is
+  Size& size = known->second;  // an element of a map keeps its address
   if (size.isCounting) return giveUp(malformed(reference, "it contains itself"));
   if (isNew) {
     const TriangleSoup& mesh = found.object->mesh;
@@ -69,7 +69,7 @@ bool ThreeMfBuild::count(const ThreeMfPart& part, const ThreeMfReference& refere
   outer.points += size.points;
   outer.triangles += size.triangles;
   outer.height = std::max(outer.height, size.height + 1);
-  // An object that was counted before may be deep without this walk having been.
+  // An object that was counted before may be deeper than this traversal.
   if (outer.height > kDeepestComponent) return m_assembly.fail(malformed(reference, "it is nested too deeply"));
   if (outer.triangles > kMost) return m_assembly.fail(tooLarge("triangles"));
   return outer.points <= kMost || m_assembly.fail(tooLarge("vertices"));
@@ -82,7 +82,7 @@ bool ThreeMfBuild::build(const ThreeMfPart& root, bool withoutBuild) {
   for (const ThreeMfReference& item : items) {
     if (const Target found = target(root, item); found.object && found.object->isOther) {
       m_broken.insert(&item);
-      m_assembly.mend({ErrorCode::ElementMalformed, {"item", "its object is of the type 'other'"}, item.place, {}});
+      m_assembly.mend({ErrorCode::ElementMalformed, {"item", "its object is of the type 'other'"}, item.position, {}});
     } else if (!count(root, item, 0, sum)) {
       return false;
     }
@@ -94,7 +94,7 @@ bool ThreeMfBuild::build(const ThreeMfPart& root, bool withoutBuild) {
   return true;
 }
 
-// As deep as count() has allowed. Objects that build nothing are not entered, so the work is bounded by what is built.
+// The depth is limited by count(). Objects that build nothing are not entered, so the work is bounded by the result.
 bool ThreeMfBuild::add(const ThreeMfPart& part, const ThreeMfReference& reference, const ThreeMfTransform& outer) {
   if (m_broken.contains(&reference)) return true;
   const Target found = target(part, reference);

@@ -10,17 +10,17 @@
 
 namespace handwheel {
 
-// Assembles the objects of a 3MF file according to its build section. What a small file builds may be huge, or endless:
-// it is counted first, and rejected beyond 2^25 triangles or points, 100 nested components, or for a cycle.
+// Assembles the objects of a 3MF file according to its build section. The result of a small file may be huge, or
+// endless: it is counted first, and rejected beyond 2^25 triangles or points, 100 nested components, or for a cycle.
 class ThreeMfBuild {
  public:
-  // A part by the path that a reference holds, or null.
+  // Returns the part with the path in a reference, or null.
   using FindPart = std::function<const ThreeMfPart*(const std::string& path)>;
 
   ThreeMfBuild(FindPart findPart, MeshAssembly& assembly) : m_findPart(std::move(findPart)), m_assembly(assembly) {}
 
   // Adds the triangles of the root part's items to the assembly. If the build section is lost (withoutBuild), every
-  // object is built that is not a component of another. False: reading must end; the assembly has the reason.
+  // object is built that is not a component of another. Returns false if reading must end; the assembly has the reason.
   bool build(const ThreeMfPart& root, bool withoutBuild);
 
  private:

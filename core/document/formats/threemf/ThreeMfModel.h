@@ -11,24 +11,24 @@
 #include <vector>
 
 // Content of the model parts of a 3MF file, before it is assembled. 3MF Core Specification 1.3, production extension
-// 1.1. Lengths are in millimetres whatever the part's unit.
+// 1.1. Lengths are in millimetres for any unit of the part.
 namespace handwheel {
 
 using ThreeMfTransform = Eigen::Transform<double, 3, Eigen::AffineCompact>;
 
 // A build item, or a component of an object.
 struct ThreeMfReference {
-  std::string part;  // as the file writes it; empty: the same part
+  std::string part;  // the path in the file; empty: the same part
   std::uint32_t object = 0;
   ThreeMfTransform transform = ThreeMfTransform::Identity();
-  InputPosition place;
+  InputPosition position;
 };
 
 // An object of a 3MF file: a mesh and components.
 struct ThreeMfObject {
   TriangleSoup mesh;  // every point finite, every index in range
   std::vector<ThreeMfReference> components;
-  bool isOther = false;  // of a type that must not be built
+  bool isOther = false;  // its type must not be built
 };
 
 // A model part of a 3MF file.

@@ -65,7 +65,7 @@ class ModelReader {
       if (m_xml.isEndElement() && !leave()) return false;
     }
     if (m_xml.hasError() && !tolerate(malformed("XML", m_xml.errorString().toStdString()))) return false;
-    return endObject();  // of a text that is cut off
+    return endObject();  // the text is truncated
   }
 
  private:
@@ -74,9 +74,9 @@ class ModelReader {
            encoding.compare(u"us-ascii", Qt::CaseInsensitive) == 0;
   }
 
-  InputPosition place() const { return InputPosition::line(static_cast<std::uint64_t>(m_xml.lineNumber())); }
+  InputPosition inputPosition() const { return InputPosition::line(static_cast<std::uint64_t>(m_xml.lineNumber())); }
   Error malformed(const char* element, std::string what) const {
-    return {ErrorCode::ElementMalformed, {element, std::move(what)}, place(), m_partName};
+    return {ErrorCode::ElementMalformed, {element, std::move(what)}, inputPosition(), m_partName};
   }
   bool tolerate(Error error) {
     error.subject = m_partName;
@@ -131,13 +131,13 @@ class ModelReader {
     const QString required = m_attributes.value(QLatin1String("requiredextensions")).toString();
     for (const QString& prefix : required.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
       if (!supports(prefix) &&
-          !tolerate({ErrorCode::Unsupported, {"the 3MF extension '" + asciiOf(prefix) + "'"}, place(), {}}))
+          !tolerate({ErrorCode::Unsupported, {"the 3MF extension '" + asciiOf(prefix) + "'"}, inputPosition(), {}}))
         return false;
     }
     return true;
   }
 
-  // Extensions that change nothing about the triangles, or that are read.
+  // Returns true for extensions that do not affect the triangles, or that are read.
   bool supports(const QString& prefix) const {
     for (const QXmlStreamNamespaceDeclaration& declared : m_xml.namespaceDeclarations()) {
       const QStringView uri = declared.namespaceUri();
@@ -173,7 +173,7 @@ class ModelReader {
       const bool isRead = parseNumber(text, value, why);
       point[axis] = rounded(value * m_scale, NumberType::Float64);
       if (isRead && std::isfinite(point[axis])) continue;
-      if (!tolerate(wordError(isRead ? ErrorCode::NumberNotFinite : why, text, place()))) return false;
+      if (!tolerate(wordError(isRead ? ErrorCode::NumberNotFinite : why, text, inputPosition()))) return false;
       ++m_unreadable;
       point.x() = std::numeric_limits<double>::quiet_NaN();
       break;
@@ -190,10 +190,12 @@ class ModelReader {
       if (!readNumber32("triangle", names[k], triangle[k])) return m_ok;
       const std::uint32_t v = triangle[k];
       if (v >= mesh.points.size())
-        return tolerate(
-            {MeshFileError::IndexOutOfRange, {std::to_string(v), std::to_string(mesh.points.size())}, place(), {}});
+        return tolerate({MeshFileError::IndexOutOfRange,
+                         {std::to_string(v), std::to_string(mesh.points.size())},
+                         inputPosition(),
+                         {}});
       if (m_unreadable > 0 && std::isnan(mesh.points[v].x()))
-        return tolerate({MeshFileError::VertexUnreadable, {std::to_string(v)}, place(), {}});
+        return tolerate({MeshFileError::VertexUnreadable, {std::to_string(v)}, inputPosition(), {}});
     }
     if (m_attributes.size() > 3) m_assembly.lose(LostAttribute::Materials);
     mesh.triangles.push_back(triangle);
@@ -202,7 +204,7 @@ class ModelReader {
 
   bool readReference(std::vector<ThreeMfReference>& to) {
     ThreeMfReference reference;
-    reference.place = place();
+    reference.position = inputPosition();
     reference.part = m_attributes.value(kProduction, QLatin1String("path")).toUtf8().toStdString();
     if (!readNumber32("item", "objectid", reference.object)) return m_ok;
     const QStringView transform = m_attributes.value(QLatin1String("transform"));
@@ -213,7 +215,7 @@ class ModelReader {
     return true;
   }
 
-  // False when it is no such number; m_ok then says whether that is tolerated.
+  // Returns false if it is no such number; m_ok then tells if that is tolerated.
   bool readNumber32(const char* element, const char* attribute, std::uint32_t& number) {
     const std::string text = asciiOf(m_attributes.value(QLatin1String(attribute)));
     const auto value = parseInteger(text);
@@ -222,7 +224,7 @@ class ModelReader {
       return true;
     }
     m_ok = tolerate(text.empty() ? malformed(element, std::string("it has no ") + attribute)
-                                 : wordError(ErrorCode::NumberMalformed, text, place()));
+                                 : wordError(ErrorCode::NumberMalformed, text, inputPosition()));
     return false;
   }
 
@@ -248,8 +250,8 @@ class ModelReader {
   MeshAssembly& m_assembly;
   ThreeMfPart& m_part;
   std::vector<In> m_within;
-  QXmlStreamAttributes m_attributes;  // of the element that was entered last
-  double m_scale = 1.0;               // millimetres to a unit
+  QXmlStreamAttributes m_attributes;  // attributes of the element that was entered last
+  double m_scale = 1.0;               // millimetres per unit
   ThreeMfObject m_object;             // being read
   std::uint32_t m_objectId = 0;
   bool m_hasObject = false;

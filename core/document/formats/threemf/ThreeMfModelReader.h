@@ -10,8 +10,8 @@
 namespace handwheel {
 
 // Reads the text of one model part. Damage, and attributes that are lost, go to the assembly; its progress runs from
-// byte `begin` on. A text that ends too early gives what is before, if the assembly tolerates that. False: reading must
-// end; the assembly has the reason.
+// byte `begin` on. A truncated text gives the part before the end, if the assembly tolerates that. Returns false if
+// reading must end; the assembly has the reason.
 bool readThreeMfModel(std::string_view text, const std::string& partName, std::uint64_t begin, MeshAssembly& assembly,
                       ThreeMfPart& part);
 

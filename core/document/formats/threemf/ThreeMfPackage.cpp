@@ -29,7 +29,7 @@ bool isModel(const std::string& name) {
   return lowerCase(name).ends_with(".model");
 }
 
-// The target of the first relationship of the model's type; empty when there is none.
+// Returns the target of the first relationship of the model's type; empty if there is none.
 std::string modelTarget(std::string_view text) {
   QXmlStreamReader xml(QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size())));
   while (!xml.atEnd()) {

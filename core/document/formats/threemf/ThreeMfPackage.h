@@ -15,16 +15,16 @@ class ThreeMfPackage {
  public:
   ThreeMfPackage(std::string_view archive, MeshAssembly& assembly, Progress progress);
 
-  // Bytes of all model parts, unpacked, as announced.
+  // Returns the total size of all model parts, unpacked, as announced.
   std::uint64_t modelBytes() const;
 
-  // The part that the package's relationships name as the model; in damaged files the one it is likely to be.
+  // Finds the part that the package's relationships name as the model; in damaged files the most likely one.
   bool findModel(std::string& name);
 
-  // The text of a part. A damaged one is an error, or what is left of it. Safe for Qt's XML reader.
+  // Reads the text of a part. A damaged one is an error, or its readable rest. Safe for Qt's XML reader.
   bool read(const std::string& name, std::string& text);
 
-  // The name of the entry for a reference like "/3D/Objects/a.model"; empty when there is none.
+  // Returns the name of the entry for a reference like "/3D/Objects/a.model"; empty if there is none.
   std::string entryFor(std::string_view reference) const;
 
  private:
@@ -33,7 +33,7 @@ class ThreeMfPackage {
   ZipReader m_zip;
   MeshAssembly& m_assembly;
   Progress m_progress;                         // for cancelling only
-  std::map<std::string, std::string> m_names;  // in lower case: the entry
+  std::map<std::string, std::string> m_names;  // entry names by their lower-case form
 };
 
 }  // namespace handwheel

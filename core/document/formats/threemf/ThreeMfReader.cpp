@@ -43,7 +43,7 @@ class ThreeMfParser {
     return true;
   }
 
-  // Those missing are found out by the build.
+  // Reads the parts that are referred to. The build reports missing ones.
   bool readReferredParts() {
     while (!m_paths.empty()) {
       const std::string name = m_package.entryFor(m_paths.back());
@@ -63,7 +63,7 @@ class ThreeMfParser {
   bool m_isPartial;
   std::uint64_t m_bytesRead = 0;
   std::map<std::string, ThreeMfPart> m_parts;
-  std::vector<std::string> m_paths;  // of parts that may still be unread
+  std::vector<std::string> m_paths;  // paths of parts that may still be unread
 };
 
 }  // namespace

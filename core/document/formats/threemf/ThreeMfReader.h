@@ -11,7 +11,7 @@ namespace handwheel {
 // production extension are read. A ZIP archive that unpacks to too much is refused (FileTooLarge).
 Result<MeshFile> readThreeMf(std::string_view bytes, const ReadOptions& options, Progress progress);
 
-// Whether this is a ZIP archive, but not one of our own documents.
+// Returns true if this is a ZIP archive, but not one of our own documents.
 bool looksLikeThreeMf(std::string_view bytes);
 
 }  // namespace handwheel

@@ -16,14 +16,14 @@ inline const QString kMaterials = QStringLiteral("http://schemas.microsoft.com/3
 inline const QString kTriangleSets =
     QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07");
 
-// The length of a 3MF unit in mm; 0 for an unknown unit.
+// Returns the length of a 3MF unit in mm; 0 for an unknown unit.
 double millimetresPerUnit(QStringView unit);
 
-// The kind of content that is lost with an element that is not read.
+// Returns the kind of content that is lost with an element that is not read.
 LostAttribute lostWith(QStringView nameSpace, QStringView name);
 
 // Parses a transform, "m00 m01 m02 m10 … m32". It is a matrix of four rows and three columns that is multiplied by a
-// row vector from the left. False for anything else.
+// row vector from the left. Returns false for anything else.
 bool parseTransform(std::string_view text, ThreeMfTransform& transform);
 
 }  // namespace handwheel::threemf

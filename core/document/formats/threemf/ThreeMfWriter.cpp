@@ -49,7 +49,7 @@ const char* wordFor(LengthUnit unit) {
   return "millimeter";
 }
 
-// Once cancelled, a beginning of it.
+// Returns the text of the model, or its beginning if cancelled.
 std::string modelText(const TriangleSoup& soup, NumberType numbers, LengthUnit unit, Progress progress) {
   std::string text = R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit=")" + std::string(wordFor(unit)) +

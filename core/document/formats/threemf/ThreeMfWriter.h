@@ -12,9 +12,9 @@ namespace handwheel {
 
 // Encodes triangles as a 3MF file with one object in millimetres. The object is built once; deflated. Coordinates are
 // rounded to the number type first and written with the shortest digits that read back to the same double; they must be
-// finite. The archive is empty if cancelled, and should the library fail. O(points + triangles).
+// finite. The archive is empty if cancelled, or if the library fails. O(points + triangles).
 std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, Progress progress = {});
-// The same with another unit for these numbers, which are not scaled.
+// Encodes them with another unit for these numbers, which are not scaled.
 std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, LengthUnit unit, Progress progress = {});
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLongestTag = 8 * 1024;
 constexpr std::size_t kLongestText = 16 << 20;
 
-// The end of a tag: the first '>' that is not in quotes.
+// Returns the end of a tag: the first '>' that is not in quotes.
 std::size_t endOfTag(std::string_view text, std::size_t at) {
   for (;;) {
     at = text.find_first_of("\"'>", at);
@@ -34,7 +34,7 @@ Error malformed(const char* what, std::size_t at) {
   return {ErrorCode::ElementMalformed, {"XML", what}, InputPosition::byte(at), {}};
 }
 
-// One past the markup that begins here, or an error.
+// Moves past the markup that begins here, or returns an error.
 std::optional<Error> pass(std::string_view text, std::size_t& at) {
   const std::size_t begin = at;
   for (const Markup& markup : kQuotedMarkup) {
@@ -43,7 +43,7 @@ std::optional<Error> pass(std::string_view text, std::size_t& at) {
     return at - begin > kLongestText ? std::optional(malformed("a comment is too long", begin)) : std::nullopt;
   }
   if (text.substr(begin).starts_with("<!")) return malformed("it has a document type", begin);
-  // Not far ahead: a tag without end must not cost the rest of the text each time.
+  // The look-ahead is limited: a tag without end must not cost the rest of the text each time.
   const std::string_view tag = text.substr(begin, kLongestTag + 1);
   const std::size_t end = endOfTag(tag, 1);
   if (end == std::string_view::npos && tag.size() > kLongestTag) return malformed("a tag is too long", begin);

@@ -12,13 +12,13 @@
 
 namespace handwheel {
 
-// Checks whether a text is safe for Qt's XML reader; nothing if it is. That reader takes time quadratic in a tag's
+// Checks that a text is safe for Qt's XML reader. Returns none if it is. That reader takes time quadratic in a tag's
 // attributes and keeps texts in one piece: no tag over 8 KiB, no text over 16 MiB, no document type (which could define
-// entities), UTF-8 only. O(text). Checks the cancel flag. Errors: TextEncoding, ElementMalformed {"XML", what is
-// wrong}, with the byte; Cancelled.
+// entities), UTF-8 only. O(text). Checks the cancel flag. Errors: TextEncoding, ElementMalformed {"XML", problem}, with
+// the byte; Cancelled.
 std::optional<Error> objectionToXml(std::string_view text, const Progress& progress = {});
 
-// The attribute's text as bytes, without blanks around it; empty when there is none. Only ASCII is kept.
+// Returns the attribute's text as bytes, without blanks around it; empty if there is none. Only ASCII is kept.
 std::string asciiOf(QStringView value);
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ constexpr std::size_t kMostPathPoints = 10'000, kMostDescribed = 100;
 
 struct PathPoint {
   double time;
-  Vec3 place;  // of the tip
+  Vec3 position;  // position of the tip
 };
 
 std::optional<std::vector<PathPoint>> pointsIn(const nlohmann::json& hole, const DrillPlan& plan) {
@@ -31,10 +31,10 @@ std::optional<std::vector<PathPoint>> pointsIn(const nlohmann::json& hole, const
     std::vector<double> numbers = numbersAt({{"row", row}}, "row", 5);
     if (numbers.size() < 2 || numbers.size() > 4) return std::nullopt;
     numbers.resize(4);
-    const bool isPlace =
+    const bool isPosition =
         std::all_of(numbers.begin() + 1, numbers.end(), [](double x) { return std::abs(x) < kFarthestTip; });
     const double before = points.empty() ? 0.0 : points.back().time;
-    if (!isPlace || !(numbers[0] >= before && numbers[0] <= kLongestHole)) return std::nullopt;
+    if (!isPosition || !(numbers[0] >= before && numbers[0] <= kLongestHole)) return std::nullopt;
     points.push_back(
         {numbers[0], plan.entry + numbers[1] * plan.direction + numbers[2] * beside + numbers[3] * across});
   }
@@ -51,7 +51,7 @@ std::shared_ptr<const DrillRecord> recordOf(const std::vector<PathPoint>& points
     while (next + 1 < points.size() && points[next].time < time) ++next;
     const PathPoint &to = points[next], &from = points[next == 0 ? 0 : next - 1];
     const double span = to.time - from.time, share = span > 0.0 ? (time - from.time) / span : 1.0;
-    const Vec3 tip = from.place + std::clamp(share, 0.0, 1.0) * (to.place - from.place);
+    const Vec3 tip = from.position + std::clamp(share, 0.0, 1.0) * (to.position - from.position);
     record->poses.push_back(DrillPose::of(tip + toCentre, axis, time));
   }
   return record;

@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// The holes that the description of an exercise lists: {"holes": [{"points": [[time, depth, beside, across], …]}]}.
-// Time in s, depth of the tip below the entry along the planned path, and how far it is from that path along two
-// directions at right angles to it, mm; the last two may be left out. The drill goes straight from point to point, its
-// shank along the path. Error: ElementMalformed.
+// Reads the holes in the description of an exercise. Its form is {"holes": [{"points": [[time, depth, beside, across],
+// …]}]}. Time in s; depth of the tip below the entry along the planned path, and its distances from that path along two
+// orthogonal directions, mm; the last two may be omitted. The drill moves straight between points, with its shank along
+// the path. Error: ElementMalformed.
 Result<DrilledHoles> describedHoles(const nlohmann::json& description, const DrillingTask& task);
 
 }  // namespace handwheel

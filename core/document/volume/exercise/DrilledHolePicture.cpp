@@ -23,30 +23,31 @@ struct HoleSection {
   Vec3 origin, across, along;
 
   QPointF at(const Vec3& p) const { return {(p - origin).dot(across), (p - origin).dot(along)}; }
-  Vec3 place(double x, double y) const { return origin + x * across + y * along; }
+  Vec3 pointAt(double x, double y) const { return origin + x * across + y * along; }
 };
 
-// Where the head was in a cycle: its centre, and its foremost point. A saw goes across its axis: its centre is both.
-struct HeadPlace {
-  HeadPlace(const DrillBit& tool, const DrillPose& pose)
-      : centre(pose.place()),
+// The position of the head in a cycle: its centre, and its foremost point. A saw moves across its axis: its centre is
+// used for both.
+struct HeadPosition {
+  HeadPosition(const DrillBit& tool, const DrillPose& pose)
+      : centre(pose.position()),
         tip(tool.shape == DrillShape::Saw ? centre : Vec3(centre - tool.reach() * pose.direction())) {}
   Vec3 centre, tip;
 };
 
-// Calls visit(number of the hole, moment, place of the head) for each cycle.
+// Calls visit(index of the hole, moment, position of the head) for each cycle.
 template <class Visit>
-void forEachPlace(const DrilledHoles& holes, const DrillReview& review, const Visit& visit) {
+void forEachPosition(const DrilledHoles& holes, const DrillReview& review, const Visit& visit) {
   std::size_t moment = 0;
   for (std::size_t hole = 0; hole < holes.size(); ++hole)
     for (std::size_t i = 0; i < holes[hole]->poses.size() && moment < review.moments.size(); ++i, ++moment)
-      visit(hole, review.moments[moment], HeadPlace(holes[hole]->setup.tool, holes[hole]->poses[i]));
+      visit(hole, review.moments[moment], HeadPosition(holes[hole]->setup.tool, holes[hole]->poses[i]));
 }
 
 HoleSection sectionOf(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review) {
   const DrillPlan& plan = task.plan;
   Vec3 furthest = Vec3::Zero();
-  forEachPlace(holes, review, [&](std::size_t, const DrillMoment& moment, const HeadPlace& head) {
+  forEachPosition(holes, review, [&](std::size_t, const DrillMoment& moment, const HeadPosition& head) {
     if (!moment.isCutting) return;
     for (const Vec3& p : {head.centre, head.tip}) {
       const Vec3 from = p - plan.entry, beside = from - from.dot(plan.direction) * plan.direction;
@@ -57,13 +58,13 @@ HoleSection sectionOf(const DrillingTask& task, const DrilledHoles& holes, const
   return {plan.entry, hasSide ? Vec3(furthest.normalized()) : plan.direction.unitOrthogonal(), plan.direction};
 }
 
-// What the picture shows, in mm of the section: all places of the head where it took something, and some material
-// around them, in the shape of the picture.
+// Returns the area of the picture, in mm of the section: all positions of the head where it removed material, and some
+// material around them, in the aspect ratio of the picture.
 QRectF shownOf(const DrillingTask& task, const HoleSection& section, const DrilledHoles& holes,
                const DrillReview& review) {
   const double r = task.tool.radius(), margin = task.tool.diameter;
   QRectF box(-r, -2.0 * r, 2.0 * r, 6.0 * r);
-  forEachPlace(holes, review, [&](std::size_t, const DrillMoment& moment, const HeadPlace& head) {
+  forEachPosition(holes, review, [&](std::size_t, const DrillMoment& moment, const HeadPosition& head) {
     if (!moment.isCutting) return;
     for (const Vec3& p : {head.centre, head.tip}) {
       const QPointF at = section.at(p);
@@ -77,7 +78,7 @@ QRectF shownOf(const DrillingTask& task, const HoleSection& section, const Drill
   return box.adjusted(0.0, -higher, 0.0, higher);
 }
 
-// The forbidden balls as the section cuts them.
+// The forbidden balls, cut by the section.
 struct HoleCircle {
   QPointF centre;
   double squaredRadius;
@@ -111,7 +112,7 @@ bool paintMaterial(QImage& picture, const DrillingTask& task, const HoleSection&
     const double y = shown.top() + (row + 0.5) * pixel;
     for (int column = 0; column < kHoleWidth; ++column) {
       const double x = shown.left() + (column + 0.5) * pixel;
-      const Vec3 p = section.place(x, y);
+      const Vec3 p = section.pointAt(x, y);
       const bool isForbidden =
           std::any_of(circles.begin(), circles.end(), [&](const HoleCircle& c) { return c.contains(x, y); });
       if (after.depthAt(p).depth > 0.0)
@@ -140,8 +141,8 @@ void paintPlan(QPainter& painter, const DrillPlan& plan, const QRectF& shown) {
     if (x > shown.left() && x < shown.right()) painter.drawLine(QPointF(x, shown.top()), QPointF(x, shown.bottom()));
 }
 
-// The way of the tip in each hole, from where it took something first to where it did last. What is far outside the
-// picture is left out.
+// Returns the path of the tip in each hole, from the first to the last position at which material was removed. Parts
+// far outside the picture are left out.
 std::vector<QPolygonF> pathsOf(const HoleSection& section, const QRectF& shown, const DrilledHoles& holes,
                                const DrillReview& review) {
   constexpr std::size_t kMostPoints = 4'000;
@@ -149,14 +150,14 @@ std::vector<QPolygonF> pathsOf(const HoleSection& section, const QRectF& shown, 
   const QRectF reach = shown.adjusted(-shown.width(), -shown.height(), shown.width(), shown.height());
   std::vector<QPolygonF> paths;
   std::optional<std::size_t> current;
-  QPolygonF path, uncertain;  // uncertain: since it took something last
+  QPolygonF path, uncertain;  // uncertain: not confirmed by a later removal
   std::size_t count = 0;
   const auto end = [&] {
     if (path.size() > 1) paths.push_back(path);
     path.clear();
     uncertain.clear();
   };
-  forEachPlace(holes, review, [&](std::size_t hole, const DrillMoment& moment, const HeadPlace& head) {
+  forEachPosition(holes, review, [&](std::size_t hole, const DrillMoment& moment, const HeadPosition& head) {
     if (current != hole) end();
     current = hole;
     const QPointF at = section.at(head.tip);

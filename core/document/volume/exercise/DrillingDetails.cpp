@@ -13,7 +13,8 @@
 namespace handwheel {
 namespace {
 
-// Of more moments those with the largest of so many are shown: a curve has no more points than a page has dots.
+// Largest number of points of a curve, about the resolution of a page. Of more moments, the largest value of each group
+// is shown.
 constexpr std::size_t kMostCurvePoints = 2'000;
 
 ReportCurve::Series seriesOf(const char* name, const std::vector<DrillMoment>& moments, const auto& value) {
@@ -46,8 +47,8 @@ void addBreakthrough(ReportCurve& curve, const std::vector<DrillMoment>& moments
   curve.series.push_back({QT_TRANSLATE_NOOP("Figure", "Breakthrough"), {{through->time, low}, {through->time, high}}});
 }
 
-// By the reference laws of He 2008, (3-22) and (3-23), of a head that is in the material as a whole: while the drill
-// cuts, up to the breakthrough.
+// The reference laws of He 2008, (3-22) and (3-23), for a head entirely in the material: while the drill cuts, up to
+// the breakthrough.
 DrillLoad referenceAt(const DrillSetup& setup, const DrillMoment& moment) {
   if (!moment.isCutting || moment.isThrough) return {};
   return agreeingReference(setup.material, setup.tool, moment.feed, setup.spindle);
@@ -60,7 +61,7 @@ void addEvent(ReportDetails& details, const std::vector<DrillMoment>& moments, I
   if (found != moments.end()) details.events.push_back({found->time, {text, std::move(arguments)}});
 }
 
-// Of a hole, each second by itself: who copied it may have gone on otherwise.
+// Adds a record of each second of a hole, as a copied hole may have been continued differently.
 void addRecordedPieces(ReportDetails& details, const DrillRecord& hole) {
   constexpr std::size_t kPosesOfPiece = 1000;  // in one piece
   for (std::size_t first = 0; first < hole.poses.size(); first += kPosesOfPiece) {
@@ -151,7 +152,7 @@ ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& hole
 void addTries(ReportDetails& details, const DrillTries& tries) {
   if (tries.count == 0) return;
   details.figures.push_back({"tries", static_cast<double>(tries.count)});
-  std::vector<ReportEvent> events;  // before the work that is there, which is the last try
+  std::vector<ReportEvent> events;  // before the present work, which is the last try
   for (const FailedTry& failed : tries.failed)
     events.push_back({std::nullopt,
                       {QT_TRANSLATE_NOOP("Note", "Try %1 entered the forbidden region by %2 mm, and was taken back."),

@@ -7,21 +7,21 @@
 
 namespace handwheel {
 
-// Thrust or torque over time with its reference curve, and the breakthrough as a line. The reference is (3-22) or
-// (3-23) at the same feed. The constants of the reference are those with which both agree on a ball that drills deep
-// inside: Ks = kp / (2 ktc), Ru = kp / 5; so it is their shapes that are compared.
+// Returns thrust or torque over time with a reference curve and the breakthrough. The reference is (3-22) or (3-23) at
+// the same feed. Its constants are those for which both curves agree for a ball deep in the material: Ks = kp / (2
+// ktc), Ru = kp / 5; so only their shapes are compared.
 ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
 ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
-// Depth of the tip along the plan, and how far it is beside it.
+// Returns the depth of the tip along the plan, and its deviation.
 ReportCurve depthCurve(const std::vector<DrillMoment>& moments);
 ReportCurve heatCurve(const std::vector<DrillMoment>& moments);
 
-// What a report shows of drilling besides the marks: the hole in section, the peaks, the curves, the breakthrough, and
-// what went wrong. holes, review: of the same work.
+// Returns the details of a report in addition to the marks: the section of the hole, the peaks, the curves, the
+// breakthrough, and the faults. holes, review: of the same work.
 ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review,
                               Progress progress = {});
 
-// Adds how many tries the work took, and each that was in the forbidden region before it was taken back.
+// Adds the number of tries, and each try in the forbidden region that was undone.
 void addTries(ReportDetails& details, const DrillTries& tries);
 
 }  // namespace handwheel

@@ -74,7 +74,7 @@ MeasuredDrilling::MeasuredDrilling(const DrillingTask& task, const VolumeSnapsho
   const DrillSetup setup = task.setup();
   m_isAsPrepared =
       std::all_of(work.holes.begin(), work.holes.end(), [&](const auto& hole) { return isSame(hole->setup, setup); });
-  if (!m_isAsPrepared) return;  // whatever drill is written there is not drilled with
+  if (!m_isAsPrepared) return;  // holes with another drill are not replayed
   m_review = reviewDrilling(task.volume(), task.plan, work.holes, progress);
   if (!m_review) return;
   m_isOfItsHoles = isSame(m_review->left, work.volume);
@@ -94,7 +94,7 @@ std::optional<double> MeasuredDrilling::valueOf(const std::string& figure) const
   return figure == "tries" ? std::optional(static_cast<double>(m_tries.count)) : valueIn(*m_review, figure);
 }
 
-// Of the region that was entered in tries that were taken back. What is there now comes first: it may fail the work.
+// Adds the failed tries that entered the region. The present holes come first, as they may fail the work.
 void MeasuredDrilling::addFailedTries(const MarkingCriterion& criterion, Measurement& figure) const {
   if (m_tries.failed.empty()) return;
   const double deepest =

@@ -7,21 +7,21 @@
 
 namespace handwheel {
 
-// All figures of drilling, with their units.
+// Returns all figures of drilling, with their units.
 const std::vector<MeasurementType>& drillingMeasurementTypes();
 
-// The tries that the holes of a work have taken.
+// Returns the tries of the holes of a work.
 DrillTries triesOf(const VolumeSnapshot& work);
 
-// What was drilled in an exercise, gone through again for its figures.
+// The drilling of an exercise, replayed for its figures.
 class MeasuredDrilling {
  public:
   MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress);
 
-  // Deterministic. What a figure does not find there, it says.
+  // Measures a figure, or states the reason why it cannot. Deterministic.
   Measurement measure(const MarkingCriterion& criterion) const;
 
-  // None: cancelled, or another drill was used.
+  // Replay of the holes; none: cancelled, or another drill was used.
   const std::optional<DrillReview>& review() const { return m_review; }
 
  private:
@@ -32,8 +32,8 @@ class MeasuredDrilling {
   std::optional<DrillReview> m_review;
   DrillTries m_tries;
   FailedTries m_rule = FailedTries::CostTheMark;
-  bool m_isAsPrepared = false;  // all of it with the drill of the task
-  bool m_isOfItsHoles = false;  // they leave the volume that there is
+  bool m_isAsPrepared = false;  // all holes were drilled with the drill of the task
+  bool m_isOfItsHoles = false;  // replaying the holes results in the volume of the work
 };
 
 }  // namespace handwheel

@@ -18,8 +18,8 @@ namespace handwheel {
 
 namespace {
 
-// The surface of the volume itself, so that the exercise shows the part that its work does; of a large one in voxels so
-// many times twice as large that a window still turns it in time.
+// The surface of the volume, so that the exercise shows the same part as its work; a large volume is downsampled until
+// a window can rotate it smoothly.
 std::shared_ptr<const TriangleSoup> shownSurface(const SparseVolume& volume) {
   constexpr std::size_t kMostBlocks = 8'000;  // with a hundred triangles each, as surfaces go through them
   SparseVolume shown = volume;
@@ -65,7 +65,7 @@ Result<DrillingStock> stockFrom(const nlohmann::json& json) {
   const QByteArray packed = QByteArray::fromBase64(QByteArray::fromStdString(stringAt(json, "data")));
   constexpr qsizetype kHead = 4;  // the unpacked size, in front of what zlib made
   if (!(voxel > 1e-9 && voxel < 1e9) || origin.size() != 3 || packed.size() < kHead) return malformed;
-  // Before it is trusted: no data of zlib unpack to more than 1032 times their size.
+  // Checked before unpacking: zlib data unpack to at most 1032 times their size.
   const auto size = qFromBigEndian<std::uint32_t>(packed.constData());
   if (size > kLargestStock || size / 1032 > static_cast<std::uint64_t>(packed.size())) return malformed;
   SparseVolume volume({origin[0], origin[1], origin[2]}, voxel);

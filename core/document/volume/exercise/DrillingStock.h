@@ -12,17 +12,17 @@
 
 namespace handwheel {
 
-// A volume that is drilled in an exercise, and its JSON form. Within the description of the exercise it is {"voxel",
-// "origin", "data"}, the data as VolumeSerialization.h has it, compressed by zlib, in Base64. To make one takes a
-// second for a large volume.
+// A volume that is drilled in an exercise, and its JSON form. In the description of an exercise it is {"voxel",
+// "origin", "data"}, with the data of VolumeSerialization.h compressed by zlib, in Base64. Construction takes a second
+// for a large volume.
 class DrillingStock {
  public:
   DrillingStock(SparseVolume volume, std::shared_ptr<const nlohmann::json> json);
 
   const SparseVolume& volume() const { return m_volume; }
   const std::shared_ptr<const nlohmann::json>& json() const { return m_json; }
-  // Its surface for the view of the exercise, no wall torn. It is made at the first call, which takes about as long as
-  // the stock itself; copies have it, too. Any thread.
+  // Returns the surface for the view of the exercise, without torn walls. The first call makes it, which takes about as
+  // long as the stock itself; copies share it. Any thread.
   std::shared_ptr<const TriangleSoup> shown() const;
 
  private:
@@ -33,12 +33,12 @@ class DrillingStock {
   std::shared_ptr<Shown> m_shown;
 };
 
-// Bytes of the data before they are compressed, and the most of which a stock is read.
+// Returns the size of the data before compression, bytes; kLargestStock is the limit for reading.
 std::size_t stockBytes(const SparseVolume& volume);
 inline constexpr std::size_t kLargestStock = std::size_t{1} << 30;
 
 DrillingStock stockOf(const SparseVolume& volume);
-// Any JSON. Error: ElementMalformed.
+// Reads a stock; the input is not trusted. Error: ElementMalformed.
 Result<DrillingStock> stockFrom(const nlohmann::json& json);
 
 }  // namespace handwheel

@@ -217,7 +217,7 @@ Result<TaskPointer> DrillingSubject::withTarget(const ExerciseTask& task, const 
     const VolumeSampler sampler(changed.volume());
     const PagedArray<DrillPose>& poses = (*hole)->poses;
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      const Vec3 axis = poses[i].direction(), tip = poses[i].place() - (*hole)->setup.tool.reach() * axis;
+      const Vec3 axis = poses[i].direction(), tip = poses[i].position() - (*hole)->setup.tool.reach() * axis;
       if (!(sampler.depthAt(tip).depth > 0.0)) continue;
       changed.plan.entry = tip;
       changed.plan.direction = -axis;
@@ -255,7 +255,7 @@ Result<DrillingSubject::ImportedTask> DrillingSubject::withImportedTarget(const 
                  {}};
   DrillingTask changed = drillingOf(task);
   changed.stock = std::make_shared<const DrillingStock>(stockOf(*volume));
-  changed.stock->shown();  // on this thread: whoever imports it is about to see it
+  changed.stock->shown();  // on this thread: it is displayed right after the import
   imported.notes.push_back(
       {QT_TRANSLATE_NOOP("Note",
                          "The planned path and the forbidden region stay where they are. Adapt them to "

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Exercises of drilling: students drill a hole into a volume. It is judged by the planned path. The target is that
-// path; what is imported is the stock.
+// Exercises of drilling: students drill a hole into a volume. It is compared with the planned path. The target is that
+// path; the imported file is the stock.
 class DrillingSubject : public ExerciseSubject {
  public:
   std::string id() const override { return "drilling"; }
@@ -17,11 +17,11 @@ class DrillingSubject : public ExerciseSubject {
   std::vector<MeasurementType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
-  // None of the forbidden region is touched.
+  // The forbidden region must not be touched at all.
   std::optional<double> usualLimit(const std::string& figure, const ExerciseTask&) const override {
     return figure == "forbidden" ? std::optional(0.0) : std::nullopt;
   }
-  std::string placeProblem(const MarkingCriterion&, const ExerciseTask&) const override { return {}; }
+  std::string positionProblem(const MarkingCriterion&, const ExerciseTask&) const override { return {}; }
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;
@@ -35,18 +35,18 @@ class DrillingSubject : public ExerciseSubject {
   bool startsSlowly() const override { return true; }
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
   std::optional<std::size_t> triesOf(const Snapshot& work) const override;
-  // As describedHoles() reads it.
+  // The description is that of describedHoles().
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;
-  // None: holes are drilled by hand.
+  // Returns nothing, as holes are drilled by hand.
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
-  // The path of the last hole from where it met the stock. Error: NothingDrilled.
+  // Takes the path of the last hole from its contact with the stock. Error: NothingDrilled.
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
   std::vector<std::string> targetEndings() const override;
-  // Another stock: a document of a volume, VDB or images.
+  // Replaces the stock by a document of a volume, a VDB file or images.
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
                                           std::optional<double> facing, Progress progress) const override;
-  // Error WithoutTarget, always: a path has neither ends nor sizes to be rounded; nor is there a drawing of it.
+  // Always returns the error WithoutTarget: a path has no ends to turn, no sizes to round, and no drawing.
   Result<TaskPointer> withTurnedTarget(const ExerciseTask& task) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
@@ -62,8 +62,8 @@ class DrillingSubject : public ExerciseSubject {
   VolumeKind m_kind;
 };
 
-// The planned path and the forbidden region as they are shown: a thin rod to the entry and on through the stock, and
-// the balls.
+// Returns the displayed planned path and forbidden region: a thin rod to the entry and on through the stock, and the
+// balls.
 std::vector<DisplayPart> planParts(const DrillPlan& plan);
 
 }  // namespace handwheel

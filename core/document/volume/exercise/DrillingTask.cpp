@@ -24,7 +24,7 @@ constexpr const char *kStock = "stock", *kSkull = "skull", *kForbidden = "forbid
                      *kFailedTries = "failed_tries";
 // In the order of FailedTries.
 constexpr std::array kFailedTriesWords = {"cost_the_mark", "fail_the_work", "are_listed"};
-constexpr double kFarthestPlace = 1e5;  // mm, of places
+constexpr double kFarthestPosition = 1e5;  // mm, largest coordinate
 
 // A number of a task: its key in files, which is the id of its property, and its limits.
 struct TaskNumber {
@@ -52,33 +52,33 @@ constexpr std::array<TaskNumber, 3> kNumbers = {{
 }};
 
 double valueOf(const TaskNumber& number, const DrillingTask& task) {
-  return number.at(const_cast<DrillingTask&>(task));  // which is only read
+  return number.at(const_cast<DrillingTask&>(task));  // only read
 }
 
 Json numbersOf(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// A saw goes across its axis, which no planned path tells.
+// A saw moves across its axis, which a planned path does not describe.
 std::optional<DrillBit> drillIn(const std::string& word) {
   const std::optional<DrillBit> tool = drillBitOf(word);
   return tool && tool->shape != DrillShape::Saw ? tool : std::nullopt;
 }
 
-std::optional<Vec3> placeIn(const std::vector<double>& numbers) {
+std::optional<Vec3> positionIn(const std::vector<double>& numbers) {
   if (numbers.size() != 3) return std::nullopt;
   const Vec3 p(numbers[0], numbers[1], numbers[2]);
-  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthestPlace ? std::optional(p) : std::nullopt;
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthestPosition ? std::optional(p) : std::nullopt;
 }
 
 std::optional<Vec3> directionIn(const std::vector<double>& numbers) {
-  const std::optional<Vec3> v = placeIn(numbers);
+  const std::optional<Vec3> v = positionIn(numbers);
   return v && v->norm() > 1e-6 ? std::optional<Vec3>(v->normalized()) : std::nullopt;
 }
 
 std::optional<SolidBall> ballIn(const std::vector<double>& numbers) {
-  if (numbers.size() != 4 || !(numbers[3] > 0.0 && numbers[3] <= kFarthestPlace)) return std::nullopt;
-  const std::optional<Vec3> centre = placeIn({numbers[0], numbers[1], numbers[2]});
+  if (numbers.size() != 4 || !(numbers[3] > 0.0 && numbers[3] <= kFarthestPosition)) return std::nullopt;
+  const std::optional<Vec3> centre = positionIn({numbers[0], numbers[1], numbers[2]});
   return centre ? std::optional(SolidBall{*centre, numbers[3]}) : std::nullopt;
 }
 
@@ -150,9 +150,9 @@ Result<DrillingTask> withText(DrillingTask task, const std::string& id, const st
   const std::vector<std::vector<double>> rows = rowsIn(text, isSound);
   const std::vector<double> first = rows.size() == 1 ? rows.front() : std::vector<double>();
   if (id == kEntry) {
-    const std::optional<Vec3> place = placeIn(first);
-    if (!isSound || !place) return malformedTask(id, "three lengths were expected, with “;” between them");
-    task.plan.entry = *place;
+    const std::optional<Vec3> position = positionIn(first);
+    if (!isSound || !position) return malformedTask(id, "three lengths were expected, with “;” between them");
+    task.plan.entry = *position;
   } else if (id == kDirection) {
     const std::optional<Vec3> direction = directionIn(first);
     if (!isSound || !direction) return malformedTask(id, "three numbers were expected, with “;” between them");
@@ -181,7 +181,7 @@ std::shared_ptr<const DrillingStock> stockIn(const Json& json, std::vector<Error
 void readPlan(DrillingTask& task, const Json& json, std::vector<Error>& damage) {
   const auto fail = [&](const char* key) { damage.push_back(malformedTask(key, "it is impossible")); };
   if (json.contains(kEntry)) {
-    const auto entry = placeIn(numbersAt(json, kEntry, 4));
+    const auto entry = positionIn(numbersAt(json, kEntry, 4));
     entry ? void(task.plan.entry = *entry) : fail(kEntry);
   }
   if (json.contains(kDirection)) {
@@ -229,7 +229,7 @@ Json toJson(const DrillingTask& task) {
     json[kForbidden].push_back({ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius});
   json[kDrill] = wordOf(task.tool);
   json[kMaterial] = task.material;
-  // What is usual is not written: keys of descriptions without one follow from their tasks.
+  // The default is not written, as the keys of descriptions without it depend on their tasks.
   if (task.failedTries != FailedTries::CostTheMark)
     json[kFailedTries] = kFailedTriesWords[static_cast<std::size_t>(task.failedTries)];
   return json;
@@ -314,7 +314,7 @@ std::vector<Property> propertiesOf(const DrillingTask& task) {
   failedTries.value = static_cast<double>(task.failedTries);
   failedTries.choices = {QT_TRANSLATE_NOOP("Property", "cost the mark of the forbidden region"),
                          QT_TRANSLATE_NOOP("Property", "fail the work"),
-                         QT_TRANSLATE_NOOP("Property", "are listed only")};  // as FailedTries
+                         QT_TRANSLATE_NOOP("Property", "are listed only")};  // in the order of FailedTries
   all.insert(all.begin() + 4, std::move(failedTries));                       // behind the forbidden balls
   return all;
 }
@@ -353,8 +353,8 @@ std::shared_ptr<const DrillingTask> assignedDrilling(const AssignedExercise& ass
   if (task == assigned.description->end() || stringAt(*assigned.description, "subject") != "drilling") return nullptr;
   Json plan = Json::object();
   for (const auto& [key, value] : task->items())
-    if (key != kStock) plan[key] = value;  // which may be large
-  std::vector<Error> damage;               // who reads the exercise itself says so
+    if (key != kStock) plan[key] = value;  // the stock may be large
+  std::vector<Error> damage;               // reported by the reader of the exercise
   return std::make_shared<const DrillingTask>(drillingTaskFrom(plan, damage));
 }
 

@@ -13,7 +13,7 @@ std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned
   if (!assigned || !assigned.description->is_object()) return nullptr;
   const auto task = assigned.description->find("task");
   if (task == assigned.description->end() || stringAt(*assigned.description, "subject") != "turning") return nullptr;
-  std::vector<Error> damage;  // who reads the exercise itself says so
+  std::vector<Error> damage;  // ignored: the reader of the exercise itself reports it
   return std::make_shared<const TurningTask>(turningTaskFrom(*task, damage));
 }
 

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// The task of the exercise that a workpiece is work on. Null: it is none, or of other work.
+// Returns the task of the exercise that a workpiece is work on. Null: it is not work on an exercise of turning.
 std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned);
 
-// Whether the marking scheme has a criterion for a figure, such as "force", as far as the student sees it.
+// Returns true if the marking scheme, as the student sees it, has a criterion for a figure, such as "force".
 bool isMarked(const AssignedExercise& assigned, std::string_view figure);
 
 }  // namespace handwheel

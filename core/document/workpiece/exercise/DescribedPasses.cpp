@@ -23,7 +23,7 @@ Error malformedPass(const char* what) {
   return {ErrorCode::ElementMalformed, {"passes", what}, {}, {}};
 }
 
-// That of a pass, sharp or as round as its nose; the first groove begins at the first point.
+// Reads the thread of a pass, sharp or as round as its nose; the first groove begins at the first point.
 Result<ThreadCut> threadFrom(const nlohmann::json& json, const TurningPass& pass) {
   ThreadCut thread;
   if (!json.is_object() || !json.contains("pitch") || !json["pitch"].is_number())
@@ -74,9 +74,9 @@ Result<TurningPass> passFrom(const nlohmann::json& json, double spindleSpeed) {
   return pass;
 }
 
-// The one feed of a pass, mm per revolution; none: it changes on the way, or the spindle had another speed.
+// The one feed of a pass, mm per revolution; none: it changes on the travelled, or the spindle had another speed.
 std::optional<double> feedOf(const TurningPass& pass, double spindleSpeed) {
-  constexpr double kShare = 1e-9;  // of the feed: what its times lose by their rounding
+  constexpr double kShare = 1e-9;  // share of the feed: rounding of its times
   const auto isOther = [&](double speed) { return speed != spindleSpeed; };
   if (pass.speeds.size() != pass.path.size() || std::any_of(pass.speeds.begin(), pass.speeds.end(), isOther)) return {};
   double length = 0.0;
@@ -84,13 +84,13 @@ std::optional<double> feedOf(const TurningPass& pass, double spindleSpeed) {
   if (pass.times.front() != 0.0) return {};
   if (length == 0.0) return pass.times.back() == 0.0 ? std::optional(kUsualFeed) : std::nullopt;
   const double seconds = pass.times.back(), feed = length / seconds * kSecondsPerMinute / spindleSpeed;
-  double way = 0.0;
+  double travelled = 0.0;
   for (std::size_t i = 1; i < pass.path.size(); ++i) {
-    way += (pass.path[i] - pass.path[i - 1]).norm();
-    if (!(std::abs(way / length * seconds - pass.times[i]) <= kShare * seconds)) return {};
+    travelled += (pass.path[i] - pass.path[i - 1]).norm();
+    if (!(std::abs(travelled / length * seconds - pass.times[i]) <= kShare * seconds)) return {};
   }
   if (!std::isfinite(feed)) return {};
-  // As it was written: 0.2, not 0.20000000000000001 more or less.
+  // Rounds to the written number: 0.2, not 0.20000000000000001.
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::setprecision(12) << feed;

@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// The passes that the description of an exercise lists under "passes". They are at this speed (r/min), to be cut from
-// this bar. Error: ElementMalformed, also where cutting them would visit more than kMostCutAgain samples.
+// Reads the passes that the description of an exercise lists under "passes". They are at this speed (r/min), to be cut
+// from this bar. Error: ElementMalformed, also if cutting them would visit more than kMostCutAgain samples.
 Result<std::vector<TurningPass>> describedPasses(const nlohmann::json& description, double spindleSpeed,
                                                  const TurnedProfile& bar);
 
-// The description that describedPasses() reads as these passes, but for the rounding of their times. Null: it cannot
-// hold one of them, which a tool of the lathe cut, or whose feed changed on the way.
+// Returns the description that describedPasses() reads as these passes, except for rounding of their times. Null: a
+// pass cannot be described, because a tool of the manual lathe cut it or its feed changed during the pass.
 nlohmann::json passesDescription(const TurningPasses& passes, double spindleSpeed);
 
 }  // namespace handwheel

@@ -31,7 +31,7 @@ std::optional<double> sizeOf(const MarkingCriterion& c) {
   return std::nullopt;
 }
 
-// As the teacher wrote it, else the deviations: "±0.1", "+0.1 −0.2".
+// Returns the tolerance as the teacher wrote it, else the deviations: "±0.1", "+0.1 −0.2".
 std::string toleranceText(const MarkingCriterion& c, double size) {
   if (!c.tolerance.empty()) return c.tolerance;
   if (c.lower && c.upper && std::abs(*c.lower + *c.upper - 2.0 * size) < 1e-9)
@@ -54,7 +54,7 @@ std::optional<DrawnTolerance> toleranceOf(const MarkingCriterion& c) {
   const std::optional<double> size = sizeOf(c);
   if (known == kDrawnSizes.end() || !size || !c.hasLimit()) return std::nullopt;
   const bool isLength = known->second == Of::Length;
-  const std::size_t first = isLength ? 1 : 0, second = isLength ? 3 : 1;  // of a length after the radii
+  const std::size_t first = isLength ? 1 : 0, second = isLength ? 3 : 1;  // heights of a length follow the radii
   if (c.arguments.size() <= second) return std::nullopt;
   return DrawnTolerance{known->second, *size, toleranceText(c, *size),
                         std::min(c.arguments[first], c.arguments[second]),
@@ -85,7 +85,7 @@ std::optional<DrawnThread> threadOf(const Exercise& exercise, const TurningTask&
   thread.major = *size;
   thread.minor = *size - 2.0 * (isInner ? isoMetricInnerDepth(cut.pitch) : isoMetricDepth(cut.pitch));
   thread.designation = threadDesignation(cut, *size, isInner);
-  // Of "6g major diameter" the class alone.
+  // Only the class of "6g major diameter".
   if (const std::string grade = major.tolerance.substr(0, major.tolerance.find(' ')); !grade.empty())
     thread.designation += " – " + grade;
   return thread;

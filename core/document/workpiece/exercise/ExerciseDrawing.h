@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The texts on the drawing of an exercise's target. They are title, material, and of the criteria that students see the
-// tolerances, threads and roughness.
+// Returns the texts on the drawing of an exercise's target. They are title, material, and from the criteria that
+// students see the tolerances, threads and roughness.
 DrawingTitle drawingTitleOf(const Exercise& exercise, const TurningTask& task);
 
 }  // namespace handwheel

@@ -13,14 +13,14 @@ struct ExerciseStock {
   std::shared_ptr<const TurningTask> task;  // with the target, if there is one
 };
 
-// How far a part is from the target of the task at most, mm: above the chuck, and above the bar behind the target. The
-// task must have one.
+// Returns the largest deviation of a part from the target of the task, mm: above the chuck, and above the bar behind
+// the target. The task must have a target.
 double targetError(const ExerciseStock& exercise, const TurnedProfile& part);
 
-// The stock of an exercise document's value; none for other documents, and exercises about other work.
+// Returns the stock of an exercise document's value; none for other documents, and exercises about other work.
 std::optional<ExerciseStock> exerciseStock(const Snapshot& content);
 
-// The workpiece that a document is, or that is the work on its exercise; null: there is none.
+// Returns the workpiece that a document is, or that is the work on its exercise; null: there is none.
 std::shared_ptr<const WorkpieceSnapshot> turnedWorkIn(const SnapshotPointer& content);
 
 }  // namespace handwheel

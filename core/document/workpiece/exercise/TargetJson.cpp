@@ -34,7 +34,7 @@ std::optional<std::vector<std::array<double, Count>>> rowsIn(const Json& object,
   return rows;
 }
 
-// With the material on the left: the bore downwards, before the outside where it is open below, else after it.
+// Goes around with the material on the left: down the bore, before the outside if it is open below, else after it.
 Result<TargetProfile> fromSides(const std::vector<std::array<double, 2>>& outer,
                                 const std::vector<std::array<double, 2>>& inner) {
   if (outer.size() < 2 || inner.size() == 1) return malformedTarget("it has too few points");

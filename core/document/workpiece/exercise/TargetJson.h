@@ -9,12 +9,12 @@
 
 namespace handwheel {
 
-// A target as JSON within an exercise. It is "segments", an array of five numbers each as in the blob of a workpiece's
-// target (document/workpiece/target/TargetBlobs.h).
+// Returns a target as JSON within an exercise. The key is "segments", an array of five numbers each as in the blob of a
+// workpiece's target (document/workpiece/target/TargetBlobs.h).
 nlohmann::json toJson(const TargetProfile& target);
 
-// Reads it; also "outer" and "inner", points [r, z] that never go back in z, of the outside and of a bore that is open
-// at one end or both. None for null; accepts any JSON, and adds to the damage what is no target.
+// Reads a target; also from "outer" and "inner", points [r, z] that never go back in z, of the outside and of a bore
+// that is open at one end or both. None for null. Accepts any JSON, and adds an invalid target to the damage.
 std::optional<TargetProfile> targetFrom(const nlohmann::json& json, std::vector<Error>& damage);
 
 }  // namespace handwheel

@@ -15,10 +15,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kFeature = 1e-3;       // mm: what is a cylinder or a face
+constexpr double kFeature = 1e-3;       // mm, least size of a cylinder or a face
 constexpr double kShortest = 0.5;       // mm, along the axis: shorter ones are broken edges
 constexpr double kShortArc = 1.0;       // mm: its radius is measured from five samples and more
-constexpr double kMargin = 0.1;         // of the length: so far from the ends of a surface it is measured,
+constexpr double kMargin = 0.1;         // share of the length: margin at the ends of a surface that is not measured,
 constexpr double kLargestMargin = 1.0;  // mm, at most
 constexpr double kBeside = 1e-4;        // mm, above and below a face
 constexpr double kShortestCurve = 3.0;  // mm: shorter ones are fillets of many lines
@@ -56,7 +56,7 @@ class TargetSizes {
     for (const ProfileFeature& feature : pieces) {
       if (feature.kind == ProfileFeature::Kind::FlatFace && isTop(feature)) m_top = feature;
     }
-    // Each curve stands for as many of the pieces as are between its ends.
+    // Each curve replaces the pieces between its ends.
     std::size_t piece = 0;
     for (const ProfileFeature& feature : withCurves(pieces)) {
       const std::size_t first = piece++;
@@ -131,7 +131,8 @@ class TargetSizes {
     });
   }
 
-  // Its form, and the cylinders in it, as the stem of a glass: these are longer than lines that a curve is made of.
+  // Adds the form of a curve, and the cylinders in it, such as the stem of a glass, which are longer than the lines of
+  // a curve.
   void addCurve(const ProfileFeature& curve, std::span<const ProfileFeature> pieces) {
     double largest = 0.0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -144,8 +145,8 @@ class TargetSizes {
     if (curve.high.y() - from >= kShortestCurve) m_forms.push_back({from, curve.high.y(), largest});
   }
 
-  // The deviation of a form is measured outside and inside: curves over each other are one. Half of the general
-  // tolerance of its diameter is what the surface may be off.
+  // The deviation of a form is measured outside and inside: overlapping curves are one. The surface may be off by half
+  // of the general tolerance of its diameter.
   void addForms() {
     std::sort(m_forms.begin(), m_forms.end(), [](const Form& a, const Form& b) { return a.from < b.from; });
     for (std::size_t i = 0; i < m_forms.size();) {

@@ -7,12 +7,12 @@
 
 namespace handwheel {
 
-// The sizes of a target as criteria of a marking scheme, along its outline.
+// Returns the sizes of a target as criteria of a marking scheme, along its outline.
 //
-// Diameters, tapers, arcs, and the lengths from the finished face to the others; without what stays in the chuck, and
-// what the bar has already. Of a curve of many short lines (withCurves()) its form, which is how far it is from the
-// target, after all sizes, instead of its tapers. The limits are those of general tolerances (ISO 2768-1, class m);
-// each gives a point. The ids are empty.
+// They are diameters, tapers, arcs, and the lengths from the finished face to the other faces, except inside the chuck
+// and sizes that the bar already has. A curve of many short lines (withCurves()) has a criterion of its form, the
+// distance from the target, after all sizes, instead of its tapers. The limits are those of general tolerances (ISO
+// 2768-1, class m); each gives a point. The ids are empty.
 std::vector<MarkingCriterion> sizesOfTarget(const TurningTask& task);
 
 }  // namespace handwheel

@@ -30,7 +30,7 @@ std::vector<ProfilePoint> lineOf(const TurnedProfile& profile, TurningSide side)
   return line;
 }
 
-// With as few of the points as stay within the tolerance of the line, in r.
+// Returns the line with the fewest points that stay within the tolerance, in r.
 std::vector<ProfilePoint> chainThinned(const std::vector<ProfilePoint>& line, double tolerance) {
   std::vector<ProfilePoint> kept;
   std::size_t from = 0;
@@ -69,7 +69,7 @@ ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
   return curve;
 }
 
-// Whether the tool goes to point i of a pass to be elsewhere: so fast that no tool would cut.
+// Returns true if the tool only travels to point i of a pass: too fast for any cut.
 bool isRapid(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
   const double seconds = pass.times[i] - pass.times[i - 1];
   const double speed = i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
@@ -77,7 +77,8 @@ bool isRapid(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe)
          (pass.path[i] - pass.path[i - 1]).norm() > ForcePeakMeter::kRapidFeed * seconds * speed / 60.0;
 }
 
-// Where the tool went to cut. There are gaps, points that are not numbers, from pass to pass and over rapid moves.
+// Returns the path of the tool while it cut. Between passes and over rapid moves there are gaps, points that are not
+// numbers.
 ReportCurve pathCurve(const TurningTask& task, const WorkpieceSnapshot& workpiece) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kMostPoints = 4'000;
@@ -118,7 +119,7 @@ ReportCurve loadCurve(const char* title, const char* unit, const std::vector<Mea
   return curve;
 }
 
-// How the part came near to its target, at moments of the work. The bar is that of the work.
+// Adds the deviation of the part from its target over the time of the work. The bar is that of the work.
 void addDeviations(ReportDetails& details, const TurningTask& task, const WorkpieceSnapshot& work, Progress progress) {
   constexpr int kMoments = 40;
   const TurnedProfile bar = TurnedProfile::barOf(work.stock, work.part->profile.size());
@@ -133,16 +134,17 @@ void addDeviations(ReportDetails& details, const TurningTask& task, const Workpi
   add(QT_TRANSLATE_NOOP("Figure", "Cut too deep"), track.deep);
 }
 
-// zero: mm, Z that places are counted from.
+// zero: mm, zero of reported Z.
 ReportEvent eventOf(const CrashMoment& crash, const ReviewedLathe& lathe, double zero) {
-  std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4), roundedText(2.0 * crash.place.x(), 4)};
+  std::vector<std::string> arguments = {roundedText(crash.position.y() - zero, 4),
+                                        roundedText(2.0 * crash.position.x(), 4)};
   if (crash.what == CrashMoment::What::Chuck)
-    return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), place}};
-  place.insert(place.end(), {feedText(crash.feed), roundedText(lathe.largestFeed, 3)});
+    return {crash.time, {QT_TRANSLATE_NOOP("Note", "The tool hit the chuck at Z %1 mm, ⌀%2 mm."), arguments}};
+  arguments.insert(arguments.end(), {feedText(crash.feed), roundedText(lathe.largestFeed, 3)});
   return {crash.time,
           {QT_TRANSLATE_NOOP(
                "Note", "The feed was too high at Z %1 mm, ⌀%2 mm: %3 mm per revolution, where at most %4 is allowed."),
-           place}};
+           arguments}};
 }
 
 // The roughness along the part. Of neighbours that are too many to draw the roughest is shown.
@@ -168,7 +170,8 @@ ReportCurve finishCurve(const MeasuredPart& part) {
   return curve;
 }
 
-// By the judgement of the lathe itself, in the order of the causes. seconds: on the clock of the curves.
+// Returns the event in the judgement of the lathe itself, in the order of the causes. seconds: on the clock of the
+// curves.
 ReportEvent eventOf(const LatheCollision& crash, double seconds, double zero) {
   static constexpr std::array<const char*, 6> kTexts = {
       QT_TRANSLATE_NOOP("Note", "Parts of the lathe collided at Z %1 mm, ⌀%2 mm."),
@@ -177,12 +180,12 @@ ReportEvent eventOf(const LatheCollision& crash, double seconds, double zero) {
       QT_TRANSLATE_NOOP("Note", "The spindle turned the wrong way at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The cut was deeper than the cutting edge is long at Z %1 mm, ⌀%2 mm."),
       QT_TRANSLATE_NOOP("Note", "The motor could not turn the spindle at Z %1 mm, ⌀%2 mm.")};
-  const std::vector<std::string> place = {roundedText(crash.place.y() - zero, 4),
-                                          roundedText(2.0 * crash.place.x(), 4)};
-  return {seconds, {kTexts[static_cast<std::size_t>(crash.cause)], place}};
+  const std::vector<std::string> arguments = {roundedText(crash.position.y() - zero, 4),
+                                              roundedText(2.0 * crash.position.x(), 4)};
+  return {seconds, {kTexts[static_cast<std::size_t>(crash.cause)], arguments}};
 }
 
-// The heaviest cut, and an event where the lathe has not what it takes. limit: of the lathe; 0: it takes any.
+// Adds the heaviest cut, and an event if it exceeds the lathe. limit: limit of the lathe; 0: none.
 void addPeak(ReportDetails& details, const char* figure, const std::vector<MeasuredPart::Load>& loads,
              double MeasuredPart::Load::*which, double limit, const char* text, int digits) {
   const auto largest =
@@ -193,8 +196,7 @@ void addPeak(ReportDetails& details, const char* figure, const std::vector<Measu
   details.events.push_back({largest->time, {text, {roundedText((*largest).*which, digits), roundedText(limit, 4)}}});
 }
 
-// A curve over the height above the lower end of the bar, from the zero of the drawing instead, as all places are
-// given.
+// Shifts a curve over the height above the lower end of the bar to the zero of the drawing, as all positions are given.
 ReportCurve alongAxis(ReportCurve curve, const TurningTask& task) {
   curve.x = task.target ? QT_TRANSLATE_NOOP("Figure", "Z from the finished face")
                         : QT_TRANSLATE_NOOP("Figure", "Z from the free end of the bar");
@@ -204,7 +206,7 @@ ReportCurve alongAxis(ReportCurve curve, const TurningTask& task) {
   return curve;
 }
 
-// By the path that cut, so that a pass is found again wherever it stands among others.
+// Identifies a pass by its path, so that it is found at any index.
 RecordedPiece recordedPieceOf(const TurningPass& pass) {
   Fingerprint mark;
   for (const ProfilePoint& p : pass.path) mark.add(p.x()), mark.add(p.y());

@@ -21,7 +21,7 @@ namespace handwheel {
 
 namespace {
 
-// How far a face may be from where the drawing has it and still be that face, mm.
+// Largest distance between a face and its position on the drawing, mm.
 constexpr double kFaceReach = 3.0;
 constexpr double kDegree = M_PI / 180.0;
 
@@ -33,7 +33,7 @@ Measurement none(const MarkingCriterion& c, const char* why) {
   return {c.id, std::nullopt, {why}};
 }
 
-// Of two values the one that is further from the middle of the limits, or nearer to a limit that is alone.
+// Returns the value that is further from the middle of the limits, or worse for a single limit.
 double worse(const MarkingCriterion& c, double least, double largest) {
   if (c.lower && !c.upper) return least;
   if (c.upper && !c.lower) return largest;
@@ -62,7 +62,7 @@ Measurement distance(const MarkingCriterion& c, const TurnedProfile& profile, Tu
            {measuredText(*from - zero, "mm"), measuredText(*to - zero, "mm")}}};
 }
 
-// Whether the surface of a target bulges away from its axis along a range; none where it does not tell.
+// Returns true if the surface of a target bulges away from its axis along a range; none if that cannot be told.
 std::optional<bool> bulges(const TargetProfile& target, TurningSide side, AxisRange range) {
   const auto at = [&](double z) -> std::optional<double> {
     const auto extent = target.extentAt(z);
@@ -95,9 +95,9 @@ Measurement arc(const MarkingCriterion& c, const TurnedProfile& profile, Turning
       {QT_TRANSLATE_NOOP("Note", "the surface is within %1 mm of the circle"), {roundedText(reading->deviation, 3)}}};
 }
 
-// A chamfer of 45° is one at both ends of a part: the sign counts for a teacher who gives a negative limit.
+// A chamfer of 45° is one at either end of a part: the sign counts only if the teacher gives a negative limit.
 Measurement taper(const MarkingCriterion& c, const TurnedProfile& profile, double zero) {
-  constexpr double kShown = 1e6;  // parts of a degree: what is below is rounding
+  constexpr double kShown = 1e6;  // steps per degree; smaller differences are rounding
   const auto reading = measureTaper(profile, TurningSide::Outside, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface in the range"));
   const bool isSigned = c.lower.value_or(0.0) < 0.0 || c.upper.value_or(0.0) < 0.0;
@@ -108,7 +108,7 @@ Measurement taper(const MarkingCriterion& c, const TurnedProfile& profile, doubl
            {roundedText(reading->range.from - zero, 4), roundedText(reading->range.to - zero, 4)}}};
 }
 
-// Of the line nearest to the taper, at one of its ends: there the part may have a broken edge.
+// Measures the fitted line at one end of the taper, since the part may have a broken edge there.
 Measurement taperDiameter(const MarkingCriterion& c, const TurnedProfile& profile, double zero) {
   const auto reading = measureTaper(profile, TurningSide::Outside, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no such surface in the range"));
@@ -135,7 +135,7 @@ double ThreadReading::*threadFigure(const std::string& figure) {
   return nullptr;
 }
 
-// Of the outside, or else of the bore.
+// Measures the outside, or else the bore.
 Measurement threadReading(const MarkingCriterion& c, const TurnedProfile& profile, const PartThreads* threads) {
   std::optional<ThreadReading> reading;
   if (threads) reading = measureThread(profile, *threads, TurningSide::Outside, rangeOf(c));
@@ -147,7 +147,7 @@ Measurement threadReading(const MarkingCriterion& c, const TurnedProfile& profil
            {std::to_string(reading->grooves), roundedText(reading->largestError, 3)}}};
 }
 
-// The peak of one of the loads. limit: what the lathe has, 0: any; tooHeavy: that it was more.
+// Returns the peak of one of the loads. limit: limit of the lathe, 0: none; tooHeavy: remark if it is exceeded.
 Measurement peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load>& loads,
                  double MeasuredPart::Load::*which, double limit, const char* tooHeavy) {
   if (loads.empty()) return {c.id, 0.0, {}};
@@ -159,8 +159,8 @@ Measurement peak(const MarkingCriterion& c, const std::vector<MeasuredPart::Load
   return {c.id, (*largest).*which, {QT_TRANSLATE_NOOP("Note", "after %1 s"), {time}}};
 }
 
-// As the passes leave it where older programs kept another finish: of a drill the cusps of a round nose, and no feed at
-// all where a pass began in the material.
+// Replaces marks by those of the passes where older programs kept others: the cusps of a round nose for a drill, and no
+// feed where a pass began in the material.
 SurfaceFinish withOlderMarksAsRepeated(SurfaceFinish kept, const SurfaceFinish& repeated) {
   constexpr double kSame = 1e-4;  // share: marks keep feed and roughness rounded to single precision
   for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
@@ -176,7 +176,7 @@ SurfaceFinish withOlderMarksAsRepeated(SurfaceFinish kept, const SurfaceFinish& 
   return kept;
 }
 
-// Whether what is kept is what the passes leave when they are repeated. Another processor may round otherwise.
+// Returns true if the kept finish is that of the repeated passes. Another processor may round differently.
 bool isRepeated(const SurfaceFinish& kept, const SurfaceFinish& repeated) {
   constexpr float kSame = 1e-3f;  // share
   for (const TurningSide side : {TurningSide::Outside, TurningSide::Bore}) {
@@ -193,13 +193,13 @@ bool isBeforeOnPath(const ProfilePoint& a, const ProfilePoint& b) {
   return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
 }
 
-// Whether the manual lathe has recorded that its tool ran into the jaws where the review sees it in them.
+// Returns true if the manual lathe recorded a collision of its tool with the jaws where the review finds it in them.
 bool isSameInJaws(const LatheCollision& recorded, const CrashMoment& seen, const TurningPass& pass) {
   if (seen.what != CrashMoment::What::Chuck || recorded.tool != pass.tool->id) return false;
   if (recorded.struck != LathePart::Jaws && recorded.struck != LathePart::Chuck) return false;
   return std::any_of(pass.path.begin() + static_cast<std::ptrdiff_t>(seen.first),
                      pass.path.begin() + static_cast<std::ptrdiff_t>(seen.last) + 1,
-                     [&](const ProfilePoint& p) { return (p - recorded.place).norm() <= kCrashReach; });
+                     [&](const ProfilePoint& p) { return (p - recorded.position).norm() <= kCrashReach; });
 }
 
 std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review) {
@@ -264,7 +264,7 @@ const std::vector<MeasurementType>& turningMeasurementTypes() {
   return kTypes;
 }
 
-std::string placeProblem(const MarkingCriterion& c, const StockCylinder& bar) {
+std::string positionProblem(const MarkingCriterion& c, const StockCylinder& bar) {
   const MeasurementType* type = measurementType(turningMeasurementTypes(), c.figure);
   if (!type || type->arguments.empty()) return {};
   if (c.arguments.size() < type->arguments.size())
@@ -315,13 +315,13 @@ const std::vector<LatheCollision>& MeasuredPart::crashes() const {
   return m_crashes ? *m_crashes : kNoCrashes;
 }
 
-// The crashes of a program stand on the path of its pass, where the review sees most of them again. The manual lathe
-// does not make the step that would crash: of its passes the review sees a tool that came into the jaws as far as they
-// let it, beside what is recorded.
+// The crashes of a program are on the path of its pass, where the review finds most of them again. The manual lathe
+// does not make a step that would crash: the review of its passes finds the tool in the jaws at a distance from the
+// recorded crash.
 std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
   std::vector<CrashMoment> left;
   std::vector<LatheCollision> open = crashes();
-  std::vector<ProfilePoint> path;  // of the pass of this number, sorted; of a program
+  std::vector<ProfilePoint> path;  // sorted path of the pass of a program with this number
   std::size_t number = m_passes.size();
   for (const CrashMoment& crash : m_review ? m_review->crashes() : std::vector<CrashMoment>()) {
     const TurningPass& pass = *m_passes[crash.pass];
@@ -331,7 +331,7 @@ std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
     }
     const auto recorded = std::find_if(open.begin(), open.end(), [&](const LatheCollision& each) {
       return pass.tool ? isSameInJaws(each, crash, pass)
-                       : std::binary_search(path.begin(), path.end(), each.place, isBeforeOnPath);
+                       : std::binary_search(path.begin(), path.end(), each.position, isBeforeOnPath);
     });
     if (recorded == open.end())
       left.push_back(crash);
@@ -380,7 +380,7 @@ Measurement MeasuredPart::ofPasses(const MarkingCriterion& c) const {
            {roundedText(reading->largest, 3), roundedText(reading->largestAt - zero(), 4)}}};
 }
 
-// A feed that no tool survives counts as a collision, and is named as what it is.
+// A feed that no tool survives counts as a collision, and is named as a feed.
 Measurement MeasuredPart::collisions(const MarkingCriterion& c) const {
   const std::vector<CrashMoment> seen = unrecordedCrashes();
   const CrashMoment* fastest = nullptr;

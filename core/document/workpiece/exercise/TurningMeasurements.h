@@ -10,46 +10,46 @@
 
 namespace handwheel {
 
-// All figures of turning, with their units and arguments.
+// Returns all figures of turning, with their units and arguments.
 const std::vector<MeasurementType>& turningMeasurementTypes();
 
-// As ExerciseSubject::placeProblem(), for parts that are made of this bar.
-std::string placeProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
+// Does the work of ExerciseSubject::positionProblem() for parts that are made from this bar.
+std::string positionProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
 
-// The largest force (N) and power (kW) of the passes that follow those of `before` in a workpiece that was cut, as they
-// are marked; null: of all. `before` must be that workpiece at an earlier time. None: too much work, cancelled.
+// Returns the largest force (N) and power (kW) of the passes of a workpiece after those of `before`, as they are
+// marked; null: of all passes. `before` must be that workpiece at an earlier time. None: too much work, or cancelled.
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    const TurnedPart* before, Progress progress = {});
 
-// "1.25"; "∞" while the spindle stood.
+// "1.25"; "∞" while the spindle stood still.
 std::string feedText(double feed);
 
-// A turned part with what its passes tell, for measuring. Computed once for all figures.
+// A turned part with a review of its passes, for measuring. Computed once for all figures.
 class MeasuredPart {
  public:
-  // The review is missing where it takes too much work; then what needs it is not measured.
+  // The review is missing if it takes too much work; figures that need it are then not measured.
   MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress);
 
-  // Deterministic. What a figure does not find there, it says.
+  // Deterministic. A figure that cannot be measured has a remark with the reason.
   Measurement measure(const MarkingCriterion& criterion, Progress progress = {}) const;
 
   const TurnedProfile& profile() const { return m_profile; }
   const std::optional<TurningReview>& review() const { return m_review; }
-  // Recorded while the part was cut, by the manual lathe or by programs.
+  // Returns the crashes that were recorded while the part was cut, by the manual lathe or by programs.
   const std::vector<LatheCollision>& crashes() const;
-  // Those that the review alone tells.
+  // Returns the crashes that only the review finds.
   std::vector<CrashMoment> unrecordedCrashes() const;
-  // Whether the passes give this part, sample by sample, and its finish. Else somebody has changed the file.
+  // Returns true if the passes give this part, sample by sample, and its finish. False: the file was manipulated.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
-  // The cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
+  // Returns the cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
   using Load = CutLoad;
   std::vector<Load> loads() const;
-  // The roughness of a side along a range: that which is kept along the part; where it is not kept all the way, as in
-  // files of older programs, that of the passes at the speed of the task. None where it is not cut all the way.
+  // Returns the roughness of a side over a range. It is the finish stored with the part or, if that has gaps as in
+  // files of older programs, the finish of the passes at the speed of the task. None if part of the range is uncut.
   std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
-  // The same at a sample.
+  // Returns the finish at a sample.
   FinishMark finishAt(TurningSide side, std::size_t i) const;
-  // mm, Z that remarks count from.
+  // Returns the Z that remarks count from, mm.
   double zero() const { return m_task.zero(); }
 
  private:
@@ -60,7 +60,7 @@ class MeasuredPart {
   const TurningTask& m_task;
   TurnedProfile m_profile;
   std::optional<TurningReview> m_review;
-  SurfaceFinish m_finish;  // kept
+  SurfaceFinish m_finish;  // the finish stored with the part
   std::vector<std::shared_ptr<const TurningPass>> m_passes;
   std::shared_ptr<const std::vector<LatheCollision>> m_crashes;
   std::shared_ptr<const PartThreads> m_threads;  // null: none

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Its targets: TurningSubjectTarget.cpp.
+// The subject without its targets, which are in TurningSubjectTarget.cpp.
 #include "document/workpiece/exercise/TurningSubject.h"
 
 #include "base/JsonText.h"
@@ -41,8 +41,8 @@ const WorkpieceSnapshot& turnedOf(const Snapshot& work) {
   return static_cast<const WorkpieceSnapshot&>(work);
 }
 
-// Where the exercise names tools of the manual lathe, these are in its post and no others can be mounted. A drill is
-// mounted by the student.
+// If the exercise names tools of the manual lathe, these are in its post and no others can be mounted. The student
+// mounts a drill.
 void provideTools(LatheSetup& setup, const TurningTask& task) {
   for (const AllowedTool& tool : task.tools)
     if (!tool.tool.empty()) setup.allowed.push_back(tool.tool);
@@ -59,8 +59,8 @@ void provideTools(LatheSetup& setup, const TurningTask& task) {
   if (setup.stations.empty()) setup.stations.emplace_back();
 }
 
-// In the language of the window: what the lathe calls it, or a name of the exercises that ship; else as the teacher
-// wrote it.
+// Returns the name of a tool in the language of the window: that of the lathe, or of a built-in exercise; else as the
+// teacher wrote it.
 std::string toolName(const AllowedTool& tool) {
   const auto mounted = tool.tool.empty() ? nullptr : toolNamed(shippedLatheTools(), tool.tool);
   if (!mounted) return QCoreApplication::translate("Exercise", tool.name.c_str()).toStdString();
@@ -120,8 +120,8 @@ std::optional<double> TurningSubject::usualLimit(const std::string& figure, cons
   return limit > 0.0 ? std::optional(limit) : std::nullopt;
 }
 
-std::string TurningSubject::placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const {
-  return handwheel::placeProblem(criterion, turningOf(task).stock);
+std::string TurningSubject::positionProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const {
+  return handwheel::positionProblem(criterion, turningOf(task).stock);
 }
 
 TaskPointer TurningSubject::blankTask() const {
@@ -140,7 +140,7 @@ TaskPointer TurningSubject::fromJson(const nlohmann::json& json, std::vector<Err
 nlohmann::json TurningSubject::unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const {
   if (!json.is_object()) return nlohmann::json::object();
   nlohmann::json beyond = keysBeyond(json, toJson(task));
-  beyond.erase("programs");  // which is not written where they are allowed
+  beyond.erase("programs");  // not written if programs are allowed
   const auto target = beyond.find("target");
   if (target == beyond.end() || !target->is_object()) return beyond;
   for (const char* const known : {"outer", "inner"}) target->erase(known);
@@ -189,7 +189,7 @@ SnapshotPointer TurningSubject::start(const ExerciseTask& task) const {
   bar = withValue(std::move(bar), WorkpieceField::Length, turning.stock.length);
   const WorkMaterials& materials = WorkMaterials::standard();
   if (const WorkMaterial* material = materials.find(turning.material)) bar.material = material->name;
-  // So it is in the view and in the panel, and the part is compared with it, as with one that was imported.
+  // The view and the panel show it and compare the part with it, as with an imported target.
   if (turning.target)
     bar.target = std::make_shared<const WorkpieceTarget>(WorkpieceTarget{*turning.target, std::string()});
   if (const LatheSetup setup = setupOf(turning); setup.isSound()) bar.lathe = std::make_shared<const LatheSetup>(setup);

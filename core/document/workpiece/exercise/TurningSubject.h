@@ -17,13 +17,13 @@ class TurningSubject : public ExerciseSubject {
   std::vector<MeasurementType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
-  // The finished face.
+  // Returns Z of the finished face.
   std::optional<double> drawingZero(const ExerciseTask& task) const override;
   double targetMove(const ExerciseTask& from, const ExerciseTask& to) const override;
   std::vector<MarkingCriterion> targetSizes(const ExerciseTask& task) const override;
-  // No collision, and the force and power that the lathe has.
+  // Returns 0 for collisions, and the limits of the lathe for force and power.
   std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const override;
-  std::string placeProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const override;
+  std::string positionProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const override;
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;
@@ -35,19 +35,20 @@ class TurningSubject : public ExerciseSubject {
   std::vector<ExerciseText> conditions(const ExerciseTask& task) const override;
   SnapshotPointer start(const ExerciseTask& task) const override;
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
-  // By its passes; those of files of older programs count as made by hand.
+  // Judges by the passes; those of files of older programs count as made by hand.
   WorkOrigin originOf(const Snapshot& work) const override;
   bool areProgramsAllowed(const ExerciseTask& task) const override;
-  // {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z], …],
-  //   "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}, all but points may be left out:
-  // points of the centre of the nose.
+  // Reads {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z],
+  // …],
+  // "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}. All but "points", the positions of the
+  // centre of the nose, are optional.
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
-  std::vector<Note> placeNotes(const ExerciseTask& task) const override;
+  std::vector<Note> fitNotes(const ExerciseTask& task) const override;
   std::optional<Note> endsNote(const ExerciseTask& task) const override;
-  QImage placePicture(const ExerciseTask& task) const override;
+  QImage targetPicture(const ExerciseTask& task) const override;
   Result<TaskPointer> withTurnedTarget(const ExerciseTask& task) const override;
   std::vector<std::string> targetEndings() const override;
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,

@@ -7,7 +7,7 @@
 #include "document/workpiece/exercise/TurningSubject.h"
 #include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetImport.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/RoundedTarget.h"
 
@@ -24,7 +24,7 @@ TaskPointer withTarget(const ExerciseTask& task, TargetProfile target) {
   return std::make_shared<const TurningTask>(std::move(changed));
 }
 
-Note noteOnPlace(const TargetProfile& target, const StockCylinder& stock) {
+Note noteOnPosition(const TargetProfile& target, const StockCylinder& stock) {
   const auto text = [](double mm) { return roundedText(std::round(mm * 1e3) / 1e3 + 0.0, 7); };
   return {QT_TRANSLATE_NOOP("Note",
                             "The finished face, zero of the drawing and of programs, is %1 mm behind the free end of "
@@ -46,7 +46,7 @@ Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const S
   return handwheel::withTarget(task, std::move(target.value()));
 }
 
-std::vector<Note> TurningSubject::placeNotes(const ExerciseTask& task) const {
+std::vector<Note> TurningSubject::fitNotes(const ExerciseTask& task) const {
   constexpr double kSlack = 1e-3;  // mm
   const auto& turning = static_cast<const TurningTask&>(task);
   if (!turning.target) return {};
@@ -66,7 +66,7 @@ std::optional<Note> TurningSubject::endsNote(const ExerciseTask& task) const {
   return target ? std::optional(handwheel::endsNote(*target)) : std::nullopt;
 }
 
-QImage TurningSubject::placePicture(const ExerciseTask& task) const {
+QImage TurningSubject::targetPicture(const ExerciseTask& task) const {
   const auto& turning = static_cast<const TurningTask&>(task);
   return turning.target ? targetInBar(turning.stock, *turning.target) : QImage();
 }
@@ -94,7 +94,7 @@ Result<ExerciseSubject::ImportedTask> TurningSubject::withImportedTarget(const E
                  {},
                  path.string()};
   const TargetProfile target = placedTarget(*imported, stock, facing)->profile;
-  return ImportedTask{handwheel::withTarget(task, target), imported->notes, "Target", noteOnPlace(target, stock)};
+  return ImportedTask{handwheel::withTarget(task, target), imported->notes, "Target", noteOnPosition(target, stock)};
 }
 
 Result<ExerciseSubject::RoundedTask> TurningSubject::withRoundedTarget(const ExerciseTask& task, double step,

@@ -6,7 +6,7 @@
 #include "base/NumberText.h"
 #include "document/container/UnknownPart.h"
 #include "document/workpiece/exercise/TargetJson.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 
@@ -57,7 +57,7 @@ std::span<const TaskNumber> taskNumbers() {
 }
 
 double valueOf(const TaskNumber& number, const TurningTask& task) {
-  return number.at(const_cast<TurningTask&>(task));  // which is only read
+  return number.at(const_cast<TurningTask&>(task));  // the task is only read
 }
 
 const WorkMaterials& materials() {
@@ -214,7 +214,7 @@ std::vector<Property> propertiesOf(const TurningTask& task) {
   }
   all.insert(all.begin() + 2, std::move(material));
   if (task.target)
-    for (Property& each : placeProperties(*task.target, task.stock)) all.push_back(std::move(each));
+    for (Property& each : positionProperties(*task.target, task.stock)) all.push_back(std::move(each));
   for (Property& tool : toolProperties(task)) all.push_back(std::move(tool));
   return all;
 }
@@ -235,7 +235,7 @@ Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, co
     return task;
   }
   if (id == kAllowanceId && task.target) {
-    Result<TargetProfile> placed = withPlace(*task.target, task.stock, value);
+    Result<TargetProfile> placed = withPosition(*task.target, task.stock, value);
     if (!placed) return placed.error();
     task.target = std::move(*placed);
     return task;

@@ -13,8 +13,8 @@ namespace handwheel {
 struct AllowedTool {
   std::string name;         // "right-hand turning tool"
   double noseRadius = 0.8;  // mm
-  std::string tool = {};    // id of the one of the manual lathe; empty: it is only said
-  std::string others = {};  // what else the file has of it: a JSON object; empty: nothing
+  std::string tool = {};    // id of a tool of the manual lathe; empty: described in words only
+  std::string others = {};  // unknown keys of the file: a JSON object; empty: none
   bool operator==(const AllowedTool&) const = default;
 };
 
@@ -27,21 +27,22 @@ struct TurningTask : ExerciseTask {
   StockCylinder stock{40.0, 100.0, 0.0};
   std::string material = "medium-carbon-steel";  // id of a WorkMaterial
   ReviewedLathe lathe{800.0, 25.0, 100.0, 2.0};
-  double forceLimit = 2000.0;      // N, of the lathe; shown to the student; 0: any
+  double forceLimit = 2000.0;      // N, limit of the lathe, shown to the student; 0: any
   double powerLimit = 3.0;         // kW; 0: any
-  bool areProgramsAllowed = true;  // for students; else all is to be cut by hand
+  bool areProgramsAllowed = true;  // for students; false: all cuts are made by hand
   std::vector<AllowedTool> tools;
   std::optional<TargetProfile> target;
 
-  // mm, Z of the zero of the drawing and of programs: the finished face, or the free end of the bar, as programZero().
+  // Returns Z of the zero of the drawing and of programs, mm: the finished face, or the free end of the bar, as
+  // programZero().
   double zero() const { return target ? target->upperEnd() : stock.position + stock.length; }
 };
 
-// As containers and descriptions have it; docs/format.md lists the keys.
+// The task in the JSON of containers and descriptions; docs/format.md lists the keys.
 nlohmann::json toJson(const TurningTask& task);
 TurningTask turningTaskFrom(const nlohmann::json& json, std::vector<Error>& damage);
 
-// The properties that teachers change.
+// Returns the properties that teachers change.
 std::vector<Property> propertiesOf(const TurningTask& task);
 // Errors: ReferenceMissing {property}, ElementMalformed, ValueOutOfRange.
 Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, const PropertyValue& value);

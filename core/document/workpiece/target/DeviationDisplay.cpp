@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kRings = 2000, kBands = 200;  // along the part, at most
-constexpr std::uint32_t kSides = 72;                // of a ring
+constexpr std::uint32_t kSides = 72;                // sides of a ring
 
 // Adds rings of points, and bands between one and the next.
 class Bands {

@@ -10,12 +10,12 @@
 
 namespace handwheel {
 
-// The file formats of drawings. DXF and SVG hold the exact half section, PDF a drawing with dimensions.
+// Returns the file formats of drawings. DXF and SVG hold the exact half section, PDF a drawing with dimensions.
 std::vector<FileFormat> drawingFormats();
 bool isDrawingName(const std::filesystem::path& path);
 
-// Writes a section as one of them, by the ending of the path: the whole file or nothing. DXF and SVG are read back and
-// compared within 1e-6 mm. PDF needs fonts, so a QGuiApplication. Errors: CheckFailed, LibraryFailed, those of
+// Writes a section in the format that the extension of the path names: the whole file or nothing. DXF and SVG are read
+// back and compared within 1e-6 mm. PDF needs fonts, so a QGuiApplication. Errors: CheckFailed, LibraryFailed, those of
 // writeFileAtomically().
 Result<WrittenFile> exportDrawing(const TargetProfile& section, const DrawingTitle& title,
                                   const std::filesystem::path& path, Progress progress);

@@ -36,7 +36,7 @@ QPainterPath halfOf(std::span<const ProfilePoint> target) {
   return path;
 }
 
-// In the coordinates of the halves. The bar behind the target is neither left over nor in it.
+// Paints in the coordinates of the halves. The bar behind the target is neither left over nor in it.
 void paintHalf(QPainter& painter, const QPainterPath& part, const QPainterPath& target) {
   if (target.isEmpty()) return painter.fillPath(part, kInBoth);
   painter.fillPath(target, kCutTooDeep);
@@ -87,7 +87,7 @@ std::vector<ProfilePoint> halfSectionOf(const TargetProfile& target) {
 }
 
 QImage targetInBar(const StockCylinder& stock, const TargetProfile& target) {
-  constexpr double kBarSamples = 500.0;  // of the bar, which alone is drawn by them
+  constexpr double kBarSamples = 500.0;  // samples of a bar, which only the picture uses
   return sectionPicture(TurnedProfile(stock, stock.length / kBarSamples), halfSectionOf(target.moved(-stock.position)));
 }
 

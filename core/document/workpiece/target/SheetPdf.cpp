@@ -47,7 +47,7 @@ class SheetPainter {
     QPen pen(Qt::black, width * kDots, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     if (line == Sheet::Line::Centre) {
       pen.setCapStyle(Qt::FlatCap);
-      pen.setDashPattern({24.0, 3.0, 0.5, 3.0});  // of the width of the line: long dash, dot
+      pen.setDashPattern({24.0, 3.0, 0.5, 3.0});  // in widths of the line: long dash, dot
     }
     return pen;
   }

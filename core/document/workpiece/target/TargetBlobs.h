@@ -14,7 +14,7 @@ namespace handwheel {
 // null and no blob.
 void writeTarget(const WorkpieceSnapshot& workpiece, Container& container);
 
-// Reads it; accepts any input. What cannot be read is added to damage, and there is no target then (null).
+// Reads it; accepts any input. An unreadable target is added to the damage and gives null.
 std::shared_ptr<const WorkpieceTarget> readTarget(const nlohmann::json& document, const Container& container,
                                                   std::vector<Error>& damage);
 

@@ -10,7 +10,7 @@
 #include "document/formats/MeshFormatTable.h"
 #include "document/formats/step/StepReader.h"
 #include "document/workpiece/WorkpieceKind.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/ProfileFromMesh.h"
 #include "machining/target/files/DxfReader.h"

@@ -13,32 +13,32 @@
 
 namespace handwheel {
 
-// A target that was read from a file, at its position there.
+// A target that was read from a file, at its position in the file.
 struct ImportedTarget {
   TargetProfile profile;
   std::string source;       // name of the file, UTF-8
-  std::vector<Note> notes;  // what the user should know of how it was read
-  bool isPlaced = false;    // it was in a bar, as a workpiece of our own
+  std::vector<Note> notes;  // remarks on the reading for the user
+  bool isPlaced = false;    // true: the file is a workpiece of our own, with a bar around the target
 };
 
-// Reads a target by the content of the file: a turned part in STEP or as a mesh, the half section in DXF or SVG, or a
-// workpiece of our own, whose target counts if it has one, else the part. Blocks. Errors: those of the readers,
-// FormatUnknown; the subject is the path.
+// Reads a target by the content of the file: a turned part in STEP or as a mesh, the half section in DXF or SVG, or the
+// target, else the part, of a workpiece of our own. Blocks. Errors: those of the readers, FormatUnknown; the subject is
+// the path.
 Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedFaces others, Progress progress = {});
 
-// The extensions of these files: ".step", …
+// Returns the extensions of these files: ".step", …
 std::vector<std::string> targetEndings();
 
-// The target of a workpiece, with this allowance for facing (mm) at the free end of the bar. None: one from another
-// workpiece stays where it was there if the bar has it all; where the zero of a drawing is says nothing of the bar, so
-// that any other is given the usual allowance.
+// Returns the target of a workpiece with this allowance for facing (mm) at the free end of the bar. Without an
+// allowance, a target from another workpiece keeps its position if it lies within the bar; any other gets the usual
+// allowance, since the zero of a drawing does not relate to the bar.
 std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock,
                                                     std::optional<double> allowance = {});
 
-// The section of a workpiece where it stands: of what was cut, of the piece at its free end where that is parted off,
-// or of the bar. Errors: those of TargetProfile::make().
+// Returns the section of a workpiece at its position: of the cut part, of the piece at its free end if that is parted
+// off, or of the bar. Errors: those of TargetProfile::make().
 Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece);
-// What is to be said of that section: that it is of one piece of several.
+// Returns a note if that section is of one piece of several.
 std::vector<Note> sectionNotes(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

@@ -15,8 +15,8 @@ std::string reportedSizeText(double value) {
   return roundedText(std::round(value * 1e4) / 1e4, 9);
 }
 
-nlohmann::json placeJson(const TargetDeviation::Place& place) {
-  return {{"distance", place.distance}, {"r", place.at.x()}, {"z", place.at.y()}};
+nlohmann::json pointJson(const TargetDeviation::Extreme& point) {
+  return {{"distance", point.distance}, {"r", point.at.x()}, {"z", point.at.y()}};
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ nlohmann::json dimensionsJson(const TargetProfile& section, double tolerance) {
 }
 
 nlohmann::json deviationJson(const TargetDeviation& deviation) {
-  return {{"largest_over", placeJson(deviation.largestOver)},
-          {"largest_under", placeJson(deviation.largestUnder)},
+  return {{"largest_over", pointJson(deviation.largestOver)},
+          {"largest_under", pointJson(deviation.largestUnder)},
           {"largest", deviation.largest()}};
 }
 

@@ -12,17 +12,17 @@
 
 namespace handwheel {
 
-// The deviation of a workpiece from its target, which it must have. That of the bar where nothing was cut. Incomplete
-// when cancelled.
+// Returns the deviation of a workpiece, or of its uncut bar, from its target. The workpiece must have a target.
+// Incomplete when cancelled.
 TargetDeviation deviationOf(const WorkpieceSnapshot& workpiece, Progress progress = {});
 
-// The dimensions of a section as JSON: an array of objects with "kind", "inner", "z_from", "z_to", "r_from", "r_to" and
-// by kind "diameter", "radius" (mm) or "angle" (rad), and "text".
+// Returns the dimensions of a section as JSON: an array of objects with "kind", "inner", "z_from", "z_to", "r_from",
+// "r_to" and by kind "diameter", "radius" (mm) or "angle" (rad), and "text".
 nlohmann::json dimensionsJson(const TargetProfile& section, double tolerance);
-// The deviation: "largest_over", "largest_under" (mm, the second not above zero), with their places.
+// Returns the deviation as JSON: "largest_over", "largest_under" (mm, the second not above zero), with their positions.
 nlohmann::json deviationJson(const TargetDeviation& deviation);
 
-// A feature in a line of English: "cylinder Ø40, Z 0 to 30".
+// Returns a feature as a line of English: "cylinder Ø40, Z 0 to 30".
 std::string textOf(const ProfileFeature& feature);
 
 }  // namespace handwheel

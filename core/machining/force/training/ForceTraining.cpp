@@ -37,9 +37,9 @@ Status judge(ForceTraining& training, const ForceSamples& samples, const Trainin
     const Result<TrainedNetwork> network =
         trainNetwork(split.training, options, progress.part(share(fold), share(fold + 1)));
     if (!network) return network.error();
-    progress.set(share(fold + 1));  // also where it has learned enough before its last epoch
+    progress.set(share(fold + 1));  // the goal may be reached before the last epoch
     const PowerLaw law = fittedPowerLaw(split.training);
-    // As it will be used: a held-out cut beyond the range of the others falls to the power law.
+    // The model as it will be used: a held-out cut beyond the range of the others falls to the power law.
     const TrainedForceModel model(network->network, law, {});
     for (const ForceSample& sample : split.heldOut) {
       networkErrors.push_back(errorOn(sample, model.at(sample.cut).cutting));

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// An epoch is one step down the gradient of all samples (Rumelhart, Hinton, Williams 1986). The rate is one for which
+// An epoch is one step down the gradient of all samples (Rumelhart, Hinton, Williams 1986). The rate is chosen so that
 // the curvature of the output's weights, at most 2 (1 + hidden), does not let the steps grow.
 void trainByGradientDescent(NetworkProblem& problem, TrainingRecord& record, double momentum) {
   const double rate = 2.5 / static_cast<double>(problem.weightCount() + 4);

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// An epoch is one step that lowers the error, with as many trials of the damping as it takes. Marquardt 1963, with the
+// An epoch is one step that lowers the error, with as many trials of the damping as needed. Marquardt 1963, with the
 // damping constants of Hagan and Menhaj, "Training feedforward networks with the Marquardt algorithm", 1994.
 void trainByLevenbergMarquardt(NetworkProblem& problem, TrainingRecord& record) {
   constexpr double kFirst = 1e-3, kFactor = 10.0, kLeast = 1e-15, kMost = 1e10;
@@ -22,7 +22,7 @@ void trainByLevenbergMarquardt(NetworkProblem& problem, TrainingRecord& record) 
       damped.diagonal().array() += damping;
       next = weights - damped.selfadjointView<Eigen::Lower>().ldlt().solve(gradient);
       const double there = problem.error(next);
-      if (there < error) {  // not so for NaN
+      if (there < error) {  // false for NaN
         weights = next;
         damping = std::max(damping / kFactor, kLeast);
         goesOn = record.add(weights, there);

@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr Eigen::Index kJacobianBlock = 64;    // rows of the Jacobian at once
-constexpr std::size_t kLookForCancel = 1'024;  // rows between two looks
+constexpr std::size_t kLookForCancel = 1'024;  // rows between two checks
 
 std::span<const double> spanOf(const Eigen::VectorXd& weights) {
   return {weights.data(), static_cast<std::size_t>(weights.size())};

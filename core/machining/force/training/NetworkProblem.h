@@ -8,19 +8,19 @@
 
 namespace handwheel {
 
-// The least-squares problem of training a network: its error by the weights, in scaled units.
+// The least-squares problem of training a network. It gives the error as a function of the weights, in scaled units.
 class NetworkProblem {
  public:
   NetworkProblem(const ForceNetwork& network, std::span<const ForceSample> samples, Progress progress);
 
   Eigen::Index weightCount() const { return m_weightCount; }
-  bool isCancelled() const { return m_isCancelled; }  // then results are invalid
+  bool isCancelled() const { return m_isCancelled; }  // true: results are invalid
 
-  // Mean squared error.
+  // Returns the mean squared error.
   double error(const Eigen::VectorXd& weights);
-  // With its gradient.
+  // The same with its gradient.
   double error(const Eigen::VectorXd& weights, Eigen::VectorXd& gradient);
-  // With JᵀJ (lower half) and Jᵀe, both divided by the number of samples.
+  // The same with JᵀJ (lower half) and Jᵀe, both divided by the number of samples.
   double error(const Eigen::VectorXd& weights, Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient);
 
  private:
@@ -30,17 +30,17 @@ class NetworkProblem {
   std::vector<double> m_targets;
   Eigen::Index m_weightCount;
   Eigen::VectorXd m_row;   // derivatives of one output
-  Eigen::MatrixXd m_rows;  // of several, one to a column
+  Eigen::MatrixXd m_rows;  // derivatives of several outputs, one to a column
   Progress m_progress;
   bool m_isCancelled = false;
 };
 
-// What every trainer keeps: the best weights so far and the error after each epoch.
+// The state that every trainer shares: the best weights so far and the error after each epoch.
 class TrainingRecord {
  public:
   TrainingRecord(const TrainingOptions& options, Progress progress, Eigen::VectorXd weights, double error);
 
-  // Notes the end of an epoch. Whether training goes on: false at the goal, at the last epoch, or when cancelled.
+  // Records the end of an epoch. Returns false at the goal, at the last epoch, or if it was cancelled: training ends.
   bool add(const Eigen::VectorXd& weights, double error);
 
   bool isAtGoal() const { return m_best <= m_goal; }
@@ -57,11 +57,11 @@ class TrainingRecord {
   std::vector<double> m_errors;
 };
 
-// The trainers. Each goes on from the best weights of the record until it ends or makes no more progress.
+// The trainers. Each continues from the best weights of the record until it ends or makes no more progress.
 void trainByLevenbergMarquardt(NetworkProblem& problem, TrainingRecord& record);
 void trainByBfgs(NetworkProblem& problem, TrainingRecord& record);
 void trainByScaledConjugateGradient(NetworkProblem& problem, TrainingRecord& record);
-// momentum: the share of the step before that is added to each; 0: none.
+// momentum: the share of the previous step that is added to each step; 0: none.
 void trainByGradientDescent(NetworkProblem& problem, TrainingRecord& record, double momentum);
 
 }  // namespace handwheel

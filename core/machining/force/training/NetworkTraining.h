@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The five ways to train a network.
+// The five training methods for a network.
 enum class NetworkTrainer {
   LevenbergMarquardt,       // H ≈ JᵀJ, g = Jᵀe (He 2008, 3-8, 3-9)
   Bfgs,                     // quasi-Newton with a line search
@@ -25,22 +25,22 @@ struct TrainingOptions {
   std::size_t hidden = 4;  // 1 to ForceNetwork::kMostHidden
   double goal = 1e-3;      // mean squared error in scaled units at which training ends; 0: at the last epoch
   std::uint64_t seed = 1;
-  std::size_t epochs = 0;  // at most; 0: as many as the trainer usually needs, mostEpochs()
+  std::size_t epochs = 0;  // largest number; 0: as many as the trainer usually needs, mostEpochs()
 };
 std::size_t mostEpochs(NetworkTrainer trainer);
 
 struct TrainedNetwork {
   ForceNetwork network;        // the best of all epochs
-  std::vector<double> errors;  // mean squared error in scaled units: before, and after each epoch
+  std::vector<double> errors;  // mean squared error in scaled units: before training, and after each epoch
   bool isGoalReached = false;
 
   std::size_t epochs() const { return errors.size() - 1; }
-  double error() const;  // of the network
+  double error() const;  // error of the network
 };
 
-// Trains a network on samples, of which there is at least one. The same samples and options give the same network, bit
-// for bit. Long sets are cancelled within about 1,000 of their rows. Errors: Cancelled.
-// Cost of an epoch: O(rows · weights), for Levenberg-Marquardt O(rows · weights²).
+// Trains a network on samples (at least one). The same samples and options give the same network, bit for bit. Long
+// sets are cancelled within about 1,000 rows. Errors: Cancelled. Cost of an epoch: O(rows · weights), for
+// Levenberg-Marquardt O(rows · weights²).
 Result<TrainedNetwork> trainNetwork(std::span<const ForceSample> samples, const TrainingOptions& options,
                                     Progress progress = {});
 

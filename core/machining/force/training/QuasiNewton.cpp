@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-// A step along a direction that keeps both conditions of Wolfe, by bisection (Nocedal and Wright, Numerical
+// Finds a step along a direction that meets both Wolfe conditions, by bisection (Nocedal and Wright, Numerical
 // Optimization, 2006, 3.1). On success weights, gradient and error are those of its end.
 bool searchLine(NetworkProblem& problem, const Eigen::VectorXd& direction, Eigen::VectorXd& weights,
                 Eigen::VectorXd& gradient, double& error) {
@@ -38,8 +38,8 @@ bool searchLine(NetworkProblem& problem, const Eigen::VectorXd& direction, Eigen
 
 }  // namespace
 
-// An epoch is one line search. The inverse Hessian begins as a multiple of the identity and is made anew where the
-// search fails (Nocedal and Wright, 6.1).
+// An epoch is one line search. The inverse Hessian begins as a multiple of the identity and is reset if the search
+// fails (Nocedal and Wright, 6.1).
 void trainByBfgs(NetworkProblem& problem, TrainingRecord& record) {
   const Eigen::Index n = problem.weightCount();
   Eigen::VectorXd weights = record.best(), gradient;
@@ -49,7 +49,7 @@ void trainByBfgs(NetworkProblem& problem, TrainingRecord& record) {
   for (;;) {
     const Eigen::VectorXd before = weights, gradientBefore = gradient;
     if (!searchLine(problem, -(inverse * gradient), weights, gradient, error)) {
-      if (isFresh || problem.isCancelled()) return;  // no way down, within rounding
+      if (isFresh || problem.isCancelled()) return;  // no descent, within rounding
       inverse.setIdentity();
       isFresh = true;
       continue;

@@ -8,7 +8,7 @@
 namespace handwheel {
 
 // An epoch is one iteration of Møller's algorithm ("A scaled conjugate gradient algorithm for fast supervised
-// learning", Neural Networks 6, 1993), whether or not it took a step. Names as there, but for the letters.
+// learning", Neural Networks 6, 1993), even if it took no step. The names follow the paper, but for the letters.
 void trainByScaledConjugateGradient(NetworkProblem& problem, TrainingRecord& record) {
   constexpr double kProbe = 1e-5, kFirstScale = 1e-6, kMostScale = 1e20, kLeastGradient = 1e-12;
   const Eigen::Index n = problem.weightCount();
@@ -35,7 +35,7 @@ void trainByScaledConjugateGradient(NetworkProblem& problem, TrainingRecord& rec
     const double there = problem.error(next);
     if (problem.isCancelled()) return;
     const double comparison = 2.0 * curvature * (error - there) / (slope * slope);
-    isSuccess = comparison >= 0.0;  // not so for NaN
+    isSuccess = comparison >= 0.0;  // false for NaN
     if (isSuccess) {
       weights = next;
       error = problem.error(weights, nextGradient);

@@ -14,20 +14,20 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kBesideWall = 0.5;     // mm, of the nose in the hole, and of the drill before the end of the bar
+constexpr double kBesideWall = 0.5;     // mm, gap of the nose in the hole, and of the drill before the end of the bar
 constexpr double kBehindBar = 0.3;      // mm, between the back of a boring bar and the hole
-constexpr double kLeastToBore = 0.2;    // mm, on the radius, that a drill leaves
-constexpr double kMostBarDepth = 1.0;   // mm, of a level: bars are slender
+constexpr double kLeastToBore = 0.2;    // mm on the radius, least stock that a drill leaves
+constexpr double kMostBarDepth = 1.0;   // mm, limit of a level: bars are slender
 constexpr double kMostAllowance = 0.2;  // mm
-constexpr double kDrillSpeed = 20.0;    // m/min, of high-speed steel
+constexpr double kDrillSpeed = 20.0;    // m/min, for high-speed steel
 constexpr double kDrillFeed = 0.1;      // mm in a turn
 constexpr double kBefore = 5.0;         // mm
-constexpr double kAboveFlat = 0.3;      // mm, of the point of the drill above a flat bottom
-constexpr double kAboveRim = 0.5;       // mm, of a bar above what that point has left
-constexpr double kFaceDepth = 0.25;     // mm, of a level of a flat bottom: the edge of a bar slopes back by twice that
+constexpr double kAboveFlat = 0.3;      // mm, distance of the drill's point above a flat bottom
+constexpr double kAboveRim = 0.5;       // mm, distance of a bar above the remains of that point
+constexpr double kFaceDepth = 0.25;     // mm, level of a flat bottom: the edge of a bar slopes back by twice that
 constexpr double kSameRadius = 1e-6;    // mm, on the radius
 
-// mm, how far behind its tip a bar reaches in r.
+// Returns the reach of a bar behind its tip in r, mm.
 double backOf(const LatheTool& bar) {
   double least = 0.0;
   for (const auto* sections : {&bar.cutting, &bar.holder}) {
@@ -37,12 +37,12 @@ double backOf(const LatheTool& bar) {
   return -least;
 }
 
-// mm, z above which a bar is free of what the point of the drill leaves over a flat bottom.
+// Returns the z above which a bar is clear of the remains of the drill's point over a flat bottom, mm.
 double rimOf(const BoreWall& bore, double hole) {
   return -bore.depth + kAboveFlat + hole / kDrillPointSlope + kAboveRim;
 }
 
-// most: mm, that it may reach behind its tip.
+// most: mm, largest reach behind its tip.
 std::shared_ptr<const LatheTool> barFor(double hole, double most, const LatheTools& tools) {
   std::shared_ptr<const LatheTool> best;
   for (const auto& tool : tools) {
@@ -60,7 +60,7 @@ std::shared_ptr<const LatheTool> drillOf(double diameter, const LatheTools& tool
   return found == tools.end() ? nullptr : *found;
 }
 
-// Whether the drill alone makes the bore.
+// Returns true if the drill alone makes the bore.
 bool isDrilledOnly(const BoreWall& bore, double hole) {
   return bore.bottom == BoreWall::Bottom::Drilled &&
          std::all_of(bore.wall.begin(), bore.wall.end(),
@@ -101,7 +101,7 @@ CycleSettings inHole(const CycleSettings& settings, const LatheTool& bar, double
   return inside;
 }
 
-// depth: mm, of the tip.
+// depth: mm, depth of the tip.
 std::vector<ToolMove> drillTo(double depth, double diameter, const CycleSettings& settings) {
   ToolMove move;
   move.tool = static_cast<std::uint16_t>(settings.drillTool);
@@ -122,7 +122,7 @@ std::vector<ToolMove> drillTo(double depth, double diameter, const CycleSettings
   return moves;
 }
 
-// Boring is turning the outside of what is mirrored: the wall at a distance from the axis that has the hole outside.
+// Boring is turning the outside of the mirrored wall: the wall at a distance from the axis that has the hole outside.
 // hole: mm, radius from which it is bored.
 void bore(std::vector<ToolMove>& moves, CutContour wall, double hole, const CycleSettings& inside) {
   double largest = hole;
@@ -140,7 +140,7 @@ void bore(std::vector<ToolMove>& moves, CutContour wall, double hole, const Cycl
   }
 }
 
-// Levels from the axis outward, from one height (mm) down to another. They begin and end before the bar.
+// Cuts levels from the axis outward, from one height (mm) down to another. They begin and end in front of the bar.
 void faceInside(std::vector<ToolMove>& moves, double rim, double bottom, double radius, const CycleSettings& inside) {
   ToolMove move = moves.back();  // its tool and speeds
   move.turn = 0;
@@ -165,20 +165,20 @@ void faceInside(std::vector<ToolMove>& moves, double rim, double bottom, double 
   go(ToolMove::Kind::Rapid, inside.nose, before);
 }
 
-// The wall above what the drill has left, that in levels from the axis, then wall and bottom in one.
+// Bores the wall above the remains of the drill, those in levels from the axis, then wall and bottom in one.
 void boreToFlat(std::vector<ToolMove>& moves, const BoreWall& blind, double hole, const CycleSettings& inside) {
   const double rim = rimOf(blind, hole), radius = blind.leastRadius() - inside.allowance;
   bore(moves, wallDownTo(blind.wall, rim, hole), hole, inside);
   faceInside(moves, rim, -blind.depth + inside.allowance, radius, inside);
   CutContour all = blind.wall;
-  const double end = inside.nose + inside.clearance;  // the path goes on by that, to the axis
+  const double end = inside.nose + inside.clearance;  // the path continues by that, to the axis
   all.push_back({all.back().to, {end, -blind.depth}, 0.0});
   CycleSettings along = inside;
-  along.depth = 2.0 * blind.leastRadius();  // no levels any more
+  along.depth = 2.0 * blind.leastRadius();  // no more levels
   bore(moves, std::move(all), end, along);
 }
 
-// As far as the cone of the drill, which is its bottom, leaves it.
+// Bores as far as the cone of the drill, which is the bottom.
 void boreToCone(std::vector<ToolMove>& moves, const BoreWall& blind, double hole, const CycleSettings& inside) {
   CutContour wall = blind.wall;
   ProfileSegment& cone = wall.back();
@@ -190,7 +190,7 @@ void boreToCone(std::vector<ToolMove>& moves, const BoreWall& blind, double hole
   bore(moves, std::move(wall), hole, inside);
 }
 
-// Through the part, as deep as the nose goes, and by the point of the drill deeper.
+// Returns the depth through the part for the nose, plus the point of the drill.
 double throughDepth(const TargetProfile& target, double hole, const CycleSettings& inside, double below) {
   const double deep = 2.0 * inside.nose + inside.allowance + inside.overrun + kBesideWall + hole;
   if (deep > below - kBesideWall)
@@ -219,7 +219,7 @@ double drillFor(const TargetProfile& target, const LatheTools& tools) {
   return largest;
 }
 
-// The shape of the bore; else what is wrong with the largest drill that goes into it.
+// Checks the shape of the bore; then the largest drill that goes into it.
 std::optional<Error> whyNoDrill(const TargetProfile& target, const LatheTools& tools) {
   try {
     const BoreWall wall = boreWallOf(target);

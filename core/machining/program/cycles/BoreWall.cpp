@@ -13,9 +13,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kPointSlope = 0.02;  // of the cone of a drill, on the tangent of 59°: a third of a degree
+constexpr double kPointSlope = 0.02;  // tolerance of a drill's cone, on the tangent of 59°: a third of a degree
 
-// The bore at the upper end: it goes on beyond it.
+// Returns the bore at the upper end, which continues beyond it.
 const TargetProfile& upperBore(const TargetSides& sides, double top) {
   const auto found = std::find_if(sides.bores.begin(), sides.bores.end(), [&](const TargetProfile& bore) {
     return bore.upperEnd() > top + TargetProfile::kJoin;
@@ -26,7 +26,7 @@ const TargetProfile& upperBore(const TargetSides& sides, double top) {
   return *found;
 }
 
-// What is at the lower end of the wall leaves it for the bottom.
+// Moves the lower end of the wall to the bottom.
 void takeBottom(BoreWall& bore) {
   const ProfileSegment last = bore.wall.back();
   bore.depth = -last.to.y();
@@ -59,14 +59,15 @@ BoreWall boreWallOf(const TargetProfile& target) {
   if (!sides) refuse({}, "target", "its bore cannot be distinguished from its outside", "Choose another target.");
   const double top = target.upperEnd(), bottom = target.lowerEnd();
   BoreWall bore;
-  for (const ProfileSegment& segment : upperBore(*sides, top).segments()) {  // up along the wall, and beyond the ends
+  for (const ProfileSegment& segment :
+       upperBore(*sides, top).segments()) {  // upwards along the wall, and beyond the ends
     const double low = std::min(segment.from.y(), segment.to.y()), high = std::max(segment.from.y(), segment.to.y());
     if ((target.isClosed() && high <= bottom + TargetProfile::kJoin) || low >= top - TargetProfile::kJoin) continue;
     if (segment.to.y() < segment.from.y() - TargetProfile::kJoin)
       refuse({}, "target", "its bore has an undercut at z = " + roundedText(segment.at(0.5).y() - top),
              "Cut it by a program of your own.");
     ProfileSegment down = segment.reversed();
-    if (!down.isArc()) {  // beyond the ends it goes straight on
+    if (!down.isArc()) {  // beyond the ends it is straight
       down.from.y() = std::min(down.from.y(), top);
       down.to.y() = std::max(down.to.y(), bottom);
     }

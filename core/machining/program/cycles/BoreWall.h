@@ -13,19 +13,20 @@ struct BoreWall {
 
   CutContour wall;  // from the upper end down, without the bottom; r is the radius
   Bottom bottom = Bottom::Through;
-  double depth = 0.0;  // mm, of a bottom on the axis: of the flat, or of the point of the drill
+  double depth = 0.0;  // mm, depth of a bottom on the axis: of the flat, or of the point of the drill
 
-  double leastRadius() const;  // mm, of the wall; of a drilled bottom, where its cone begins
+  double leastRadius() const;  // mm, least radius of the wall; for a drilled bottom, that at the begin of its cone
 };
 
 // tan 59°: a drill of 118° is this much wider, on the radius, than its point is high.
 inline constexpr double kDrillPointSlope = 1.664279;
 
-// Throws ProgramRefusal: there is no such bore, it has an undercut, or its bottom is neither flat nor a cone of 118°.
+// Returns the wall. Throws ProgramRefusal: there is no such bore, it has an undercut, or its bottom is neither flat nor
+// a cone of 118°.
 BoreWall boreWallOf(const TargetProfile& target);
 
-// The wall down to a height only, with a step inward to a radius there: what can be bored while the rest of a drill's
-// point is below. Throws ProgramRefusal: an arc is cut there.
+// Returns the wall down to a height only, with a step inward to a radius there: the part that can be bored while the
+// rest of a drill's point is below. Throws ProgramRefusal: an arc is cut there.
 CutContour wallDownTo(const CutContour& wall, double z, double radius);
 
 }  // namespace handwheel

@@ -15,8 +15,8 @@ namespace handwheel {
 namespace {
 
 constexpr double kEscape = 0.5;        // mm, away from the wall at the end of a level
-constexpr double kRoughChord = 0.01;   // mm, of the contour that levels end at
-constexpr double kBesideLevel = 0.3;   // mm, above a level where feeding begins in a pocket
+constexpr double kRoughChord = 0.01;   // mm, chord tolerance of the contour at which levels end
+constexpr double kBesideLevel = 0.3;   // mm above a level at which feeding begins in a pocket
 constexpr double kBesideChuck = 0.01;  // mm, between the tip and the chuck
 constexpr int kMostRoughLevels = 10'000;
 
@@ -33,15 +33,15 @@ ToolMove moveAlong(const ProfileSegment& segment) {
   return move;
 }
 
-// Whether a contour goes out to the surface of the bar at its lower end. What is as thick as the bar there is taken
-// off.
+// Returns true if a contour extends to the surface of the bar at its lower end. The part of it as thick as the bar
+// there is removed from the contour.
 bool isOpenBelow(CutContour& contour, double barRadius) {
   const auto isOfBar = [barRadius](const ProfilePoint& p) { return p.x() > barRadius - 1e-6; };
   while (contour.size() > 1 && isOfBar(contour.back().from) && isOfBar(contour.back().to)) contour.pop_back();
   return isOfBar(contour.back().to) && contour.back().direction(1.0).x() > 0.01;
 }
 
-// The path of the centre of a nose that goes along a contour on its outside, with the way in. At the end it goes on
+// Returns the path of the centre of a nose along the outside of a contour, with the approach. At the end it continues
 // straight by the tail (mm) out of the bar or down.
 std::vector<ToolMove> offsetPath(const CutContour& contour, double nose, double clearance, const ProfilePoint& tail) {
   std::vector<ToolMove> path;
@@ -63,12 +63,12 @@ std::vector<ToolMove> offsetPath(const CutContour& contour, double nose, double 
   for (const ProfileSegment& segment : contour) add(moveAlong(segment));
   if (!tail.isZero()) add(moveAlong({last, last + tail, 0.0}));
   compensation.end();
-  // Compensation comes in from the contour; here the nose is beside it from the first.
+  // Compensation enters from the contour; here the nose is beside it from the start.
   if (!path.empty()) path.front().from = path.front().to - (nose + clearance) * contour.front().direction(0.0);
   return path;
 }
 
-// The same as straight pieces, from the upper end to the lower.
+// Returns the same as straight pieces, from the upper end to the lower.
 std::vector<ProfilePoint> pointsOf(const std::vector<ToolMove>& path) {
   std::vector<ProfilePoint> points{path.front().from};
   for (const ToolMove& move : path) {
@@ -86,7 +86,7 @@ struct Interval {
   double from, to;  // z, from > to
 };
 
-// Where the contour lies below a level.
+// Returns the intervals in which the contour lies below a level.
 std::vector<Interval> intervalsAt(const std::vector<ProfilePoint>& contour, double level, double start) {
   std::vector<Interval> found;
   bool isOpen = contour.front().x() <= level;
@@ -134,11 +134,12 @@ void alongContour(CyclePath& path, const std::vector<ToolMove>& contour, double 
   path.rapid({contour.front().from.x(), path.at().y()});
   path.feed(contour.front().from);
   for (const ToolMove& move : contour) path.along(move);
-  // Outward only: a taper that ends in the bar has led further already.
+  // The move goes outward only: a taper that ends in the bar has already gone further.
   path.feed({std::max(above, path.at().x()), path.at().y()});
 }
 
-// mm, beyond the lower end of the target. The nose goes that far with its centre, and has its radius below it.
+// Returns the overrun beyond the lower end of the target, mm. The centre of the nose goes that far, and its radius is
+// below it.
 double overrunOf(const CycleSettings& s) {
   const double overrun = std::min(s.overrun, s.room - 2.0 * s.nose - s.allowance - kBesideChuck);
   if (overrun < 0.0)

@@ -11,8 +11,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kOffsetGap = 1e-2;                  // between the offsets of two segments: an arc goes between
-constexpr double kLeastSegment = 1e-3;               // shorter segments are left out
+constexpr double kOffsetGap = 1e-2;     // an arc is inserted in a larger gap between the offsets of two segments
+constexpr double kLeastSegment = 1e-3;  // shorter segments are left out
 constexpr std::size_t kMostOffsetSteps = 4'000'000;  // times segments
 
 constexpr const char* kContourRemedy =
@@ -21,8 +21,8 @@ constexpr const char* kContourRemedy =
 
 }  // namespace
 
-ContourCycle::ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleBudget& work)
-    : m_work(work), m_segments(std::move(contour)), m_place(place) {}
+ContourCycle::ContourCycle(std::vector<ContourSegment> contour, const SourceLocation& location, CycleBudget& work)
+    : m_work(work), m_segments(std::move(contour)), m_location(location) {}
 
 void ContourCycle::rotate() {
   for (ContourSegment& segment : m_segments) segment.turnQuarter();
@@ -59,7 +59,7 @@ void ContourCycle::checkMonotonic() {
   ContourSegment& in = m_segments.front();
   if ((in.to - in.from).real() > 0.0) in.from.real(in.to.real());
   for (const ContourSegment& segment : m_segments)
-    if (!segment.isMonotonic()) refuse(m_place, "contour", "it goes back", kContourRemedy);
+    if (!segment.isMonotonic()) refuse(m_location, "contour", "it goes back", kContourRemedy);
 }
 
 // A rounded or chamfered corner between its neighbours: tangent to both at this distance from their meeting point.
@@ -79,7 +79,7 @@ void ContourCycle::finishCorner(std::size_t i) {
     std::tie(p, n) = offset(by);
   }
   if ((p.to - n.from).real() > kOffsetGap || !meet(p, n))
-    refuse(m_place, "contour", "a corner cannot be rounded or chamfered", "Use a smaller A or C at this corner.");
+    refuse(m_location, "contour", "a corner cannot be rounded or chamfered", "Use a smaller A or C at this corner.");
   const PlanePoint centre = 0.5 * (p.to + n.from);
   p.offset(-by);
   n.offset(-by);
@@ -96,11 +96,11 @@ void ContourCycle::finishCorners() {
   for (std::size_t i = 1; i + 1 < m_segments.size(); ++i)
     if (m_segments[i].corner != 0.0) finishCorner(i);
   std::erase_if(m_segments, [](const ContourSegment& segment) { return segment.size() < kLeastSegment; });
-  if (m_segments.size() < 2) refuse(m_place, "contour", "nothing of it is left", kContourRemedy);
+  if (m_segments.size() < 2) refuse(m_location, "contour", "nothing of it is left", kContourRemedy);
 }
 
 void ContourCycle::offsetStep(double step, bool isOutward) {
-  m_work.spend(m_segments.size(), m_place);
+  m_work.spend(m_segments.size(), m_location);
   for (ContourSegment& segment : m_segments) segment.offset(step);
   std::erase_if(m_segments, [](const ContourSegment& segment) { return segment.size() < kLeastSegment; });
   for (std::size_t i = 0; i + 1 < m_segments.size(); ++i) {
@@ -113,14 +113,14 @@ void ContourCycle::offsetStep(double step, bool isOutward) {
     before.offset(-step);
     after.offset(-step);
     around.centre = 0.5 * (before.to + after.from);
-    m_work.spend(m_segments.size() - i, m_place);
+    m_work.spend(m_segments.size() - i, m_location);
     m_segments.insert(m_segments.begin() + static_cast<std::ptrdiff_t>(i + 1), around);
     ++i;
   }
   for (std::size_t i = 0; i + 1 < m_segments.size(); ++i) {
-    m_work.spend(1, m_place);
+    m_work.spend(1, m_location);
     const auto erase = [&](std::size_t k) {
-      m_work.spend(m_segments.size() - k, m_place);
+      m_work.spend(m_segments.size() - k, m_location);
       m_segments.erase(m_segments.begin() + static_cast<std::ptrdiff_t>(k));
       i = 0;
     };
@@ -129,11 +129,11 @@ void ContourCycle::offsetStep(double step, bool isOutward) {
     if (m_segments[i].size() < kLeastSegment)
       erase(i);
     else if (!meet(m_segments[i], m_segments[i + 1]))
-      refuse(m_place, "contour", "two of its lines are parallel", kContourRemedy);
+      refuse(m_location, "contour", "two of its lines are parallel", kContourRemedy);
   }
 }
 
-// Offsets all but the way in, in steps so small that no segment turns over.
+// Offsets all but the approach, in steps so small that no segment is inverted.
 void ContourCycle::offsetBy(double distance) {
   ContourSegment in = m_segments.front();
   const PlanePoint first = in.to - in.from, whole = m_segments.back().from - in.from;
@@ -146,7 +146,7 @@ void ContourCycle::offsetBy(double distance) {
     if (distance < 0.0) step = -step;
     offsetStep(step, distance > 0.0);
     if (m_segments.empty() || steps > kMostOffsetSteps || !std::isfinite(distance))
-      refuse(m_place, "D", "the allowance does not fit into the contour", "Use a smaller allowance.");
+      refuse(m_location, "D", "the allowance does not fit into the contour", "Use a smaller allowance.");
     done += step;
   }
   for (std::size_t i = 0; i + 1 < m_segments.size(); ++i)
@@ -172,13 +172,13 @@ void ContourCycle::rough(const Roughing& how, const CycleOutput& output) {
     up.to = {up.from.real(), start.imag()};
     m_segments.push_back(up);
   }
-  ContourLevels levels(m_segments, how.depth, how.retract, m_place, m_work);
+  ContourLevels levels(m_segments, how.depth, how.retract, m_location, m_work);
   levels.cut(static_cast<int>(how.pockets), out);
 }
 
 void ContourCycle::finish(const Finishing& how, const CycleOutput& output) {
   m_segments.front().from = how.start;
-  ContourCycle bare(Segments(m_segments.begin() + 1, m_segments.end()), m_place, m_work);
+  ContourCycle bare(Segments(m_segments.begin() + 1, m_segments.end()), m_location, m_work);
   bare.orient();
   if (std::any_of(bare.m_segments.begin(), bare.m_segments.end(),
                   [](const ContourSegment& segment) { return !segment.isMonotonic(); })) {

@@ -12,7 +12,7 @@ namespace handwheel {
 //
 // The moves are those of LinuxCNC 2.9 (interp_g7x.cc), which its documentation describes: levels from the start on, an
 // escape of 45 degrees, pockets cut once the level that meets them is reached, then along the contour. The contour
-// begins where the cycle starts; its first segment is the way in.
+// begins at the start of the cycle; its first segment is the approach.
 class ContourCycle {
  public:
   enum class Pockets { Cut, Leave, Only };  // G71, G71.1, G71.2
@@ -22,7 +22,7 @@ class ContourCycle {
     PlanePoint start;         // X and Z of the cycle
     PlanePoint displacement;  // U and W
     double allowance = 0.0;   // D, left on the contour
-    double depth = 1.0;       // I, of a level
+    double depth = 1.0;       // I, depth of a level
     double retract = 0.5;     // R
   };
   struct Finishing {
@@ -31,9 +31,9 @@ class ContourCycle {
     int passes = 1;                  // P
   };
 
-  // place: of the cycle, for refusals (ProgramRefusal): a contour that goes back, or in which the allowance does not
-  // fit. work: of all cycles of the program; must outlive it.
-  ContourCycle(std::vector<ContourSegment> contour, const ProgramPlace& place, CycleBudget& work);
+  // location: location of the cycle, for refusals (ProgramRefusal): a contour that goes back, or does not have room for
+  // the allowance. work: budget of all cycles of the program; must outlive the cycle.
+  ContourCycle(std::vector<ContourSegment> contour, const SourceLocation& location, CycleBudget& work);
 
   void rough(const Roughing& how, const CycleOutput& out);
   void finish(const Finishing& how, const CycleOutput& out);
@@ -43,7 +43,7 @@ class ContourCycle {
 
   CycleOutput turned(const CycleOutput& out) const;
   void rotate();
-  void orient();  // so that z and r decrease
+  void orient();  // turns the contour so that z and r decrease
   void finishCorners();
   void finishCorner(std::size_t i);
   void checkMonotonic();
@@ -52,7 +52,7 @@ class ContourCycle {
 
   CycleBudget& m_work;
   Segments m_segments;
-  ProgramPlace m_place;
+  SourceLocation m_location;
   int m_turned = 0;  // bits: 1 z mirrored, 2 r mirrored, 4 turned by a quarter
 };
 

@@ -16,16 +16,17 @@ constexpr int kMostLevelSteps = 4'000'000;
 }  // namespace
 
 ContourLevels::ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract,
-                             const ProgramPlace& place, CycleBudget& work)
+                             const SourceLocation& location, CycleBudget& work)
     : m_contour(contour),
       m_depth(std::max(depth, 2.0 * kSameLevel)),
       m_retract(retract),
-      m_place(place),
+      m_location(location),
       m_work(work) {}
 
 void ContourLevels::spend() {
-  m_work.spend(1, m_place);
-  if (++m_steps > kMostLevelSteps) refuse(m_place, "I", "the cycle has too many levels", "Use a larger depth of cut.");
+  m_work.spend(1, m_location);
+  if (++m_steps > kMostLevelSteps)
+    refuse(m_location, "I", "the cycle has too many levels", "Use a larger depth of cut.");
 }
 
 ContourLevels::Dive ContourLevels::dive(const ContourSegment& segment, double level, bool isIn) {
@@ -37,7 +38,7 @@ ContourLevels::Dive ContourLevels::diveLine(const ContourSegment& line, double l
   PlanePoint to = line.to;
   if (!(level < line.to.imag())) {
     const std::vector<double> z = line.crossings(level);
-    if (z.empty()) refuse(m_place, "contour", "a level does not meet it", "Begin the cycle outside of the contour.");
+    if (z.empty()) refuse(m_location, "contour", "a level does not meet it", "Begin the cycle outside of the contour.");
     to = {z.front(), level};
   }
   isIn ? m_out->rapid(to) : m_out->feed(to);
@@ -64,11 +65,11 @@ ContourLevels::Dive ContourLevels::diveArc(const ContourSegment& arc, double lev
   }
   if (m_at.real() <= centre) return Dive::Climbs;
   if (z.empty()) return cut(arc.to);
-  if (z.front() < centre) return Dive::Moved;  // met on its far side only: the next level
+  if (z.front() < centre) return Dive::Moved;  // met on its far side only: continues at the next level
   return cut({z.front(), level});
 }
 
-// The rest of an arc from m_at, as far as it climbs.
+// Cuts the rest of an arc from m_at, as far as it climbs.
 void ContourLevels::climbRest(const ContourSegment& arc) {
   PlanePoint to = arc.to;
   if (arc.turn > 0 && arc.to.real() < arc.centre.real()) to = {arc.centre.real(), arc.centre.imag() + arc.radius()};
@@ -80,7 +81,7 @@ bool ContourLevels::climb(const ContourSegment& segment) {
   if (segment.turn == 0) {
     if (segment.to.imag() + kSameLevel < segment.from.imag()) return false;
     if (std::abs(m_at - segment.from) > kSameLevel)
-      refuse(m_place, "contour", "it cannot be followed", "Begin the cycle outside of the contour.");
+      refuse(m_location, "contour", "it cannot be followed", "Begin the cycle outside of the contour.");
     m_out->feed(segment.to);
     m_at = segment.to;
     return true;
@@ -112,7 +113,7 @@ void ContourLevels::cutLevel(Index& p, double& level) {
     spend();
     const std::vector<double> z = m_contour[i].crossings(m_at.imag());
     if (z.empty()) continue;
-    const double end = i != p ? z.front() : z.back();  // of an arc that goes down, its other side
+    const double end = i != p ? z.front() : z.back();  // for an arc that goes down, its other side
     const double length = std::abs(end - m_at.real());
     if (end - kSameLevel > m_at.real()) continue;
     if (length < kSameLevel) {

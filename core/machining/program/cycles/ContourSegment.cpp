@@ -23,8 +23,8 @@ bool isOn(const ContourSegment& arc, const PlanePoint& p) {
          turn * across(arc.to - arc.centre, p - arc.centre) <= kSameContourPoint;
 }
 
-// Where a line through `a` and `b` meets an arc around `centre` that went to `end`: of the two places that nearer to
-// `wanted`.
+// Returns the intersection of a line through `a` and `b` with an arc around `centre` to `end`: of the two points, the
+// one nearer to `wanted`.
 PlanePoint lineMeetsArc(const PlanePoint& a, const PlanePoint& b, const PlanePoint& centre, const PlanePoint& end,
                         const PlanePoint& wanted) {
   const PlanePoint turn = std::conj(a - b) / std::abs(a - b);
@@ -46,8 +46,8 @@ void arcsMeet(ContourSegment& a, ContourSegment& b) {
   const double r = b.radius(), s = a.radius(), d = std::abs(b.centre - a.centre);
   const double cosine = (d * d + r * r - s * s) / 2.0 / r / d;
   const PlanePoint turn(cosine, std::sqrt(1.0 - std::min(1.0, cosine * cosine)));
-  const PlanePoint place = turn * (a.centre - b.centre) / d * r + b.centre;
-  if (std::isfinite(place.real()) && std::isfinite(place.imag())) a.to = b.from = place;
+  const PlanePoint meetingPoint = turn * (a.centre - b.centre) / d * r + b.centre;
+  if (std::isfinite(meetingPoint.real()) && std::isfinite(meetingPoint.imag())) a.to = b.from = meetingPoint;
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 namespace handwheel {
 
-void CycleBudget::spend(std::uint64_t steps, const ProgramPlace& place) {
-  constexpr std::uint64_t kLook = 100'000;  // steps between two looks
+void CycleBudget::spend(std::uint64_t steps, const SourceLocation& location) {
+  constexpr std::uint64_t kLook = 100'000;  // steps between two checks
   m_done += steps;
   if (m_done > kMost)
-    refuse(place, "contour", "the cycles of the program take too much work",
+    refuse(location, "contour", "the cycles of the program take too much work",
            "Use a contour of fewer lines, or fewer passes.");
   if (m_done < m_look) return;
   m_look = m_done + kLook;

@@ -9,16 +9,16 @@
 
 namespace handwheel {
 
-// The budget of computation for all contour cycles of a program together. In steps from segment to segment, about 100
-// ns each: a program of a few lines can ask for any number. Looks at the cancel flag.
+// The budget of computation for all contour cycles of a program together. It counts steps from segment to segment,
+// about 100 ns each: a program of a few lines can ask for any number. Checks the cancel flag.
 class CycleBudget {
  public:
   static constexpr std::uint64_t kMost = 20'000'000;
 
   explicit CycleBudget(Progress progress) : m_progress(progress) {}
 
-  // Throws ProgramRefusal when there is no more, or when the run is cancelled.
-  void spend(std::uint64_t steps, const ProgramPlace& place);
+  // Throws ProgramRefusal when the budget is spent, or when the run is cancelled.
+  void spend(std::uint64_t steps, const SourceLocation& location);
 
  private:
   Progress m_progress;

@@ -18,9 +18,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kGouge = 0.005;  // mm, of the target that cycles may cut into
+constexpr double kGouge = 0.005;  // mm, largest cut into the target
 
-// For the head of the program.
+// Returns the comments for the head of the program.
 std::vector<std::string> commentsOf(const ProgramTools& tools) {
   std::vector<std::string> comments;
   for (const auto& [number, tool] : tools)
@@ -28,7 +28,7 @@ std::vector<std::string> commentsOf(const ProgramTools& tools) {
   return comments;
 }
 
-CycleRest restOf(const CycleTask& task, const TurnedProfile& part, const TargetDeviation::Place& most) {
+CycleRest restOf(const CycleTask& task, const TurnedProfile& part, const TargetDeviation::Extreme& most) {
   if (most.distance <= 0.0) return {};
   const auto last = static_cast<double>(part.size() - 1);
   const double sample = std::round((most.at.y() - task.base) / part.spacing());
@@ -51,7 +51,7 @@ Result<CycleRest> checkCycles(const std::string& text, const CycleTask& task, co
   for (std::size_t i = 0; i < part.size(); ++i) {
     const double z = part.z(i) + task.base;
     const bool isInside = z > target.lowerEnd() + part.spacing() && z < target.upperEnd() - part.spacing();
-    // What a cut before has taken too much is not the fault of the cycles.
+    // The cycles are not responsible for earlier cuts that are too deep.
     const bool isCut = part.radius(i) < task.part.radius(i);
     const bool isBored = part.inner(i) > task.part.inner(i);
     const double outer = isCut ? deviation.outer[i] : 0.0, inner = isBored ? deviation.inner[i] : 0.0;

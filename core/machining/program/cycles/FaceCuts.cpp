@@ -13,12 +13,12 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLeastFaced = 1e-3;       // mm, of a bar that ends at the face but for rounding
-constexpr double kDeepestByNose = 1.5;     // of two noses, so that nothing is left between passes
-constexpr double kBesideFace = 0.5;        // mm, away from the face on the way back
+constexpr double kLeastFaced = 1e-3;       // mm; a smaller height is rounding
+constexpr double kDeepestByNose = 1.5;     // depth in nose radii, so that nothing is left between passes
+constexpr double kBesideFace = 0.5;        // mm, distance from the face on return
 constexpr double kMostFacings = 10'000.0;  // passes
 
-// Down to a height, and back outside.
+// Faces down to a height, and returns outside.
 void faceAt(CyclePath& path, double height, double inward, double outside, double nose) {
   const double centre = height + nose;
   path.rapid({outside, path.at().y()});

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSameHeight = 1e-9;
 
-// The outside from the upper end to the lower, at z <= 0, without the flat ends.
+// Returns the outside from the upper end to the lower, at z <= 0, without the flat ends.
 CutContour outsideOf(const TargetProfile& target) {
   CutContour contour;
   const double top = target.upperEnd(), bottom = target.lowerEnd();
@@ -26,7 +26,7 @@ CutContour outsideOf(const TargetProfile& target) {
     if (isFlatAt(top) || isFlatAt(bottom)) continue;
     const ProfilePoint middle = segment.at(0.5);
     const auto extent = target.extentAt(middle.y());
-    if (!extent || middle.x() < 0.5 * (extent->inner + extent->outer)) continue;  // of the bore
+    if (!extent || middle.x() < 0.5 * (extent->inner + extent->outer)) continue;  // part of the bore
     if (segment.to.y() < segment.from.y() - 1e-6)
       refuse({}, "target", "it has an undercut at z = " + roundedText(middle.y() - top),
              "Cut it with a grooving tool, by a program of your own.");

@@ -18,7 +18,7 @@ double ThreadCycle::shift(double at) const {
   return direction * (at - peak) * std::tan(angle * M_PI / 180.0);
 }
 
-void ThreadCycle::pass(ProgramMachine& machine, const ProgramPlace& place, double at) const {
+void ThreadCycle::pass(ProgramMachine& machine, const SourceLocation& location, double at) const {
   const double out = isInside ? 1.0 : -1.0;  // away from the axis
   const double direction = endZ > start.y() ? -1.0 : 1.0;
   const double length = direction * taper;
@@ -28,38 +28,38 @@ void ThreadCycle::pass(ProgramMachine& machine, const ProgramPlace& place, doubl
     return ProfilePoint(start.x() + out * depthHere + slope * (z - start.y()), z);
   };
   const double passPitch = along * pitch;
-  const double alongZ = passPitch / std::hypot(1.0, slope);  // goes on through the tapered ends
+  const double alongZ = passPitch / std::hypot(1.0, slope);  // continues through the tapered ends
   const double taperPitch = taper > 0.0 ? alongZ * std::hypot(taper, depth) / taper : passPitch;
-  machine.rapid(pointAt(at - most, from), place);
+  machine.rapid(pointAt(at - most, from), location);
   double z = from;
   if (taper > 0.0 && hasEntryTaper) {
-    machine.thread(pointAt(at - depth, from), taperPitch, place);
-    machine.thread(pointAt(at, from - length), taperPitch, place);
+    machine.thread(pointAt(at - depth, from), taperPitch, location);
+    machine.thread(pointAt(at, from - length), taperPitch, location);
     z = from - length;
   } else {
-    machine.rapid(pointAt(at, from), place);
+    machine.rapid(pointAt(at, from), location);
   }
   if (taper > 0.0 && hasExitTaper) {
-    if (direction * (z - (to + length)) > 0.0) machine.thread(pointAt(at, to + length), passPitch, place);
-    machine.thread(pointAt(at - depth, to), taperPitch, place);
+    if (direction * (z - (to + length)) > 0.0) machine.thread(pointAt(at, to + length), passPitch, location);
+    machine.thread(pointAt(at - depth, to), taperPitch, location);
   } else {
-    machine.thread(pointAt(at, to), passPitch, place);
+    machine.thread(pointAt(at, to), passPitch, location);
   }
-  machine.rapid(pointAt(at - most, to), place);
+  machine.rapid(pointAt(at - most, to), location);
 }
 
-void ThreadCycle::run(ProgramMachine& machine, const ProgramPlace& place) const {
+void ThreadCycle::run(ProgramMachine& machine, const SourceLocation& location) const {
   const double rough = depth - lastStep;
   double below = firstDepth;
   for (int n = 1; below < rough; ++n) {
-    if (n > kMostPasses) refuse(place, "thread", "the thread has too many passes", "Use a larger first depth.");
-    pass(machine, place, peak + below);
+    if (n > kMostPasses) refuse(location, "thread", "the thread has too many passes", "Use a larger first depth.");
+    pass(machine, location, peak + below);
     const double next = firstDepth * std::pow(n + 1, 1.0 / degression);
     below = std::max(next, below + leastStep);
   }
-  if (lastStep > 0.0) pass(machine, place, peak + rough);
-  for (int i = 0; i <= springPasses; ++i) pass(machine, place, peak + depth);
-  machine.rapid({start.x(), endZ}, place);
+  if (lastStep > 0.0) pass(machine, location, peak + rough);
+  for (int i = 0; i <= springPasses; ++i) pass(machine, location, peak + depth);
+  machine.rapid({start.x(), endZ}, location);
 }
 
 }  // namespace handwheel

@@ -18,19 +18,19 @@ struct ThreadCycle {
   bool isInside = false;
   double firstDepth = 0.1, depth = 1.0, leastStep = 0.0;
   double degression = 1.0;
-  double angle = 0.0;  // degrees, of the flank along which it is fed
+  double angle = 0.0;  // degrees; angle of the flank along which the tool is fed
   int springPasses = 0;
   double taper = 0.0;  // length of the tapered ends
   bool hasEntryTaper = false, hasExitTaper = false;
-  double slope = 0.0;     // of the drive line, r by z: a conical thread
-  double along = 1.0;     // mm of its flank for one of the axis on which the pitch is measured
+  double slope = 0.0;     // slope of the drive line, r by z: a conical thread
+  double along = 1.0;     // mm of the flank for one mm of the axis that the pitch is measured on
   double lastStep = 0.0;  // depth of the last pass: the allowance for finishing; 0: none
 
-  void run(ProgramMachine& machine, const ProgramPlace& place) const;
+  void run(ProgramMachine& machine, const SourceLocation& location) const;
 
  private:
-  void pass(ProgramMachine& machine, const ProgramPlace& place, double at) const;
-  double shift(double at) const;  // along z, at this depth from the drive line
+  void pass(ProgramMachine& machine, const SourceLocation& location, double at) const;
+  double shift(double at) const;  // shift along z, at this depth from the drive line
 };
 
 }  // namespace handwheel

@@ -20,7 +20,7 @@ double sign(double x) {
   return x < 0.0 ? -1.0 : 1.0;
 }
 
-// From one place to another in steps of this length, the last one shorter. f: called with each place.
+// Goes from one coordinate to another in steps of this length, the last one shorter. f: called with each coordinate.
 void inSteps(double from, double to, double step, const auto& f) {
   if (from == to) return;
   const double count = step > 0.0 ? std::ceil(std::abs(to - from) / step - 1e-9) : 1.0;
@@ -30,22 +30,23 @@ void inSteps(double from, double to, double step, const auto& f) {
 
 }  // namespace
 
-// The moves from line N p to line N q.
+// Returns the moves from line N p to line N q.
 FanucRun::Contour FanucRun::contourOf(const ProgramWord& g) {
-  if (m_contour) refuse(g.place, g.text(), "a contour cannot contain a cycle", "Put the cycle outside of it.");
+  if (m_contour) refuse(g.location, g.text(), "a contour cannot contain a cycle", "Put the cycle outside of it.");
   Contour contour;
   const auto lineOf = [&](char letter, const char* meaning) {
     const double n = needed(letter, g, meaning);
     const std::uint32_t line =
-        n >= 0.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(std::lround(n)), g.place.line - 1) : kNone;
-    if (line == kNone) refuse(g.place, letter + roundedText(n), "there is no line N" + roundedText(n), "Correct it.");
+        n >= 0.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(std::lround(n)), g.location.line - 1) : kNone;
+    if (line == kNone)
+      refuse(g.location, letter + roundedText(n), "there is no line N" + roundedText(n), "Correct it.");
     return line;
   };
   contour.begin = lineOf('P', "the line where the contour begins");
   contour.end = lineOf('Q', "the line where the contour ends");
-  if (contour.end < contour.begin) refuse(g.place, "Q", "the contour ends before it begins", "Exchange P and Q.");
-  if (contour.begin <= g.place.line - 1 && g.place.line - 1 <= contour.end)
-    refuse(g.place, g.text(), "the cycle is inside its own contour", "Put it before the contour.");
+  if (contour.end < contour.begin) refuse(g.location, "Q", "the contour ends before it begins", "Exchange P and Q.");
+  if (contour.begin <= g.location.line - 1 && g.location.line - 1 <= contour.end)
+    refuse(g.location, g.text(), "the cycle is inside its own contour", "Put it before the contour.");
   const int motion = m_machine.modal.motion;
   m_contour = &contour.segments;
   m_contourEnd = planePoint(m_machine.at()) / m_machine.unit();
@@ -55,7 +56,7 @@ FanucRun::Contour FanucRun::contourOf(const ProgramWord& g) {
   m_machine.modal.motion = motion;
   contour.segments.resize(m_contourCuts);  // rapid moves at its end lead away from it
   if (contour.segments.size() < 2)
-    refuse(g.place, g.text(), "the contour has no cuts", "Write its moves between the lines P and Q.");
+    refuse(g.location, g.text(), "the contour has no cuts", "Write its moves between the lines P and Q.");
   return contour;
 }
 
@@ -64,10 +65,10 @@ void FanucRun::collect(const ProgramBlock& block) {
   for (const ProgramWord& w : block.words) {
     const int n = static_cast<int>(std::lround(w.number));
     if (w.letter == 'M' || (w.letter == 'G' && n > 3 && n != 40 && n != 41 && n != 42 && n != 18))
-      refuse(w.place, w.text(), "the contour of a cycle has no such code", "Put it before or after the contour.");
+      refuse(w.location, w.text(), "the contour of a cycle has no such code", "Put it before or after the contour.");
   }
   if (code(Motion)) m_machine.modal.motion = 10 * codeOf(Motion);
-  word('F'), word('S'), word('T');  // those of finishing
+  word('F'), word('S'), word('T');  // those are for finishing
   const int motion = m_machine.modal.motion / 10;
   const double unit = m_machine.unit(), half = m_machine.radius(1.0) / unit;
   PlanePoint to = m_contourEnd;
@@ -76,14 +77,14 @@ void FanucRun::collect(const ProgramBlock& block) {
   if (const ProgramWord* const z = word('Z')) to.real(z->number);
   if (const ProgramWord* const w = word('W')) to.real(to.real() + w->number);
   if (to != m_contourEnd) {
-    if (motion > 3) refuse(block.place, "contour", "it has moves other than G0 to G3", "Write only these.");
-    if (m_contour->size() >= kMostContour) refuse(block.place, "contour", "it has too many lines", "Divide it.");
+    if (motion > 3) refuse(block.location, "contour", "it has moves other than G0 to G3", "Write only these.");
+    if (m_contour->size() >= kMostContour) refuse(block.location, "contour", "it has too many lines", "Divide it.");
     ContourSegment segment;
     segment.from = m_contourEnd;
     segment.to = to;
     if (motion >= 2) {
       segment.turn = motion == 3 ? 1 : -1;
-      segment.centre = arcCentre(unit * segment.from, unit * to, segment.turn, false, block.place) / unit;
+      segment.centre = arcCentre(unit * segment.from, unit * to, segment.turn, false, block.location) / unit;
     }
     m_contour->push_back(segment);
     m_contourEnd = to;
@@ -92,24 +93,24 @@ void FanucRun::collect(const ProgramBlock& block) {
   refuseUnread();
 }
 
-// The contour that follows the cycle is skipped then.
+// Skips the contour that follows the cycle.
 void FanucRun::goBehind(const Contour& contour) {
   for (std::uint32_t i = m_next; i < contour.begin; ++i)
     if (ProgramScanner(m_outline.line(i), i + 1).peek() != '\0') return;
   if (contour.begin >= m_next) m_next = contour.end + 1;
 }
 
-// G70: the moves of the contour as they are, then back.
+// G70: the moves of the contour unchanged, then back.
 void FanucRun::finish(const ProgramWord& g) {
   const ProfilePoint start = m_machine.at();
   const Contour contour = contourOf(g);
   runLines(contour.begin, contour.end + 1);
   if (m_machine.isCompensated()) m_machine.endCompensation();
-  m_machine.rapid(start, g.place);
+  m_machine.rapid(start, g.location);
   goBehind(contour);
 }
 
-// G71 and G72: of two lines, or of one with the depth D.
+// G71 and G72: two lines, or one with the depth D.
 void FanucRun::rough(int number, const ProgramWord& g) {
   const double unit = m_machine.unit();
   const bool isFacing = number == 72;
@@ -121,7 +122,8 @@ void FanucRun::rough(int number, const ProgramWord& g) {
     return;
   }
   if (d) m_cycle.depth = unit * std::abs(d->number);
-  if (!(m_cycle.depth > 0.0)) refuse(g.place, g.text(), "the depth of cut is 0", "Write it as U in a line before (D).");
+  if (!(m_cycle.depth > 0.0))
+    refuse(g.location, g.text(), "the depth of cut is 0", "Write it as U in a line before (D).");
   Contour contour = contourOf(g);
   const PlanePoint allowance(w ? w->number : 0.0, u ? m_machine.radius(u->number) / unit : 0.0);
   for (std::size_t i = 0; i < contour.segments.size(); ++i) {
@@ -136,14 +138,14 @@ void FanucRun::rough(int number, const ProgramWord& g) {
   how.depth = m_cycle.depth / unit;
   how.retract = m_cycle.retract / unit;
   const ProfilePoint start = m_machine.at();
-  ContourCycle(contour.segments, g.place, m_cycleBudget).rough(how, cycleOutput(g.place, unit));
+  ContourCycle(contour.segments, g.location, m_cycleBudget).rough(how, cycleOutput(g.location, unit));
   m_machine.rapid(isFacing ? ProfilePoint(m_machine.at().x(), start.y()) : ProfilePoint(start.x(), m_machine.at().y()),
-                  g.place);
-  m_machine.rapid(start, g.place);
+                  g.location);
+  m_machine.rapid(start, g.location);
   goBehind(contour);
 }
 
-// G73: the contour again and again, each time nearer.
+// G73: the contour repeatedly, each time nearer.
 void FanucRun::repeatPattern(const ProgramWord& g) {
   const double unit = m_machine.unit();
   const ProgramWord *const u = word('U'), *const w = word('W'), *const r = word('R');
@@ -160,15 +162,16 @@ void FanucRun::repeatPattern(const ProgramWord& g) {
     const double left = passes > 1 ? 1.0 - static_cast<double>(pass) / (passes - 1) : 0.0;
     const ProfilePoint by = allowance + left * m_cycle.relief;
     const auto moved = [&](const PlanePoint& p) { return ProfilePoint(profilePoint(unit * p) + by); };
-    m_machine.rapid(start + by, g.place);
-    m_machine.rapid(moved(contour.segments.front().to), g.place);
+    m_machine.rapid(start + by, g.location);
+    m_machine.rapid(moved(contour.segments.front().to), g.location);
     for (std::size_t i = 1; i < contour.segments.size(); ++i) {
       const ContourSegment& s = contour.segments[i];
-      s.turn == 0 ? m_machine.feed(moved(s.to), g.place) : m_machine.arc(s.turn, moved(s.to), moved(s.centre), g.place);
+      s.turn == 0 ? m_machine.feed(moved(s.to), g.location)
+                  : m_machine.arc(s.turn, moved(s.to), moved(s.centre), g.location);
     }
-    m_machine.rapid({(start + by).x(), m_machine.at().y()}, g.place);
+    m_machine.rapid({(start + by).x(), m_machine.at().y()}, g.location);
   }
-  m_machine.rapid(start, g.place);
+  m_machine.rapid(start, g.location);
   goBehind(contour);
 }
 
@@ -187,28 +190,28 @@ void FanucRun::peck(int number, const ProgramWord& g) {
   if (i) stepX = m_machine.unit() * std::abs(i->number);
   if (k) stepZ = m_machine.unit() * std::abs(k->number);
   const double step = isAlongZ ? stepZ : stepX, aside = isAlongZ ? stepX : stepZ;
-  if (d && d->number != 0.0) refuse(d->place, d->text(), "there is no relief at the bottom", "Remove it.");
-  if (r && r->number != 0.0) refuse(r->place, r->text(), "there is no relief at the bottom", "Remove it.");
+  if (d && d->number != 0.0) refuse(d->location, d->text(), "there is no relief at the bottom", "Remove it.");
+  if (r && r->number != 0.0) refuse(r->location, r->text(), "there is no relief at the bottom", "Remove it.");
   const auto stepsOf = [&](int axis, double size) {
     return size > 0.0 ? std::abs(to[axis] - start[axis]) / size : 1.0;
   };
   if (!(stepsOf(in, step) * (1.0 + stepsOf(1 - in, aside)) <= kMostPecks))
-    refuse(g.place, g.text(), "the cycle has more than 1000000 steps", "Use larger steps.");
+    refuse(g.location, g.text(), "the cycle has more than 1000000 steps", "Use larger steps.");
   const auto plunge = [&](double side) {
     const auto at = [&](double depth) { return isAlongZ ? ProfilePoint(side, depth) : ProfilePoint(depth, side); };
-    m_machine.rapid(at(start[in]), g.place);
+    m_machine.rapid(at(start[in]), g.location);
     inSteps(start[in], to[in], step, [&](double depth) {
-      m_machine.feed(at(depth), g.place);
-      if (depth != to[in]) m_machine.rapid(at(depth - sign(to[in] - start[in]) * m_cycle.peckRetract), g.place);
+      m_machine.feed(at(depth), g.location);
+      if (depth != to[in]) m_machine.rapid(at(depth - sign(to[in] - start[in]) * m_cycle.peckRetract), g.location);
     });
-    m_machine.rapid(at(start[in]), g.place);
+    m_machine.rapid(at(start[in]), g.location);
   };
   plunge(start[1 - in]);
   if (aside > 0.0) inSteps(start[1 - in], to[1 - in], aside, plunge);
-  m_machine.rapid(start, g.place);
+  m_machine.rapid(start, g.location);
 }
 
-// G76: of two lines as on a Fanuc, or of one with K and D as on a Haas.
+// G76: two lines as on a Fanuc, or one with K and D as on a Haas.
 void FanucRun::threadCycle(const ProgramWord& g) {
   const double unit = m_machine.unit();
   const ProgramWord *const p = word('P'), *const q = word('Q'), *const r = word('R'), *const k = word('K'),
@@ -247,7 +250,7 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   cycle.slope = length != 0.0 ? -taper / length : 0.0;
   cycle.along = alongPath({-taper, length});
   const auto require = [&](bool isRight, const char* what) {
-    if (!isRight) refuse(g.place, g.text(), what, "Correct the words of the cycle.");
+    if (!isRight) refuse(g.location, g.text(), what, "Correct the words of the cycle.");
   };
   require(cycle.pitch > 0.0, "the lead F is not above 0");
   require(length != 0.0, "the thread has no length: Z is where the tool is");
@@ -255,8 +258,8 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   require(cycle.firstDepth > 0.0, isHaas ? "the first depth D is missing or 0" : "the first depth Q is missing or 0");
   require(cycle.peak > 0.0, "the tool does not begin beside the thread");
   require(std::abs(cycle.angle) < 80.0, "the angle of the thread is not below 160 degrees");
-  cycle.run(m_machine, g.place);
-  m_machine.rapid(start, g.place);
+  cycle.run(m_machine, g.location);
+  m_machine.rapid(start, g.location);
 }
 
 }  // namespace handwheel

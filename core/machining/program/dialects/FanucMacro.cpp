@@ -33,8 +33,8 @@ void FanucRun::readLine(std::uint32_t i, ProgramScanner& scanner) {
 }
 
 // The O number of a program, which is the end of the one before it in the file.
-void FanucRun::beginProgram(const ProgramPlace& place) {
-  if (!m_frames.empty()) refuseMissingReturn(place);
+void FanucRun::beginProgram(const SourceLocation& location) {
+  if (!m_frames.empty()) refuseMissingReturn(location);
   if (m_hasProgram) m_isDone = true;
   m_hasProgram = true;
 }
@@ -52,14 +52,14 @@ void FanucRun::runLoop(const ProgramOutline::Statement& statement, std::uint32_t
 }
 
 void FanucRun::goTo(std::uint32_t i, ProgramScanner& scanner) {
-  const ProgramPlace place = scanner.place();
+  const SourceLocation location = scanner.location();
   const double n = std::round(valueIn(scanner).number);
   const std::uint32_t line = n >= 1.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(n), i) : kNone;
-  if (line == kNone) refuse(place, "GOTO", "there is no line with this number", "Correct the number after GOTO.");
+  if (line == kNone) refuse(location, "GOTO", "there is no line with this number", "Correct the number after GOTO.");
   m_next = line;
 }
 
-// IF, GOTO. False for a line of words.
+// Runs IF and GOTO. Returns false for a line of words.
 bool FanucRun::runMacro(std::uint32_t i, ProgramScanner& scanner) {
   const std::size_t start = scanner.at();
   if (scanner.takeIf('N') && scanner.nextIsNumber()) scanner.number();
@@ -77,18 +77,19 @@ bool FanucRun::runMacro(std::uint32_t i, ProgramScanner& scanner) {
     return true;
   }
   if (!scanner.takeIf(std::string_view("THEN")))
-    refuse(scanner.place(), scanner.token(), "GOTO or THEN is expected after the condition", "Write IF [...] GOTO n.");
+    refuse(scanner.location(), scanner.token(), "GOTO or THEN is expected after the condition",
+           "Write IF [...] GOTO n.");
   if (isTrue && !readBlock(scanner, m_variables, ProgramDialect::Fanuc).words.empty())
-    refuse(scanner.place(), "THEN", "only a variable can be set after THEN", "Use GOTO for more.");
+    refuse(scanner.location(), "THEN", "only a variable can be set after THEN", "Use GOTO for more.");
   return true;
 }
 
-// G65 P L with arguments.
+// Runs G65 P L with arguments.
 void FanucRun::callMacro(const ProgramBlock& block, const ProgramWord& g) {
-  const int p = whole({'P', needed('P', g, "the number of the macro"), true, g.place}, 1, 9999);
+  const int p = whole({'P', needed('P', g, "the number of the macro"), true, g.location}, 1, 9999);
   const std::uint32_t sub = m_outline.subprogram(std::to_string(p));
   if (sub == kNone)
-    refuse(g.place, "P" + std::to_string(p), "there is no macro with this number", "Put it into the same file.");
+    refuse(g.location, "P" + std::to_string(p), "there is no macro with this number", "Put it into the same file.");
   std::vector<ProgramValue> arguments(kMostArgument, ProgramValue{0.0, true});
   int repeats = 1;
   for (const ProgramWord& w : block.words) {
@@ -99,11 +100,11 @@ void FanucRun::callMacro(const ProgramBlock& block, const ProgramWord& g) {
       continue;
     }
     const int number = kArgumentOf[w.letter - 'A'];
-    if (number == 0) refuse(w.place, w.text(), "this letter is no argument of a macro", "Use another letter.");
+    if (number == 0) refuse(w.location, w.text(), "this letter is no argument of a macro", "Use another letter.");
     arguments[static_cast<std::size_t>(number) - 1] = {w.number, false};
     word(w.letter);
   }
-  call(sub + 1, arguments, repeats, true, g.place);
+  call(sub + 1, arguments, repeats, true, g.location);
 }
 
 std::optional<ProgramValue> FanucRun::systemVariable(int n) const {

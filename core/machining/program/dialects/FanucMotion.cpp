@@ -12,12 +12,13 @@ namespace handwheel {
 
 void FanucRun::runOnce(const ProgramBlock& block, int number, const ProgramWord& g) {
   if (m_machine.isCompensated() && number != 4 && number != 65)
-    refuse(g.place, g.text(), "it is not possible with nose compensation", "Write G40 before it.");
+    refuse(g.location, g.text(), "it is not possible with nose compensation", "Write G40 before it.");
   switch (number) {
     case 4: {
       const ProgramWord *const p = word('P'), *const x = word('X'), *const u = word('U');
-      if (!p && !x && !u) refuse(g.place, g.text(), "the time is missing", "Write P in milliseconds or U in seconds.");
-      m_machine.dwell(p ? (p->hasPoint ? p->number : 1e-3 * p->number) : (x ? x : u)->number, g.place);
+      if (!p && !x && !u)
+        refuse(g.location, g.text(), "the time is missing", "Write P in milliseconds or U in seconds.");
+      m_machine.dwell(p ? (p->hasPoint ? p->number : 1e-3 * p->number) : (x ? x : u)->number, g.location);
       return;
     }
     case 28:
@@ -64,22 +65,22 @@ void FanucRun::home(int number, const ProgramWord& g) {
   const bool hasX = has('X') || has('U'), hasZ = has('Z') || has('W');
   if (number == 30)
     if (const ProgramWord* const p = word('P'); p && p->number != 2.0)
-      refuse(p->place, p->text(), "there is only the second reference position here", "Write P2, or nothing.");
-  m_machine.rapid(target(), g.place);
+      refuse(p->location, p->text(), "there is only the second reference position here", "Write P2, or nothing.");
+  m_machine.rapid(target(), g.location);
   ProfilePoint to = m_machine.fromMachine(m_machine.home[number == 28 ? 0 : 1]);
   if (hasX && !hasZ) to.y() = m_machine.at().y();
   if (hasZ && !hasX) to.x() = m_machine.at().x();
-  m_machine.rapid(to, g.place);
+  m_machine.rapid(to, g.location);
 }
 
-// G50: the clamp of the spindle, or the coordinates of where the tool is.
+// G50: the clamp of the spindle, or the coordinates of the tool's position.
 void FanucRun::setCoordinates(const ProgramWord& g) {
   if (const ProgramWord* const s = word('S')) {
-    if (!(s->number > 0.0)) refuse(s->place, s->text(), "the greatest speed is not above 0", "Write S in r/min.");
+    if (!(s->number > 0.0)) refuse(s->location, s->text(), "the greatest speed is not above 0", "Write S in r/min.");
     m_machine.modal.mostSpindle = s->number;
   }
   if (!hasAxis()) {
-    if (!has('S')) refuse(g.place, g.text(), "S, X or Z is missing", "Write G50 S2000 for the greatest speed.");
+    if (!has('S')) refuse(g.location, g.text(), "S, X or Z is missing", "Write G50 S2000 for the greatest speed.");
     return;
   }
   const ProfilePoint here = m_machine.at();
@@ -88,15 +89,15 @@ void FanucRun::setCoordinates(const ProgramWord& g) {
 
 void FanucRun::moveInMachine(const ProgramWord& g) {
   const ProgramWord *const x = word('X'), *const z = word('Z');
-  if (!x && !z) refuse(g.place, g.text(), "X or Z is missing", "Write G53 X0 or G53 Z0.");
+  if (!x && !z) refuse(g.location, g.text(), "X or Z is missing", "Write G53 X0 or G53 Z0.");
   const int motion = codeOf(Motion) >= 0 ? codeOf(Motion) : m_machine.modal.motion / 10;
-  if (motion != 0 && motion != 1) refuse(g.place, g.text(), "it needs G0 or G1", "Write G53 G0 X... Z...");
+  if (motion != 0 && motion != 1) refuse(g.location, g.text(), "it needs G0 or G1", "Write G53 G0 X... Z...");
   m_machine.modal.motion = 10 * motion;
   ProfilePoint to =
       m_machine.fromMachine({x ? m_machine.radius(x->number) : 0.0, z ? m_machine.unit() * z->number : 0.0});
   if (!x) to.x() = m_machine.at().x();
   if (!z) to.y() = m_machine.at().y();
-  motion == 0 ? m_machine.rapid(to, g.place) : m_machine.feed(to, g.place);
+  motion == 0 ? m_machine.rapid(to, g.location) : m_machine.feed(to, g.location);
 }
 
 void FanucRun::runMotion(const ProgramBlock& block) {
@@ -104,61 +105,61 @@ void FanucRun::runMotion(const ProgramBlock& block) {
   if (code(Motion)) modal.motion = 10 * codeOf(Motion);
   if (code(Drilling)) modal.motion = codeOf(Drilling) == 80 ? 0 : 10 * codeOf(Drilling);
   if (!hasAxis()) return;
-  const ProgramPlace place = code(Motion) ? code(Motion)->place : block.place;
+  const SourceLocation location = code(Motion) ? code(Motion)->location : block.location;
   const int motion = modal.motion / 10;
   if (modal.motion < 0)
-    refuse(place, block.words.front().text(), "there is no motion for X and Z", "Write G0 or G1 before them.");
+    refuse(location, block.words.front().text(), "there is no motion for X and Z", "Write G0 or G1 before them.");
   switch (motion) {
     case 0:
-      m_machine.rapid(target(), place);
+      m_machine.rapid(target(), location);
       return;
     case 1:
-      m_machine.feed(target(), place);
+      m_machine.feed(target(), location);
       return;
     case 2:
     case 3:
-      arc(motion == 3 ? 1 : -1, place);
+      arc(motion == 3 ? 1 : -1, location);
       return;
     case 32: {
       const ProfilePoint from = m_machine.at(), to = target();
       const double measured = lead(code(Motion) ? *code(Motion) : block.words.front());
-      m_machine.thread(to, measured * alongPath(to - from), place);
+      m_machine.thread(to, measured * alongPath(to - from), location);
       return;
     }
     case 90:
     case 92:
     case 94:
-      boxCycle(motion, place);
+      boxCycle(motion, location);
       return;
     default:
-      drill(motion, place);
+      drill(motion, location);
       return;
   }
 }
 
-void FanucRun::arc(int turn, const ProgramPlace& place) {
+void FanucRun::arc(int turn, const SourceLocation& location) {
   const ProfilePoint to = target();
-  const PlanePoint centre = arcCentre(planePoint(m_machine.at()), planePoint(to), turn, false, place);
-  m_machine.arc(turn, to, profilePoint(centre), place);
+  const PlanePoint centre = arcCentre(planePoint(m_machine.at()), planePoint(to), turn, false, location);
+  m_machine.arc(turn, to, profilePoint(centre), location);
 }
 
-// F is modal, and the same for feeds.
+// F is modal, and shared with feeds.
 double FanucRun::lead(const ProgramWord& code) {
   const double mm = m_machine.modal.feed;
-  if (!(mm > 0.0)) refuse(code.place, code.text(), "the lead is missing", "Write F, the way for one revolution.");
+  if (!(mm > 0.0)) refuse(code.location, code.text(), "the lead is missing", "Write F, the way for one revolution.");
   return mm;
 }
 
-// The lead of a thread is measured along the axis that it goes along most.
-double FanucRun::alongPath(const ProfilePoint& way) {
-  const double longest = way.cwiseAbs().maxCoeff();
-  return longest > 0.0 ? way.norm() / longest : 1.0;
+// The lead of a thread is measured along the axis with the larger travel.
+double FanucRun::alongPath(const ProfilePoint& displacement) {
+  const double longest = displacement.cwiseAbs().maxCoeff();
+  return longest > 0.0 ? displacement.norm() / longest : 1.0;
 }
 
 // G90, G92, G94: in, along, out and back. Modal: the next X or Z makes the next pass.
-void FanucRun::boxCycle(int number, const ProgramPlace& place) {
+void FanucRun::boxCycle(int number, const SourceLocation& location) {
   if (m_machine.isCompensated())
-    refuse(place, "G" + std::to_string(number), "it is not possible with nose compensation", "Write G40 before it.");
+    refuse(location, "G" + std::to_string(number), "it is not possible with nose compensation", "Write G40 before it.");
   const ProfilePoint start = m_machine.at();
   const ProfilePoint given = target();
   if (code(Motion)) {
@@ -170,27 +171,27 @@ void FanucRun::boxCycle(int number, const ProgramPlace& place) {
   if (const ProgramWord* const r = word('R')) m_boxTaper = m_machine.unit() * r->number;
   const ProfilePoint to = m_boxTarget;
   if (number == 94) {
-    m_machine.rapid({start.x(), to.y() + m_boxTaper}, place);
-    m_machine.feed(to, place);
-    m_machine.feed({to.x(), start.y()}, place);
-    m_machine.rapid(start, place);
+    m_machine.rapid({start.x(), to.y() + m_boxTaper}, location);
+    m_machine.feed(to, location);
+    m_machine.feed({to.x(), start.y()}, location);
+    m_machine.rapid(start, location);
     return;
   }
-  m_machine.rapid({to.x() + m_boxTaper, start.y()}, place);
+  m_machine.rapid({to.x() + m_boxTaper, start.y()}, location);
   if (number == 90) {
-    m_machine.feed(to, place);
-    m_machine.feed({start.x(), to.y()}, place);
+    m_machine.feed(to, location);
+    m_machine.feed({start.x(), to.y()}, location);
   } else {
-    const double measured = lead(code(Motion) ? *code(Motion) : ProgramWord{'G', 92.0, true, place});
-    m_machine.thread(to, measured * alongPath({-m_boxTaper, to.y() - start.y()}), place);
-    m_machine.rapid({start.x(), to.y()}, place);
+    const double measured = lead(code(Motion) ? *code(Motion) : ProgramWord{'G', 92.0, true, location});
+    m_machine.thread(to, measured * alongPath({-m_boxTaper, to.y() - start.y()}), location);
+    m_machine.rapid({start.x(), to.y()}, location);
   }
-  m_machine.rapid(start, place);
+  m_machine.rapid(start, location);
 }
 
-// G81, G82, G83 on the face. R is how far from where the tool is it begins to feed, with its sign; W counts from there.
-// All words are modal until G80.
-void FanucRun::drill(int number, const ProgramPlace& place) {
+// G81, G82, G83 on the face. R is the signed distance from the tool to the begin of the feed; W counts from there. All
+// words are modal until G80.
+void FanucRun::drill(int number, const SourceLocation& location) {
   const std::string name = "G" + std::to_string(number);
   const ProfilePoint start = m_machine.at();
   const ProfilePoint to = target();
@@ -202,17 +203,17 @@ void FanucRun::drill(int number, const ProgramPlace& place) {
   cycle.retract = start.y() + m_drilling.retract;
   if (has('Z')) m_drilling.depth = to.y();
   if (const ProgramWord* const w = word('W')) m_drilling.depth = cycle.retract + m_machine.unit() * w->number;
-  if (!m_drilling.depth) refuse(place, name, "the depth is missing", "Write Z.");
+  if (!m_drilling.depth) refuse(location, name, "the depth is missing", "Write Z.");
   cycle.radius = to.x();
   cycle.depth = *m_drilling.depth;
   cycle.end = start.y();
   cycle.peck = number == 83 ? m_drilling.peck : 0.0;
   cycle.isDeep = true;
   cycle.dwell = m_drilling.dwell;
-  if (number == 83 && !(cycle.peck > 0.0)) refuse(place, name, "the step Q is missing", "Write Q.");
+  if (number == 83 && !(cycle.peck > 0.0)) refuse(location, name, "the step Q is missing", "Write Q.");
   if (cycle.depth > cycle.retract)
-    refuse(place, name, "Z is above R, which is the way from where the tool is", "Correct Z or R.");
-  cycle.run(m_machine, place);
+    refuse(location, name, "Z is above R, which is the way from where the tool is", "Correct Z or R.");
+  cycle.run(m_machine, location);
 }
 
 }  // namespace handwheel

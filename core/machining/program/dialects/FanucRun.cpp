@@ -47,7 +47,7 @@ const char* remedyForFanucCode(int number) {
   }
 }
 
-constexpr int kConveyorOn = 31, kConveyorOff = 33;  // of Haas
+constexpr int kConveyorOn = 31, kConveyorOff = 33;  // codes of Haas
 
 }  // namespace
 
@@ -74,10 +74,10 @@ void FanucRun::sortCodes(const ProgramBlock& block) {
     const Code* found = nullptr;
     for (const Code& known : kFanucCodes)
       if (known.number == number && std::abs(w.number - number) < 1e-6) found = &known;
-    if (!found) refuse(w.place, w.text(), "this code is not supported on a lathe", remedyForFanucCode(number));
+    if (!found) refuse(w.location, w.text(), "this code is not supported on a lathe", remedyForFanucCode(number));
     const ProgramWord*& slot = m_codes[found->group];
     if (slot && found->group != Other)
-      refuse(w.place, w.text(), "it contradicts " + slot->text() + " in the same line", "Remove one of them.");
+      refuse(w.location, w.text(), "it contradicts " + slot->text() + " in the same line", "Remove one of them.");
     slot = &w;
   }
 }
@@ -85,8 +85,8 @@ void FanucRun::sortCodes(const ProgramBlock& block) {
 ProfilePoint FanucRun::target() {
   ProfilePoint to = m_machine.at();
   const ProgramWord *const x = word('X'), *const u = word('U'), *const z = word('Z'), *const w = word('W');
-  if (x && u) refuse(u->place, u->text(), "it contradicts " + x->text(), "Write X or U, not both.");
-  if (z && w) refuse(w->place, w->text(), "it contradicts " + z->text(), "Write Z or W, not both.");
+  if (x && u) refuse(u->location, u->text(), "it contradicts " + x->text(), "Write X or U, not both.");
+  if (z && w) refuse(w->location, w->text(), "it contradicts " + z->text(), "Write Z or W, not both.");
   if (x) to.x() = m_machine.radius(x->number);
   if (u) to.x() += m_machine.radius(u->number);
   if (z) to.y() = m_machine.unit() * z->number;
@@ -118,24 +118,25 @@ void FanucRun::runModes() {
   setSpindleMode();
   const int once = codeOf(Once);
   if (const ProgramWord* const f = word('F'); f && once != 65) {
-    if (!(f->number >= 0.0)) refuse(f->place, f->text(), "a feed is not negative", "Correct it.");
+    if (!(f->number >= 0.0)) refuse(f->location, f->text(), "a feed is not negative", "Correct it.");
     modal.feed = m_machine.unit() * f->number;  // also the lead of a thread
   }
   if (const ProgramWord* const s = word('S'); s && once != 50 && once != 65) {
-    if (!(s->number >= 0.0)) refuse(s->place, s->text(), "a spindle speed is not negative", "Write M4 to turn back.");
+    if (!(s->number >= 0.0))
+      refuse(s->location, s->text(), "a spindle speed is not negative", "Write M4 to turn back.");
     setSpindle(s->number);
     if (modal.isSurfaceSpeed) m_surfaceSpeed = modal.spindle;
   }
   if (codeOf(System) >= 0) {
     if (m_machine.isCompensated())
-      refuse(code(System)->place, code(System)->text(), "the coordinates cannot change with nose compensation",
+      refuse(code(System)->location, code(System)->text(), "the coordinates cannot change with nose compensation",
              "Write G40 before it.");
     m_machine.selectSystem(codeOf(System) - 54);
   }
   if (code(Nose)) compensation(codeOf(Nose), *code(Nose));
 }
 
-// G97 keeps the speed that the spindle has, G96 the last surface speed, unless S is there.
+// G97 keeps the present speed of the spindle, G96 the last surface speed, unless S is given.
 void FanucRun::setSpindleMode() {
   ProgramMachine::Modal& modal = m_machine.modal;
   const ProgramWord* const g = code(Spindle);
@@ -143,7 +144,8 @@ void FanucRun::setSpindleMode() {
   const bool isSurface = codeOf(Spindle) == 96;
   if (isSurface == modal.isSurfaceSpeed) return;
   if (isSurface) {
-    if (!has('S') && !m_surfaceSpeed) refuse(g->place, g->text(), "the surface speed is missing", "Write S in m/min.");
+    if (!has('S') && !m_surfaceSpeed)
+      refuse(g->location, g->text(), "the surface speed is missing", "Write S in m/min.");
     modal.spindle = m_surfaceSpeed.value_or(0.0);
   } else {
     ToolMove now;
@@ -161,9 +163,9 @@ void FanucRun::setTool() {
   if (!t) return;
   const int number = whole(*t, 0, 9999);
   if (number > 0 && number < 100)
-    refuse(t->place, t->text(), "the tool and its offset have two digits each", "Write T0101.");
+    refuse(t->location, t->text(), "the tool and its offset have two digits each", "Write T0101.");
   if (m_machine.isCompensated())
-    refuse(t->place, t->text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
+    refuse(t->location, t->text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
   if (number >= 100) m_machine.changeTool(number / 100);
   m_machine.modal.selectedTool = number % 100;
   const int offset = number % 100;
@@ -178,7 +180,7 @@ void FanucRun::compensation(int number, const ProgramWord& g) {
   const ProgramTool& tool = m_setup.tool(m_machine.modal.selectedTool);
   if (m_machine.isCompensated()) m_machine.endCompensation();  // to the other side
   m_machine.compensate(number == 41 ? 1 : -1, tool.noseRadius, tipDirection(ProgramDialect::Fanuc, tool.orientation),
-                       g.place);
+                       g.location);
 }
 
 void FanucRun::runM(const ProgramBlock& block, bool isAfterMotion) {
@@ -189,16 +191,16 @@ void FanucRun::runM(const ProgramBlock& block, bool isAfterMotion) {
     const bool isBefore = number == 3 || number == 4 || number == 7 || number == 8;
     if (isBefore == isAfterMotion) continue;
     if (number == kConveyorOn || number == kConveyorOff) {
-      note(m.place, "M" + std::to_string(number) + " (chip conveyor) has no effect here.");
+      note(m.location, "M" + std::to_string(number) + " (chip conveyor) has no effect here.");
     } else if (number == 98) {
-      // The last four digits are the program, those before them how often it runs.
-      const int p = whole({'P', needed('P', m, "the number of the subprogram"), true, m.place}, 1, 99'999'999);
+      // The last four digits are the program, those before them the number of runs.
+      const int p = whole({'P', needed('P', m, "the number of the subprogram"), true, m.location}, 1, 99'999'999);
       const int repeats = has('L') ? whole(*word('L'), 1, 9999) : std::max(1, p / 10'000);
       const std::uint32_t begin = m_outline.subprogram(std::to_string(p > 9999 ? p % 10'000 : p));
       if (begin == kNone)
-        refuse(m.place, "P" + std::to_string(p), "there is no subprogram with this number",
+        refuse(m.location, "P" + std::to_string(p), "there is no subprogram with this number",
                "Put it into the same file.");
-      call(begin + 1, {}, repeats, false, m.place);
+      call(begin + 1, {}, repeats, false, m.location);
     } else if (number == 99 && has('P') && !m_frames.empty()) {
       const int n = whole(*word('P'), 1, 99'999'999);
       const bool isLast = m_frames.back().repeats == 0;
@@ -206,9 +208,10 @@ void FanucRun::runM(const ProgramBlock& block, bool isAfterMotion) {
       returnFromCall();
       if (!isLast) continue;
       m_next = m_outline.numbered(n, caller);
-      if (m_next == kNone) refuse(m.place, "P" + std::to_string(n), "there is no line with this number", "Correct P.");
+      if (m_next == kNone)
+        refuse(m.location, "P" + std::to_string(n), "there is no line with this number", "Correct P.");
     } else if (!runCommonM(number, m)) {
-      refuse(m.place, m.text(), "this code is not supported on a lathe",
+      refuse(m.location, m.text(), "this code is not supported on a lathe",
              "Remove it; docs/programs.md lists the words that are understood.");
     }
   }

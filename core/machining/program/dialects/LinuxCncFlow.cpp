@@ -37,7 +37,7 @@ double LinuxCncRun::condition(std::uint32_t i, const ProgramOutline::Statement& 
 void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement& statement) {
   ProgramScanner scanner(m_outline.line(i), i + 1);
   scanner.seek(statement.rest);
-  const ProgramPlace place{i + 1, 1};
+  const SourceLocation location{i + 1, 1};
   switch (statement.keyword) {
     case Keyword::Sub:
       m_next = statement.end + 1;
@@ -46,19 +46,20 @@ void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement&
       // The definition of a subprogram with M99 at its end.
       if (!m_frames.empty() && m_frames.back().begin == i + 1) return;
       m_isDone = true;
-      if (m_path.moves.empty())  // as of a program for another control
-        note(place, "O" + statement.label +
-                        " begins a subprogram, before which the program ends without a move. Choose the dialect fanuc "
-                        "if it is meant to begin here.");
+      if (m_path.moves.empty())  // true for a program for another control
+        note(location,
+             "O" + statement.label +
+                 " begins a subprogram, before which the program ends without a move. Choose the dialect fanuc "
+                 "if it is meant to begin here.");
       return;
     case Keyword::Call:
-      beginCall(statement, scanner, place);
+      beginCall(statement, scanner, location);
       return;
     case Keyword::EndSub:
     case Keyword::Return:
       takeReturned(scanner);
       if (m_frames.empty())
-        refuse(place, "O" + statement.label, "there is nothing to return from", "Call the subprogram instead.");
+        refuse(location, "O" + statement.label, "there is nothing to return from", "Call the subprogram instead.");
       returnFromCall();
       return;
     case Keyword::If:
@@ -73,31 +74,32 @@ void LinuxCncRun::runStatement(std::uint32_t i, const ProgramOutline::Statement&
   }
 }
 
-// The value behind return or endsub.
+// Reads the value behind return or endsub.
 void LinuxCncRun::takeReturned(ProgramScanner& scanner) {
   m_returned = scanner.peek() == '\0' ? 0.0 : valueIn(scanner).number;
   scanner.expectEnd();
 }
 
 void LinuxCncRun::beginCall(const ProgramOutline::Statement& statement, ProgramScanner& scanner,
-                            const ProgramPlace& place) {
+                            const SourceLocation& location) {
   const std::uint32_t sub = m_outline.subprogram(statement.label);
   if (sub == kNone)
-    refuse(place, "O" + statement.label, "there is no subprogram with this name", "Put it into the same file.");
+    refuse(location, "O" + statement.label, "there is no subprogram with this name", "Put it into the same file.");
   std::vector<ProgramValue> arguments;
   while (scanner.peek() == '[') {
     if (arguments.size() >= kMostArguments)
-      refuse(scanner.place(), "[", "a call has at most 30 arguments", "Use variables that begin with an underscore.");
+      refuse(scanner.location(), "[", "a call has at most 30 arguments",
+             "Use variables that begin with an underscore.");
     arguments.push_back(valueIn(scanner));
   }
   if (scanner.peek() != '\0')
-    refuse(scanner.place(), scanner.token(), "the arguments of a call must be in square brackets", "Write [value].");
-  call(sub + 1, arguments, 1, true, place);
+    refuse(scanner.location(), scanner.token(), "the arguments of a call must be in square brackets", "Write [value].");
+  call(sub + 1, arguments, 1, true, location);
 }
 
 void LinuxCncRun::runBranch(std::uint32_t i, const ProgramOutline::Statement& statement) {
   if (statement.keyword == Keyword::EndIf) return;
-  if (statement.keyword != Keyword::If) {  // what was before it has run
+  if (statement.keyword != Keyword::If) {  // the branch before it has run
     m_next = statement.end + 1;
     return;
   }
@@ -113,7 +115,7 @@ void LinuxCncRun::runBranch(std::uint32_t i, const ProgramOutline::Statement& st
 }
 
 void LinuxCncRun::runLoop(std::uint32_t i, const ProgramOutline::Statement& statement) {
-  if (m_frames.empty()) m_frames.emplace_back().returnTo = m_outline.size();  // the program itself
+  if (m_frames.empty()) m_frames.emplace_back().returnTo = m_outline.size();  // frame of the program itself
   std::map<std::uint32_t, int>& loops = m_frames.back().loops;
   switch (statement.keyword) {
     case Keyword::While:
@@ -161,7 +163,7 @@ std::optional<ProgramValue> LinuxCncRun::systemVariable(int n) const {
   };
   if (n >= 5161 && n <= 5169) return pair(m_machine.home[0], n - 5161);
   if (n >= 5181 && n <= 5189) return pair(m_machine.home[1], n - 5181);
-  if (n >= 5211 && n <= 5219) return pair(m_savedShift, n - 5211);  // also while G92.2 has ended it
+  if (n >= 5211 && n <= 5219) return pair(m_savedShift, n - 5211);  // also while G92.2 suspends it
   if (n == 5220) return ProgramValue{m_machine.system() + 1.0, false};
   if (n >= 5221 && n <= 5390) {
     const int system = (n - 5221) / 20;

@@ -36,7 +36,7 @@ constexpr LinuxCncRun::Code kCodes[] = {
     {611, LinuxCncRun::Path},        {640, LinuxCncRun::Path},        {960, LinuxCncRun::Spindle},
     {970, LinuxCncRun::Spindle},     {70, LinuxCncRun::Lathe},        {80, LinuxCncRun::Lathe}};
 
-// What to do instead of a code that this lathe does not have.
+// Returns the remedy for a code that this lathe does not have.
 const char* remedyForCode(int code) {
   switch (code / 10) {
     case 5:
@@ -76,17 +76,17 @@ void LinuxCncRun::sortCodes(const ProgramBlock& block) {
     const Code* found = nullptr;
     for (const Code& known : kCodes)
       if (known.tenths == number && std::abs(tenth - number) < 1e-6) found = &known;
-    if (!found) refuse(word.place, word.text(), "this code is not supported on a lathe", remedyForCode(number));
+    if (!found) refuse(word.location, word.text(), "this code is not supported on a lathe", remedyForCode(number));
     const ProgramWord*& slot = m_codes[found->group];
     if (slot)
-      refuse(word.place, word.text(), "it contradicts " + slot->text() + " in the same line", "Remove one of them.");
+      refuse(word.location, word.text(), "it contradicts " + slot->text() + " in the same line", "Remove one of them.");
     slot = &word;
   }
 }
 
 void LinuxCncRun::execute(const ProgramBlock& block) {
   sortCodes(block);
-  runModes();  // the feed mode before F and S, which are in the units that were in effect before this line
+  runModes();  // the feed mode precedes F and S, which are in the units in effect before this line
   setFeedAndSpeed(block);
   runToolAndSpindle(block);
   runModes2();
@@ -110,7 +110,7 @@ void LinuxCncRun::runModes() {
     modal.isSurfaceSpeed = true;
     const double most = number('D', 0.0);
     if (has('D') && !(most > 0.0))
-      refuse(word('D')->place, word('D')->text(), "the greatest speed of the spindle is not above 0",
+      refuse(word('D')->location, word('D')->text(), "the greatest speed of the spindle is not above 0",
              "Write D in r/min.");
     modal.mostSpindle = most;
     needed('S', *code(Spindle), "the surface speed");
@@ -123,14 +123,14 @@ void LinuxCncRun::runModes() {
 void LinuxCncRun::setFeedAndSpeed(const ProgramBlock&) {
   Modal& modal = m_machine.modal;
   if (const ProgramWord* const f = word('F')) {
-    if (f->number < 0.0) refuse(f->place, f->text(), "a feed rate is not negative", "Correct it.");
+    if (f->number < 0.0) refuse(f->location, f->text(), "a feed rate is not negative", "Correct it.");
     modal.feed = modal.feedMode == FeedMode::InverseTime ? f->number : f->number * m_machine.unit();
   } else if (modal.feedMode == FeedMode::InverseTime) {
-    modal.feed = 0.0;  // each move has its own
+    modal.feed = 0.0;  // each move has its own feed
   }
   if (const ProgramWord* const s = word('S')) {
     if (s->number < 0.0)
-      refuse(s->place, s->text(), "a spindle speed is not negative", "Write M4 to turn it backwards.");
+      refuse(s->location, s->text(), "a spindle speed is not negative", "Write M4 to turn it backwards.");
     setSpindle(s->number);
   }
 }
@@ -146,9 +146,9 @@ void LinuxCncRun::runToolAndSpindle(const ProgramBlock& block) {
       case 6:
       case 61:
         if (m_machine.isCompensated())
-          refuse(m.place, m.text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
+          refuse(m.location, m.text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
         if (code == 6) modal.spin = 0;
-        m_machine.changeTool(code == 61 ? whole({'Q', needed('Q', m, "the tool"), true, m.place}, 0, kLargestTool)
+        m_machine.changeTool(code == 61 ? whole({'Q', needed('Q', m, "the tool"), true, m.location}, 0, kLargestTool)
                                         : modal.selectedTool);
         break;
       case 0:
@@ -172,12 +172,12 @@ void LinuxCncRun::runToolAndSpindle(const ProgramBlock& block) {
         break;
       case 72:
         if (m_frames.empty() || !m_frames.back().saved)
-          refuse(m.place, m.text(), "no state was saved", "Write M70 before it.");
+          refuse(m.location, m.text(), "no state was saved", "Write M70 before it.");
         restoreModes(*m_frames.back().saved);
         break;
       default:
         if (!runCommonM(code, m))
-          refuse(m.place, m.text(), "this code is not supported on a lathe",
+          refuse(m.location, m.text(), "this code is not supported on a lathe",
                  "Remove it; docs/programs.md lists the words that are understood.");
     }
   }
@@ -187,7 +187,7 @@ void LinuxCncRun::runModes2() {
   Modal& modal = m_machine.modal;
   if (codeOf(Plane) >= 0) {
     if (m_machine.isCompensated())
-      refuse(code(Plane)->place, code(Plane)->text(), "the plane cannot change with nose compensation",
+      refuse(code(Plane)->location, code(Plane)->text(), "the plane cannot change with nose compensation",
              "Write G40 before it.");
     modal.isDrillPlane = codeOf(Plane) == 170;
   }
@@ -197,7 +197,7 @@ void LinuxCncRun::runModes2() {
   if (code(ToolLength)) toolLength(codeOf(ToolLength), *code(ToolLength));
   if (const int system = codeOf(System); system >= 0) {
     if (m_machine.isCompensated())
-      refuse(code(System)->place, code(System)->text(), "the coordinates cannot change with nose compensation",
+      refuse(code(System)->location, code(System)->text(), "the coordinates cannot change with nose compensation",
              "Write G40 before it.");
     m_machine.selectSystem(system <= 590 ? (system - 540) / 10 : 5 + system - 590);
   }
@@ -213,13 +213,13 @@ void LinuxCncRun::compensation(int tenths, const ProgramWord& g) {
     return;
   }
   if (m_machine.modal.isDrillPlane)
-    refuse(g.place, g.text(), "nose compensation works in the plane of X and Z", "Write G18 before it.");
+    refuse(g.location, g.text(), "nose compensation works in the plane of X and Z", "Write G18 before it.");
   const int side = tenths / 10 == 41 ? 1 : -1;
   double radius = 0.0;
   int orientation = 0;
   if (tenths % 10 == 1) {
     radius = 0.5 * m_machine.unit() * needed('D', g, "the diameter of the nose");
-    if (!(radius >= 0.0)) refuse(g.place, g.text(), "the diameter of the nose is negative", "Use the other side.");
+    if (!(radius >= 0.0)) refuse(g.location, g.text(), "the diameter of the nose is negative", "Use the other side.");
     if (const ProgramWord* const l = word('L')) orientation = whole(*l, 0, 9);
   } else {
     const ProgramWord* const d = word('D');
@@ -227,12 +227,12 @@ void LinuxCncRun::compensation(int tenths, const ProgramWord& g) {
     radius = tool.noseRadius;
     orientation = tool.orientation;
   }
-  m_machine.compensate(side, radius, tipDirection(ProgramDialect::LinuxCnc, orientation), g.place);
+  m_machine.compensate(side, radius, tipDirection(ProgramDialect::LinuxCnc, orientation), g.location);
 }
 
 void LinuxCncRun::toolLength(int tenths, const ProgramWord& g) {
   if (m_machine.isCompensated())
-    refuse(g.place, g.text(), "the tool offset cannot change with nose compensation", "Write G40 before it.");
+    refuse(g.location, g.text(), "the tool offset cannot change with nose compensation", "Write G40 before it.");
   if (tenths == 490) {
     m_machine.setToolOffset({0, 0}, -1);
   } else if (tenths == 430) {

@@ -6,13 +6,12 @@
 
 namespace handwheel {
 
-// A run of a program for LinuxCNC 2.9. The order of what a line does is that of its documentation, "Order of
-// Execution".
+// A run of a program for LinuxCNC 2.9. A line is executed in the order of its documentation, "Order of Execution".
 class LinuxCncRun : public ProgramRun {
  public:
   using ProgramRun::ProgramRun;
 
-  // The modal groups of G codes: of each a line has at most one.
+  // The modal groups of G codes: a line has at most one of each.
   enum Group {
     NonModal,
     Motion,
@@ -32,7 +31,7 @@ class LinuxCncRun : public ProgramRun {
     kGroups
   };
   struct Code {
-    int tenths;  // of its number: G92.1 has 921
+    int tenths;  // tenths of its number: G92.1 has 921
     Group group;
   };
 
@@ -52,7 +51,7 @@ class LinuxCncRun : public ProgramRun {
   void runBranch(std::uint32_t i, const ProgramOutline::Statement& statement);
   void runLoop(std::uint32_t i, const ProgramOutline::Statement& statement);
   void leaveLoop(std::uint32_t i, const ProgramOutline::Statement& statement, bool isAgain);
-  void beginCall(const ProgramOutline::Statement& statement, ProgramScanner& scanner, const ProgramPlace& place);
+  void beginCall(const ProgramOutline::Statement& statement, ProgramScanner& scanner, const SourceLocation& location);
   void takeReturned(ProgramScanner& scanner);
   double condition(std::uint32_t i, const ProgramOutline::Statement& statement);
 
@@ -72,7 +71,7 @@ class LinuxCncRun : public ProgramRun {
   void setOffsets(int tenths, const ProgramWord& g);
   void setCoordinates(const ProgramWord& g);
   void runMotion(const ProgramBlock& block);
-  void move(int tenths, const ProgramPlace& place);
+  void move(int tenths, const SourceLocation& location);
   void straightInMachine(int tenths, const ProgramWord& g);
   void runStops(const ProgramBlock& block);
   ProfilePoint target();
@@ -81,12 +80,12 @@ class LinuxCncRun : public ProgramRun {
   void contourCycle(int tenths, const ProgramWord& g);
   void collect(const ProgramBlock& block);
   void threadCycle(const ProgramWord& g);
-  void drill(int tenths, const ProgramPlace& place);
+  void drill(int tenths, const SourceLocation& location);
 
   std::array<const ProgramWord*, kGroups> m_codes{};
   Drilling m_drilling;
-  double m_returned = 0.0;          // by the last subprogram
-  ProfilePoint m_savedShift{0, 0};  // of G92, kept by G92.2
+  double m_returned = 0.0;          // value returned by the last subprogram
+  ProfilePoint m_savedShift{0, 0};  // shift of G92, kept by G92.2
 };
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-// (x, y) to (r, z) and back: a reflection, which turns arcs round.
+// Exchanges (x, y) and (r, z): a reflection, which reverses arcs.
 ProfileSegment exchanged(const ProfileSegment& s) {
   return {{s.from.y(), s.from.x()}, {s.to.y(), s.to.x()}, -s.bulge};
 }
@@ -25,7 +25,7 @@ bool isAlongAxis(const ProfileSegment& s) {
   return !s.isArc() && std::abs(s.from.x()) <= kDrawingGap && std::abs(s.to.x()) <= kDrawingGap;
 }
 
-// The curves beside the axis, which is r = 0.
+// Returns the curves beside the axis, which is r = 0.
 std::vector<ProfileSegment> besideAxis(const Drawing& drawing) {
   std::vector<ProfileSegment> all;
   double side = 0.0;

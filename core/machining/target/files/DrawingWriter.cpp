@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kBeyondEnds = 5.0,
-                 kPictureMargin = 5.0;  // mm: of the axis beyond the part, and of the picture around it
+                 kPictureMargin = 5.0;  // mm, overrun of the axis beyond the part, and margin of the picture
 
 // Appends the groups of a DXF file.
 class DxfText {
@@ -90,12 +90,12 @@ std::string svgOf(const TargetProfile& target) {
 }
 
 double distanceBetween(const TargetProfile& a, const TargetProfile& b) {
-  constexpr int kPlaces = 8;  // on each segment
+  constexpr int kSamples = 8;  // on each segment
   double largest = 0.0;
   const auto measure = [&](const TargetProfile& from, const TargetProfile& to) {
     for (const ProfileSegment& s : from.segments())
-      for (int i = 0; i <= kPlaces; ++i)
-        largest = std::max(largest, std::abs(to.distance(s.at(static_cast<double>(i) / kPlaces))));
+      for (int i = 0; i <= kSamples; ++i)
+        largest = std::max(largest, std::abs(to.distance(s.at(static_cast<double>(i) / kSamples))));
   };
   measure(a, b);
   measure(b, a);

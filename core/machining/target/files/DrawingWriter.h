@@ -15,8 +15,8 @@ std::string dxfOf(const TargetProfile& target);
 // Writes the half section as SVG in mm: one path, and the axis as a line of the id "axis". z runs to the right.
 std::string svgOf(const TargetProfile& target);
 
-// The largest distance (mm) of places on one outline from the other, either way: of corners and of points between them.
-// For a look at what was written. O(n log n).
+// Returns the largest distance (mm) of points on either outline from the other: of corners and of points between them.
+// It checks a written file. O(n log n).
 double distanceBetween(const TargetProfile& a, const TargetProfile& b);
 
 }  // namespace handwheel

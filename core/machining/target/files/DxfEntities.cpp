@@ -27,7 +27,7 @@ Error malformedEntity(const DxfEntity& entity, const char* what) {
   return {ErrorCode::ElementMalformed, {entity.type, what}, InputPosition::line(entity.line), {}};
 }
 
-// Counter-clockwise, as two halves where it is more than half a circle.
+// Returns arcs counter-clockwise, as two halves if it is more than half a circle.
 Segments arcs(const ProfilePoint& centre, double radius, double from, double sweep) {
   if (sweep <= M_PI) return {arcAround(centre, radius, from, from + sweep)};
   const double middle = from + 0.5 * sweep;
@@ -36,7 +36,7 @@ Segments arcs(const ProfilePoint& centre, double radius, double from, double swe
   return halves;
 }
 
-// From one angle on to the other, more than 0 and at most 2π.
+// Returns the sweep from one angle to the other, more than 0 and at most 2π.
 double sweepBetween(double from, double to) {
   const double sweep = std::fmod(to - from, 2.0 * M_PI);
   return sweep > 0.0 ? sweep : sweep + 2.0 * M_PI;

@@ -11,35 +11,35 @@
 
 namespace handwheel {
 
-// An entity of a DXF file: the groups that tell of lines and arcs. Lengths are in the unit of the file.
+// An entity of a DXF file: the groups that describe lines and arcs. Lengths are in the unit of the file.
 struct DxfEntity {
   std::string type;                      // "LINE"
-  std::uint64_t line = 0;                // where it begins
+  std::uint64_t line = 0;                // line at which it begins
   std::string layer, lineType;           // in lower case
   bool isShown = true;                   // visible, and in the model space
   int flags = 0;                         // group 70
   ProfilePoint first{0, 0};              // 10, 20
   ProfilePoint second{0, 0};             // 11, 21
-  double size = 0.0;                     // 40: the radius, or of an ellipse the ratio of its axes
-  std::array<double, 2> span{0.0, 0.0};  // 50 and 51, degrees; of an ellipse 41 and 42, rad
+  double size = 0.0;                     // 40: the radius, or the ratio of the axes of an ellipse
+  std::array<double, 2> span{0.0, 0.0};  // 50 and 51, degrees; for an ellipse 41 and 42, rad
   ProfilePoint tilt{0, 0};               // x and y of the normal
   double normalZ = 1.0;
 
   struct Vertex {
     ProfilePoint at{0, 0};
     double bulge = 0.0;
-    bool isFrame = false;  // of a spline, and not on the curve
+    bool isFrame = false;  // control point of a spline, not on the curve
   };
-  std::vector<Vertex> vertices;  // of a polyline
+  std::vector<Vertex> vertices;  // points of a polyline
 
-  // Takes a group. Errors: those of numbers.
+  // Adds a group. Errors: those of numbers.
   Status take(const DxfPair& pair);
-  bool isAxis() const;  // a line that marks the axis
-  bool isRead() const;  // of a type that curvesOf() knows
+  bool isAxis() const;  // true for a line that marks the axis
+  bool isRead() const;  // true for a type that curvesOf() knows
 };
 
-// The lines and arcs of an entity. tolerance: in the unit of the file, of arcs in place of an ellipse. Errors:
-// ElementMalformed with the line.
+// Returns the lines and arcs of an entity. tolerance: in the unit of the file, for arcs that replace an ellipse.
+// Errors: ElementMalformed with the line.
 Result<std::vector<ProfileSegment>> curvesOf(const DxfEntity& entity, double tolerance);
 
 }  // namespace handwheel

@@ -13,20 +13,20 @@ namespace handwheel {
 struct DxfPair {
   int code = 0;
   std::string_view value;  // without blanks around it
-  std::uint64_t line = 0;  // of the value, from 1
+  std::uint64_t line = 0;  // line of the value, from 1
 
   // Errors: NumberMalformed, NumberNotFinite, with the line.
   Result<double> number() const;
-  int whole() const;  // 0 where it is none
+  int whole() const;  // 0 if it is no integer
   bool is(int wanted, std::string_view text) const { return code == wanted && value == text; }
 };
 
-// Takes the groups of a DXF file one after the other.
+// Reads the groups of a DXF file one after the other.
 class DxfPairs {
  public:
   explicit DxfPairs(std::string_view bytes) : m_rest(bytes) {}
 
-  // False at the end. Errors: ElementMalformed where a code is no number, or has no value.
+  // Returns false at the end. Errors: ElementMalformed if a code is no number, or has no value.
   Result<bool> next(DxfPair& pair);
   std::size_t left() const { return m_rest.size(); }  // bytes
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::string_view kBinaryHead = "AutoCAD Binary DXF";
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-constexpr std::size_t kMostKinds = 100;  // of entities that are not read
+constexpr std::size_t kMostKinds = 100;  // limit of the kinds of entities that are not read
 constexpr std::size_t kBetweenPolls = 4096;
 
-// mm for a value of $INSUNITS; 0 for none that is known.
+// Returns the millimetres for a value of $INSUNITS; 0 if it is unknown.
 double millimetresOf(int unit) {
   switch (unit) {
     case 1:
@@ -72,7 +72,7 @@ class DxfCurves {
   }
 
  private:
-  // Whether it is the line of the axis, and horizontal.
+  // Takes a line that marks the axis. Returns true if it is one, and horizontal.
   bool takeAxis(const DxfEntity& entity, const ProfileSegment& s) {
     if (!entity.isAxis()) return false;
     if (std::abs(s.to.y() - s.from.y()) <= 1e-6 * (s.to - s.from).norm()) m_drawing.axis = m_scale * s.from.y();
@@ -83,7 +83,7 @@ class DxfCurves {
   double m_scale = 1.0;
 };
 
-// What has been read so far: which section, variable and entity the next group belongs to.
+// The state of reading: the section, variable and entity that the next group belongs to.
 class DxfState {
  public:
   Status take(const DxfPair& pair) {

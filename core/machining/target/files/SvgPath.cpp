@@ -21,7 +21,7 @@ Error malformedPath(const char* what) {
   return {ErrorCode::ElementMalformed, {"path", what}, {}, {}};
 }
 
-// How many numbers a command takes; -1 for what is no command.
+// Returns the number of arguments of a command; -1 if it is no command.
 int numbersOf(char command) {
   switch (command | 0x20) {
     case 'm':
@@ -104,7 +104,7 @@ class PathPen {
     m_control = control;
     m_at = to;
   }
-  // From the ends to the centre: SVG 1.1, F.6.5 and F.6.6.
+  // Converts from the ends to the centre: SVG 1.1, F.6.5 and F.6.6.
   void arcTo(const std::array<double, 7>& v, const ProfilePoint& to) {
     double rx = std::abs(v[0]), ry = std::abs(v[1]);
     const ProfilePoint from = m_at;

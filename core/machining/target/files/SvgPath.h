@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// Collects the curves of an SVG drawing in mm: from user coordinates by a transformation.
+// Collects the curves of an SVG drawing in mm. They are transformed from user coordinates.
 class SvgCurves {
  public:
   explicit SvgCurves(const Eigen::Affine2d& toMillimetres) : m_to(toMillimetres) {}
@@ -21,7 +21,7 @@ class SvgCurves {
   const Eigen::Affine2d& toMillimetres() const { return m_to; }
 
   void line(const ProfilePoint& a, const ProfilePoint& b);
-  // Of an ellipse with half axes rx and ry along x and y after a rotation, by angles of its parameter.
+  // Adds an arc of an ellipse with half axes rx and ry along x and y after a rotation, by angles of its parameter.
   void arc(const ProfilePoint& centre, double rx, double ry, double rotation, double from, double sweep);
   void cubic(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c, const ProfilePoint& d);
 
@@ -32,14 +32,14 @@ class SvgCurves {
   std::vector<ProfileSegment> m_found;
 };
 
-// The curves of the attribute d of a path. An error in it refuses the file, rather than half of an outline; most: more
-// curves are refused. Errors: ElementMalformed {"path", what}, FileTooLarge {segments}, Cancelled.
+// Reads the curves of the attribute d of a path. An error in it refuses the file, rather than half of an outline. most:
+// limit of the curves; more are refused. Errors: ElementMalformed {"path", what}, FileTooLarge {segments}, Cancelled.
 Status readSvgPath(std::string_view d, std::size_t most, SvgCurves& curves, Progress progress);
 
-// Takes the next number of a list that blanks and commas separate. False at its end, or where there is none.
+// Takes the next number of a list that blanks and commas separate. Returns false at its end, or if there is none.
 bool takeSvgNumber(std::string_view& text, double& number);
 
-// The attribute transform. Errors: ElementMalformed {"transform", what}.
+// Reads the attribute transform. Errors: ElementMalformed {"transform", what}.
 Result<Eigen::Affine2d> readSvgTransform(std::string_view text);
 
 }  // namespace handwheel

@@ -22,7 +22,7 @@ std::string_view localName(std::string_view name) {
   return colon == name.npos ? name : name.substr(colon + 1);
 }
 
-// mm for a unit of a length; 0 for one that depends on something else.
+// Returns the millimetres of a unit of length; 0 if it depends on something else.
 double millimetresOfUnit(std::string_view unit) {
   if (unit.empty() || unit == "px") return kPixel;
   if (unit == "mm") return 1.0;
@@ -77,7 +77,7 @@ bool isNamedAxis(const XmlElement& element) {
   return false;
 }
 
-// The transformation from user units to mm, y turned up.
+// Returns the transformation from user units to mm, with y flipped to point up.
 Eigen::Affine2d millimetresOf(const XmlElement& root, bool& hasUnit) {
   const auto width = lengthOf(root, "width"), height = lengthOf(root, "height");
   hasUnit = (width && width->hasUnit) || (height && height->hasUnit);
@@ -87,7 +87,7 @@ Eigen::Affine2d millimetresOf(const XmlElement& root, bool& hasUnit) {
     std::string_view rest = *text;
     std::size_t count = 0;
     while (count < box.size() && takeSvgNumber(rest, box[count])) ++count;
-    // By default all of the box is shown, with one scale.
+    // By default the whole box is shown, with one scale.
     double fit = HUGE_VAL;
     if (count == box.size() && width && box[2] > 0.0) fit = std::min(fit, width->value / box[2]);
     if (count == box.size() && height && box[3] > 0.0) fit = std::min(fit, height->value / box[3]);
@@ -145,7 +145,7 @@ class SvgWalk {
     }
     return Done{};
   }
-  // Its corners are quarters of an ellipse. Of its half axes one may be left out, and neither is more than half a side.
+  // The corners are quarters of an ellipse. One of the half axes may be left out, and neither is more than half a side.
   static void rectangle(const XmlElement& element, SvgCurves& curves) {
     const ProfilePoint at(numberIn(element, "x"), numberIn(element, "y"));
     const ProfilePoint size(numberIn(element, "width"), numberIn(element, "height"));
@@ -195,7 +195,7 @@ class SvgWalk {
   Progress m_progress;
 };
 
-// The lowest straight line, if nothing is below it: what closes the half of a section.
+// Returns the height of the lowest straight line, if nothing is below it: the line that closes the half section.
 std::optional<double> lowestLine(const std::vector<ProfileSegment>& curves) {
   double lowest = HUGE_VAL, line = HUGE_VAL;
   for (const ProfileSegment& s : curves) {

@@ -27,7 +27,7 @@ using Point2 = Kernel::Point_2;
 using Point3 = Kernel::Point_3;
 using Triangle3 = Kernel::Triangle_3;
 struct Index {
-  std::uint32_t value = kNone;  // where two constraints cross, the triangulation makes a vertex itself
+  std::uint32_t value = kNone;  // kNone: made by the triangulation where two constraints cross
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
@@ -39,13 +39,13 @@ Point3 exact(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// What lies in a triangle: numbers of exact points.
+// The points and segments in a triangle, as numbers of exact points.
 struct Marks {
   std::vector<std::uint32_t> points;
   std::vector<Edge> segments;
 };
 
-// The plane of a triangle seen along the axis in which it is widest: exact both ways.
+// The projection of a triangle's plane along the axis that shows it largest, and its inverse, both exact.
 class Projection {
  public:
   explicit Projection(const Triangle3& t) : m_plane(t.supporting_plane()) {
@@ -141,11 +141,11 @@ class Cells {
 // with 53 bits, takes 3.3 million steps and 1.1 s.
 constexpr double kExactSteps = 10.0;
 constexpr double kExactBits = 64.0;
-// How many times more bits count where points are placed in planes, as quotients of products of three numbers: three
-// boxes, 96 triangles with 53 bits, take 0.2 s then.
+// Factor of the bits if points are snapped to planes, as quotients of products of three numbers: three boxes, 96
+// triangles with 53 bits, take 0.2 s then.
 constexpr double kPlaneDigits = 2.0;
 
-// That it takes to write the coordinates of these triangles as integers of one scale.
+// Returns the number of bits of the coordinates of these triangles as integers of one scale.
 int bitsOf(const TriangleSoup& soup, std::span<const TrianglePair> pairs) {
   BitRange range;
   for (const TrianglePair& pair : pairs) {
@@ -163,7 +163,7 @@ class Cutter {
   Cutter(const TriangleSoup& soup, const SharedPlanes& planes, NumberType numbers, std::size_t mostCuts,
          Progress progress)
       : m_soup(soup), m_planes(planes), m_numbers(numbers), m_mostCuts(mostCuts), m_progress(progress) {
-    for (const auto& [v, of] : planes.planesOf) m_placeOf.emplace(v, placeIn(of, soup.points[v]));
+    for (const auto& [v, of] : planes.planesOf) m_snapped.emplace(v, nearestInPlanes(of, soup.points[v]));
   }
 
   // Without pieces once cancelled.
@@ -204,17 +204,17 @@ class Cutter {
  private:
   Triangle3 triangle(std::uint32_t t) const {
     const Triangle& c = m_soup.triangles[t];
-    return {place(c[0]), place(c[1]), place(c[2])};
+    return {exactPoint(c[0]), exactPoint(c[1]), exactPoint(c[2])};
   }
 
-  // Of a point of the soup: with its planes, where it has some.
-  Point3 place(std::uint32_t v) const {
-    const auto snapped = m_placeOf.find(v);
-    return snapped == m_placeOf.end() ? exact(m_soup.points[v]) : snapped->second;
+  // Returns the exact position of a point of the soup, snapped to its planes if it has any.
+  Point3 exactPoint(std::uint32_t v) const {
+    const auto snapped = m_snapped.find(v);
+    return snapped == m_snapped.end() ? exact(m_soup.points[v]) : snapped->second;
   }
 
-  // The point of all these planes that is nearest to p.
-  Point3 placeIn(const std::vector<std::uint32_t>& planes, const Vec3& p) const {
+  // Returns the point of all these planes that is nearest to p.
+  Point3 nearestInPlanes(const std::vector<std::uint32_t>& planes, const Vec3& p) const {
     const Point3 from = exact(p);
     std::vector<Kernel::Plane_3> all;
     for (const std::uint32_t i : planes) {
@@ -231,11 +231,11 @@ class Cutter {
     return at ? *at : from;
   }
 
-  // Points of the soup that have the same place in their planes become one, for every triangle.
+  // Unites points of the soup that are snapped to the same position, for every triangle.
   void markMoved() {
     std::map<Point3, std::uint32_t> firstAt;
     std::set<std::uint32_t> merged;
-    for (const auto& [v, p] : m_placeOf) {
+    for (const auto& [v, p] : m_snapped) {
       const auto [first, isNew] = firstAt.emplace(p, v);
       if (!isNew) merged.insert({first->second, v});
     }
@@ -282,7 +282,7 @@ class Cutter {
     for (const auto& [t, marks] : m_marks) {
       const Triangle& c = m_soup.triangles[t];
       for (int k = 0; k < 3; ++k) {
-        const Point3 a = place(c[k]), b = place(c[(k + 1) % 3]);
+        const Point3 a = exactPoint(c[k]), b = exactPoint(c[(k + 1) % 3]);
         for (std::uint32_t i : marks.points) {
           const Point3& p = m_points[i];
           if (CGAL::are_strictly_ordered_along_line(a, p, b)) onEdge[std::minmax(c[k], c[(k + 1) % 3])].push_back(i);
@@ -302,11 +302,11 @@ class Cutter {
     }
   }
 
-  // A crossing in a corner is the corner, whatever it would be rounded to.
+  // A crossing in a corner is the corner, regardless of its rounding.
   void keepCorners() {
     for (const auto& [t, marks] : m_marks) {
       for (std::uint32_t corner : m_soup.triangles[t]) {
-        const bool isNew = m_indexOf.emplace(numberOf(place(corner)), corner).second;
+        const bool isNew = m_indexOf.emplace(numberOf(exactPoint(corner)), corner).second;
         if (isNew && m_planes.reach > 0.0) m_near.emplace(m_soup.points[corner].x(), corner);
       }
     }
@@ -352,28 +352,30 @@ class Cutter {
     return result;
   }
 
-  // In the result; new points that are rounded to the same place are one.
+  // Returns the index of a point in the result. Added points that are rounded to the same position become one.
   std::uint32_t indexOf(std::uint32_t point, std::vector<Vec3>& points) {
     const auto [at, isNew] = m_indexOf.emplace(point, 0u);
     if (!isNew) return at->second;
     const Point3& p = m_points[point];
-    const Vec3 place = rounded(Vec3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())), m_numbers);
-    if (const auto near = nearTo(place, points)) return at->second = *near;
-    const auto [same, isNewPlace] = m_indexAt.emplace(positionKey(place), static_cast<std::uint32_t>(points.size()));
-    if (isNewPlace) {
-      points.push_back(place);
-      if (m_planes.reach > 0.0) m_near.emplace(place.x(), same->second);
+    const Vec3 position =
+        rounded(Vec3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())), m_numbers);
+    if (const auto near = nearTo(position, points)) return at->second = *near;
+    const auto [same, isNewPosition] =
+        m_indexAt.emplace(positionKey(position), static_cast<std::uint32_t>(points.size()));
+    if (isNewPosition) {
+      points.push_back(position);
+      if (m_planes.reach > 0.0) m_near.emplace(position.x(), same->second);
     }
     return at->second = same->second;
   }
 
-  // Where corners are rounded, lines that meet in one point, as edges and the diagonal of a wall, meet in several that
-  // rounding alone has made.
-  std::optional<std::uint32_t> nearTo(const Vec3& place, const std::vector<Vec3>& points) const {
+  // Finds an added point within reach. If corners are rounded, lines that should meet in one point, such as edges and
+  // the diagonal of a wall, meet in several.
+  std::optional<std::uint32_t> nearTo(const Vec3& position, const std::vector<Vec3>& points) const {
     const double reach = m_planes.reach;
-    const auto end = m_near.upper_bound(place.x() + reach);
-    for (auto at = m_near.lower_bound(place.x() - reach); at != end; ++at)
-      if ((points[at->second] - place).cwiseAbs().maxCoeff() <= reach) return at->second;
+    const auto end = m_near.upper_bound(position.x() + reach);
+    for (auto at = m_near.lower_bound(position.x() - reach); at != end; ++at)
+      if ((points[at->second] - position).cwiseAbs().maxCoeff() <= reach) return at->second;
     return std::nullopt;
   }
 
@@ -382,13 +384,13 @@ class Cutter {
   NumberType m_numbers;
   std::size_t m_mostCuts;
   Progress m_progress;
-  std::size_t m_exactSteps = 0;               // of Effort, for each point
-  std::map<std::uint32_t, Point3> m_placeOf;  // by point of the soup, of those in planes
+  std::size_t m_exactSteps = 0;               // steps of Effort for each point
+  std::map<std::uint32_t, Point3> m_snapped;  // by point of the soup, of those in planes
   std::vector<Point3> m_points;
   std::map<Point3, std::uint32_t> m_numberOf;
   std::map<std::uint32_t, Marks> m_marks;            // by triangle
   std::map<std::uint32_t, std::uint32_t> m_indexOf;  // by number
-  std::map<PointKey, std::uint32_t> m_indexAt;       // of new points
+  std::map<PointKey, std::uint32_t> m_indexAt;       // index of each added point
   std::multimap<double, std::uint32_t> m_near;       // all points of the result by x, where planes are shared
 };
 
@@ -400,7 +402,7 @@ Autorefinement autorefine(const TriangleSoup& soup, std::span<const TrianglePair
   try {
     return Cutter(soup, planes, numbers, mostCuts, progress).run(pairs);
   } catch (const std::bad_alloc&) {
-    throw;                           // for lack of memory nothing is done in another way
+    throw;                           // no other method helps against lack of memory
   } catch (const std::exception&) {  // a precondition of the library
     return {soup.points, {}};
   }

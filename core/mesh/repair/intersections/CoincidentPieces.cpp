@@ -17,7 +17,7 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // smaller class first
 
-// +1 when a triangle runs along its edge k from the smaller class to the larger, else -1.
+// Returns +1 if a triangle runs along its edge k from the smaller class to the larger, else -1.
 int directionAt(const Triangle& t, int k) {
   return t[k] < t[(k + 1) % 3] ? 1 : -1;
 }
@@ -26,13 +26,13 @@ Edge edgeAt(const Triangle& t, int k) {
   return std::minmax(t[k], t[(k + 1) % 3]);
 }
 
-// Equal pieces by the way they look.
+// Equal pieces, by their orientation.
 struct Pile {
   std::array<std::vector<Face>, 2> sides;
   bool isMixed() const { return !sides[0].empty() && !sides[1].empty(); }
 };
 
-// What a pile adds to the sums of its edges when so many of either side stay.
+// The numbers of pieces of each side of a pile that stay.
 using KeptSides = std::array<int, 2>;
 
 class Joiner {
@@ -64,7 +64,7 @@ class Joiner {
 
  private:
   struct At {
-    int sum = 0;          // of the directions of all faces
+    int sum = 0;          // sum of the directions of all faces
     std::size_t all = 0;  // faces
     std::vector<std::uint32_t> piles;
   };
@@ -97,7 +97,8 @@ class Joiner {
     }
   }
 
-  // The side of each pile that goes with the first side of the first pile: neighbours run along their edge either way.
+  // Returns for each pile the side that continues the first side of the first pile: neighbours traverse their edge in
+  // opposite directions.
   std::map<std::uint32_t, int> sidesAlike(const std::vector<std::uint32_t>& piles) const {
     std::map<std::uint32_t, int> side;
     for (const std::uint32_t p : piles) side[p] = -1;
@@ -120,7 +121,7 @@ class Joiner {
     return side;
   }
 
-  // Of a triangle of this side along an edge of the pile.
+  // Returns the direction of a triangle of this side along an edge of the pile.
   int direction(const Pile& pile, int side, const Edge& e) const {
     const Triangle& t = first(pile);
     int k = 0;
@@ -128,7 +129,7 @@ class Joiner {
     return looksUp(t) == (side == 1) ? directionAt(t, k) : -directionAt(t, k);
   }
 
-  // How far the surface is from being closed at the edges of these piles, with so many of each.
+  // Returns a measure of the openness of the surface at the edges of these piles, if keptOf() of each pile stay.
   template <class KeptOf>
   int openness(const std::vector<std::uint32_t>& piles, KeptOf keptOf) const {
     std::map<Edge, int> sums;
@@ -146,7 +147,7 @@ class Joiner {
     return open;
   }
 
-  // No other face is at any of their edges.
+  // Returns true if no other face is at any of their edges.
   bool standAlone(const std::vector<std::uint32_t>& piles) const {
     std::map<Edge, std::size_t> own;
     for (const std::uint32_t p : piles)

@@ -22,28 +22,29 @@
 namespace handwheel {
 namespace {
 
-// A folded region is taken out alone first, then with up to so many rings of faces around it.
+// A folded region is removed alone first, then with up to this many rings of faces around it.
 constexpr int kMostRings = 4;
-// The work is done in a box with this margin, of its size, around what is to be changed; where that reaches out of it,
-// in a larger one.
+// Changes are made in a box around the region with this margin, as a share of its size; if they extend beyond it, in a
+// larger one.
 constexpr double kMargin = 0.5;
 constexpr int kMostBoxes = 16;
-// What is larger is no folded region but the model itself.
+// A larger region is not folded but the model itself.
 constexpr std::size_t kMostFaces = 5'000;
 // Fewer faces enclose nothing.
 constexpr std::size_t kLeastBody = 4;
-// How many faces are looked at for a box in the time that one takes in a trial.
+// Number of faces scanned for a box in the time that one face takes in a trial.
 constexpr std::size_t kRegionScanWork = 20;
 
-using Places = std::set<PointKey>;
+using Positions = std::set<PointKey>;
 
-FaceSelection facesAt(const HalfEdgeMesh& mesh, const Places& places) {
-  return FaceSelection::where(mesh.faceSlots(), [&](Face f) { return mesh.isLive(f) && hasCornerAt(mesh, f, places); });
+FaceSelection facesAt(const HalfEdgeMesh& mesh, const Positions& positions) {
+  return FaceSelection::where(mesh.faceSlots(),
+                              [&](Face f) { return mesh.isLive(f) && hasCornerAt(mesh, f, positions); });
 }
 
-bool touches(const HalfEdgeMesh& mesh, const FaceSelection& faces, const Places& places) {
+bool touches(const HalfEdgeMesh& mesh, const FaceSelection& faces, const Positions& positions) {
   const std::vector<Face> all = faces.faces();
-  return std::any_of(all.begin(), all.end(), [&](Face f) { return hasCornerAt(mesh, f, places); });
+  return std::any_of(all.begin(), all.end(), [&](Face f) { return hasCornerAt(mesh, f, positions); });
 }
 
 Box boxAround(const HalfEdgeMesh& mesh, const FaceSelection& faces) {
@@ -65,7 +66,7 @@ bool holdsBody(const HalfEdgeMesh& mesh, const FaceSelection& faces) {
   return false;
 }
 
-// How far these faces of one mesh are from the surface of another, mm.
+// Returns the largest distance of these faces of one mesh from the surface of another, mm.
 double distanceOf(const HalfEdgeMesh& mesh, const FaceSelection& faces, const HalfEdgeMesh& other, Progress progress) {
   const SurfaceDistance surface(other, progress);
   double most = 0.0;
@@ -119,7 +120,7 @@ class Replacer {
   enum class Trial { Kept, Bad, Outside };  // Outside: a larger box is needed
 
   bool replaceAround(const BoundaryLoop& loop, Progress progress) {
-    Places corners;
+    Positions corners;
     for (const Vec3& p : loopPoints(m_mesh, loop)) corners.insert(positionKey(p));
     Box reach = loop.box;
     int rings = 0;
@@ -149,14 +150,14 @@ class Replacer {
   }
 
   FaceSelection withRing(const HalfEdgeMesh& mesh, const FaceSelection& faces, Progress progress) const {
-    Places corners;
+    Positions corners;
     faces.forEach([&](Face f) {
       for (const Vec3& p : mesh.points(f)) corners.insert(positionKey(p));
     });
     return withCrossing(mesh, facesAt(mesh, corners), progress);
   }
 
-  // Extends reach by what has to be inside the box.
+  // Extends reach by the faces that must be inside the box.
   Trial tryWithout(const FaceSelection& region, const Submesh& part, const Box& box, Box& reach, Progress progress) {
     const HalfEdgeMesh& before = part.mesh();
     progress.spend(part.faceCount());
@@ -182,7 +183,7 @@ class Replacer {
                        Progress progress) {
     std::vector<ObstructedHole> left;
     for (BoundaryLoop& loop : openedBy(before, region, after, progress)) left.push_back({std::move(loop), false});
-    closeObstructedHoles(after, left, m_options, 0.0, progress);  // each trial takes its share of what is left
+    closeObstructedHoles(after, left, m_options, 0.0, progress);  // each trial takes its share of the remaining effort
   }
 
   bool isBetter(const HalfEdgeMesh& before, const FaceSelection& region, const HalfEdgeMesh& after,
@@ -194,7 +195,7 @@ class Replacer {
            distanceOf(before, region, after, progress) <= (holdsBody(before, region) ? m_bodyMove : m_move);
   }
 
-  // The loops that run along what was taken out.
+  // Returns the loops along the removed faces.
   static std::vector<BoundaryLoop> openedBy(const HalfEdgeMesh& before, const FaceSelection& region,
                                             const HalfEdgeMesh& after, Progress progress) {
     std::set<EdgeKey> edges;
@@ -214,7 +215,7 @@ class Replacer {
   FillOptions m_options;
   WorkBudget m_effort;
   const Progress m_progress;
-  const double m_move, m_bodyMove;  // at most, mm
+  const double m_move, m_bodyMove;  // largest moves, mm
   std::size_t m_takenOut = 0;
 };
 

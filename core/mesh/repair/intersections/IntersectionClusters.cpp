@@ -15,7 +15,7 @@ namespace {
 
 using Cluster = std::vector<Face>;
 
-// The share that one trial may take of the effort that is left, where there are others to try.
+// The divisor of the remaining effort that limits one trial, if there are others.
 constexpr std::size_t kClusterTrialShare = 4;
 
 class ClusterResolver {
@@ -61,10 +61,10 @@ class ClusterResolver {
 
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
-  bool m_isOne;  // of clusters
+  bool m_isOne;  // there is only one cluster
   WorkBudget m_effort;
   Progress m_progress;
-  std::size_t m_badEdges;  // of the mesh, as the file will show it
+  std::size_t m_badEdges;  // number in the mesh as the file will store it
   ClusterRemoval m_result;
 };
 

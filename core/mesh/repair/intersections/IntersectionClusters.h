@@ -12,22 +12,22 @@
 
 namespace handwheel {
 
-// Groups self-intersecting faces into clusters of connected pairs. Pairs that share a face are of one cluster. Each is
-// sorted, in order of their first face. O(n log n).
+// Groups self-intersecting faces into clusters of connected pairs. Pairs that share a face belong to one cluster. Each
+// cluster is sorted, and clusters are in order of their first face. O(n log n).
 std::vector<std::vector<Face>> intersectionClusters(const std::vector<std::pair<Face, Face>>& pairs);
 
-// What removeClusterIntersections() did.
+// The result of removeClusterIntersections().
 struct ClusterRemoval {
-  std::size_t clusters = 0;  // that were resolved
-  bool isCutShort = false;   // a trial of one took too much effort, or there was none left for it
+  std::size_t clusters = 0;  // number of resolved clusters
+  bool isCutShort = false;   // a trial took too much effort, or none was left for it
 };
 
-// Removes self-intersections cluster by cluster, starting from pairs of intersecting faces. For each of these pairs and
-// whatever intersects them, removeAllSelfIntersections() is kept if it leaves none of a cluster's intersections, makes
-// no new one and opens no edge; other clusters stay as they are. All are tried together, then by halves. Takes no more
-// than the effort of the progress, and each trial, unless there is but one cluster, no more than a quarter of what is
-// left of it: the other clusters stay as they are. O(n) for the mesh in each trial; one where all goes well. The mesh
-// is invalid if the user cancelled.
+// Removes self-intersections cluster by cluster, starting from pairs of intersecting faces. For these pairs and all
+// faces that intersect them, the result of removeAllSelfIntersections() is kept if it leaves none of a cluster's
+// intersections, makes no new one and opens no edge; other clusters stay as they are. All are tried together, then by
+// halves. The work is limited by the effort of the progress, and each trial, unless there is only one cluster, by a
+// quarter of the remaining effort; clusters beyond that stay as they are. O(n) for the mesh in each trial; one trial if
+// all succeed. The mesh is invalid if the user cancelled.
 ClusterRemoval removeClusterIntersections(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs,
                                           NumberType numbers, Progress progress = {});
 

@@ -22,18 +22,18 @@
 namespace handwheel {
 namespace {
 
-// Solid angles that are added up in the time of one step of Effort.
+// Number of solid angles that are added in the time of one step of Effort.
 constexpr std::size_t kAnglesPerStep = 20;
 
-// Winding numbers on either side of a face: where its normal points, and behind it.
+// Winding numbers in front of a face, where its normal points, and behind it.
 struct Sides {
   int front = 0;
   int back = 0;
   bool isInside() const { return front >= 1 && back >= 1; }
 };
 
-// Faces between edges at which three or more walls meet. Equal faces are one, named by its first face that looks the
-// way most of them do.
+// Faces between edges at which three or more walls meet. Equal faces count as one; its name is the first face with the
+// orientation of the majority.
 class Walls {
  public:
   Walls(const HalfEdgeMesh& mesh, Face firstPiece, Uniting which, Progress progress)
@@ -119,7 +119,8 @@ class Walls {
     }
   }
 
-  // Nothing where these are no whole numbers. A face halves the space around a point of it, whatever others do there.
+  // Returns nothing if the winding numbers are no integers. A face halves the space around a point of it, regardless of
+  // other faces.
   std::optional<Sides> measure(Face wall) {
     const Face face = m_largest.at(wall);
     const TrianglePoints p = m_mesh.points(face);
@@ -141,7 +142,7 @@ class Walls {
     return known != m_sides.end() ? known->second : m_sides.emplace(wall, measure(wall)).first->second;
   }
 
-  // With this wall all that are shared or lie inside and are connected with it through such.
+  // Removes this wall and all that are shared or inside and connected with it through such walls.
   void unite(Face start) {
     if (!m_seen.insert(start).second) return;
     std::map<Face, Removal> group;
@@ -173,12 +174,12 @@ class Walls {
   const HalfEdgeMesh& m_mesh;
   const Uniting m_which;
   const Progress m_progress;
-  std::vector<Face> m_nameOf;                          // per face
-  std::vector<int> m_net;                              // per name: how many more look its way than the other
-  std::vector<Face> m_starts;                          // names, of shared walls or of all at forks
-  DisjointSets m_walls;                                // of names
-  DisjointSets m_bodies;                               // of names
-  std::vector<std::vector<Face>> m_forks;              // the walls that meet at an edge, three or more
+  std::vector<Face> m_nameOf;              // per face
+  std::vector<int> m_net;                  // per name: surplus of faces with its orientation over the others
+  std::vector<Face> m_starts;              // names of shared walls, or of all walls at forks
+  DisjointSets m_walls;                    // sets of names
+  DisjointSets m_bodies;                   // sets of names
+  std::vector<std::vector<Face>> m_forks;  // the walls that meet at an edge, three or more
   std::map<Face, std::vector<std::size_t>> m_forksOf;  // by wall
   std::map<Face, std::vector<Face>> m_facesOf;         // by body
   std::map<Face, Face> m_largest;                      // by wall: the name of its largest face

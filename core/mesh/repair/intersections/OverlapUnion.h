@@ -9,18 +9,18 @@
 
 namespace handwheel {
 
-// Which overlapping solids become one.
+// The choice of overlapping solids to unite.
 enum class Uniting {
-  SharedWalls,  // those that share parts of a wall: their surfaces cannot be separated without a crack
-  AllSolids     // all that were cut along each other
+  SharedWalls,  // solids that share parts of a wall: their surfaces cannot be separated without a crack
+  AllSolids     // all solids that were cut along each other
 };
 
-// Unites overlapping solids. These are cut to equal pieces before (autorefine()), and what cancels is joined
-// (joinCoincidentPieces()). Of walls on each other, which face the same way, one stays; and the walls inside the union
-// go, from those that end at a shared wall, or at any wall, on. Which these are is decided by the winding numbers on
-// both sides of each wall, counted over what hangs together with it; nothing is done where these are no whole numbers,
-// because the surface is open, or negative, because a body is inside out. Pieces are the faces from firstPiece on.
-// Returns the number of removed faces; relink() is to follow. O(n) for the mesh and, for each such wall, O(m) for the m
+// Unites overlapping solids. They must be cut to equal pieces (autorefine()), and opposite coincident pieces joined
+// (joinCoincidentPieces()). Of coincident walls that face the same direction, one stays. Walls inside the union are
+// removed, starting from those that end at a shared wall, or at any wall. The winding numbers on both sides of a wall,
+// counted over its connected surfaces, decide whether it is inside; nothing is done if they are no integers, because
+// the surface is open, or negative, because a body is inside out. Pieces are the faces from firstPiece on. Returns the
+// number of removed faces; the caller must relink() the mesh. O(n) for the mesh and, for each such wall, O(m) for the m
 // faces of its solids. The mesh is invalid if cancelled.
 std::size_t uniteAtWalls(HalfEdgeMesh& mesh, Face firstPiece, Uniting which, Progress progress = {});
 

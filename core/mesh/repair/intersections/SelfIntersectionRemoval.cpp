@@ -15,19 +15,19 @@
 namespace handwheel {
 namespace {
 
-// As a file of these numbers shows the mesh. Nothing when cancelled.
+// Finds the crossings of the mesh as a file of this number type stores it. Returns nothing if cancelled.
 std::optional<std::vector<TrianglePair>> crossings(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
   std::vector<Vec3> points(mesh.vertexSlots());
   for (Vertex v = 0; v < points.size(); ++v) points[v] = rounded(mesh.position(v), numbers);
-  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});  // dead ones take no part
+  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});  // dead faces are excluded
   for (Face f = 0; f < triangles.size(); ++f) {
     if (mesh.isLive(f)) triangles[f] = mesh.triangle(f);
   }
   return selfIntersections(points, triangles, progress);
 }
 
-// The pairs that hang together with these faces: all in which one of them takes part, all in which a face of those
-// does, and so on.
+// Returns the pairs connected with these faces: all that contain one of them, all that contain a face of those, and so
+// on.
 std::vector<TrianglePair> cluster(const std::vector<TrianglePair>& pairs, const std::vector<Face>& faces,
                                   std::size_t faceSlots) {
   std::vector<std::vector<std::uint32_t>> pairsOf(faceSlots);
@@ -50,7 +50,7 @@ std::vector<TrianglePair> cluster(const std::vector<TrianglePair>& pairs, const 
   return found;
 }
 
-// The pieces take the places of their faces, unpaired.
+// Replaces faces by their pieces, unpaired.
 void replace(HalfEdgeMesh& mesh, const Autorefinement& cuts, const PositionTriangles& byPosition) {
   const std::size_t known = byPosition.classes.representative.size();
   std::vector<Vertex> vertexOf(cuts.points.size(), kNone);
@@ -70,7 +70,7 @@ void replace(HalfEdgeMesh& mesh, const Autorefinement& cuts, const PositionTrian
   }
 }
 
-// most: of crossings; none for those of other clusters.
+// most is the largest number of crossings; absent: those of other clusters.
 IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces,
                                                   NumberType numbers, std::optional<std::size_t> most, Uniting which,
                                                   const Progress& progress) {
@@ -88,7 +88,7 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   TriangleSoup soup;
   for (Vertex v : byPosition.classes.representative) soup.points.push_back(mesh.position(v));
   soup.triangles = byPosition.triangles;
-  // Not for trials of patches, which lie in no plane with what they cross and have no effort to spare.
+  // Not done for trials of patches, which are not coplanar with the faces they cross and have no effort to spare.
   const SharedPlanes planes = most ? SharedPlanes() : findSharedPlanes(soup, pairs, progress.part(0.25, 0.3));
   const Autorefinement cuts = autorefine(soup, pairs, numbers, progress.part(0.3, 0.6), planes);
   report.cutFaces = cuts.piecesOf.size();
@@ -97,7 +97,7 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   const auto firstPiece = static_cast<Face>(mesh.faceSlots());
   joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
   if (progress.cancelled()) return report;
-  // A wall is inside or outside as a whole only where all is cut.
+  // A wall is completely inside or outside only if everything is cut.
   if (pairs.size() == before->size())
     report.innerFaces = uniteAtWalls(result, firstPiece, which, progress.part(0.63, 0.65));
   if (progress.cancelled()) return report;
@@ -107,7 +107,7 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
     const std::size_t made = countSelfIntersections(result, numbers, progress.part(0.85, 0.85));
     return made < allowed ? allowed - made : 0;
   });
-  relink(result, progress.part(0.85, 0.88));  // what was one edge too many before may be an open one now
+  relink(result, progress.part(0.85, 0.88));  // a formerly non-manifold edge may be open now
   const auto after = crossings(result, numbers, progress.part(0.88, 1.0));
   if (!after || progress.cancelled()) return report;
   report.intersectionsAfter = after->size();

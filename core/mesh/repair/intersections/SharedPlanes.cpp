@@ -13,14 +13,14 @@
 namespace handwheel {
 namespace {
 
-// How many units in the last place corners are from their plane: rounding moves each coordinate by half a unit, and a
-// plane through three such points is off by several beyond them.
+// Distance of corners from their plane in ulps: rounding moves each coordinate by half a unit, and a plane through
+// three such points is off by several beyond them.
 constexpr double kUnits = 16.0;
-// Sine of the angle between planes, and volume that the normals of three span, below which their intersection is no
-// place: rounding would move it by more than a thousand units.
+// Least sine of the angle between two planes, and least volume spanned by three normals, for a well-defined
+// intersection: otherwise rounding would move it by more than a thousand units.
 constexpr double kParallelPlanes = 1e-3;
 constexpr double kSpanned = 1e-3;
-// Limits that keep a mesh with very many small walls from taking long. More are not looked at.
+// Limits that keep a mesh with very many small walls from taking long. Excess walls are ignored.
 constexpr std::size_t kMostPlanes = 200;
 constexpr std::size_t kMostInPlanes = 3'000;
 // More pairs are folded regions of a scan, whose trials have no effort to spare.
@@ -52,7 +52,7 @@ class PlaneFinder {
   }
 
  private:
-  // kUnits of the number type in which the triangles are.
+  // Returns kUnits ulps of the number type of the triangles.
   double reachOf() const {
     double largest = 0.0;
     bool isSingle = true;
@@ -86,13 +86,13 @@ class PlaneFinder {
     for (int k = 0; k < 3; ++k) box.extend(corner(t, k));
     return Box(box.min().array() - m_reach, box.max().array() + m_reach);
   }
-  // The larger of two triangles tells a plane best.
+  // The larger of two triangles determines a plane best.
   bool areInOne(std::uint32_t f, std::uint32_t g) const {
     const bool isFirst = doubleArea(f).norm() > doubleArea(g).norm();
     return isIn(planeOf(isFirst ? f : g), isFirst ? g : f);
   }
 
-  // Pairs in one plane of surfaces that lie on each other.
+  // Coplanar pairs of surfaces that coincide.
   std::vector<TrianglePair> acrossSurfaces() const {
     std::vector<TrianglePair> found = besideEachOther();
     for (const auto& [f, g] : m_pairs)
@@ -100,7 +100,7 @@ class PlaneFinder {
     return found;
   }
 
-  // Neighbours in one plane. Where it is cut by others it must be one, or three planes meet in more than one point.
+  // Coplanar neighbours. If others cut their plane, it must be unique, or three planes meet in more than one point.
   std::vector<TrianglePair> alongSurfaces() const {
     std::vector<Triangle> near;
     std::vector<std::uint32_t> faces;
@@ -118,8 +118,7 @@ class PlaneFinder {
     return found;
   }
 
-  // The groups of triangles that such pairs connect, the largest triangle first; those in a plane that is there already
-  // join it.
+  // Groups the triangles that such pairs connect, the largest triangle first; those in an existing plane join it.
   void collect(const std::vector<TrianglePair>& same) {
     std::map<std::uint32_t, std::uint32_t> numbers;
     std::vector<std::uint32_t> faces;
@@ -143,8 +142,8 @@ class PlaneFinder {
     for (PlaneGroup& group : sorted) merge(group);
   }
 
-  // Triangles at those of the pairs that lie in one plane and near each other, whether they cross or not: a digit more
-  // or less decides that. Neighbours are none.
+  // Returns the triangles of pairs that are coplanar and near each other, crossing or not: the last digit decides that.
+  // Neighbours are excluded.
   std::vector<TrianglePair> besideEachOther() const {
     std::vector<TrianglePair> found;
     std::vector<std::pair<Box, std::uint32_t>> near = trianglesAtPairs();
@@ -181,7 +180,7 @@ class PlaneFinder {
 
   double sizeOf(const PlaneGroup& group) const { return doubleArea(group.faces.front()).norm(); }
 
-  // The plane of the largest, which comes first.
+  // Returns the plane of the largest triangle, which comes first.
   void settle(PlaneGroup& group) {
     std::stable_sort(group.faces.begin(), group.faces.end(),
                      [this](std::uint32_t a, std::uint32_t b) { return doubleArea(a).norm() > doubleArea(b).norm(); });
@@ -198,7 +197,7 @@ class PlaneFinder {
       same->faces.insert(same->faces.end(), group.faces.begin(), group.faces.end());
   }
 
-  // Triangles that lie in a plane, too, but cross none there, as they are a digit beside it.
+  // Adds triangles that lie in a plane too, but cross none there, because they differ in the last digit.
   void complete(PlaneGroup& group) {
     Box box;
     for (const std::uint32_t f : group.faces) box.extend(boxOf(f));
@@ -211,21 +210,22 @@ class PlaneFinder {
     m_progress.spend(m_soup.triangles.size() / 100 + 1);
   }
 
-  // Gives the points of a group their plane; false, and nothing is done, where one of them has no place then.
+  // Assigns its plane to the points of a group. Returns false, without a change, if the position of one would be
+  // undefined.
   bool isPlane(const PlaneGroup& group) {
     const auto number = static_cast<std::uint32_t>(m_found.planes.size());
     m_found.planes.push_back(group.plane);
     std::map<std::uint32_t, std::vector<std::uint32_t>> planesOf;
     bool isGood = true;
     for (const std::uint32_t f : group.faces) {
-      isGood = isGood && isIn(group.plane, f);  // else it is a chain that leads away
+      isGood = isGood && isIn(group.plane, f);  // otherwise the group is a chain that leaves the plane
       for (const std::uint32_t v : m_soup.triangles[f]) {
         if (!isGood || planesOf.contains(v)) continue;
         const auto known = m_found.planesOf.find(v);
         std::vector<std::uint32_t>& planes = planesOf[v];
         if (known != m_found.planesOf.end()) planes = known->second;
         planes.push_back(number);
-        isGood = isPlace(planes);
+        isGood = isWellDefined(planes);
       }
     }
     m_found.planes.pop_back();
@@ -234,7 +234,7 @@ class PlaneFinder {
     return isGood;
   }
 
-  bool isPlace(const std::vector<std::uint32_t>& planes) const {
+  bool isWellDefined(const std::vector<std::uint32_t>& planes) const {
     const auto normal = [&](std::size_t i) { return m_found.planes[planes[i]].normal; };
     for (std::size_t i = 0; i < planes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)

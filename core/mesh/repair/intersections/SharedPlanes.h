@@ -12,28 +12,28 @@
 
 namespace handwheel {
 
-// Planes of surfaces that coincide except for rounding. As the walls of two boxes that were placed and then rotated: in
-// the numbers of a file the walls cross at angles of the last digits.
+// Planes of surfaces that coincide except for rounding. Examples are the walls of two adjacent boxes that were then
+// rotated: in the numbers of a file the walls cross at tiny angles.
 struct SharedPlanes {
   struct Plane {
-    Vec3 normal;  // unit length, but for rounding
+    Vec3 normal;  // unit length, except for rounding
     double offset = 0.0;
   };
   std::vector<Plane> planes;
-  // By point of the soup, ascending: the one, two or three planes in which it lies.
+  // Maps a point of the soup to the one, two or three planes in which it lies, ascending.
   std::map<std::uint32_t, std::vector<std::uint32_t>> planesOf;
-  double reach = 0.0;  // mm; what is nearer than this may be the same but for rounding
-  // Pairs that overlap in one of these planes, beside those that were given.
+  double reach = 0.0;  // mm; points at smaller distances may be equal except for rounding
+  // Pairs that overlap in one of these planes, in addition to the given ones.
   std::vector<TrianglePair> pairs;
 
   bool isEmpty() const { return planes.empty(); }
 };
 
-// Finds the planes that triangles at these pairs share, as near as single or double precision shows, whichever the
-// coordinates have; and where there are such, those of their flat surroundings. Planes that are merely near each other
-// are none, nor is one in which a point would have no unique place any more: with more than three planes, or two that
-// are nearly parallel. O(n) for the soup and for each plane, O(k²) for k triangles in a plane; k and the planes are
-// limited.
+// Finds the planes that triangles of these pairs share up to the precision of the coordinates. The precision is single
+// or double, as the coordinates have it; planes of flat surroundings of such triangles are included. Planes that are
+// merely near each other are excluded, as are those that would leave a point without a unique position: with more than
+// three planes, or with two that are nearly parallel. O(n) for the soup and for each plane, O(k²) for k triangles in a
+// plane; k and the number of planes are limited.
 SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress = {});
 
 }  // namespace handwheel

@@ -27,10 +27,10 @@ namespace {
 
 // A large face of a plate has the whole rim of a fine hole in it.
 constexpr std::size_t kCutsPerPartFace = 10'000;
-// Solid angles that are added up at most: some ten seconds.
+// Largest number of solid angles to add, some ten seconds.
 constexpr double kMostAngles = 5e8;
 
-// As a file of these numbers stores it, without triangles that are edges or points there.
+// Returns the solid as a file of this number type stores it, without triangles that collapse to edges or points.
 TriangleSoup storedSolid(const TriangleSoup& soup, NumberType numbers) {
   TriangleSoup stored = soup;
   roundPoints(stored, numbers);
@@ -45,7 +45,7 @@ bool isWithoutBorder(const HalfEdgeMesh& mesh) {
   return true;
 }
 
-// Whether every edge has two faces that agree, and every vertex one fan of them.
+// Returns true if every edge has two consistently oriented faces, and every vertex one fan.
 bool isClosedManifold(const BuiltMesh& built) {
   const BuildReport& report = built.report;
   return report.reversedFaces.empty() && report.splitVertices.empty() && report.nonManifoldEdges == 0 &&
@@ -56,7 +56,7 @@ TrianglePoints cornersOf(const TriangleSoup& soup, const Triangle& t) {
   return {soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]};
 }
 
-// A closed surface, and what it goes round.
+// A closed surface with its winding numbers.
 class SolidSide {
  public:
   explicit SolidSide(const TriangleSoup& soup) : m_soup(soup) {
@@ -64,11 +64,11 @@ class SolidSide {
   }
 
   std::size_t size() const { return m_soup.triangles.size(); }
-  // How often it goes round a place; none where that is no whole number, as on the surface.
-  std::optional<int> windingAt(const Vec3& place) const {
-    if (!m_box.contains(place)) return 0;
+  // Returns the winding number around a position; nothing if it is no integer, as on the surface.
+  std::optional<int> windingAt(const Vec3& position) const {
+    if (!m_box.contains(position)) return 0;
     double angle = 0.0;
-    for (const Triangle& t : m_soup.triangles) angle += solidAngle(cornersOf(m_soup, t), place);
+    for (const Triangle& t : m_soup.triangles) angle += solidAngle(cornersOf(m_soup, t), position);
     const double number = angle / (4.0 * std::numbers::pi), whole = std::round(number);
     if (!(std::abs(number - whole) <= tolerance::kWindingDoubt)) return std::nullopt;
     return static_cast<int>(whole);
@@ -105,7 +105,7 @@ CutSolids cutSolids(const TriangleSoup& both, std::size_t partCount, const Autor
   return cut;
 }
 
-// Which triangles hang together without passing an edge of both surfaces.
+// Finds the sets of triangles that are connected without crossing an edge of both surfaces.
 DisjointSets sheetsBetweenCuts(const CutSolids& cut, Progress progress) {
   DisjointSets sheets(cut.soup.triangles.size());
   const EdgeTable edges(cut.soup.triangles, cut.soup.points.size(), progress.part(0.0, 0.5));
@@ -122,7 +122,7 @@ DisjointSets sheetsBetweenCuts(const CutSolids& cut, Progress progress) {
   return sheets;
 }
 
-// Which triangles stay; none where that is in doubt.
+// Returns the triangles that stay; nothing if that is uncertain.
 std::optional<std::vector<bool>> stayingTriangles(const CutSolids& cut, const SolidSide& part, const SolidSide& tool,
                                                   SubtractionProblem& problem, Progress progress) {
   DisjointSets sheets = sheetsBetweenCuts(cut, progress.part(0.0, 0.3));
@@ -153,7 +153,7 @@ std::optional<std::vector<bool>> stayingTriangles(const CutSolids& cut, const So
   return staying;
 }
 
-// Those of the part that are as they were, then the pieces and those of the tool.
+// The unchanged triangles of the part come first, then the pieces and those of the tool.
 Subtraction joined(const CutSolids& cut, const std::vector<bool>& staying, Progress progress) {
   Subtraction done;
   TriangleSoup soup{cut.soup.points, {}};

@@ -10,29 +10,29 @@
 
 namespace handwheel {
 
-// Why a solid was not subtracted from another.
+// The reason why a solid was not subtracted from another.
 enum class SubtractionProblem {
   None,
   NotClosed,             // the part has open, non-manifold or inconsistent edges, or touches itself at a vertex
-  IntersectsItself,      // the part does
+  IntersectsItself,      // the part intersects itself
   TooManyIntersections,  // it would take minutes
   Unsound,               // the result would not be closed, manifold and free of self-intersections
 };
 
 // The result of subtractSolid().
 struct Subtraction {
-  HalfEdgeMesh mesh;  // empty where nothing is left, and where there is a problem
+  HalfEdgeMesh mesh;  // empty if nothing is left or there is a problem
   SubtractionProblem problem = SubtractionProblem::None;
-  std::size_t kept = 0;  // triangles that are those of the part; they are the first faces
+  std::size_t kept = 0;  // number of unchanged triangles of the part, which are the first faces
 };
 
-// Subtracts a solid from another by their surfaces. Their triangles are cut along each other (autorefine()), and what
-// hangs together between the cuts stays or goes by the winding number of the other surface there: of the part what is
-// outside the tool, of the tool what is inside the part, turned over. So triangles that the tool does not meet stay as
-// they are, to the last digit of these numbers. The result is checked: closed, manifold, without self-intersections, as
-// a file of these numbers stores it. Where surfaces lie on each other, or rounding folds a piece, it is Unsound. Needs
-// O(n log n) beside O(m log m) for m intersections, and O(n) for each of the parts that they cut the surfaces into.
-// Invalid if cancelled.
+// Subtracts a solid from another by their surfaces. Their triangles are cut along each other (autorefine()), and the
+// winding number of the other surface decides for each connected region between the cuts: the regions of the part
+// outside the tool stay, and those of the tool inside the part, reversed. Triangles that the tool does not meet are
+// unchanged, to the last digit of the number type. The result is verified to be closed, manifold and without
+// self-intersections, as a file of this number type stores it. It is Unsound if surfaces coincide or rounding folds a
+// piece. O(n log n) and O(m log m) for m intersections, and O(n) for each region between the cuts. The result is
+// invalid if cancelled.
 Subtraction subtractSolid(const TriangleSoup& part, const TriangleSoup& tool, NumberType numbers,
                           Progress progress = {});
 

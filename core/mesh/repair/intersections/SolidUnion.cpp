@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-// Returns how many.
+// Returns their number.
 std::size_t removeNestedBodies(HalfEdgeMesh& mesh, Progress progress) {
   const std::vector<std::vector<Face>> nested = findNestedBodies(mesh, progress);
   for (const std::vector<Face>& body : nested)

@@ -10,16 +10,16 @@ namespace handwheel {
 
 // Texts that describe inverse kinematics solutions of an arm, translated.
 
-// "Shoulder in front, elbow up, wrist flipped".
+// Returns a text such as "Shoulder in front, elbow up, wrist flipped".
 QString configurationText(const ArmConfiguration& configuration);
 
-// What is wrong with a solution: a joint beyond its limits, or what collides; empty: it is free.
+// Returns the problem of a solution: a joint beyond its limits, or a collision; empty if it is free.
 QString problemText(const CellScene& scene, const CellIkSolution& solution);
 
-// How far the tool is turned off the pose; empty: it is not.
+// Returns the angle by which the tool is turned off the pose, as a text; empty if there is none.
 QString turnedOffText(const CellIkSolution& solution);
 
-// A row of the list of all solutions; number: of its place in it, from 1.
+// Returns a row of the list of all solutions; number: its row, from 1.
 QString ikSolutionText(const CellScene& scene, const CellIkSolution& solution, std::size_t number);
 
 }  // namespace handwheel

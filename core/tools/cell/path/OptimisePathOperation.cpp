@@ -16,17 +16,18 @@ namespace handwheel {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostNodes = 1500;  // ways of all stops together: their costs are a table of that size, squared
-constexpr double kSameValues = 1e-6;      // rad, mm
+constexpr std::size_t kMostNodes =
+    1500;                             // Choices of all stops together: their costs are a table of that size, squared
+constexpr double kSameValues = 1e-6;  // rad, mm
 
-// Places that follow each other by straight lines, and the ways to be there.
+// Waypoints that follow each other by straight lines, with the configurations to choose from.
 struct Stop {
-  std::vector<std::size_t> places;  // by their numbers among the critical ones
-  struct Way {
-    std::vector<ArmValues> values;  // at each place
-    double seconds = 0.0;           // of its lines
+  std::vector<std::size_t> waypoints;  // by their numbers among the critical ones
+  struct Choice {
+    std::vector<ArmValues> values;  // Values at each waypoint
+    double seconds = 0.0;           // Duration of its lines
   };
-  std::vector<Way> ways;
+  std::vector<Choice> choices;
 };
 
 class OptimisePathOperation {
@@ -36,55 +37,56 @@ class OptimisePathOperation {
     m_settings.route.plan.roadmap = scene.roadmap.get();
   }
 
-  // The critical places in their new order, with their new joints; as they were where there is no way through them.
-  std::vector<Waypoint> optimised(const std::vector<Waypoint>& places, OptimisedPath& result, Progress progress) {
-    m_places = &places;
+  // Returns the critical waypoints in their new order, with their new joint values; unchanged if no path leads through
+  // them.
+  std::vector<Waypoint> optimised(const std::vector<Waypoint>& waypoints, OptimisedPath& result, Progress progress) {
+    m_waypoints = &waypoints;
     findStops(progress.part(0.0, 0.2));
-    std::vector<std::size_t> ways;
-    for (const Stop& stop : m_stops) ways.push_back(stop.ways.size());
+    std::vector<std::size_t> choices;
+    for (const Stop& stop : m_stops) choices.push_back(stop.choices.size());
     const VisitCosts costs{[this](const Visit& from, const Visit& to) { return least(from, to); },
                            [this](const Visit& from, const Visit& to, Progress own) { return exact(from, to, own); }};
     const auto found =
         m_stops.size() < 2
             ? std::nullopt
-            : cheapestOrder(ways, costs, {.mayReorder = m_settings.mayReorder, .seconds = m_settings.seconds},
+            : cheapestOrder(choices, costs, {.mayReorder = m_settings.mayReorder, .seconds = m_settings.seconds},
                             progress.part(0.2, 1.0));
     std::vector<Waypoint> ordered;
     for (std::size_t i = 0; i < m_stops.size(); ++i) {
       const Visit visit = found ? found->visits[i] : Visit{i, 0};
       const Stop& stop = m_stops[visit.stop];
-      for (std::size_t k = 0; k < stop.places.size(); ++k) {
-        Waypoint place = places[stop.places[k]];
-        if (visit.way > 0) {
-          place.joints = m_scene.whole(stop.ways[visit.way].values[k]);
-          place.configuration.clear();
+      for (std::size_t k = 0; k < stop.waypoints.size(); ++k) {
+        Waypoint waypoint = waypoints[stop.waypoints[k]];
+        if (visit.alternative > 0) {
+          waypoint.joints = m_scene.whole(stop.choices[visit.alternative].values[k]);
+          waypoint.configuration.clear();
           ++result.reconfigured;
         }
-        result.order.push_back(stop.places[k]);
-        ordered.push_back(std::move(place));
+        result.order.push_back(stop.waypoints[k]);
+        ordered.push_back(std::move(waypoint));
       }
     }
     return ordered;
   }
 
  private:
-  ArmValues valuesOf(std::size_t place) const { return m_scene.planned((*m_places)[place].joints); }
+  ArmValues valuesOf(std::size_t waypoint) const { return m_scene.planned((*m_waypoints)[waypoint].joints); }
 
-  // The first way of each is that which it has.
+  // The first choice of each stop is its present one.
   void findStops(Progress progress) {
-    for (std::size_t i = 0; i < m_places->size(); ++i) {
-      if (i == 0 || (*m_places)[i].motion == ProgramMotion::Kind::Joint) m_stops.emplace_back();
-      m_stops.back().places.push_back(i);
+    for (std::size_t i = 0; i < m_waypoints->size(); ++i) {
+      if (i == 0 || (*m_waypoints)[i].motion == ProgramMotion::Kind::Joint) m_stops.emplace_back();
+      m_stops.back().waypoints.push_back(i);
     }
     const std::size_t most = std::max<std::size_t>(1, kMostNodes / m_stops.size());
     for (std::size_t s = 0; s < m_stops.size() && !progress.cancelled(); ++s) {
       Stop& stop = m_stops[s];
-      Stop::Way own;
-      for (const std::size_t place : stop.places) own.values.push_back(valuesOf(place));
+      Stop::Choice own;
+      for (const std::size_t waypoint : stop.waypoints) own.values.push_back(valuesOf(waypoint));
       const bool isEnd = s == 0 || s + 1 == m_stops.size();
-      if (stop.places.size() > 1) own.seconds = secondsOfLines(stop, own);
-      stop.ways.push_back(std::move(own));
-      if (!isEnd && m_settings.mayReconfigure) addWays(stop, most, progress);
+      if (stop.waypoints.size() > 1) own.seconds = secondsOfLines(stop, own);
+      stop.choices.push_back(std::move(own));
+      if (!isEnd && m_settings.mayReconfigure) addChoices(stop, most, progress);
       progress.set(static_cast<double>(s + 1) / static_cast<double>(m_stops.size()));
     }
   }
@@ -110,22 +112,22 @@ class OptimisePathOperation {
     return found;
   }
 
-  void addWays(Stop& stop, std::size_t most, Progress progress) const {
-    for (const ArmValues& first : alternatives(stop.ways.front().values.front())) {
-      if (stop.ways.size() >= most || progress.cancelled()) return;
-      Stop::Way way{{first}};
-      for (std::size_t k = 1; k < stop.places.size(); ++k) {
-        const auto next = alongLine(way.values.back(), stop.ways.front().values[k], progress);
+  void addChoices(Stop& stop, std::size_t most, Progress progress) const {
+    for (const ArmValues& first : alternatives(stop.choices.front().values.front())) {
+      if (stop.choices.size() >= most || progress.cancelled()) return;
+      Stop::Choice choice{{first}};
+      for (std::size_t k = 1; k < stop.waypoints.size(); ++k) {
+        const auto next = alongLine(choice.values.back(), stop.choices.front().values[k], progress);
         if (!next) break;
-        way.values.push_back(*next);
+        choice.values.push_back(*next);
       }
-      if (way.values.size() < stop.places.size()) continue;
-      if (stop.places.size() > 1) way.seconds = secondsOfLines(stop, way);
-      stop.ways.push_back(std::move(way));
+      if (choice.values.size() < stop.waypoints.size()) continue;
+      if (stop.waypoints.size() > 1) choice.seconds = secondsOfLines(stop, choice);
+      stop.choices.push_back(std::move(choice));
     }
   }
 
-  // Where a straight line leads from these values, to the pose of others.
+  // Returns the end of a straight line from these values to the pose of others.
   std::optional<ArmValues> alongLine(const ArmValues& from, const ArmValues& present, Progress progress) const {
     std::vector<ArmValues> ends = alternatives(present);
     ends.push_back(present);
@@ -140,39 +142,41 @@ class OptimisePathOperation {
     return std::nullopt;
   }
 
-  double secondsOfLines(const Stop& stop, const Stop::Way& way) const {
+  double secondsOfLines(const Stop& stop, const Stop::Choice& choice) const {
     RobotPath lines;
-    for (std::size_t k = 0; k < way.values.size(); ++k) {
-      lines.places.push_back((*m_places)[stop.places[k]]);
-      lines.places.back().joints = m_scene.whole(way.values[k]);
+    for (std::size_t k = 0; k < choice.values.size(); ++k) {
+      lines.waypoints.push_back((*m_waypoints)[stop.waypoints[k]]);
+      lines.waypoints.back().joints = m_scene.whole(choice.values[k]);
     }
     return timed(m_scene, m_plans, lines, resolved(m_scene, m_plans, lines), {}).duration();
   }
 
   double secondsOf(JointPath path, const Visit& to) const {
     const Stop& stop = m_stops[to.stop];
-    const std::vector<MotionPace> paces(path.size(), {.speed = (*m_places)[stop.places.front()].speed});
-    return TimedPath(m_scene.scene, std::move(path), {}, paces).duration() + stop.ways[to.way].seconds;
+    const std::vector<MotionPace> paces(path.size(), {.speed = (*m_waypoints)[stop.waypoints.front()].speed});
+    return TimedPath(m_scene.scene, std::move(path), {}, paces).duration() + stop.choices[to.alternative].seconds;
   }
 
-  // No way is quicker than the straight one: each motion begins and ends at rest, and no joint goes faster.
+  // No motion is faster than the straight one: each begins and ends at rest, and no joint exceeds its speed.
   double least(const Visit& from, const Visit& to) const {
-    return secondsOf({endOf(from), m_stops[to.stop].ways[to.way].values.front()}, to);
+    return secondsOf({endOf(from), m_stops[to.stop].choices[to.alternative].values.front()}, to);
   }
 
   double exact(const Visit& from, const Visit& to, Progress progress) const {
-    const std::array<ArmValues, 2> ends{endOf(from), m_stops[to.stop].ways[to.way].values.front()};
+    const std::array<ArmValues, 2> ends{endOf(from), m_stops[to.stop].choices[to.alternative].values.front()};
     const Route route = planRoute(m_scene.scene, ends, m_settings.route, progress);
     return route.isSolved() ? secondsOf(route.legs.front(), to) : kNever;
   }
 
-  const ArmValues& endOf(const Visit& visit) const { return m_stops[visit.stop].ways[visit.way].values.back(); }
+  const ArmValues& endOf(const Visit& visit) const {
+    return m_stops[visit.stop].choices[visit.alternative].values.back();
+  }
 
   const CellScene& m_scene;
   const CellPlans& m_plans;
   OptimisationSettings m_settings;
   std::optional<ClosedFormIk> m_ik;
-  const std::vector<Waypoint>* m_places = nullptr;
+  const std::vector<Waypoint>* m_waypoints = nullptr;
   std::vector<Stop> m_stops;
 };
 
@@ -221,26 +225,27 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
   const Result<CheckedPath> present = checkPath(scene, plans, path, check, progress.part(0.0, 0.1));
   if (!present) return present.error();
   std::vector<Waypoint> critical;
-  for (const Waypoint& place : path.places) {
-    const bool isEnd = &place == &path.places.front() || &place == &path.places.back();
-    if (place.isCritical || isEnd) critical.push_back(place);
+  for (const Waypoint& waypoint : path.waypoints) {
+    const bool isEnd = &waypoint == &path.waypoints.front() || &waypoint == &path.waypoints.back();
+    if (waypoint.isCritical || isEnd) critical.push_back(waypoint);
   }
   OptimisedPath result;
   result.before = present->seconds;
-  const std::vector<Waypoint> places =
+  const std::vector<Waypoint> waypoints =
       OptimisePathOperation(scene, plans, settings).optimised(critical, result, progress.part(0.1, 0.9));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  Result<PlannedPath> planned = plannedThrough(scene, plans, places, settings.route, progress.part(0.9, 1.0));
+  Result<PlannedPath> planned = plannedThrough(scene, plans, waypoints, settings.route, progress.part(0.9, 1.0));
   if (!planned) return planned.error();
   result.planned = std::move(planned).value();
   result.planned.path.name = path.name;
-  // Along the same curve as before, as long as it comes by the same places.
+  // The path keeps its curve if it passes the same waypoints.
   if (result.reconfigured == 0 && std::is_sorted(result.order.begin(), result.order.end()))
     result.planned.path.process = path.process;
-  const ResolvedPath way = resolved(scene, plans, result.planned.path, progress.part(1.0, 1.0));
-  const std::vector<double> blends = certifiedBlends(scene, plans, result.planned.path, way, check.clearance, progress);
+  const ResolvedPath resolvedPath = resolved(scene, plans, result.planned.path, progress.part(1.0, 1.0));
+  const std::vector<double> blends =
+      certifiedBlends(scene, plans, result.planned.path, resolvedPath, check.clearance, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  result.after = timed(scene, plans, result.planned.path, way, blends).duration();
+  result.after = timed(scene, plans, result.planned.path, resolvedPath, blends).duration();
   constexpr double kQuicker = 1e-9;  // s
   result.isChanged = !present->isCertified() || result.after < result.before - kQuicker;
   if (!result.isChanged) {

@@ -6,28 +6,27 @@
 
 namespace handwheel {
 
-// Two things that may touch, by their names in CellPlans::allowed. Links, or bodies by their numbers ("body.3").
+// Two objects that may touch, by their names in CellPlans::allowed. Links, or bodies by their numbers ("body.3").
 using PairNames = std::pair<std::string, std::string>;
 
-// What is nearest in a scene; none: nothing is.
+// Returns the nearest pair in a scene; nothing if there is none.
 std::optional<PairNames> pairNamesOf(const CellScene& scene, const RobotScene::Nearest& nearest);
 
-// A pair as people call it: bodies by their names; those that were removed by their numbers.
+// Returns a pair as shown to the user: bodies by their names; removed ones by their numbers.
 PairNames shownNames(const PairNames& pair, const BodySet& bodies);
 
-// Whether the pair may touch, in either order.
+// Returns true if the pair may touch, in either order.
 bool isAllowed(const CellPlans& plans, const PairNames& pair);
-// Lets the pair touch from now on, or no longer.
+// Sets if the pair may touch.
 void setAllowed(CellPlans& plans, const PairNames& pair, bool mayTouch);
 
-// Two bodies by what they are called; none: one of the names is not that of a body alone, but also of a link, or of
-// none.
+// Returns the pair of two bodies by their names; nothing if one of the names is unknown, or also that of a link.
 std::optional<PairNames> bodiesCalled(const std::string& one, const std::string& other, const BodySet& bodies,
                                       const RobotModel& robot);
 
-// The pairs that only a person has left out of the proofs of a scene, as people call them, each once: of things that
-// are there, of which the robot moves one. Not links of one robot, which its description or table lets touch, and not
-// CellScene::alwaysMeeting. allowed: as CellPlans has them.
+// Returns the pairs that the user alone excluded from the proofs of a scene, as shown to the user, each once: existing
+// pairs of which the robot moves one. Excludes links of one robot, which its description or table lets touch, and
+// CellScene::alwaysMeeting. allowed: as in CellPlans.
 std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed);
 
 }  // namespace handwheel

@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// The collision-free blend of each place of a path, mm. At most the wanted one; 0: an exact stop. At most the wanted
-// one; 0: an exact stop. Within a zone each joint may be anywhere between where the two motions have it there, half as
-// far again where lines bend in joint space: everything is that far from the robot. What a controller does in a zone is
-// not known but that it stays there. Exact stops at the rest once cancelled.
+// Returns the collision-free blend radius of each waypoint of a path, mm. At most the wanted one; 0: an exact stop.
+// Within a zone each joint may be anywhere between its values on the two motions there, half as far again if lines bend
+// in joint space: all obstacles are farther from the robot than that. The motion of a controller within a zone is
+// unknown, except that it stays inside. After a cancel, exact stops at the remaining waypoints.
 std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const ResolvedPath& way, double clearance, const Progress& progress = {});
+                                    const ResolvedPath& resolvedPath, double clearance, const Progress& progress = {});
 
 }  // namespace handwheel

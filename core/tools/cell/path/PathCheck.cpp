@@ -19,39 +19,39 @@
 namespace handwheel {
 
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
-  ResolvedPath way;
-  for (std::size_t i = 0; i < path.places.size(); ++i) {
-    const ArmValues values = scene.planned(path.places[i].joints);
-    if (i > 0 && path.places[i].motion == ProgramMotion::Kind::Linear) {
-      const FollowedLine line = followLine(scene.arm, plans.tool, way.joints.back(), values, {}, progress);
+  ResolvedPath resolvedPath;
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const ArmValues values = scene.planned(path.waypoints[i].joints);
+    if (i > 0 && path.waypoints[i].motion == ProgramMotion::Kind::Linear) {
+      const FollowedLine line = followLine(scene.arm, plans.tool, resolvedPath.joints.back(), values, {}, progress);
       for (std::size_t k = 1; k < line.path.size(); ++k)
-        way.offs.push_back(scene.scene.travelBound(line.path[k - 1], line.path[k], line.offs[k - 1]));
-      way.joints.insert(way.joints.end(), line.path.begin() + 1, line.path.end());
-      way.placeOf.resize(way.joints.size() - 1, i);
+        resolvedPath.offs.push_back(scene.scene.travelBound(line.path[k - 1], line.path[k], line.offs[k - 1]));
+      resolvedPath.joints.insert(resolvedPath.joints.end(), line.path.begin() + 1, line.path.end());
+      resolvedPath.waypointOf.resize(resolvedPath.joints.size() - 1, i);
       if (line.reached >= 1.0) continue;
-      way.stopsAt = i;
-      way.reached = line.reached;
-      return way;
+      resolvedPath.stopsAt = i;
+      resolvedPath.reached = line.reached;
+      return resolvedPath;
     }
-    way.joints.push_back(values);
+    resolvedPath.joints.push_back(values);
     if (i == 0) continue;
-    way.placeOf.push_back(i);
-    way.offs.push_back(0.0);
+    resolvedPath.waypointOf.push_back(i);
+    resolvedPath.offs.push_back(0.0);
   }
-  return way;
+  return resolvedPath;
 }
 
 std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
   constexpr double kStep = 0.02;  // rad, mm: of the joint that moves most
   constexpr double kMostSteps = 4000.0;
-  const JointPath way = resolved(scene, plans, path, progress).joints;
-  const double step = std::max(kStep, lengthOf(scene.scene, way) / kMostSteps);
+  const JointPath joints = resolved(scene, plans, path, progress).joints;
+  const double step = std::max(kStep, lengthOf(scene.scene, joints) / kMostSteps);
   std::vector<Vec3> points;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    const ArmValues& from = way[i == 0 ? 0 : i - 1];
-    const int count = std::max(1, static_cast<int>(std::ceil((way[i] - from).cwiseAbs().maxCoeff() / step)));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const ArmValues& from = joints[i == 0 ? 0 : i - 1];
+    const int count = std::max(1, static_cast<int>(std::ceil((joints[i] - from).cwiseAbs().maxCoeff() / step)));
     for (int k = 1; k <= count; ++k) {
-      const ArmValues at = from + (static_cast<double>(k) / count) * (way[i] - from);
+      const ArmValues at = from + (static_cast<double>(k) / count) * (joints[i] - from);
       points.push_back((scene.arm.tipPose(at) * plans.tool).translation());
     }
   }
@@ -60,42 +60,42 @@ std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, cons
 
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress) {
-  if (path.places.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};
+  if (path.waypoints.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};
   if (armNumber(*scene.robot, path.arm) != scene.armNumber)
     return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
-  for (std::size_t i = 0; i < path.places.size(); ++i) {
-    const Waypoint& place = path.places[i];
-    if (scene.areOwnUnplannedJointsAt(place.joints)) continue;
-    return Error{CellError::OthersMoved, {place.name.empty() ? std::to_string(i + 1) : place.name}, {}, {}};
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const Waypoint& waypoint = path.waypoints[i];
+    if (scene.areOwnUnplannedJointsAt(waypoint.joints)) continue;
+    return Error{CellError::OthersMoved, {waypoint.name.empty() ? std::to_string(i + 1) : waypoint.name}, {}, {}};
   }
   CheckedPath checked;
   checked.robotsMoved = scene.robotsElsewhere(path);
   checked.outdated = outdatedReasonsOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
   checked.clearance = settings.clearance;
   checked.notChecked = uncheckedPairs(scene, plans.allowed);
-  checked.way = resolved(scene, plans, path, progress.part(0.0, 0.1));
+  checked.resolved = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;
   check.resolution = settings.resolution;
-  checked.verification =
-      verified(scene.scene, checked.way.joints, check, settings.step, progress.part(0.1, 0.6), checked.way.offs);
-  checked.metrics = metricsOf(scene.scene, scene.arm, checked.way.joints, {}, progress.part(0.6, 0.95));
-  checked.blends = certifiedBlends(scene, plans, path, checked.way, settings.clearance, progress);
+  checked.verification = verified(scene.scene, checked.resolved.joints, check, settings.step, progress.part(0.1, 0.6),
+                                  checked.resolved.offs);
+  checked.metrics = metricsOf(scene.scene, scene.arm, checked.resolved.joints, {}, progress.part(0.6, 0.95));
+  checked.blends = certifiedBlends(scene, plans, path, checked.resolved, settings.clearance, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  checked.seconds = timed(scene, plans, path, checked.way, checked.blends).duration();
+  checked.seconds = timed(scene, plans, path, checked.resolved, checked.blends).duration();
   return checked;
 }
 
 namespace {
 
-// Where motions begin on the way to their places, and the last one ends: shares of that way.
-std::vector<std::array<double, 2>> sharesOf(const ResolvedPath& way, const CellScene& scene) {
-  std::vector<std::array<double, 2>> shares(way.placeOf.size());
+// Returns the beginnings of motions, and the end of the last one, as shares of the path to their waypoint.
+std::vector<std::array<double, 2>> sharesOf(const ResolvedPath& resolvedPath, const CellScene& scene) {
+  std::vector<std::array<double, 2>> shares(resolvedPath.waypointOf.size());
   for (std::size_t begin = 0, end = 0; begin < shares.size(); begin = end) {
     double length = 0.0;
-    for (end = begin; end < shares.size() && way.placeOf[end] == way.placeOf[begin]; ++end) {
+    for (end = begin; end < shares.size() && resolvedPath.waypointOf[end] == resolvedPath.waypointOf[begin]; ++end) {
       shares[end][0] = length;
-      length += lengthOf(scene.scene, way.joints[end], way.joints[end + 1]);
+      length += lengthOf(scene.scene, resolvedPath.joints[end], resolvedPath.joints[end + 1]);
       shares[end][1] = length;
     }
     for (std::size_t i = begin; i < end; ++i) {  // one that does not move is where it ends
@@ -109,8 +109,8 @@ std::vector<std::array<double, 2>> sharesOf(const ResolvedPath& way, const CellS
 }  // namespace
 
 std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene& scene) {
-  constexpr double kBeside = 1e-9;  // of a motion: it ends there, or the next one begins
-  const std::vector<std::array<double, 2>> shares = sharesOf(checked.way, scene);
+  constexpr double kBeside = 1e-9;  // Share of a motion: the stretch ends there, or the next one begins
+  const std::vector<std::array<double, 2>> shares = sharesOf(checked.resolved, scene);
   struct Open {
     std::size_t stretch, motion;
     bool goesOn;  // to the end of that motion
@@ -118,15 +118,15 @@ std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene
   std::vector<PathStretch> all;
   std::vector<Open> open;
   for (const PathCollision& each : checked.verification.collisions) {
-    if (each.motion >= shares.size()) {  // no motion leads on from the first place
-      all.push_back({.place = 0, .deepest = each.deepest, .motion = 0, .deepestAt = 0.0});
+    if (each.motion >= shares.size()) {  // No motion begins at the first waypoint
+      all.push_back({.waypoint = 0, .deepest = each.deepest, .motion = 0, .deepestAt = 0.0});
       continue;
     }
     const double begin = shares[each.motion][0], end = shares[each.motion][1];
     const auto isSame = [&](const Open& known) {
       const PathStretch& last = all[known.stretch];
       return known.goesOn && known.motion + 1 == each.motion && each.from <= kBeside &&
-             last.place == checked.placeOf(each.motion) && last.deepest.link == each.deepest.link &&
+             last.waypoint == checked.waypointOf(each.motion) && last.deepest.link == each.deepest.link &&
              last.deepest.otherLink == each.deepest.otherLink && last.deepest.owner == each.deepest.owner;
     };
     std::erase_if(open, [&](const Open& known) { return known.motion + 1 < each.motion; });
@@ -135,7 +135,7 @@ std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene
     const double to = begin + each.to * (end - begin);
     if (known == open.end()) {
       open.push_back({all.size(), each.motion, goesOn});
-      all.push_back({checked.placeOf(each.motion), begin + each.from * (end - begin), to, each.deepest, each.motion,
+      all.push_back({checked.waypointOf(each.motion), begin + each.from * (end - begin), to, each.deepest, each.motion,
                      each.deepestAt});
       continue;
     }
@@ -155,7 +155,7 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
   const std::vector<PathStretch> all = stretchesOf(checked, scene);
   PathFindings found{
       .isCertified = checked.isCertified(),
-      .stopsAt = checked.way.stopsAt,
+      .stopsAt = checked.resolved.stopsAt,
       .collisions = all.size(),
       .tooNear = static_cast<std::size_t>(
           std::count_if(all.begin(), all.end(), [](const PathStretch& each) { return !each.meets(); })),
@@ -170,45 +170,45 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
     found.listed.push_back(
-        {all[i].place, std::move(link), std::move(other), all[i].meets() ? 0.0 : all[i].deepest.distance});
+        {all[i].waypoint, std::move(link), std::move(other), all[i].meets() ? 0.0 : all[i].deepest.distance});
   }
   return found;
 }
 
-TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& way,
+TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& resolvedPath,
                 std::span<const double> blends) {
-  const auto place = [&](const ArmValues& values) {
+  const auto positionAt = [&](const ArmValues& values) {
     return Vec3((scene.arm.tipPose(values) * plans.tool).translation());
   };
   std::vector<MotionPace> paces;
-  for (std::size_t i = 0; i < way.placeOf.size(); ++i) {
-    const std::size_t leadsTo = way.placeOf[i];
-    const Waypoint& to = path.places[leadsTo];
+  for (std::size_t i = 0; i < resolvedPath.waypointOf.size(); ++i) {
+    const std::size_t leadsTo = resolvedPath.waypointOf[i];
+    const Waypoint& to = path.waypoints[leadsTo];
     if (to.motion == ProgramMotion::Kind::Joint) {
       paces.push_back({.speed = to.speed});
       continue;
     }
-    const bool isLast = i + 1 == way.placeOf.size() || way.placeOf[i + 1] != leadsTo;
-    const double length = (place(way.joints[i + 1]) - place(way.joints[i])).norm();
+    const bool isLast = i + 1 == resolvedPath.waypointOf.size() || resolvedPath.waypointOf[i + 1] != leadsTo;
+    const double length = (positionAt(resolvedPath.joints[i + 1]) - positionAt(resolvedPath.joints[i])).norm();
     constexpr double kStill = 1e-6;  // mm: where the tool only turns the joints count
     paces.push_back({.length = length > kStill ? length : 0.0,
                      .toolSpeed = to.speed,
                      .isContinued = !isLast || (leadsTo < blends.size() && blends[leadsTo] > 0.0)});
   }
-  return TimedPath(scene.scene, way.joints, {}, paces);
+  return TimedPath(scene.scene, resolvedPath.joints, {}, paces);
 }
 
 std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked) {
   std::size_t count = 0;
-  for (std::size_t i = 1; i + 1 < path.places.size(); ++i)
-    count += path.places[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
+  for (std::size_t i = 1; i + 1 < path.waypoints.size(); ++i)
+    count += path.waypoints[i].blend > 0.0 && checked.blends[i] == 0.0 ? 1 : 0;
   return count;
 }
 
 std::vector<SmallerBlend> smallerBlends(const RobotPath& path, const CheckedPath& checked) {
   std::vector<SmallerBlend> all;
-  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
-    const double wanted = path.places[i].blend, kept = checked.blends[i];
+  for (std::size_t i = 1; i + 1 < path.waypoints.size(); ++i) {
+    const double wanted = path.waypoints[i].blend, kept = checked.blends[i];
     if (kept > 0.0 && kept < wanted) all.push_back({i, wanted, kept});
   }
   return all;
@@ -224,7 +224,7 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
                       ".");
   const std::vector<SmallerBlend> smaller = smallerBlends(path, checked);
   for (const SmallerBlend& each : std::span(smaller).first(std::min(smaller.size(), kMostBlends)))
-    remarks.push_back("Blend at place " + std::to_string(each.place + 1) + ": at most " + roundedText(each.kept, 4) +
+    remarks.push_back("Blend at place " + std::to_string(each.waypoint + 1) + ": at most " + roundedText(each.kept, 4) +
                       " mm in place of " + roundedText(each.wanted, 6) + " mm, which is not proven free.");
   if (smaller.size() > kMostBlends)
     remarks.push_back("Smaller blends at " + std::to_string(smaller.size() - kMostBlends) + " more places.");
@@ -267,9 +267,10 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
   program.clearance = checked.clearance;
   program.remarks = remarksOn(scene, path, checked);
-  for (std::size_t i = 0; i < path.places.size(); ++i) {
-    const Waypoint& place = path.places[i];
-    ProgramMotion motion{place.motion, scene.planned(place.joints), place.speed, checked.blends[i], place.name};
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const Waypoint& waypoint = path.waypoints[i];
+    ProgramMotion motion{waypoint.motion, scene.planned(waypoint.joints), waypoint.speed, checked.blends[i],
+                         waypoint.name};
     if (i == 0) motion.kind = ProgramMotion::Kind::Joint;
     program.motions.push_back(std::move(motion));
   }

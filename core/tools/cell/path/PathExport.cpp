@@ -31,9 +31,9 @@ constexpr double kMostOff = 1e-3;  // mm, degrees
 
 std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
   if (checked.isCertified()) return std::nullopt;
-  if (checked.way.stopsAt) {
-    const std::string place = std::to_string(*checked.way.stopsAt + 1);
-    return Error{CellError::LineUnreachable, {place, roundedText(100.0 * checked.way.reached, 3)}, {}, {}};
+  if (checked.resolved.stopsAt) {
+    const std::string waypoint = std::to_string(*checked.resolved.stopsAt + 1);
+    return Error{CellError::LineUnreachable, {waypoint, roundedText(100.0 * checked.resolved.reached, 3)}, {}, {}};
   }
   const auto& collisions = checked.verification.collisions;
   const auto [link, other] =
@@ -48,7 +48,7 @@ std::optional<Error> outdatedProblem(const RobotPath& path, const OutdatedReason
   if (!outdated.targets.empty())
     return Error{CellError::PathTargetMoved, {path.name, *outdated.targets.begin()}, {}, {}};
   if (outdated.configurations.empty()) return std::nullopt;
-  return Error{CellError::PathPlaceChanged, {path.name, *outdated.configurations.begin()}, {}, {}};
+  return Error{CellError::PathWaypointChanged, {path.name, *outdated.configurations.begin()}, {}, {}};
 }
 
 std::string otherRobot(const CellScene& scene, const PostProcessor& post) {
@@ -79,18 +79,18 @@ std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const Arm
   return fastest * toolSpeed / length;
 }
 
-// As paths have it: of a joint motion 0.001 to 1, of a line up to 100 m/s.
+// Returns the speed in the range of paths: of a joint motion 0.001 to 1, of a line up to 100 m/s.
 double speedOf(const ParsedMotion& motion, ProgramMotion::Kind kind, std::optional<double> share) {
   if (kind == ProgramMotion::Kind::Linear) return std::clamp(motion.speed.value_or(250.0), 1e-3, 1e5);
   const std::optional<double> own = motion.kind == kind ? motion.speed : std::nullopt;
   return std::clamp(own ? *own : share.value_or(Waypoint().speed), 1e-3, 1.0);
 }
 
-// Whether the arm comes to the end of a line, its tip there, in the way in which the controller wants it: with these
-// joint values, which are the nearest ones, or, where only these lead elsewhere, with others, which they become. The
-// first motion of a program is no line here, and ends in any way.
-bool endsInItsWay(const ParsedMotion& motion, const Pose& tip, const RobotProgram& program, const ArmValues& from,
-                  bool isFirst, ArmValues& joints) {
+// Returns true if the arm ends a line, with its tip there, in the configuration that the controller demands: with these
+// joint values, which are the nearest ones, or, if these are of another configuration, with others, which replace them.
+// The first motion of a program is no line here, and may end in any configuration.
+bool endsInItsConfiguration(const ParsedMotion& motion, const Pose& tip, const RobotProgram& program,
+                            const ArmValues& from, bool isFirst, ArmValues& joints) {
   if (hasConfiguration(*motion.endsIn, program.arm, joints)) return true;
   const auto closed = closedFormOfSphericalWrist(program.arm);
   const auto other = closed ? jointsWith(*motion.endsIn, program.arm, *closed, tip, from) : std::nullopt;
@@ -99,7 +99,7 @@ bool endsInItsWay(const ParsedMotion& motion, const Pose& tip, const RobotProgra
   return isReached;
 }
 
-// As far as programs write them: with hundredths of mm and degrees.
+// Compares with the precision of programs: hundredths of mm and degrees.
 bool isSameTool(const Pose& a, const Pose& b) {
   constexpr double kSameTool = 0.02;  // mm, degrees
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(a.linear().transpose() * b.linear()));
@@ -187,7 +187,7 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
     return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
   const Status written = writeFileAtomically(output, text, {});
   if (!written) return written.error();
-  // Joint motions do not go by the frame, but tables have the pose of each place.
+  // Joint motions do not depend on the frame, but tables have the pose of each waypoint.
   const bool isInFrame = check->isInFrame && (post.maker()[0] == '\0' || hasLines(program));
   return WrittenProgram{*check, stoppedBlends(path, checked), smallerBlends(path, checked), other,
                         isInFrame ? plans.workFrame : ""};
@@ -207,14 +207,14 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   const std::optional<Pose> controllers = controllerBaseFrame(cell.robot->model, scene.plannedArm());
   RobotPath path{"program", {}, cell.plans->arm};
   path.clearance = keptClearance(text);
-  std::vector<std::size_t> openWays;
+  std::vector<std::size_t> openConfigurations;
   std::optional<Pose> otherTool;
   ArmValues before = scene.planned(cell.joints);
   for (ParsedMotion& motion : *motions) {
-    if (motion.isWayOpen) openWays.push_back(motion.line);
+    if (motion.isConfigurationOpen) openConfigurations.push_back(motion.line);
     if (!otherTool && motion.tool && !isSameTool(*motion.tool, frame.tool)) otherTool = motion.tool;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    progress.set(static_cast<double>(path.places.size()) / static_cast<double>(motions->size()));
+    progress.set(static_cast<double>(path.waypoints.size()) / static_cast<double>(motions->size()));
     const ArmValues from = before;
     const auto located = [&](Error error) {
       error.position = InputPosition::line(motion.line);
@@ -234,32 +234,33 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
       const Pose tip = *motion.pose * frame.tool.inverse(Eigen::Isometry);
       const NumericalIkResult found = solvedNumerically(frame.arm, tip, before, {.tolerance = 1e-8, .seconds = 0.05});
       if (!found.isSolved)
-        return located({CellError::PoseUnreachable, {std::to_string(path.places.size() + 1)}, {}, {}});
+        return located({CellError::PoseUnreachable, {std::to_string(path.waypoints.size() + 1)}, {}, {}});
       before = found.values;
-      if (motion.endsIn && !endsInItsWay(motion, tip, frame, from, path.places.empty(), before))
-        return located({PostError::WayDiffers, {motion.endsIn->text()}, {}, {}});
+      if (motion.endsIn && !endsInItsConfiguration(motion, tip, frame, from, path.waypoints.empty(), before))
+        return located({PostError::ConfigurationDiffers, {motion.endsIn->text()}, {}, {}});
     }
     Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
     if (!within) return located(within.error());
-    Waypoint place{.joints = std::move(within).value()};
-    if (isBodyName(motion.name)) place.name = std::move(motion.name);
-    place.motion = path.places.empty() ? ProgramMotion::Kind::Joint : motion.kind;
-    const bool hasShare = motion.toolSpeed && !path.places.empty();
-    place.speed = speedOf(motion, place.motion,
-                          hasShare ? shareFor(frame.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
-    place.blend = std::max(0.0, motion.blend);
-    path.places.push_back(std::move(place));
+    Waypoint waypoint{.joints = std::move(within).value()};
+    if (isBodyName(motion.name)) waypoint.name = std::move(motion.name);
+    waypoint.motion = path.waypoints.empty() ? ProgramMotion::Kind::Joint : motion.kind;
+    const bool hasShare = motion.toolSpeed && !path.waypoints.empty();
+    waypoint.speed =
+        speedOf(motion, waypoint.motion,
+                hasShare ? shareFor(frame.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
+    waypoint.blend = std::max(0.0, motion.blend);
+    path.waypoints.push_back(std::move(waypoint));
   }
-  std::sort(openWays.begin(), openWays.end());
-  openWays.erase(std::unique(openWays.begin(), openWays.end()), openWays.end());
+  std::sort(openConfigurations.begin(), openConfigurations.end());
+  openConfigurations.erase(std::unique(openConfigurations.begin(), openConfigurations.end()), openConfigurations.end());
   return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm())),
-                     std::move(openWays), otherTool};
+                     std::move(openConfigurations), otherTool};
 }
 
 Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,
                                  const std::filesystem::path& file, Progress progress) {
   const auto read = [&]() -> Result<ProgramPath> {
-    const Result<std::string> bytes = readFileHead(file, PostProcessor::kLargestText + 1);  // what is larger is refused
+    const Result<std::string> bytes = readFileHead(file, PostProcessor::kLargestText + 1);  // Larger ones are refused
     if (!bytes) return bytes.error();
     if (const PostProcessor* const post = postForEnding(file.string()))
       return pathFromProgram(scene, cell, *post, *bytes, progress);

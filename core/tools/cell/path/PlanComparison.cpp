@@ -8,17 +8,17 @@
 namespace handwheel {
 
 std::vector<ComparedPath> comparedPaths(const CellScene& scene, const CellPlans& plans,
-                                        std::span<const Waypoint> places, const RouteSettings& settings,
+                                        std::span<const Waypoint> waypoints, const RouteSettings& settings,
                                         Progress progress) {
-  assert(places.size() >= 2);
+  assert(waypoints.size() >= 2);
   const PathCheckSettings check{.clearance = settings.plan.check.clearance,
                                 .resolution = std::min(PathCheckSettings().resolution, settings.plan.check.resolution)};
   std::vector<ComparedPath> all;
-  const std::size_t between = places.size() - 2;
+  const std::size_t between = waypoints.size() - 2;
   const double share = 0.5 / static_cast<double>(between + 1);
   for (std::size_t critical = 0; critical <= between; ++critical) {
-    std::vector<Waypoint> some(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(critical) + 1);
-    some.push_back(places.back());
+    std::vector<Waypoint> some(waypoints.begin(), waypoints.begin() + static_cast<std::ptrdiff_t>(critical) + 1);
+    some.push_back(waypoints.back());
     for (const bool isOptimised : {false, true}) {
       if (progress.cancelled()) return all;
       const double done = share * static_cast<double>(all.size());

@@ -6,19 +6,19 @@
 
 namespace handwheel {
 
-// A path through some of the critical configurations, with or without being made shorter.
+// A path through some of the critical configurations, optionally shortened.
 struct ComparedPath {
-  std::size_t critical = 0;  // how many of them: the first so many
+  std::size_t critical = 0;  // Number of critical configurations, the first ones
   bool isOptimised = false;
   Result<PlannedPath> planned = Error{};
-  Result<CheckedPath> checked = Error{};  // when it was planned
+  Result<CheckedPath> checked = Error{};  // Set if the path was planned
 };
 
-// Plans from the first of these places to the last: without those between, with the first of them, with the first two
-// and so on, each without and with the shortcuts of the settings (He 2008, chapter 6: a planner alone, and with
-// critical configurations). What could not be planned is in the list, too. Incomplete once cancelled.
+// Plans from the first of these waypoints to the last: without those between, with the first of them, with the first
+// two and so on, each without and with the shortcuts of the settings (He 2008, chapter 6: a planner alone, and with
+// critical configurations). Failed plans are in the list, too. Incomplete if cancelled.
 std::vector<ComparedPath> comparedPaths(const CellScene& scene, const CellPlans& plans,
-                                        std::span<const Waypoint> places, const RouteSettings& settings,
+                                        std::span<const Waypoint> waypoints, const RouteSettings& settings,
                                         Progress progress = {});
 
 }  // namespace handwheel

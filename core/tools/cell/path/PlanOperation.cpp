@@ -21,7 +21,7 @@ namespace handwheel {
 
 namespace {
 
-Parameter placeParameter(const char* id, const char* word, std::string meaning) {
+Parameter waypointParameter(const char* id, const char* word, std::string meaning) {
   return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
           .meaning = std::move(meaning),
           .word = word,
@@ -67,37 +67,38 @@ std::shared_ptr<const std::array<JointValues, 2>> planEnds(const JointValues& fr
   return std::make_shared<const std::array<JointValues, 2>>(std::array<JointValues, 2>{from, to});
 }
 
-// Brings a place to a target, the nearest way that is free from where it is.
-Status bringTo(const NamedTarget& target, const CellScene& scene, const CellPlacement& cell, Waypoint& place) {
+// Brings a waypoint to a target, by the nearest free solution.
+Status bringTo(const NamedTarget& target, const CellScene& scene, const CellPlacement& cell, Waypoint& waypoint) {
   const Result<Pose> pose = poseOfTarget(target, cell);
   if (!pose) return pose.error();
-  const Result<ArmValues> values = nearestFree(scene, cell.plans, *pose, scene.planned(place.joints));
+  const Result<ArmValues> values = nearestFree(scene, cell.plans, *pose, scene.planned(waypoint.joints));
   if (!values) return values.error();
-  place.joints = scene.whole(*values);
-  const auto inTool = targetInTool(*scene.robot, cell, cell.plans.arm, place.joints, target.name);
-  place.target.reset();
-  if (inTool) place.target = PlaceTarget{target.name, *inTool};
+  waypoint.joints = scene.whole(*values);
+  const auto inTool = targetInTool(*scene.robot, cell, cell.plans.arm, waypoint.joints, target.name);
+  waypoint.target.reset();
+  if (inTool) waypoint.target = WaypointTarget{target.name, *inTool};
   return Done{};
 }
 
-// The places with those that were planned to targets where the tool does not come to these any more brought there, and
-// those that stand for configurations as these are now. Where one is missing the place stays as it is.
-Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> places, const CellScene& scene,
+// Returns the waypoints at the present poses of their targets, if the tool is no longer there, and at the present
+// values of their configurations. If one of these is missing the waypoint does not change.
+Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> waypoints, const CellScene& scene,
                                         const CellPlans& plans) {
   const CellPlacement cell{plans, scene.bodies, scene.robot->model, scene.others};
-  std::vector<Waypoint> all(places.begin(), places.end());
-  for (Waypoint& place : all) {
-    if (const NamedConfiguration* const changed = changedConfiguration(*scene.robot, plans, plans.arm, place))
-      place.joints = withJointsOf(*scene.robot, scene.armNumber, place.joints, changed->joints);
-    const NamedTarget* const target = place.target ? plans.target(place.target->name) : nullptr;
-    const auto inTool = target ? targetInTool(*scene.robot, cell, plans.arm, place.joints, target->name) : std::nullopt;
-    if (!inTool || isSamePlace(*inTool, place.target->inTool)) continue;
-    if (const Status brought = bringTo(*target, scene, cell, place); !brought) return brought.error();
+  std::vector<Waypoint> all(waypoints.begin(), waypoints.end());
+  for (Waypoint& waypoint : all) {
+    if (const NamedConfiguration* const changed = changedConfiguration(*scene.robot, plans, plans.arm, waypoint))
+      waypoint.joints = withJointsOf(*scene.robot, scene.armNumber, waypoint.joints, changed->joints);
+    const NamedTarget* const target = waypoint.target ? plans.target(waypoint.target->name) : nullptr;
+    const auto inTool =
+        target ? targetInTool(*scene.robot, cell, plans.arm, waypoint.joints, target->name) : std::nullopt;
+    if (!inTool || isSamePose(*inTool, waypoint.target->inTool)) continue;
+    if (const Status brought = bringTo(*target, scene, cell, waypoint); !brought) return brought.error();
   }
   return all;
 }
 
-// Plans between two places of a path.
+// Plans between two waypoints of a path.
 class LegPlanning {
  public:
   LegPlanning(const CellScene& scene, const CellPlans& plans, const RouteSettings& settings)
@@ -107,7 +108,8 @@ class LegPlanning {
 
   std::uint64_t steps() const { return m_steps; }
 
-  // Adds the places of a leg after its begin, if its motions were planned between its ends and are still proven free.
+  // Adds the waypoints of a leg after its beginning, if its motions were planned between its ends and are still proven
+  // free.
   bool keep(std::span<const Waypoint> leg, RobotPath& path, const Progress& progress) {
     if (!leg.back().isPlannedFrom(leg.front())) return false;
     for (std::size_t i = 1; i < leg.size(); ++i) {
@@ -119,15 +121,15 @@ class LegPlanning {
       m_steps += check.steps();
       if (!isFree) return false;
     }
-    for (Waypoint place : leg.subspan(1)) {
-      place.speed = leg.back().speed;  // as it is now: those between go as plan() lets them
-      place.blend = leg.back().blend;
-      path.places.push_back(std::move(place));
+    for (Waypoint waypoint : leg.subspan(1)) {
+      waypoint.speed = leg.back().speed;  // Its present speed: those between go as plan() lets them
+      waypoint.blend = leg.back().blend;
+      path.waypoints.push_back(std::move(waypoint));
     }
     return true;
   }
 
-  // Adds the places after `from`, up to `to`. names: of both, for errors.
+  // Adds the waypoints after `from`, up to `to`. names: of both, for errors.
   Status plan(const Waypoint& from, const Waypoint& to, const std::array<std::string, 2>& names, RobotPath& path,
               Progress progress) {
     const ArmValues begin = m_scene.planned(from.joints), end = m_scene.planned(to.joints);
@@ -139,10 +141,10 @@ class LegPlanning {
     const JointPath& leg = route.legs.front();
     for (std::size_t i = 1; i + 1 < leg.size(); ++i) {
       Waypoint between{.joints = m_scene.whole(leg[i]), .isCritical = false, .speed = to.speed, .blend = to.blend};
-      path.places.push_back(std::move(between));
+      path.waypoints.push_back(std::move(between));
     }
-    path.places.push_back(to);
-    path.places.back().plannedBetween = planEnds(from.joints, to.joints);
+    path.waypoints.push_back(to);
+    path.waypoints.back().plannedBetween = planEnds(from.joints, to.joints);
     return Done{};
   }
 
@@ -156,8 +158,8 @@ class LegPlanning {
     if (line.reached < 1.0)
       return Error{CellError::LineUnreachable, {name, roundedText(100.0 * line.reached, 3)}, {}, {}};
     if (!line.isFree()) return metAt(CellError::LineCollides, CellError::LineTooNear, name, line.blocked);
-    path.places.push_back(to);
-    path.places.back().plannedBetween.reset();
+    path.waypoints.push_back(to);
+    path.waypoints.back().plannedBetween.reset();
     return Done{};
   }
 
@@ -165,12 +167,12 @@ class LegPlanning {
                   const std::array<std::string, 2>& names) const {
     switch (route.outcome) {
       case PlanResult::Outcome::StartBlocked:
-        return metAt(CellError::PlaceCollides, CellError::PlaceTooNear, names[0], route.blocked);
+        return metAt(CellError::WaypointCollides, CellError::WaypointTooNear, names[0], route.blocked);
       case PlanResult::Outcome::GoalBlocked:
-        return metAt(CellError::PlaceCollides, CellError::PlaceTooNear, names[1], route.blocked);
+        return metAt(CellError::WaypointCollides, CellError::WaypointTooNear, names[1], route.blocked);
       case PlanResult::Outcome::OutOfLimits: {
         const bool isBegin = !m_scene.scene.isWithinLimits(begin);
-        return {CellError::PlaceBeyondLimits, {names[isBegin ? 0 : 1], jointBeyond(isBegin ? begin : end)}, {}, {}};
+        return {CellError::WaypointBeyondLimits, {names[isBegin ? 0 : 1], jointBeyond(isBegin ? begin : end)}, {}, {}};
       }
       case PlanResult::Outcome::Cancelled:
         return {ErrorCode::Cancelled, {}, {}, {}};
@@ -181,12 +183,12 @@ class LegPlanning {
     return {CellError::RouteNotFound, {names[0], names[1], shownText(m_settings.plan.seconds)}, {}, {}};
   }
 
-  // The error of what is in the way at a place: it is met, or only too near.
-  Error metAt(const ErrorDescription& meeting, const ErrorDescription& near, const std::string& place,
+  // Returns the error of an obstacle at a waypoint: a collision, or only too close.
+  Error metAt(const ErrorDescription& meeting, const ErrorDescription& near, const std::string& waypoint,
               const RobotScene::Nearest& blocked) const {
     const auto [link, other] = m_scene.namesOf(blocked);
-    if (!(blocked.distance > 0.0)) return {meeting, {place, link, other}, {}, {}};
-    return {near, {place, link, other, shownText(shownDistance(blocked.distance))}, {}, {}};
+    if (!(blocked.distance > 0.0)) return {meeting, {waypoint, link, other}, {}, {}};
+    return {near, {waypoint, link, other, shownText(shownDistance(blocked.distance))}, {}, {}};
   }
 
   std::string jointBeyond(const ArmValues& values) const {
@@ -261,23 +263,23 @@ const Operation& planOperation() {
         .title = QT_TRANSLATE_NOOP("Tool", "Plan path"),
         .meaning = "Plans a path of the robot that is proven free of collisions",
         .parameters = {
-            placeParameter("from", "PLACE", "Start: a configuration, a target, 'here', or joint values (rad, mm)"),
-            placeParameter("to", "PLACE", "Goal, given like the start"),
-            placeParameter("via", "PLACE,...",
-                           "Critical configurations or targets on the way; joint values: separated by ';'"),
-            placeParameter("name", "NAME", "The name of the path in the cell")}};
+            waypointParameter("from", "PLACE", "Start: a configuration, a target, 'here', or joint values (rad, mm)"),
+            waypointParameter("to", "PLACE", "Goal, given like the start"),
+            waypointParameter("via", "PLACE,...",
+                              "Critical configurations or targets on the way; joint values: separated by ';'"),
+            waypointParameter("name", "NAME", "The name of the path in the cell")}};
     for (Parameter& parameter : planningParameters()) made.parameters.push_back(std::move(parameter));
     return made;
   }();
   return kOperation;
 }
 
-std::string nameOfPlace(const Waypoint& place, std::size_t number) {
-  return place.name.empty() ? "place " + std::to_string(number + 1) : place.name;
+std::string nameOfWaypoint(const Waypoint& waypoint, std::size_t number) {
+  return waypoint.name.empty() ? "place " + std::to_string(number + 1) : waypoint.name;
 }
 
-Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
-                             const JointValues& near) {
+Result<Waypoint> waypointCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                                const JointValues& near) {
   if (const NamedConfiguration* configuration = cell.plans->configuration(text)) {
     if (armNumber(*scene.robot, configuration->arm) != scene.armNumber)
       return Error{CellError::OfOtherArm, {configuration->name, configuration->arm}, {}, {}};
@@ -286,20 +288,21 @@ Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& ce
                     .configuration = configuration->name};
   }
   if (const NamedTarget* target = cell.plans->target(text)) {
-    Waypoint place{.joints = near, .name = target->name};
-    const Status brought = bringTo(*target, scene, {*cell.plans, cell.bodies, scene.robot->model, cell.joints}, place);
-    return brought ? Result<Waypoint>(std::move(place)) : brought.error();
+    Waypoint waypoint{.joints = near, .name = target->name};
+    const Status brought =
+        bringTo(*target, scene, {*cell.plans, cell.bodies, scene.robot->model, cell.joints}, waypoint);
+    return brought ? Result<Waypoint>(std::move(waypoint)) : brought.error();
   }
   const bool isHere = text == "here";
   const auto numbers = isHere ? std::nullopt : numbersOf(text, scene.scene.size());
-  if (!isHere && !numbers) return Error{CellError::PlaceMissing, {text}, {}, {}};
+  if (!isHere && !numbers) return Error{CellError::WaypointMissing, {text}, {}, {}};
   Result<JointValues> within = valuesWithinLimits(scene.robot->model, isHere ? cell.joints : scene.whole(*numbers));
   if (!within) return within.error();
   return Waypoint{.joints = std::move(within).value()};
 }
 
-Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const CellScene& scene,
-                                       const RobotCellSnapshot& cell) {
+Result<std::vector<Waypoint>> waypointsOf(const OperationValues& values, const CellScene& scene,
+                                          const RobotCellSnapshot& cell) {
   std::vector<std::string> texts{values.text("from")};
   if (values.isSet("via")) {
     const std::string via = values.text("via");
@@ -309,14 +312,14 @@ Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const Cell
       texts.push_back(std::move(word));
   }
   texts.push_back(values.text("to"));
-  std::vector<Waypoint> places;
+  std::vector<Waypoint> waypoints;
   for (const std::string& text : texts) {
-    const JointValues& near = places.empty() ? cell.joints : places.back().joints;
-    Result<Waypoint> place = placeCalled(scene, cell, text, near);
-    if (!place) return place.error();
-    places.push_back(std::move(place).value());
+    const JointValues& near = waypoints.empty() ? cell.joints : waypoints.back().joints;
+    Result<Waypoint> waypoint = waypointCalled(scene, cell, text, near);
+    if (!waypoint) return waypoint.error();
+    waypoints.push_back(std::move(waypoint).value());
   }
-  return places;
+  return waypoints;
 }
 
 RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans) {
@@ -335,31 +338,32 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
   const auto begin = std::chrono::steady_clock::now();
   const Result<std::vector<Waypoint>> at = atTargets(given, scene, plans);
   if (!at) return at.error();
-  const std::span<const Waypoint> places = *at;
+  const std::span<const Waypoint> waypoints = *at;
   std::vector<const Waypoint*> kept;
-  for (const Waypoint& place : places) {
-    const bool isEnd = &place == &places.front() || &place == &places.back();
-    if (place.isCritical || isEnd) kept.push_back(&place);
+  for (const Waypoint& waypoint : waypoints) {
+    const bool isEnd = &waypoint == &waypoints.front() || &waypoint == &waypoints.back();
+    if (waypoint.isCritical || isEnd) kept.push_back(&waypoint);
   }
   PlannedPath planned;
   // Other robots are where they stand now; whether a leg can be kept is judged with them there.
   const auto present = [&](const JointValues& joints) {
     return withJointsOf(*scene.robot, scene.armNumber, scene.others, joints);
   };
-  const auto standing = [&](Waypoint place) {
-    place.joints = present(place.joints);
-    if (place.plannedBetween && (*place.plannedBetween)[0].size() == place.joints.size())
-      place.plannedBetween = planEnds(present((*place.plannedBetween)[0]), present((*place.plannedBetween)[1]));
-    return place;
+  const auto standing = [&](Waypoint waypoint) {
+    waypoint.joints = present(waypoint.joints);
+    if (waypoint.plannedBetween && (*waypoint.plannedBetween)[0].size() == waypoint.joints.size())
+      waypoint.plannedBetween =
+          planEnds(present((*waypoint.plannedBetween)[0]), present((*waypoint.plannedBetween)[1]));
+    return waypoint;
   };
   if (kept.size() < 2) return Error{CellError::PathTooShort, {planned.path.name}, {}, {}};
-  const auto named = [&](const Waypoint& place) {
-    return nameOfPlace(place, static_cast<std::size_t>(&place - places.data()));
+  const auto named = [&](const Waypoint& waypoint) {
+    return nameOfWaypoint(waypoint, static_cast<std::size_t>(&waypoint - waypoints.data()));
   };
   LegPlanning legs(scene, plans, settings);
   planned.path.arm = plans.arm;
   planned.path.clearance = plans.ownClearance(settings.plan.check.clearance);
-  planned.path.places.push_back(standing(*kept.front()));
+  planned.path.waypoints.push_back(standing(*kept.front()));
   const double share = 1.0 / static_cast<double>(kept.size() - 1);
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const std::array<std::string, 2> names{named(*kept[i - 1]), named(*kept[i])};
@@ -367,7 +371,7 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
     const double done = share * static_cast<double>(i - 1);
     const Progress part = progress.part(done, done + share);
     std::vector<Waypoint> leg;
-    for (const Waypoint& place : std::span(kept[i - 1], kept[i] + 1)) leg.push_back(standing(place));
+    for (const Waypoint& waypoint : std::span(kept[i - 1], kept[i] + 1)) leg.push_back(standing(waypoint));
     if (legs.keep(leg, planned.path, part)) {
       ++planned.keptLegs;
     } else if (const Status made = legs.plan(leg.front(), leg.back(), names, planned.path, part); !made) {

@@ -9,46 +9,46 @@
 
 namespace handwheel {
 
-// The parameters that say how a path is planned: "planner", "clearance", "resolution", "time", "shortcuts", "seed".
+// Returns the parameters of planning: "planner", "clearance", "resolution", "time", "shortcuts", "seed".
 std::vector<Parameter> planningParameters();
-// Begins with what the measured settings say.
+// Sets initial values from the measured settings.
 void setFidelity(OperationValues& values, const FidelityValues& fidelity);
 
-// The operation "plan": a path of the robot from one place through others to the last.
+// Returns the operation "plan": a path of the robot from one waypoint through others to the last.
 const Operation& planOperation();
 
-// Joint values by the name of a configuration, "here" for where the robot stands, or a number for each joint between
-// base and tool (rad, mm), separated by spaces or commas; or by the name of a target: then the nearest way to it that
-// is free, from these joint values. Errors: PlaceMissing, ValueOutOfRange; those of poseOfTarget() and nearestFree().
-Result<Waypoint> placeCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
-                             const JointValues& near);
+// Returns a waypoint by the name of a configuration, "here" for the present joint values, or a number for each joint
+// between base and tool (rad, mm), separated by spaces or commas; or by the name of a target: then its nearest free
+// solution. Errors: WaypointMissing, ValueOutOfRange; those of poseOfTarget() and nearestFree().
+Result<Waypoint> waypointCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& text,
+                                const JointValues& near);
 
-// What errors call a place of a path: its name, or "place 2" of the one with the number 1 in it.
-std::string nameOfPlace(const Waypoint& place, std::size_t number);
+// Returns the name of a waypoint for errors: its own, or "place 2" for the one with index 1.
+std::string nameOfWaypoint(const Waypoint& waypoint, std::size_t number);
 
-// The places that "from", "via" and "to" name; of targets, as near as may be to the place before, the first to where
-// the robot stands. Errors: those of placeCalled().
-Result<std::vector<Waypoint>> placesOf(const OperationValues& values, const CellScene& scene,
-                                       const RobotCellSnapshot& cell);
-// values: of an operation with the parameters above.
+// Returns the waypoints that "from", "via" and "to" name; for a target the solution nearest to the preceding waypoint,
+// for the first one to the present joint values. Errors: those of waypointCalled().
+Result<std::vector<Waypoint>> waypointsOf(const OperationValues& values, const CellScene& scene,
+                                          const RobotCellSnapshot& cell);
+// Returns the settings. values: of an operation with the parameters above.
 RouteSettings routeSettingsOf(const OperationValues& values, const CellPlans& plans);
-// The same for the verification of what was planned; no coarser than others verify.
+// Returns the settings for verifying a planned path; no coarser than the default.
 PathCheckSettings checkSettingsOf(const OperationValues& values, const CellPlans& plans, const RobotPath& path);
 
-// A path that was planned. It is free between its places (MotionCheck).
+// A planned path. It is free between its waypoints (MotionCheck).
 struct PlannedPath {
   RobotPath path;
   double seconds = 0.0;
-  std::uint64_t steps = 0;   // points that were looked at
-  std::size_t keptLegs = 0;  // as they were
-  bool isJagged = false;     // the curve that it follows (SurfaceTrack.h)
+  std::uint64_t steps = 0;   // Number of points tested
+  std::size_t keptLegs = 0;  // Number of unchanged legs
+  bool isJagged = false;     // True if the curve that it follows is jagged (SurfaceTrack.h)
 };
 
-// Plans through these places, at least two. Those that were planned to targets go to where these are now. A leg between
-// critical places that was planned between the same ends, and is still proven free, is kept; of others the places that
-// are not critical are left out. Straight lines to a place stay lines. Errors: PlaceCollides, PlaceTooNear,
-// PlaceBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides, LineTooNear, PathTooShort, Cancelled;
-// those of nearestFree() at targets that have moved.
+// Plans through these waypoints, at least two. Those planned to targets go to the present poses of these. A leg between
+// critical waypoints that was planned between the same ends, and is still proven free, is kept; in others, waypoints
+// that are not critical are left out. Straight lines to a waypoint stay lines. Errors: WaypointCollides,
+// WaypointTooNear, WaypointBeyondLimits, OthersMoved, RouteNotFound, LineUnreachable, LineCollides, LineTooNear,
+// PathTooShort, Cancelled; those of nearestFree() at targets that have moved.
 Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plans, std::span<const Waypoint> given,
                                    const RouteSettings& settings, Progress progress = {});
 

@@ -15,7 +15,7 @@ namespace handwheel {
 
 namespace {
 
-// What programs in the languages call a frame of the cell, in lower case.
+// Returns the names, in lower case, that programs in the languages give a frame of the cell.
 std::set<std::string> namesInPrograms(const CellPlans& plans, const NamedFrame& frame) {
   RobotProgram program;
   program.frameName = frame.name;
@@ -61,14 +61,14 @@ bool isNumbered(const std::string& name, const std::string& preferred) {
 std::vector<NamedFrame> framesOf(const std::vector<ParsedMotion>& motions, const Pose& base) {
   std::vector<NamedFrame> frames;
   for (const ParsedMotion& motion : motions) {
-    if (!motion.frame || motion.frameName.empty() || isSamePlace(*motion.frame, Pose::Identity())) continue;
+    if (!motion.frame || motion.frameName.empty() || isSamePose(*motion.frame, Pose::Identity())) continue;
     constexpr std::size_t kShortened = 60;
     const bool isUsable = isBodyName(motion.frameName);
     const NamedFrame frame{isUsable ? motion.frameName : identifierOf(motion.frameName, kShortened),
                            base * *motion.frame};
     if (!isRigid(frame.pose) || frames.size() >= CellPlans::kMostFrames) continue;
     const bool isThere = std::ranges::any_of(frames, [&](const NamedFrame& other) {
-      return other.name == frame.name && isSamePlace(other.pose, frame.pose);
+      return other.name == frame.name && isSamePose(other.pose, frame.pose);
     });
     if (!isThere) frames.push_back(frame);
   }
@@ -86,7 +86,7 @@ TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement&
     const auto same = std::ranges::find_if(plans.frames, [&](const NamedFrame& each) {
       const Result<Pose> pose = poseOfFrame(each, cell);
       return (known.isCalled(each, frame.name) || isNumbered(each.name, preferred)) && pose &&
-             isSamePlace(*pose, frame.pose);
+             isSamePose(*pose, frame.pose);
     });
     if (same != plans.frames.end()) {
       taken.used.push_back(same->name);

@@ -18,7 +18,7 @@ QString programRemark(const char* text) {
   return QCoreApplication::translate("ProgramRemarks", text);
 }
 
-QString openWaysRemark(const std::vector<std::size_t>& lines) {
+QString openConfigurationsRemark(const std::vector<std::size_t>& lines) {
   constexpr std::size_t kMostListed = 5;
   QStringList listed;
   for (std::size_t i = 0; i < std::min(lines.size(), kMostListed); ++i) listed += QString::number(lines[i]);
@@ -48,7 +48,7 @@ QString toolPointText(const Pose& tool) {
 
 QStringList programRemarks(const ProgramPath& read, const Pose& tool) {
   QStringList remarks;
-  if (!read.openWays.empty()) remarks += openWaysRemark(read.openWays);
+  if (!read.openConfigurations.empty()) remarks += openConfigurationsRemark(read.openConfigurations);
   if (read.otherTool) {
     remarks += programRemark(QT_TRANSLATE_NOOP(
                                  "ProgramRemarks",

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// What a person has to know of a program that was opened. Sentences say what of it the path may do otherwise, and what
-// to do about it. tool: the tool's centre point that it was read for, CellPlans::tool.
+// Returns remarks for the user about a program that was opened. They name the points in which the path may differ from
+// it, and the remedies. tool: the tool centre point that it was read for, CellPlans::tool.
 QStringList programRemarks(const ProgramPath& read, const Pose& tool);
 
 }  // namespace handwheel

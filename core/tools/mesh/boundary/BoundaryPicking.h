@@ -10,12 +10,13 @@
 
 namespace handwheel {
 
-// The message for a problem: English, context "Property"; empty for none.
+// Returns the message for a problem: English, context "Property"; empty for none.
 const char* textOf(JoinProblem problem);
-// The hint about the effect of releasing the button. None, and why, or `otherwise`. English, context "Tool".
+// Returns the hint about the effect of releasing the button: that there is none, with the reason, or `otherwise`.
+// English, context "Tool".
 const char* hintOf(JoinProblem problem, const char* otherwise);
 
-// Why a change of an edge may have no effect; English, context "Tool".
+// The reason why a change of an edge may have no effect; English, context "Tool".
 extern const char* const kEdgeChanged;
 
 // Picks points and loops on the boundaries of a document's mesh. Queries refer to the present mesh, even while its
@@ -25,11 +26,11 @@ class BoundaryPicking {
   BoundaryPicking(const MeshDocument& document, const MeshServices& services)
       : m_document(document), m_faces(services.faces) {}
 
-  // A point of a loop within reach; points at the position "without" do not count.
+  // Returns a point of a loop within reach; points at the position "without" do not count.
   std::optional<BoundaryPoint> pointAt(const PickRay& pickRay, const std::optional<Vec3>& without = {}) const;
-  // The key of the loop under the pointer.
+  // Returns the key of the loop under the pointer.
   std::optional<Vertex> loopAt(const PickRay& pickRay) const;
-  // Null until the first hierarchy is there. The answer holds until the document changes.
+  // Returns null until the first hierarchy exists. The answer holds until the document changes.
   std::shared_ptr<const FaceLocator> near();
 
  private:

@@ -9,12 +9,12 @@
 #include <QtGlobal>
 #include <utility>
 
-// How BoundaryTool follows the pointer; BoundaryToolActions.cpp has the rest.
+// Following the pointer by BoundaryTool; BoundaryToolActions.cpp has the rest.
 namespace handwheel {
 namespace {
 
 constexpr double kStill = 3.0;       // pixels of a click's tremor
-constexpr double kStillHand = 12.0;  // of a stylus in the air: a millimetre, by which its button moves it
+constexpr double kStillHand = 12.0;  // for a stylus in the air: a millimetre, by which pressing its button moves it
 constexpr double kMark = 6.0;        // pixels, radius of the mark on a point
 
 }  // namespace
@@ -96,7 +96,7 @@ ToolReply BoundaryTool::press(const PointerEvent& event) {
   const double still = (event.device ? kStillHand : kStill) * event.pickRay().pixelAt(mesh().position(v));
   Drag drag{near, *m_hovered, VertexDrag(near, v), event.ray, {}, still};
   if (event.device) drag.tip = event.device->translation();
-  drag.place = drag.stop = drag.pull.start();
+  drag.position = drag.stop = drag.pull.start();
   m_drag = std::move(drag);
   return ToolReply::Used;
 }
@@ -104,27 +104,27 @@ ToolReply BoundaryTool::press(const PointerEvent& event) {
 void BoundaryTool::follow(const PointerEvent& event) {
   if (!event.ray.isUsable()) return;
   const Vec3 start = m_drag->pull.start();
-  const auto place = event.device && m_drag->tip
-                         ? std::optional<Vec3>(start + event.device->translation() - *m_drag->tip)
-                         : placeUnder(start, m_drag->grip.direction, event.ray);
-  if (!place || !place->allFinite()) return;
-  m_drag->hasMoved |= (*place - start).stableNorm() > m_drag->still;
+  const auto position = event.device && m_drag->tip
+                            ? std::optional<Vec3>(start + event.device->translation() - *m_drag->tip)
+                            : positionUnder(start, m_drag->grip.direction, event.ray);
+  if (!position || !position->allFinite()) return;
+  m_drag->hasMoved |= (*position - start).stableNorm() > m_drag->still;
   if (!m_drag->hasMoved) return;
-  m_drag->place = *place;
+  m_drag->position = *position;
   const bool isBridge = (m_onto == Onto::Bridge) != event.modifiers.shift;
   const auto snapped = event.modifiers.control ? std::nullopt : m_picking.pointAt(event.pickRay(), start);
   if (snapped) {
-    m_drag->place = mesh().position(mesh().from(snapped->at));
+    m_drag->position = mesh().position(mesh().from(snapped->at));
     return aim(isBridge ? Effect::Bridge : Effect::Weld, snapped->at);
   }
   aim(isBridge ? Effect::Bridge : Effect::Pull, kNone);
   if (m_drag->effect == Effect::Bridge) return;
-  const VertexDrag::Place reached = m_drag->pull.towards(m_drag->place, m_document.fileNumbers());
+  const VertexDrag::ReachablePoint reached = m_drag->pull.towards(m_drag->position, m_document.fileNumbers());
   m_drag->stop = reached.point;
   m_drag->problem = reached.problem;
 }
 
-// What would come of joining the held point with another; none: of letting go here.
+// Finds the result of joining the held point with another; none: of letting it go here.
 void BoundaryTool::aim(Effect effect, HalfEdge target) {
   if (m_drag->effect == effect && m_drag->target == target && target != kNone) return;
   m_drag->effect = effect;

@@ -14,15 +14,15 @@ namespace handwheel {
 struct MeshPreview;
 
 // Tool for editing the edges of holes by hand (He 2008, section 4.1.4). A point of an edge is pulled with the pointer,
-// moved to another and joined with it, or a bridge is added between the two; a chosen edge is smoothed, its islands and
-// peninsulas are removed. A change of a whole edge is previewed first and applied with Return.
+// moved to another and joined with it, or a bridge is added between the two; a chosen edge is smoothed, or its islands
+// and peninsulas are removed. A change of a whole edge is previewed first and applied with Return.
 class BoundaryTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's. first: the key of the loop to begin with.
   BoundaryTool(MeshDocument& document, MeshServices services, std::optional<Vertex> first = std::nullopt);
   ~BoundaryTool() override;
 
-  // Chooses a loop by its key; none when there is no such loop.
+  // Chooses a loop by its key, or none if there is no such loop.
   void choose(std::optional<Vertex> key);
   const BoundaryLoop* loop() const;  // the chosen one, or null
   bool isBusy() const { return m_drag || m_proposal || m_job; }
@@ -42,33 +42,33 @@ class BoundaryTool : public Tool {
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  // What happens to a point that is dropped onto another; Shift exchanges the two.
+  // Effect of dropping a point onto another; Shift exchanges the two.
   enum class Onto { Join, Bridge };
-  // What happens to the dragged point.
+  // Effect on the dragged point.
   enum class Effect { Pull, Weld, Bridge };
   struct Drag {
     std::shared_ptr<const FaceLocator> near;
     BoundaryPoint held;
     VertexDrag pull;
     Ray grip;                      // at the press
-    std::optional<Vec3> tip = {};  // of the device then; mm
+    std::optional<Vec3> tip = {};  // tip of the device at the press; mm
     double still = 0.0;            // mm; a shorter motion is a click
     bool hasMoved = false;
     Effect effect = Effect::Pull;
-    Vec3 place = Vec3::Zero();  // where the pointer, or the point that attracts it, is
-    Vec3 stop = Vec3::Zero();   // where the pulled point gets
-    HalfEdge target = kNone;    // the point that attracts
+    Vec3 position = Vec3::Zero();  // position of the pointer, or of the point that attracts it
+    Vec3 stop = Vec3::Zero();      // final position of the pulled point
+    HalfEdge target = kNone;       // the point that attracts
     JoinProblem problem = JoinProblem::None;
     BoundaryWeld weld = {};
     Bridge bridge = {};
   };
-  // What an action would make of the chosen loop.
+  // Change of the chosen loop that an action proposes.
   enum class Kind { Smooth, Islands, Peninsulas };
   struct Proposal {
     Kind kind;
     SmoothingOptions options;
     SmoothedBoundary smoothed;
-    FaceSelection faces;  // that change, or go
+    FaceSelection faces;  // faces that change or are removed
     std::shared_ptr<const TriangleSoup> shapes;
   };
 
@@ -95,13 +95,13 @@ class BoundaryTool : public Tool {
   BoundaryPicking m_picking;
   SmoothingOptions m_smoothing;
   Onto m_onto = Onto::Join;
-  std::optional<Vertex> m_key;          // of the chosen loop
+  std::optional<Vertex> m_key;          // key of the chosen loop
   std::optional<Vertex> m_hoveredLoop;  // by key
   std::optional<BoundaryPoint> m_hovered;
   double m_mark = 0.0;  // radius of the mark on a point, mm
   std::optional<Drag> m_drag;
   std::optional<Proposal> m_proposal;
-  std::shared_ptr<const Kind> m_job;  // under way; results of others come too late
+  std::shared_ptr<const Kind> m_job;  // the running job; results of others are late and ignored
 };
 
 }  // namespace handwheel

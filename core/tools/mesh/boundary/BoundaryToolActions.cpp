@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-// What BoundaryTool offers, and what it does to a whole edge.
+// The actions of BoundaryTool, and its changes of a whole edge.
 namespace handwheel {
 
 namespace {
@@ -127,7 +127,7 @@ void BoundaryTool::dropProposal() {
   m_services.cancel();
 }
 
-// Whether there is something to be done.
+// Returns true if there is something to be done.
 bool BoundaryTool::isHeld(const Proposal& proposal) const {
   return proposal.kind == Kind::Smooth ? !proposal.smoothed.moves.empty() : !proposal.faces.empty();
 }
@@ -180,7 +180,7 @@ ToolReply BoundaryTool::commitProposal() {
   if (!isHeld(*m_proposal)) return ToolReply::Ignored;
   const Proposal proposal = *std::exchange(m_proposal, std::nullopt);
   if (proposal.kind == Kind::Smooth) {
-    // What was shown, and nothing else: by now the edge may be another.
+    // Applies the shown moves only: by now the edge may have changed.
     MeshChange change = smoothEdgeChange(*m_key, proposal.options);
     change.apply = [moves = proposal.smoothed.moves](HalfEdgeMesh& mesh, Progress) { moveVertices(mesh, moves); };
     m_services.commit(std::move(change));

@@ -8,7 +8,7 @@
 #include <QtGlobal>
 #include <utility>
 
-// What BoundaryTool shows, and what one feels of it.
+// The preview and the forces of BoundaryTool.
 namespace handwheel {
 namespace {
 
@@ -28,9 +28,9 @@ DisplayPart proposed(std::shared_ptr<const TriangleSoup> soup) {
 
 void BoundaryTool::addDragPreview(ToolPreview& preview, MeshPreview& onMesh) const {
   const Vec3& start = m_drag->pull.start();
-  preview.circle = {m_drag->place, m_mark};
+  preview.circle = {m_drag->position, m_mark};
   if (!m_drag->hasMoved) return;
-  preview.lines.push_back({start, m_drag->place});  // the thread
+  preview.lines.push_back({start, m_drag->position});  // the thread
   TriangleSoup soup;
   if (m_drag->effect == Effect::Pull) {
     soup = soupOf(m_drag->pull.shapes(m_drag->stop));
@@ -77,7 +77,7 @@ std::vector<DeviceSpring> BoundaryTool::forces() const {
   const Vec3& start = m_drag->pull.start();
   const Vec3 grip = m_drag->tip.value_or(start);  // the tip may have taken hold beside the point
   std::vector<DeviceSpring> terms = {{grip, kThread, kThreadDamping}};
-  if (m_drag->target != kNone) terms.push_back({grip + (m_drag->place - start), kSnap});
+  if (m_drag->target != kNone) terms.push_back({grip + (m_drag->position - start), kSnap});
   return terms;
 }
 
@@ -104,7 +104,7 @@ std::vector<Property> BoundaryTool::settings() const {
     shown.id = "way";
     shown.label = QT_TRANSLATE_NOOP("Property", "Displacement");
     shown.quantity = Quantity::Length;
-    shown.value = (m_drag->place - m_drag->pull.start()).stableNorm();
+    shown.value = (m_drag->position - m_drag->pull.start()).stableNorm();
     shown.problem = textOf(m_drag->problem);
     all.push_back(shown);
   } else if (m_proposal && m_proposal->kind == Kind::Smooth) {

@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// The descriptions of manual changes at open edges (ManualMeshChanges.h).
+// Returns the descriptions of manual changes at open edges (ManualMeshChanges.h).
 std::vector<Operation> boundaryEditOperations();
 
-// The options of smoothing an open edge.
+// Convert the options of smoothing an open edge from and to values.
 SmoothingOptions smoothingOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const SmoothingOptions& options);
 

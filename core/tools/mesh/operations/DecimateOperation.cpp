@@ -42,7 +42,7 @@ Parameter decimationMethodParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Method"),
                        .value = 0.0,
                        .choices = {QT_TRANSLATE_NOOP("Property", "Bounded"),
-                                   QT_TRANSLATE_NOOP("Property", "Quadric")}},  // as DecimationMethod
+                                   QT_TRANSLATE_NOOP("Property", "Quadric")}},  // in the order of DecimationMethod
           .meaning = "bounded limits the distance; quadric only removes vertices, without --error and --no-crossings",
           .word = "METHOD",
           .words = {"bounded", "quadric"}};

@@ -7,14 +7,14 @@
 
 namespace handwheel {
 
-// The description of the reduction of the number of triangles.
+// Returns the description of the reduction of the number of triangles.
 const Operation& decimateOperation();
 
 DecimationOptions decimationOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const DecimationOptions& options);
 
-// What is wrong with values that say neither of the goals, or what their method cannot keep, as a clause; nothing for
-// others.
+// Returns the problem of values that name neither goal, or a goal that their method cannot keep, as a clause; otherwise
+// empty.
 std::string problemOf(const OperationValues& values);
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The descriptions of the changes that mend one kind of defect (DefectFixes.h).
+// Returns the descriptions of the changes that mend one kind of defect (DefectFixes.h).
 std::vector<Operation> defectFixOperations();
 
 }  // namespace handwheel

@@ -21,7 +21,7 @@ Parameter methodParameter() {
                                    QT_TRANSLATE_NOOP("Property", "Minimum area"),
                                    QT_TRANSLATE_NOOP("Property", "Minimum bending"),
                                    QT_TRANSLATE_NOOP("Property", "Ridges"),
-                                   QT_TRANSLATE_NOOP("Property", "Flat")}},  // as FillMethod
+                                   QT_TRANSLATE_NOOP("Property", "Flat")}},  // in the order of FillMethod
           .meaning = "Method that fills holes",
           .word = "METHOD",
           .words = {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge", "flat"},
@@ -34,7 +34,7 @@ Parameter continuityParameter() {
                        .label = QT_TRANSLATE_NOOP("Property", "Continuity"),
                        .value = static_cast<double>(FillOptions().continuity),
                        .choices = {QT_TRANSLATE_NOOP("Property", "Position"), QT_TRANSLATE_NOOP("Property", "Tangents"),
-                                   QT_TRANSLATE_NOOP("Property", "Curvature")}},  // as Continuity
+                                   QT_TRANSLATE_NOOP("Property", "Curvature")}},  // in the order of Continuity
           .meaning = "Continuity of fair patches and ridges with their surroundings",
           .word = "HOW",
           .words = {"position", "tangent", "curvature"}};
@@ -63,7 +63,7 @@ Parameter numbersParameter() {
   return {.property = {.id = "numbers", .group = {}, .label = {}, .value = 0.0},
           .meaning = "Round coordinates to this type; default: the type of the file",
           .word = "TYPE",
-          .words = {"single", "double"},  // as NumberType
+          .words = {"single", "double"},  // in the order of NumberType
           .hasDefault = false};
 }
 

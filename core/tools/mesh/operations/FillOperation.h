@@ -7,19 +7,19 @@
 
 namespace handwheel {
 
-// The description of filling one hole.
+// Returns the description of filling one hole.
 const Operation& fillOperation();
 
-// The parameters of all operations that fill holes: the bundle "FILL".
+// Returns the parameters of all operations that fill holes: the bundle "FILL".
 std::vector<Parameter> fillParameters();
-// The parameter "numbers", the number type to which coordinates are rounded; without it that of the file.
+// Returns the parameter "numbers", the number type to which coordinates are rounded; the default is that of the file.
 Parameter numbersParameter();
 
-// The options of a fill, of the values of any operation with its parameters. Numbers that are not given are double;
-// what stays open is not among the values.
+// Convert the fill options from and to the values of any operation with these parameters. The default number type is
+// double; the loops that stay open are not among the values.
 FillOptions fillOptionsOf(const OperationValues& values);
 void setFillOptions(OperationValues& values, const FillOptions& options);
-// The same of filling one hole, which has bridges, too.
+// Returns the values for filling one hole, which include bridges.
 OperationValues valuesOf(const FillOptions& options);
 
 std::optional<NumberType> numbersOf(const OperationValues& values);

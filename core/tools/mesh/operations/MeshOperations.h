@@ -8,12 +8,12 @@
 
 namespace handwheel {
 
-// The descriptions of all changes of a mesh, in the order of help pages. Each is a step (MeshScript.h).
+// Returns the descriptions of all changes of a mesh, in the order of help pages. Each is a step (MeshScript.h).
 std::span<const Operation> meshOperations();
 
-// The one with this verb or former verb; null when there is none.
+// Returns the operation with this verb or former verb, or null.
 const Operation* findMeshOperation(std::string_view verb);
-// The same where it is known that there is one.
+// Returns the operation with this verb, which must exist.
 const Operation& meshOperation(std::string_view verb);
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ Parameter openSheetsParameter() {
       .property = {.id = "open-sheets", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().sheets)},
       .meaning = "Keep outer boundaries of open sheets open, thicken each sheet to a thin body, or fill them as holes",
       .word = "HOW",
-      .words = {"keep", "back", "fill"},  // as SheetHandling
+      .words = {"keep", "back", "fill"},  // in the order of SheetHandling
       .formerId = "rims"};
 }
 

@@ -7,10 +7,11 @@
 
 namespace handwheel {
 
-// The description of the repair of a whole mesh.
+// Returns the description of the repair of a whole mesh.
 const Operation& repairOperation();
 
-// The options of a repair. Which loops stay open is not among the values, but stands in the document.
+// Convert the options of a repair from and to values. The loops that stay open are not among the values, but belong to
+// the document.
 RepairOptions repairOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const RepairOptions& options);
 

@@ -13,7 +13,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMostLevels = 20.0;  // of which each has about four times the faces
+constexpr double kMostLevels = 20.0;  // each level has about four times the faces
 
 Parameter radiusParameter() {
   return {.property = {.id = "radius",
@@ -66,7 +66,7 @@ Parameter noiseParameter() {
 }
 
 Parameter noiseMethodParameter() {
-  return {.property = {.id = "method", .group = {}, .label = {}, .value = 0.0},  // as NoiseMethod
+  return {.property = {.id = "method", .group = {}, .label = {}, .value = 0.0},  // in the order of NoiseMethod
           .meaning = "bilateral preserves sharp edges; laplace and bending round them",
           .word = "METHOD",
           .words = {"bilateral", "laplace", "bending"}};

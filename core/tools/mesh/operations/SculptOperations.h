@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The descriptions of strokes and of the other changes of a patch (sculpt/SculptScript.h).
+// Returns the descriptions of strokes and of the other changes of a patch (sculpt/SculptScript.h).
 std::vector<Operation> sculptOperations();
 
 }  // namespace handwheel

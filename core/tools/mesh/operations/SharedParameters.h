@@ -6,19 +6,19 @@
 
 namespace handwheel {
 
-// Parameters that several operations on meshes have. Also the simple operations that need no more than a sentence.
+// Parameters that several operations on meshes have. Also used by the simple operations that need no file of their own.
 
-// A flag that is off unless it is given.
+// Returns a flag that is off by default.
 Parameter flagParameter(const char* id, std::string meaning, const char* label = "");
-// A number of faces, edges or levels; the default is 0.
+// Returns a number of faces, edges or levels; the default is 0.
 Parameter countParameter(const char* id, const char* word, std::string meaning, const char* label = "");
-// A text without a default, such as a list of triangles.
+// Returns a text without a default, such as a list of triangles.
 Parameter textParameter(const char* id, const char* word, std::string meaning);
-// Three coordinates in mm, without a default.
+// Returns three coordinates in mm, without a default.
 Parameter pointParameter(const char* id, std::string meaning);
-// Thickness of thickened sheets in mm; without it a thousandth of the diagonal.
+// Returns the thickness of thickened sheets in mm; the default is a thousandth of the diagonal.
 Parameter thicknessParameter();
-// Share of the diagonal below which vertices are one.
+// Returns the share of the diagonal below which vertices count as one.
 Parameter nearWeldParameter(double standard);
 
 }  // namespace handwheel

@@ -10,16 +10,16 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMostTimes = 12.0;  // of which each has three or four times the faces
+constexpr double kMostTimes = 12.0;  // each has three or four times the faces
 
 Parameter schemeParameter() {
   return {.property = {.id = "method",
                        .group = {},
                        .label = QT_TRANSLATE_NOOP("Property", "Scheme"),
-                       .value = 3.0,  // which leaves the surface as it is
+                       .value = 3.0,  // leaves the surface unchanged
                        .choices = {QT_TRANSLATE_NOOP("Property", "Loop"), QT_TRANSLATE_NOOP("Property", "√3"),
                                    QT_TRANSLATE_NOOP("Property", "Butterfly"),
-                                   QT_TRANSLATE_NOOP("Property", "Midpoint")}},  // as SubdivisionScheme
+                                   QT_TRANSLATE_NOOP("Property", "Midpoint")}},  // in the order of SubdivisionScheme
           .meaning =
               "loop and sqrt3 smooth the surface, butterfly bends it and moves no vertex, midpoint leaves it as it is; "
               "sqrt3 splits in three, the others in four",

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The description of the subdivision of a whole mesh.
+// Returns the description of the subdivision of a whole mesh.
 const Operation& subdivideMeshOperation();
 
 SchemeSubdivision schemeSubdivisionOf(const OperationValues& values);

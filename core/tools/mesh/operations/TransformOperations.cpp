@@ -67,7 +67,7 @@ std::vector<Operation> transformOperations() {
                                  .title = QT_TRANSLATE_NOOP("Tool", "Place"),
                                  .meaning = "Scale, rotate and move",
                                  .parameters = {unitParameter(), scaleParameter(), turnParameter(), moveParameter()}}};
-  for (const StandardPlace& standard : standardPlaces())
+  for (const StandardPlacement& standard : standardPlacements())
     all.push_back({.id = standard.id, .title = standard.text, .meaning = standard.text});
   return all;
 }

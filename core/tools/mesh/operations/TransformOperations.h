@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// The descriptions of placing a mesh: by numbers (Placement), and the predefined ways (standardPlaces()).
+// Returns the operations that place a mesh: by numbers (Placement), and the predefined placements
+// (standardPlacements()).
 std::vector<Operation> transformOperations();
 
 }  // namespace handwheel

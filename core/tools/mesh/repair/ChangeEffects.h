@@ -12,22 +12,24 @@
 
 namespace handwheel {
 
-// What a change of a mesh brought about besides its purpose.
+// Effects of a change of a mesh besides its purpose.
 struct ChangeEffects {
-  std::optional<IntersectionsChange> crossings;  // where they are asked for
-  LoopCounts loops;                              // of a fix
-  std::size_t piecesGone = 0;                    // connected parts of which nothing is left; of a deletion
+  std::optional<IntersectionsChange> crossings;  // change of the self-intersections, if requested
+  LoopCounts loops;                              // boundary loops closed by a fix
+  std::size_t piecesGone = 0;                    // number of connected parts that a deletion removed entirely
   std::size_t facesGone = 0;
-  std::set<PointKey> cutOff;                     // of a fix; set from cutOffCorners() when the result is inspected
-  std::optional<FarthestRemovedVertex> removed;  // of a fix
+  std::set<PointKey>
+      cutOff;  // corners of the pieces that a fix cut off; set from cutOffCorners() when the result is inspected
+  std::optional<FarthestRemovedVertex> removed;  // the farthest vertex that a fix removed
 };
 
-// The corners of the pieces of a result that count as debris only since a change cut them from a larger body, of which
-// they have a vertex still. oldDebris: the faces that were debris before.
+// Returns the corners of the pieces of a result that count as debris only because a change cut them from a larger body;
+// each such piece still has a vertex of that body. oldDebris: the faces that were debris before.
 std::set<PointKey> cutOffCorners(const HalfEdgeMesh& before, const FaceSelection& oldDebris,
                                  const InspectedMesh& after);
 
-// areCrossingsKnown: of the mesh before; then a fix says those of the result. Incomplete if cancelled.
+// Finds the effects. areCrossingsKnown: true if those of the mesh before are known; then a fix also reports those of
+// the result. Incomplete if cancelled.
 ChangeEffects effectsOf(const MeshChange& change, const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                         bool areCrossingsKnown, Progress progress = {});
 

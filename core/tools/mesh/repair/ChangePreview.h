@@ -7,15 +7,15 @@
 
 namespace handwheel {
 
-// What a change would do to a mesh.
+// Effect that a change would have on a mesh.
 struct ChangePreview {
-  FaceSelection removed;         // faces of the mesh that would be gone or different
-  TriangleSoup added;            // the faces that would be new, or in the place of those
-  const char* reason = nullptr;  // why nothing would change, where nothing would: MeshChange::reason, may be null
+  FaceSelection removed;         // faces of the mesh that would be removed or different
+  TriangleSoup added;            // faces that would be new, or replace the removed ones
+  const char* reason = nullptr;  // the reason if nothing would change: MeshChange::reason, may be null
   bool isEmpty() const { return removed.empty() && added.triangles.empty(); }
 };
 
-// Tries a change on a copy of a mesh. As long as the change itself takes; any thread. Empty if cancelled.
+// Tries a change on a copy of a mesh. Takes the time of the change itself; any thread. Empty if cancelled.
 ChangePreview previewOf(const MeshChange& change, const HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

@@ -15,19 +15,19 @@ namespace handwheel {
 
 inline constexpr const char* kTooLong = QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size");
 
-// A change that counts what it does. work: false where it was given up because that was too much.
+// Creates a change that limits its effort. work: returns false if it gave up because the effort was too high.
 MeshChange countedChange(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason);
-// The effort limit of such a change, of trials.
+// Returns the effort limit of such a change, in trials.
 std::size_t mostEffort(const HalfEdgeMesh& mesh, std::size_t fixed = tolerance::kObstructedHoleBudget);
 
-// The operation with these options of a fill, or number type.
+// Returns the operation with these options of a fill, or number type.
 OperationValues fillingValues(const char* verb, const FillOptions& options);
 OperationValues roundingValues(const char* verb, NumberType numbers);
 
-// Separates vertices; false where it was given up. at: as separateCoincidentVertices() has it.
+// Separates vertices; returns false if it gave up. at: as in separateCoincidentVertices().
 bool separateNonManifold(HalfEdgeMesh& mesh, NumberType numbers, const std::vector<Vertex>& at, Progress progress);
 
-// The change as a fix: what it did is said with the numbers of defects before and after.
+// Marks the change as a fix: its effect is reported with the numbers of defects before and after.
 MeshChange asFix(MeshChange change, std::string step);
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// Why defects may remain, as MeshChange::reason.
+// Reasons why defects may remain, as MeshChange::reason.
 inline constexpr const char* kPlateSides =
     QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate of zero thickness, which is closed");
 inline constexpr const char* kCrowdsEdges =
@@ -30,10 +30,11 @@ inline constexpr const char* kNoUnion =
                       "only closed bodies can be united: close holes and open sheets, and reverse bodies that are "
                       "inside out before");
 
-// Each of these functions creates the change that repairs one kind of defect, with its step. It changes only the defect
-// and its surroundings. Where faces, vertices or pairs are named, only defects at these are repaired, otherwise all.
+// Each of these functions creates the change that repairs one kind of defect, with its step. The change affects only
+// the defect and its surroundings. If faces, vertices or pairs are given, only defects at these are repaired, otherwise
+// all.
 
-// Removes degenerate faces, and those that hang together with a named one.
+// Removes degenerate faces; with given faces only these and those connected with them.
 MeshChange degenerateFix(const FaceSelection& faces = {});
 // Removes duplicate faces.
 MeshChange duplicateFix(const FaceSelection& faces = {});
@@ -43,7 +44,7 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
 // digits. vertices: those at the position of one of these, and the edges between two of them.
 MeshChange nonManifoldFix(NumberType numbers, std::vector<Vertex> vertices = {});
 // Makes non-orientable (one-sided) parts orientable. Cuts them along short paths until they have two sides, and closes
-// the cuts. vertices: the components at their positions.
+// the cuts. vertices: only the components at their positions.
 MeshChange nonOrientableFix(const FillOptions& options, std::vector<Vertex> vertices = {});
 // Resolves self-intersections by cutting and rejoining the faces. pairs: as findSelfIntersections() returns them.
 MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
@@ -55,7 +56,7 @@ MeshChange debrisFix(std::vector<Face> faces);
 MeshChange allDebrisFix();
 // Reverses the bodies that are inside out.
 MeshChange insideOutFix();
-// Reverses single faces: the fewest in each part so that neighbours agree, or those that are named.
+// Reverses single faces: the fewest in each part so that neighbours agree, or the given ones.
 MeshChange orientFix(const FaceSelection& faces = {});
 // Reverses the shells that contain one of these faces. The faces of a shell always agree, so it is reversed as a whole.
 MeshChange reverseChange(const FaceSelection& faces);

@@ -14,7 +14,7 @@
 namespace handwheel {
 namespace {
 
-// Why a sheet stays open; null where none does.
+// Returns the reason why a sheet stays open; null if none does.
 const char* whyOpen(const SheetOutcomes& sheets) {
   if (sheets.left.empty()) return nullptr;
   switch (sheets.left.rbegin()->first) {

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The changes that close openings which "Repair all" leaves, with their steps. They are beside those of DefectFixes.h.
+// The changes that close openings which "Repair all" leaves, with their steps. They complement those of DefectFixes.h.
 
 // Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()). thickness:
 // mm; 0: defaultSheetThickness().

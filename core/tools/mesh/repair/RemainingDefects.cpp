@@ -39,10 +39,11 @@ std::set<PointKey> cornersOf(const InspectedMesh& after, const RepairReport& rep
   return corners;
 }
 
-// Why one-sided components were not cut, by component: a repair cuts along short cycles inside the surface only.
+// The reasons why one-sided components were not cut, by component: a repair cuts along short cycles inside the surface
+// only.
 class OneSidedParts {
  public:
-  // Of no use once cancelled.
+  // The result is invalid if cancelled.
   OneSidedParts(const InspectedMesh& after, Progress progress)
       : m_byPosition(after.mesh, progress.part(0.0, 0.3)),
         m_components(after.mesh, m_byPosition, progress.part(0.3, 0.5)) {
@@ -98,8 +99,8 @@ class OneSidedParts {
 RemainingDefects remainingDefects(const InspectedMesh& after, const RepairReport& report, Progress progress) {
   RemainingDefects left;
   const Defects& defects = *after.defects;
-  const auto isAt = [&](const std::set<PointKey>& places, Vertex v) {
-    return places.contains(positionKey(after.mesh.position(v)));
+  const auto isAt = [&](const std::set<PointKey>& positions, Vertex v) {
+    return positions.contains(positionKey(after.mesh.position(v)));
   };
   const std::set<PointKey> kept = cornersOf(after, report, {FillFailure::KeptOpen});
   for (const auto& [a, b] : defects.nearVertices)

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Why a repair left the defects that remain in its result. Each for itself: as MeshChange::reason, in the order of
-// Defects. Empty where there are none.
+// Reasons why a repair left the defects that remain in its result. Each is as MeshChange::reason, in the order of
+// Defects. Empty if there are no such defects.
 struct RemainingDefects {
   std::vector<const char*> nonManifoldEdges;
   std::vector<const char*> nonManifoldVertices;
@@ -16,7 +16,8 @@ struct RemainingDefects {
   std::vector<const char*> nearVertices;
 };
 
-// after: the result of that repair, with its defects. Empty if cancelled. O(n) where there are such defects.
+// Finds the reasons. after: the result of that repair, with its defects. Empty if cancelled. O(n) if there are such
+// defects.
 RemainingDefects remainingDefects(const InspectedMesh& after, const RepairReport& report, Progress progress = {});
 
 }  // namespace handwheel

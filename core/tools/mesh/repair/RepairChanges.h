@@ -11,13 +11,13 @@ namespace handwheel {
 
 // Filling and repair, as the window and 'handwheel edit' do them.
 
-// Fills a hole of the filler's mesh. prepared: the patch, if it was proposed before. Progress: all of it.
+// Fills a hole of the filler's mesh. prepared: the patch, if it was proposed before. progress: used entirely.
 FillFailure fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOptions& options,
                      const std::optional<FillAttempt>& prepared, Progress progress = {});
-// The step that fills a hole so. loop: by its key.
+// Returns the step that fills a hole with these options. loop: its key.
 std::string fillStep(Vertex loop, const FillOptions& options);
 
-// Creates the change that repairs a mesh. report: is set by it, on the thread on which it runs; may be null.
+// Creates the change that repairs a mesh. report: is set by the change, on the thread on which it runs; may be null.
 MeshChange repairChange(const RepairOptions& options, std::shared_ptr<RepairReport> report = nullptr);
 
 }  // namespace handwheel

@@ -13,9 +13,9 @@
 namespace handwheel {
 namespace {
 
-constexpr int kBorderRings = 2;                // of faces around a border that are smoothed without a patch
-constexpr std::size_t kMostFaces = 1'000'000;  // of a patch
-constexpr const char* kBrushes[] = {"drag", "smooth", "inflate", "flatten"};  // as SculptSettings::Brush
+constexpr int kBorderRings = 2;                // rings of faces around a border that are smoothed without a patch
+constexpr std::size_t kMostFaces = 1'000'000;  // largest number of faces of a patch
+constexpr const char* kBrushes[] = {"drag", "smooth", "inflate", "flatten"};  // in the order of SculptSettings::Brush
 
 const char* problemOf(SubdivisionFailure failure) {
   switch (failure) {
@@ -40,19 +40,19 @@ OperationValues patchValues(const char* verb, const PatchLevels& levels) {
   return values;
 }
 
-std::string placeText(const SurfacePlace& place) {
-  return std::to_string(place.face) + ":" + pointText(place.point);
+std::string positionText(const SurfacePosition& position) {
+  return std::to_string(position.face) + ":" + pointText(position.point);
 }
 
-SurfacePlace readPlace(ScriptLineReader& reader, std::string_view word, const HalfEdgeMesh& mesh) {
+SurfacePosition readPosition(ScriptLineReader& reader, std::string_view word, const HalfEdgeMesh& mesh) {
   const std::size_t colon = word.find(':');
   if (colon == std::string_view::npos) reader.complain("a place is TRIANGLE:X,Y,Z");
   if (!reader.isGood()) return {};
-  SurfacePlace place{reader.index(word.substr(0, colon), "triangle", mesh.faceSlots()),
-                     reader.point(word.substr(colon + 1))};
-  if (reader.isGood() && !mesh.isProper(place.face))
-    reader.complain("there is no triangle " + std::to_string(place.face) + " any more");
-  return place;
+  SurfacePosition position{reader.index(word.substr(0, colon), "triangle", mesh.faceSlots()),
+                           reader.point(word.substr(colon + 1))};
+  if (reader.isGood() && !mesh.isProper(position.face))
+    reader.complain("there is no triangle " + std::to_string(position.face) + " any more");
+  return position;
 }
 
 std::optional<PatchLevels> readPatch(ScriptLineReader& reader, const OperationValues& values,
@@ -90,20 +90,21 @@ SculptWork readStroke(ScriptLineReader& reader, const OperationValues& values, c
   const auto levels = readPatch(reader, values, document);
   if (!levels) return nullptr;
   const SculptStroke::Settings settings = readStrokeSettings(reader, values, document, *levels);
-  std::vector<SurfacePlace> places = {readPlace(reader, reader.word("the place TRIANGLE:X,Y,Z"), levels->mesh())};
-  Vec3 way = Vec3::Zero();
+  std::vector<SurfacePosition> positions = {
+      readPosition(reader, reader.word("the place TRIANGLE:X,Y,Z"), levels->mesh())};
+  Vec3 displacement = Vec3::Zero();
   const bool drags = settings.brush == SculptSettings::Brush::Drag;
   if (drags != values.isSet("by")) reader.complain(drags ? "--by X,Y,Z is missing" : "only drag takes --by");
   if (drags && reader.isGood()) {
     const std::vector<double> by = values.numbers("by");
-    way = {by[0], by[1], by[2]};
+    displacement = {by[0], by[1], by[2]};
   }
   while (!drags && reader.hasWord() && reader.isGood())
-    places.push_back(readPlace(reader, reader.word("a place"), levels->mesh()));
-  return [levels = *levels, settings, places, way, drags](Progress progress) {
-    SculptStroke stroke(levels, settings, places.front(), {places.front().point, Vec3::UnitZ()});
-    if (drags) stroke.dragBy(way);
-    for (std::size_t i = 0; i < places.size() && !drags && !progress.cancelled(); ++i) stroke.dab(places[i]);
+    positions.push_back(readPosition(reader, reader.word("a place"), levels->mesh()));
+  return [levels = *levels, settings, positions, displacement, drags](Progress progress) {
+    SculptStroke stroke(levels, settings, positions.front(), {positions.front().point, Vec3::UnitZ()});
+    if (drags) stroke.dragBy(displacement);
+    for (std::size_t i = 0; i < positions.size() && !drags && !progress.cancelled(); ++i) stroke.dab(positions[i]);
     return sculpted(stroke);
   };
 }
@@ -199,10 +200,10 @@ SculptResult sculpted(const SculptStroke& stroke) {
   const bool drags = settings.brush == SculptSettings::Brush::Drag;
   ScriptLineWriter step("stroke");
   step.word(kBrushes[static_cast<std::size_t>(settings.brush)]);
-  if (drags) step.word(placeText(stroke.start()));
-  for (const SurfacePlace& place : stroke.dabs()) step.word(placeText(place));
+  if (drags) step.word(positionText(stroke.start()));
+  for (const SurfacePosition& position : stroke.dabs()) step.word(positionText(position));
   OperationValues values = patchValues("stroke", stroke.levels());
-  if (drags) values.setValid("by", pointText(stroke.way()));
+  if (drags) values.setValid("by", pointText(stroke.displacement()));
   values.setValid("radius", settings.radius);
   if (!drags) values.setValid("strength", settings.strength);
   values.setValid("borders", settings.movesBorder);

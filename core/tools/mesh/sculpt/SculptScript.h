@@ -19,13 +19,13 @@ class MeshDocument;
 struct SculptResult {
   PatchLevels levels;
   FaceSelection touched;          // empty: nothing was changed
-  const char* problem = nullptr;  // why; English, context "Property"
+  const char* problem = nullptr;  // the reason if nothing was changed; English, context "Property"
   std::string step = {};
 };
 
 // Subdivides a patch. times: number of levels to add; none: until it is as fine as its surroundings.
 SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
-// How noise is smoothed: by the options of the method that is chosen.
+// Options for smoothing noise, with the chosen method.
 struct Denoising {
   NoiseMethod method = NoiseMethod::Bilateral;
   NoiseSmoothing bilateral;
@@ -40,11 +40,11 @@ SculptResult coarsened(PatchLevels levels);
 // The result of a finished stroke.
 SculptResult sculpted(const SculptStroke& stroke);
 
-// The subdivision levels of a patch on which a step works. Those that the document stores for this patch, if their
-// number fits `finest`, or the patch alone.
+// Returns the subdivision levels of a patch on which a step works: those that the document stores for this patch, if
+// their number fits `finest`, or the patch alone.
 std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest);
 
-// Reads what else a step "stroke", "subdivide", "smooth-noise" or "level-back" has. Null where that is wrong.
+// Reads the rest of a step "stroke", "subdivide", "smooth-noise" or "level-back". Null if it is wrong.
 using SculptWork = std::function<SculptResult(Progress)>;
 SculptWork readSculptLine(ScriptLineReader& reader, const OperationValues& values, const MeshDocument& document);
 

@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// How noise is smoothed.
+// Method of smoothing noise.
 enum class NoiseMethod {
   Bilateral,  // smoothNoise(): keeps creases
   Laplace,    // smoothByLaplace()
-  Bending,    // the same, bending
+  Bending,    // smoothByLaplace() with bending
 };
 
 // Settings of SculptTool: brush, radius and strength.
@@ -22,16 +22,16 @@ struct SculptSettings {
 
   Brush brush = Brush::Drag;
   double radius = 5.0;       // mm
-  double strength = 0.5;     // 0…1; dragging follows the pointer all the way whatever it is
+  double strength = 0.5;     // 0…1; the brush Drag always follows the pointer fully
   bool movesBorder = false;  // also the vertices at the end of the surface
   NoiseMethod noiseMethod = NoiseMethod::Bilateral;
-  double noisePasses = 10.0;                     // of the others
+  double noisePasses = 10.0;                     // number of passes of the methods other than Bilateral
   double noiseAngle = 20.0 * kRadiansPerDegree;  // normals that differ by less are considered noise
 
   void scaleBrush(double factor);
 
   std::vector<Property> properties() const;
-  // Numbers are clamped to their limits. False, and nothing changed, for an unknown id or a value of another type.
+  // Sets a setting. Numbers are clamped to their limits. Returns false for an unknown id or a value of another type.
   bool set(std::string_view id, const PropertyValue& value);
 };
 

@@ -10,13 +10,13 @@
 namespace handwheel {
 namespace {
 
-// What a dab does at full strength.
-constexpr double kInflation = 0.1;   // of the radius
-constexpr double kFlattening = 0.5;  // of the distance to the plane
+// The effect of a dab at full strength.
+constexpr double kInflation = 0.1;   // fraction of the radius
+constexpr double kFlattening = 0.5;  // fraction of the distance to the plane
 // Rays that run more nearly along the plane in which a surface is dragged say nothing.
 constexpr double kLeastSlope = 0.02;
 
-// What a point on a triangle has become when its corners moved.
+// Returns the new position of a point on a triangle whose corners have moved.
 Vec3 carried(const Vec3& p, const TrianglePoints& from, const TrianglePoints& to) {
   const Vec3 u = from[1] - from[0], v = from[2] - from[0], w = p - from[0];
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
@@ -26,8 +26,8 @@ Vec3 carried(const Vec3& p, const TrianglePoints& from, const TrianglePoints& to
   return to[0] + s * (to[1] - to[0]) + t * (to[2] - to[0]);
 }
 
-// Where on the ray, in lengths of its direction (Möller and Trumbore, "Fast, minimum storage ray/triangle
-// intersection", 1997); from either side.
+// Returns the intersection as a multiple of the ray's direction (Möller and Trumbore, "Fast, minimum storage
+// ray/triangle intersection", 1997); from either side.
 std::optional<double> meeting(const Ray& ray, const TrianglePoints& t) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], off = ray.origin - t[0];
   const Vec3 across = ray.direction.cross(v), along = off.cross(u);
@@ -40,39 +40,40 @@ std::optional<double> meeting(const Ray& ray, const TrianglePoints& t) {
 
 }  // namespace
 
-std::optional<SurfacePlace> placeOn(const HalfEdgeMesh& mesh, const FaceHierarchy& sorted, const Ray& ray,
-                                    double radius) {
+std::optional<SurfacePosition> hitOn(const HalfEdgeMesh& mesh, const FaceHierarchy& sorted, const Ray& ray,
+                                     double radius) {
   const auto hit = ray.isUsable() ? sorted.firstHit(ray) : std::nullopt;
   if (!hit || hit->face >= mesh.faceSlots() || !mesh.isProper(hit->face)) return std::nullopt;
   const TrianglePoints then = sorted.mesh().points(hit->face), now = mesh.points(hit->face);
-  if (then == now) return SurfacePlace{hit->face, hit->point};
-  SurfacePlace place{hit->face, carried(hit->point, then, now)};
+  if (then == now) return SurfacePosition{hit->face, hit->point};
+  SurfacePosition position{hit->face, carried(hit->point, then, now)};
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Face f : brushArea(mesh, place.face, place.point, radius).faces) {
+  for (const Face f : brushArea(mesh, position.face, position.point, radius).faces) {
     const auto distance = meeting(ray, mesh.points(f));
     if (!distance || *distance >= nearest) continue;
     nearest = *distance;
-    place = {f, ray.origin + nearest * ray.direction};
+    position = {f, ray.origin + nearest * ray.direction};
   }
-  return place;
+  return position;
 }
 
-SculptStroke::SculptStroke(PatchLevels levels, const Settings& settings, const SurfacePlace& place, const Ray& ray)
+SculptStroke::SculptStroke(PatchLevels levels, const Settings& settings, const SurfacePosition& position,
+                           const Ray& ray)
     : m_settings(settings),
       m_before(std::move(levels)),
       m_levels(m_before),
-      m_start(place),
+      m_start(position),
       m_forward(ray.direction.stableNormalized()) {
-  if (settings.brush == SculptSettings::Brush::Drag) m_area = areaAt(place);
+  if (settings.brush == SculptSettings::Brush::Drag) m_area = areaAt(position);
 }
 
-// The brush works on the level that was chosen, around the place on it that is nearest.
-BrushArea SculptStroke::areaAt(const SurfacePlace& place) const {
+// The brush works on the chosen level, around its nearest point.
+BrushArea SculptStroke::areaAt(const SurfacePosition& position) const {
   const HalfEdgeMesh& mesh = m_levels.mesh(m_settings.level);
-  const Face face = m_levels.faceAt(m_settings.level, place.face);
+  const Face face = m_levels.faceAt(m_settings.level, position.face);
   const auto [p, q, r] = mesh.points(face);
   const bool isFinest = m_settings.level == m_levels.finest();
-  const Vec3 centre = isFinest ? place.point : closestOnTriangle(place.point, p, q, r);
+  const Vec3 centre = isFinest ? position.point : closestOnTriangle(position.point, p, q, r);
   const FaceSelection& patch = m_levels.patch(m_settings.level);
   return brushArea(mesh, face, centre, m_settings.radius, {patch.empty() ? nullptr : &patch, m_settings.movesBorder});
 }
@@ -84,16 +85,16 @@ void SculptStroke::dragTo(const Ray& ray) {
   dragBy(off.dot(m_forward) / slope * ray.direction - off);
 }
 
-void SculptStroke::dragBy(const Vec3& way) {
-  m_way = way;
+void SculptStroke::dragBy(const Vec3& displacement) {
+  m_displacement = displacement;
   m_levels = m_before;
-  move(dragged(m_levels.mesh(m_settings.level), m_area, way));
+  move(dragged(m_levels.mesh(m_settings.level), m_area, displacement));
 }
 
-void SculptStroke::dab(const SurfacePlace& place) {
-  m_dabs.push_back(place);
+void SculptStroke::dab(const SurfacePosition& position) {
+  m_dabs.push_back(position);
   const HalfEdgeMesh& mesh = m_levels.mesh(m_settings.level);
-  const BrushArea area = areaAt(place);
+  const BrushArea area = areaAt(position);
   m_facesMet += area.faces.size();
   switch (m_settings.brush) {
     case SculptSettings::Brush::Smooth:

@@ -12,14 +12,14 @@
 namespace handwheel {
 
 // A point on a face of a surface. The surface may have moved since its face hierarchy was built.
-struct SurfacePlace {
+struct SurfacePosition {
   Face face;
   Vec3 point;
 };
 // Intersects a ray with a mesh, by the face hierarchy of an earlier version. The hit is searched within this radius
 // (mm) of the present position of the point hit in the earlier version. None if nothing is hit.
-std::optional<SurfacePlace> placeOn(const HalfEdgeMesh& mesh, const FaceHierarchy& sorted, const Ray& ray,
-                                    double radius);
+std::optional<SurfacePosition> hitOn(const HalfEdgeMesh& mesh, const FaceHierarchy& sorted, const Ray& ray,
+                                     double radius);
 
 // One stroke of a brush over a surface, from press to release.
 class SculptStroke {
@@ -32,38 +32,38 @@ class SculptStroke {
     std::size_t level = 0;
     NumberType numbers = NumberType::Float64;
   };
-  // Begins at a place of the finest level. Vertices outside the patch stay, unless the patch is empty.
-  SculptStroke(PatchLevels levels, const Settings& settings, const SurfacePlace& place, const Ray& ray);
+  // Begins at a position on the finest level. Vertices outside the patch stay, unless the patch is empty.
+  SculptStroke(PatchLevels levels, const Settings& settings, const SurfacePosition& position, const Ray& ray);
 
   // Moves the pointer: to a ray, or by a displacement of the tip of a haptic device, mm.
   void dragTo(const Ray& ray);
-  void dragBy(const Vec3& way);
-  // One dab; the brushes other than Drag.
-  void dab(const SurfacePlace& place);
+  void dragBy(const Vec3& displacement);
+  // Applies one dab, for brushes other than Drag.
+  void dab(const SurfacePosition& position);
 
   const Settings& settings() const { return m_settings; }
-  const SurfacePlace& start() const { return m_start; }
-  const PatchLevels& levels() const { return m_levels; }  // as they are now
+  const SurfacePosition& start() const { return m_start; }
+  const PatchLevels& levels() const { return m_levels; }  // the present levels
   const FaceSelection& touched() const { return m_touched; }
-  // The data for repeating the stroke: the places of the dabs; for Drag, the final displacement.
-  const std::vector<SurfacePlace>& dabs() const { return m_dabs; }
-  const Vec3& way() const { return m_way; }
+  // The data for repeating the stroke: the positions of the dabs; for Drag, the final displacement.
+  const std::vector<SurfacePosition>& dabs() const { return m_dabs; }
+  const Vec3& displacement() const { return m_displacement; }
   bool changedAnything() const { return !m_touched.empty(); }
   // Number of faces that dabs covered, for callers that must limit it.
   std::size_t facesMet() const { return m_facesMet; }
 
  private:
-  BrushArea areaAt(const SurfacePlace& place) const;
+  BrushArea areaAt(const SurfacePosition& position) const;
   void move(const std::vector<VertexGoal>& moves);
 
   const Settings m_settings;
   const PatchLevels m_before;
   PatchLevels m_levels;
-  SurfacePlace m_start;
+  SurfacePosition m_start;
   Vec3 m_forward;
-  BrushArea m_area;  // of Drag
-  std::vector<SurfacePlace> m_dabs;
-  Vec3 m_way = Vec3::Zero();
+  BrushArea m_area;  // for Drag
+  std::vector<SurfacePosition> m_dabs;
+  Vec3 m_displacement = Vec3::Zero();
   FaceSelection m_touched;
   std::size_t m_facesMet = 0;
 };

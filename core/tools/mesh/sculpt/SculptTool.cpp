@@ -14,8 +14,8 @@
 namespace handwheel {
 namespace {
 
-constexpr double kFirstRadius = 0.05;  // of the diagonal of the model
-constexpr double kDabSpacing = 0.25;   // of the radius
+constexpr double kFirstRadius = 0.05;  // fraction of the diagonal of the model
+constexpr double kDabSpacing = 0.25;   // fraction of the radius
 constexpr int kMostDabs = 8;           // to an event
 // Faces that the dabs of one event may go over, so that the window keeps up: some 20 ms.
 constexpr std::size_t kMostFacesMet = 20'000;
@@ -75,7 +75,7 @@ ToolReply SculptTool::pointer(const PointerEvent& event) {
     case PointerEvent::Kind::Release:
       return release(event);
     case PointerEvent::Kind::Hover:
-      m_hovered = placeAt(event.ray);
+      m_hovered = positionAt(event.ray);
       return ToolReply::Used;
     case PointerEvent::Kind::Leave:
       break;
@@ -84,9 +84,9 @@ ToolReply SculptTool::pointer(const PointerEvent& event) {
   return ToolReply::Used;
 }
 
-std::optional<SurfacePlace> SculptTool::placeAt(const Ray& ray) const {
+std::optional<SurfacePosition> SculptTool::positionAt(const Ray& ray) const {
   const auto faces = m_services.faces();
-  return faces ? placeOn(levels().mesh(), *faces, ray, m_settings.radius) : std::nullopt;
+  return faces ? hitOn(levels().mesh(), *faces, ray, m_settings.radius) : std::nullopt;
 }
 
 SculptStroke::Settings SculptTool::strokeSettings(const Modifiers& modifiers) const {
@@ -105,18 +105,18 @@ ToolReply SculptTool::press(const PointerEvent& event) {
   const bool wasBusy = m_stroke.has_value();
   dropStroke();
   if (event.button != PointerButton::First) return wasBusy ? ToolReply::Used : ToolReply::Ignored;
-  const auto place = placeAt(event.ray);
-  if (!place) return ToolReply::Ignored;  // the camera may have it
+  const auto position = positionAt(event.ray);
+  if (!position) return ToolReply::Ignored;  // the camera may have it
   cancelJob();
   m_problem = nullptr;
   m_crossings = 0;
-  m_stroke.emplace(m_levels, strokeSettings(event.modifiers), *place, event.ray);
+  m_stroke.emplace(m_levels, strokeSettings(event.modifiers), *position, event.ray);
   m_last = event.ray;
   if (event.device) m_tip = event.device->translation();
   m_hovered.reset();  // no circle where the surface is pulled away from
   if (m_stroke->settings().brush != SculptSettings::Brush::Drag) {
-    m_stroke->dab(*place);
-    m_hovered = place;
+    m_stroke->dab(*position);
+    m_hovered = position;
   }
   showPreviewMesh();
   return ToolReply::Used;
@@ -136,22 +136,22 @@ ToolReply SculptTool::drag(const PointerEvent& event) {
   return ToolReply::Used;
 }
 
-// Dabs at even distances on the way from the last one; the rays between are those of a straight way on the screen.
+// Dabs at even distances on the path from the last one; the rays between are those of a straight line on the screen.
 void SculptTool::dabAlong(const Ray& ray) {
-  const auto goal = placeAt(ray);
+  const auto goal = positionAt(ray);
   if (!goal) return;
-  const double way = m_hovered ? (goal->point - m_hovered->point).norm() : 0.0;
-  const int dabs = static_cast<int>(std::min(way / (kDabSpacing * m_settings.radius), double{kMostDabs}));
+  const double travel = m_hovered ? (goal->point - m_hovered->point).norm() : 0.0;
+  const int dabs = static_cast<int>(std::min(travel / (kDabSpacing * m_settings.radius), double{kMostDabs}));
   const std::size_t before = m_stroke->facesMet();
   const Ray from = m_last;
   for (int i = 1; i <= dabs && m_stroke->facesMet() - before < kMostFacesMet; ++i) {
     const double share = static_cast<double>(i) / dabs;
     m_last.origin = from.origin + share * (ray.origin - from.origin);
     m_last.direction = (from.direction + share * (ray.direction - from.direction)).stableNormalized();
-    const auto place = placeAt(m_last);
-    if (!place) continue;
-    m_stroke->dab(*place);
-    m_hovered = place;
+    const auto position = positionAt(m_last);
+    if (!position) continue;
+    m_stroke->dab(*position);
+    m_hovered = position;
   }
 }
 

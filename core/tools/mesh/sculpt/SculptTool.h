@@ -15,17 +15,17 @@ class MeshDocument;
 
 // Tool that sculpts a surface with brushes: drag, smooth, inflate and flatten. A patch, if one is given, can be
 // subdivided, and sculpted at each of its levels; nothing outside of it moves then. Each stroke is one undo step. The
-// window need not wait until a stroke is in the document: the next begins on the displayed surface.
+// next stroke can begin on the displayed surface before the previous one is in the document.
 class SculptTool : public Tool {
  public:
-  // patch: the faces to work on; empty for the whole surface. Levels of a patch that has them all are taken up. The
-  // document must outlive all calls but the destructor's.
+  // patch: the faces to work on; empty for the whole surface. Existing levels of a patch with all these faces are used.
+  // The document must outlive all calls but the destructor's.
   SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch = {});
   ~SculptTool() override;
 
   // The levels, including steps not yet in the document, and the present stroke.
   const PatchLevels& levels() const { return m_stroke ? m_stroke->levels() : m_levels; }
-  std::size_t level() const { return m_level; }  // that is sculpted
+  std::size_t level() const { return m_level; }  // the level that is sculpted
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return "sculpt"; }
@@ -49,7 +49,7 @@ class SculptTool : public Tool {
   ToolReply press(const PointerEvent& event);
   ToolReply drag(const PointerEvent& event);
   ToolReply release(const PointerEvent& event);
-  std::optional<SurfacePlace> placeAt(const Ray& ray) const;
+  std::optional<SurfacePosition> positionAt(const Ray& ray) const;
   void dabAlong(const Ray& ray);
   SculptStroke::Settings strokeSettings(const Modifiers& modifiers) const;
 
@@ -73,25 +73,25 @@ class SculptTool : public Tool {
   SculptSettings m_settings;
   PatchLevels m_levels;  // with the steps that wait
   std::size_t m_level = 0;
-  bool m_isWhole = false;                    // asked for the whole surface, whatever patch has levels
-  std::vector<std::vector<Vec3>> m_outline;  // of the patch
-  double m_aspect = 0.0;                     // and how slim the triangles along it are
-  const char* m_problem = nullptr;           // of the last action
-  std::size_t m_crossings = 0;               // pairs of faces that cross since the last press
+  bool m_isWhole = false;                    // work on the whole surface was requested, even if a patch has levels
+  std::vector<std::vector<Vec3>> m_outline;  // outline of the patch
+  double m_aspect = 0.0;                     // aspect ratio of the triangles along the outline
+  const char* m_problem = nullptr;           // problem of the last action
+  std::size_t m_crossings = 0;               // number of pairs of faces that cross since the last press
 
   std::optional<SculptStroke> m_stroke;
-  Ray m_last;                 // where the last dab was
-  std::optional<Vec3> m_tip;  // of a haptic device, at the beginning of the stroke
-  std::optional<SurfacePlace> m_hovered;
+  Ray m_last;                 // ray of the last dab
+  std::optional<Vec3> m_tip;  // tip of a haptic device at the beginning of the stroke
+  std::optional<SurfacePosition> m_hovered;
 
-  HalfEdgeMesh m_known;  // the document's mesh when it was last looked at
+  HalfEdgeMesh m_known;  // the document's mesh at the last update
   std::deque<Step> m_waiting;
-  std::uint64_t m_ticket = 0;  // of the last step
-  FaceSelection m_touched;     // by those that wait
+  std::uint64_t m_ticket = 0;  // ticket of the last step
+  FaceSelection m_touched;     // faces touched by the steps that wait
   std::shared_ptr<const PreviewMesh> m_previewMesh;
 
-  std::shared_ptr<const int> m_job;                                    // as in SelectTool
-  std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // gone with the tool
+  std::shared_ptr<const int> m_job;                                    // the running job, as in SelectTool
+  std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // dies with the tool
 };
 
 }  // namespace handwheel

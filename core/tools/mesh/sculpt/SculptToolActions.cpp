@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-// What SculptTool does besides following the pointer: levels, and how steps get into the document.
+// The actions of SculptTool other than following the pointer: levels, and how steps get into the document.
 namespace handwheel {
 namespace {
 
@@ -211,7 +211,7 @@ std::vector<ToolAction> SculptTool::actions() const {
                hasPatch ? nullptr : QT_TRANSLATE_NOOP("Tool", "smooth the noise along the holes")),
       actionOf(kSculptKeys, "whole", hasPatch),
       actionOf(kSculptKeys, "commit"),
-      actionOf(kSculptKeys, "revert"),  // whatever goes on, so that no button comes and goes
+      actionOf(kSculptKeys, "revert"),  // always offered, so that no button appears and disappears
   };
   if (m_crossings > 0)
     all.insert(all.begin(),

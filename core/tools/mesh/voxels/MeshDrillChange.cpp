@@ -63,7 +63,7 @@ class HoleInMesh {
   }
 
  private:
-  // As a file of these numbers stores them.
+  // Returns true if the faces are equal in the numbers of the file.
   bool isSame(Face own, Face kept) const {
     const TrianglePoints a = m_mesh.points(own), b = m_drilled.mesh.points(kept);
     for (std::size_t k = 0; k < 3; ++k)
@@ -112,9 +112,9 @@ std::shared_ptr<const DrillRecord> joinedRecord(const DrillRecord& before, const
       before.poses.size() + record.poses.size() > DrillRecord::kMostPoses)
     return nullptr;
   const DrillPose last = before.poses[before.poses.size() - 1], first = record.poses[0];
-  const Vec3 way = first.place() - last.place(), axis = first.direction();
+  const Vec3 offset = first.position() - last.position(), axis = first.direction();
   const bool isTurned = (last.direction() - axis).norm() > 1e-6;
-  if (isTurned || (way - way.dot(axis) * axis).norm() > kBesideAxis) return nullptr;
+  if (isTurned || (offset - offset.dot(axis) * axis).norm() > kBesideAxis) return nullptr;
   auto joined = std::make_shared<DrillRecord>(before);
   for (std::size_t i = 0; i < record.poses.size(); ++i) {
     DrillPose pose = record.poses[i];

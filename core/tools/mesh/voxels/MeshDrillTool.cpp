@@ -39,7 +39,7 @@ Limits voxelLimits(const DrillBit& head) {
   return {std::min(least, ofWidth), ofWidth};
 }
 
-// Of what is known of a mesh at once; null: nothing speaks against drilling it.
+// Returns the reason against drilling a mesh, by the defects known at once; null: none.
 const char* refusalByDefects(const MeshDocument& document) {
   const Defects& defects = document.defects();
   if (document.mesh().liveFaceCount() == 0) return QT_TRANSLATE_NOOP("Tool", "there are no triangles");
@@ -122,20 +122,20 @@ void MeshDrillTool::prepare() {
                   }});
 }
 
-std::optional<HandDrill::SurfacePlace> MeshDrillTool::placeAt(const Ray& ray) const {
+std::optional<HandDrill::SurfaceHit> MeshDrillTool::hitAt(const Ray& ray) const {
   const auto hit = m_prepared.faces ? m_prepared.faces->firstHit(ray) : std::nullopt;
   if (!hit) return std::nullopt;
   const Vec3 normal = smoothNormal(m_prepared.faces->mesh(), hit->face, hit->point);
   if (!(normal.norm() > 0.5)) return std::nullopt;
-  return SurfacePlace{hit->point, normal};
+  return SurfaceHit{hit->point, normal};
 }
 
-bool MeshDrillTool::isMaterialAlong(const Vec3& from, const Vec3& way) const {
-  const auto hit = m_prepared.faces ? m_prepared.faces->firstHit({from, way}) : std::nullopt;
+bool MeshDrillTool::isMaterialAlong(const Vec3& from, const Vec3& displacement) const {
+  const auto hit = m_prepared.faces ? m_prepared.faces->firstHit({from, displacement}) : std::nullopt;
   return hit && hit->distance < 1.0;
 }
 
-// Of nothing, where nothing can be drilled.
+// Returns an empty simulation if nothing can be drilled.
 std::unique_ptr<DrillSimulation> MeshDrillTool::simulation(const std::optional<DrillFeed>& feed) const {
   if (obstacle()) return std::make_unique<DrillSimulation>(std::make_shared<ClayState>(), setup(), feed, channel());
   return std::make_unique<DrillSimulation>(*m_prepared.part, setup(), feed, channel());
@@ -187,7 +187,7 @@ void MeshDrillTool::take(const DrillSimulation& drilled, std::shared_ptr<const D
   m_services.commit(std::move(change));
 }
 
-// Where it is in the triangles, documentChanged() has come before.
+// If the hole is in the triangles, documentChanged() has been called before.
 void MeshDrillTool::ended(const DrilledMeshHoleOutcome& outcome) {
   if (!m_pending) return;
   m_pending.reset();
@@ -197,7 +197,7 @@ void MeshDrillTool::ended(const DrilledMeshHoleOutcome& outcome) {
   reportUpdated();
 }
 
-// What is undone is not shown any more.
+// A hole that is undone is no longer shown.
 void MeshDrillTool::documentChanged() {
   if (m_pending && m_pending->outcome->isMade) {
     m_record = m_pending->record;

@@ -12,12 +12,12 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that drills a mesh by hand. Voxels are made near the drill as it moves, and at the end of a gesture the hole is
-// taken from the triangles in one step, by a job. It needs a closed, manifold mesh without self-intersections: for
-// others, and where voxels near the drill cannot be certain, it says why and offers to make a volume.
+// Tool that drills a mesh by hand. Voxels are made near the drill as it moves, and at the end of a gesture a job takes
+// the hole from the triangles in one step. It needs a closed, manifold mesh without self-intersections. For other
+// meshes, and if voxels near the drill cannot be certain, it shows the reason and offers to make a volume.
 class MeshDrillTool : public HandDrill {
  public:
-  // Called when somebody tried to drill what cannot be. reason: English, context "Tool".
+  // Called when the user tries to drill a mesh that cannot be drilled. reason: English, context "Tool".
   using OfferVolume = std::function<void(const char* reason)>;
 
   // The document must outlive all calls but the destructor's.
@@ -33,18 +33,18 @@ class MeshDrillTool : public HandDrill {
   void documentChanged() override;
 
  private:
-  // What a job makes of the mesh for the present voxel.
+  // Result of the job that prepares the mesh for the present voxel.
   struct Prepared {
     std::shared_ptr<const HybridPart> part;      // null: it cannot be drilled
     std::shared_ptr<const FaceHierarchy> faces;  // null as well
-    const char* refusal = nullptr;               // why; English, context "Tool"
+    const char* refusal = nullptr;               // the reason if it cannot be drilled; English, context "Tool"
   };
-  // What a hole was begun in.
+  // The state in which a hole was begun.
   struct Origin {
     HalfEdgeMesh mesh;
-    std::shared_ptr<const HybridPart> part;  // of which nothing is cut
+    std::shared_ptr<const HybridPart> part;  // the part before anything is cut
   };
-  // A hole on its way into the triangles.
+  // A hole that is being taken from the triangles.
   struct Pending {
     std::shared_ptr<const DrillState> state;
     std::shared_ptr<const DrillRecord> record;
@@ -58,8 +58,8 @@ class MeshDrillTool : public HandDrill {
   void ended(const DrilledMeshHoleOutcome& outcome);
 
   double voxelOfPart() const override { return 0.0; }
-  std::optional<SurfacePlace> placeAt(const Ray& ray) const override;
-  bool isMaterialAlong(const Vec3& from, const Vec3& way) const override;
+  std::optional<SurfaceHit> hitAt(const Ray& ray) const override;
+  bool isMaterialAlong(const Vec3& from, const Vec3& displacement) const override;
   double slack() const override { return 2.0 * m_voxel; }
   const DrillRecord* holeBefore() const override { return m_record.get(); }
   std::unique_ptr<DrillSimulation> simulation(const std::optional<DrillFeed>& feed) const override;
@@ -72,13 +72,13 @@ class MeshDrillTool : public HandDrill {
   MeshServices m_services;
   OfferVolume m_offer;
   double m_voxel;                               // mm
-  Prepared m_prepared;                          // of the present mesh; empty while a job makes it
+  Prepared m_prepared;                          // for the present mesh; empty while a job makes it
   std::shared_ptr<const int> m_job;             // null when none is running; its result holds on to this
-  std::optional<Pending> m_pending;             // until it is in the triangles, or is not
-  std::shared_ptr<const DrillRecord> m_record;  // of the hole drilled last, while it is there; null: none
-  Origin m_origin;                              // of that hole
+  std::optional<Pending> m_pending;             // until it is in the triangles, or has failed
+  std::shared_ptr<const DrillRecord> m_record;  // record of the hole drilled last, while it exists; null: none
+  Origin m_origin;                              // origin of that hole
   std::shared_ptr<const int> m_alive = std::make_shared<const int>();
-  // The mesh without what the tiles of a state hide, made for the tiles that were asked for last.
+  // The mesh without the faces that the tiles of a state hide, made for the tiles of the last request.
   mutable std::vector<VolumeSurface::Key> m_hiddenTiles;
   mutable std::shared_ptr<const PreviewMesh> m_hidden;
 };

@@ -20,7 +20,7 @@
 namespace handwheel {
 namespace {
 
-// Of errors whose sentences say less.
+// Returns the reason for errors whose sentences say less.
 const char* reasonOf(const Error& error) {
   if (error.code == VolumeErrors::NothingInside)
     return QT_TRANSLATE_NOOP(

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The description of a repair by a volume.
+// Returns the description of a repair by a volume.
 const Operation& volumeRepairOperation();
 
 }  // namespace handwheel

@@ -57,7 +57,7 @@ void VolumeRepairTool::measure() {
                   }});
 }
 
-// Of what is sampled, mm². Absent while that is measured.
+// Returns the area of the sampled surface, mm². Absent while it is being measured.
 std::optional<double> VolumeRepairTool::area() const {
   if (!(m_parameters.wall > 0.0)) return m_area;
   return m_walls ? std::optional(m_walls->areaWith(m_parameters.wall)) : std::nullopt;

@@ -15,14 +15,14 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that repairs a mesh by the volume that it encloses (volumeRepairChange()). For what the repair of triangles
-// leaves: bodies through one another, self-intersections, walls inside.
+// Tool that repairs a mesh by the volume that it encloses (volumeRepairChange()). For defects that the repair of
+// triangles leaves: bodies through one another, self-intersections, inner walls.
 class VolumeRepairTool : public Tool {
  public:
-  // Asks whether so many bytes may be used, and calls start where a person agrees, at once or later.
+  // Asks whether so many bytes may be used, and calls start if the user agrees, at once or later.
   using AskForMemory = std::function<void(double bytes, std::function<void()> start)>;
 
-  // The document must outlive all calls but the destructor's. ask: called where needsConsent().
+  // The document must outlive all calls but the destructor's. ask: called if needsConsent().
   VolumeRepairTool(
       MeshDocument& document, MeshServices services,
       AskForMemory ask = [](double, const std::function<void()>& start) { start(); });
@@ -39,16 +39,16 @@ class VolumeRepairTool : public Tool {
  private:
   void measure();
   std::optional<double> area() const;
-  double predictedBytes(double sampled) const;  // mm²
+  double predictedBytes(double sampled) const;  // sampled: mm²
 
   MeshDocument& m_document;
   MeshServices m_services;
   AskForMemory m_ask;
-  double m_area = 0.0;                 // of the mesh, mm²
-  std::optional<WallMeasure> m_walls;  // of the mesh; absent while a job measures it
+  double m_area = 0.0;                 // area of the mesh, mm²
+  std::optional<WallMeasure> m_walls;  // walls of the mesh; absent while a job measures them
   std::shared_ptr<const int> m_job;    // null when none is running; its result holds on to this
-  Vec3 m_extent = Vec3::Zero();        // of the mesh, mm
-  double m_usual = 0.0;                // voxel, mm; 0: there are no triangles
+  Vec3 m_extent = Vec3::Zero();        // extent of the mesh, mm
+  double m_usual = 0.0;                // usual voxel, mm; 0: there are no triangles
   VolumeRepairParameters m_parameters;
 };
 

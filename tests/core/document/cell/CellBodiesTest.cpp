@@ -49,7 +49,7 @@ class CellBodiesTest : public QObject {
     for (std::size_t i = 0; i < links; ++i) QVERIFY(!bodyOfPart(shown.parts[i].name));
   }
 
-  // Taken up where it stands a body keeps its place, then moves with its link; taken off it stays where it is then.
+  // A body that is mounted keeps its pose, then moves with its link; released, it keeps its pose again.
   void carriedBodiesMoveWithTheirLink() {
     add(*m_cell, boxAt("gripper", 20, poseOf({620, 30, 5}, {0.1, 0.2, 0.3})));
     const Pose before = m_cell->bodies().withId(1)->pose;
@@ -115,7 +115,7 @@ class CellBodiesTest : public QObject {
     QVERIFY(m_cell->bodies().withId(1)->carrier.empty() && m_cell->bodies().withId(2)->carrier.empty());
   }
 
-  // As the shape of a body a robot is one mesh.
+  // A robot as the shape of a body is one mesh.
   void aRobotAsABodySaysWhatItLoses() {
     std::vector<Note> notes;
     const GeometryPointer shape = kKind.bodyGeometry(*m_cell->snapshot(), notes);
@@ -225,7 +225,7 @@ class CellBodiesTest : public QObject {
     QVERIFY(bodies[0]["link"].is_null());
   }
 
-  // Of files of version 2 and before.
+  // Files of version 2 and earlier.
   void cellsWithoutBodies() {
     Container old = saved(*m_cell->snapshot());
     (*old.manifest)["document"].erase("bodies");

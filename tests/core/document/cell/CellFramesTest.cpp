@@ -27,7 +27,7 @@ double anyOf(double least, double largest) {
   return least + (largest - least) * *rc::gen::inRange(0, 10'001) / 10'000.0;
 }
 
-Pose anyPlace() {
+Pose anyPose() {
   return poseOf({anyOf(-900, 900), anyOf(-900, 900), anyOf(-900, 900)},
                 {anyOf(-3.1, 3.1), anyOf(-1.5, 1.5), anyOf(-3.1, 3.1)});
 }
@@ -51,7 +51,7 @@ RobotCellSnapshot cellWithBodies(const QString& urdf) {
 }
 
 NamedFrame anyFrame(const std::string& name) {
-  NamedFrame frame{name, anyPlace()};
+  NamedFrame frame{name, anyPose()};
   frame.body = *rc::gen::element<BodyId>(0, kTable, kHeld);
   if (frame.body == 0) frame.link = *rc::gen::element<std::string>("", "upper", "foot");
   return frame;
@@ -92,13 +92,13 @@ class CellFramesTest : public QObject {
     QVERIFY(areNear(*poseOfFrame("", placementOf(cell, {})), Pose::Identity()));
   }
 
-  // Whatever happens to what targets belong to, they stay where they are.
+  // Targets keep their poses whatever happens to their carriers.
   void placesAreKept() {
     const RobotCellSnapshot cell = cellWithBodies(m_package.urdf());
     QVERIFY(rc::check("places", [&] {
       CellPlans plans;
       plans.frames = {anyFrame("a"), anyFrame("b")};
-      plans.targets = {{"on table", anyPlace(), kTable}, {"in a", anyPlace(), 0, "a"}, {"free", anyPlace()}};
+      plans.targets = {{"on table", anyPose(), kTable}, {"in a", anyPose(), 0, "a"}, {"free", anyPose()}};
       plans.workFrame = *rc::gen::element<std::string>("", "a", "b");
       const CellPlacement at = placementOf(cell, plans);
       const NamedFrame carried =
@@ -112,7 +112,7 @@ class CellFramesTest : public QObject {
       RC_ASSERT(moved.frame == other && moved.body == 0);
       RC_ASSERT(areNear(*poseOfTarget(moved, at), before));
       RC_ASSERT(areNear(targetShownAt(target, shownPose(target, at), at).pose, target.pose));
-      const Pose there = anyPlace();
+      const Pose there = anyPose();
       RC_ASSERT(areNear(*poseOfTarget(targetAt(target, there, at), at), there));
       RC_ASSERT(areNear(*poseOfFrame(frameAt(plans.frames[1], there, at), at), there));
       const CellPlans renamed = withFrameRenamed(plans, "a", "c");
@@ -134,15 +134,15 @@ class CellFramesTest : public QObject {
       const RobotCellSnapshot cell = cellWithBodies(m_package.urdf());
       CellPlans plans;
       plans.frames = {anyFrame("a")};
-      plans.targets = {{"spot", anyPlace(), 0, "a"}};
+      plans.targets = {{"spot", anyPose(), 0, "a"}};
       const Pose frame = *poseOfFrame("a", placementOf(cell, plans));
       const Pose target = *poseOfTarget(plans.targets[0], placementOf(cell, plans));
       RobotCellSnapshot after = cell;
       after.joints = values({anyOf(0.0, 1000.0), anyOf(-2.0, 2.0)});
       Body table = *cell.bodies.withId(kTable);
-      table.pose = anyPlace();
+      table.pose = anyPose();
       after.bodies = cell.bodies.with(std::make_shared<const Body>(table));
-      if (*rc::gen::arbitrary<bool>()) plans.frames[0].pose = anyPlace();
+      if (*rc::gen::arbitrary<bool>()) plans.frames[0].pose = anyPose();
       const Pose motion = *poseOfFrame("a", placementOf(after, plans)) * frame.inverse(Eigen::Isometry);
       RC_ASSERT(areNear(*poseOfTarget(plans.targets[0], placementOf(after, plans)), motion * target));
     }));
@@ -175,7 +175,7 @@ class CellFramesTest : public QObject {
     QVERIFY(without.targets[0].frame.empty() && without.targets[0].pose.translation() == Vec3(3.0, 0.0, 0.0));
   }
 
-  // Which joints move a frame: those between the root and what carries it, and those that these lead.
+  // Frames are moved by the joints between the root and their carrier, and by mimic joints of these.
   void whatMovesIt() {
     const RobotCellSnapshot cell = cellWithBodies(m_package.urdf());
     const std::uint32_t slide[] = {0}, turn[] = {1};
@@ -190,7 +190,7 @@ class CellFramesTest : public QObject {
     QVERIFY(!moves({"f", at, 0, "gone"}, slide) && !moves({"f", at, 99}, slide));
   }
 
-  // Where a robot is removed, what its links carried stands; what other robots carry goes on.
+  // If a robot is removed, bodies on its links keep their poses; those of other robots still move.
   void robotRemoved() {
     const RobotCellSnapshot one = cellWithBodies(m_package.urdf());
     RobotCellSnapshot two =
@@ -210,7 +210,7 @@ class CellFramesTest : public QObject {
     QVERIFY(poseOfFrame("its", placementOf(*rest, left)).hasValue());
   }
 
-  // As in the panel and in `set`; each is one step that is undone.
+  // Edits like those of the panel and `set`; each is one step that can be undone.
   void properties() {
     OpenedFile opened = importOrThrow(m_package.urdf());
     auto content = std::make_shared<RobotCellSnapshot>(cellWithBodies(m_package.urdf()));
@@ -243,7 +243,7 @@ class CellFramesTest : public QObject {
     QVERIFY(std::abs(number("target.spot.x") - 50.0) < 1e-9 && std::abs(number("target.spot.y") + 30.0) < 1e-9);
     QVERIFY(document.setProperty("target.spot.x", 60.0).hasValue());
     QVERIFY((document.plans()->targets[0].pose.translation() - Vec3(130.0, 60.0, 7.0)).norm() < 1e-9);
-    // In the frame it is at the same place; the frame moves on, and the target with it.
+    // In the frame it keeps its pose; then the frame moves, and the target with it.
     QVERIFY(document.setProperty("target.spot.frame", 1.0).hasValue());
     QVERIFY((document.plans()->targets[0].pose.translation() - Vec3(60.0, -30.0, 7.0)).norm() < 1e-9);
     CellPlans before = *document.plans();
@@ -252,7 +252,7 @@ class CellFramesTest : public QObject {
     QVERIFY(
         (poseOfTarget(document.plans()->targets[0], document.placement())->translation() - Vec3(530, 60, 7)).norm() <
         1e-9);
-    // What carries it: nothing, one of the links, one of the bodies.
+    // Its carrier: nothing, one of the links, one of the bodies.
     const auto carrier = document.property("frame.a.b.carrier");
     const auto& choices = carrier->choices;
     QCOMPARE(choices.size(), 1 + document.robot().model.links.size() + 2);

@@ -24,10 +24,10 @@ JointValues anyJoints() {
 CellPlans anyPlans() {
   CellPlans plans;
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i)
-    plans.configurations.push_back({plans.freePlaceName("home"), anyJoints()});
+    plans.configurations.push_back({plans.freePoseName("home"), anyJoints()});
   for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
     RobotPath path{plans.freePathName("way"), {}};
-    for (int k = *rc::gen::inRange(0, 4); k > 0; --k) path.places.push_back({.joints = anyJoints()});
+    for (int k = *rc::gen::inRange(0, 4); k > 0; --k) path.waypoints.push_back({.joints = anyJoints()});
     if (*rc::gen::arbitrary<bool>()) path.clearance = *rc::gen::inRange(0, 100) / 7.0;
     plans.paths.push_back(std::move(path));
   }
@@ -41,7 +41,7 @@ CellPlans anyPlans() {
   }
   if (!plans.frames.empty() && *rc::gen::arbitrary<bool>()) plans.workFrame = plans.frames.front().name;
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
-    NamedTarget target{.name = plans.freePlaceName("spot")};
+    NamedTarget target{.name = plans.freePoseName("spot")};
     target.pose = poseOf({*rc::gen::inRange(-900, 901) / 7.0, 0.5, -3.25}, {0.1 * i, -0.2, 1.5});
     if (!plans.frames.empty() && *rc::gen::arbitrary<bool>())
       target.frame = plans.frames.back().name;
@@ -57,7 +57,7 @@ CellPlans anyPlans() {
 
 }  // namespace
 
-// What is planned in a cell: saved, loaded, changed and undone.
+// The plans of a cell: saved, loaded, changed and undone.
 class CellPlansTest : public QObject {
   Q_OBJECT
 
@@ -95,8 +95,8 @@ class CellPlansTest : public QObject {
   // as it was is.
   void speedsByHand() {
     CellPlans plans;
-    Waypoint place{.joints = values({0.0, 1.0}), .motion = ProgramMotion::Kind::Linear, .speed = 50.0};
-    plans.paths = {{"way", {place, place}, "", PathProcess{{{"lead", 5.0}}}}};
+    Waypoint waypoint{.joints = values({0.0, 1.0}), .motion = ProgramMotion::Kind::Linear, .speed = 50.0};
+    plans.paths = {{"way", {waypoint, waypoint}, "", PathProcess{{{"lead", 5.0}}}}};
     for (const auto& [id, same, other] : {std::tuple{"path.way.2.speed", 50.0, 60.0},
                                           {"path.way.2.blend", 0.0, 3.0},
                                           {"path.way.2.motion", 1.0, 0.0}}) {
@@ -104,7 +104,7 @@ class CellPlansTest : public QObject {
       QVERIFY(field);
       QVERIFY(*changedWaypoint(plans, *field, same) == plans);
       const Result<CellPlans> changed = changedWaypoint(plans, *field, other);
-      QVERIFY(changed && !changed->paths[0].process && !(changed->paths[0].places == plans.paths[0].places));
+      QVERIFY(changed && !changed->paths[0].process && !(changed->paths[0].waypoints == plans.paths[0].waypoints));
     }
   }
 
@@ -123,12 +123,12 @@ class CellPlansTest : public QObject {
     QCOMPARE(changed->clearanceOf(changed->paths[0]), 2.0);
     QCOMPARE(changed->clearanceOf(changed->paths[1]), 7.5);
     QVERIFY(changed->paths[1].process->values.at("clearance") == PathProcess::Value(7.5));
-    QVERIFY(!changedClearance(*changed, changed->paths[1], 2.0)->paths[1].clearance);  // that of the cell
+    QVERIFY(!changedClearance(*changed, changed->paths[1], 2.0)->paths[1].clearance);  // The clearance of the cell
     for (const double wrong : {-1.0, 1e5, std::nan(""), HUGE_VAL}) QVERIFY(!changedClearance(plans, *second, wrong));
     QVERIFY(!changedClearance(plans, *second, std::string("7")));
   }
 
-  // As a property of the document, an undo step.
+  // The property of the document is an undo step.
   void clearanceIsUndone() {
     RobotCellDocument document(importOrThrow(m_package.urdf()));
     CellPlans plans;
@@ -143,7 +143,7 @@ class CellPlansTest : public QObject {
     QVERIFY(*document.plans() == plans);
   }
 
-  // As a cell was written before there were frames.
+  // A cell that was written before there were frames.
   void withoutFrames() {
     Container container = saved(*importOrThrow(m_package.urdf()).content);
     container.blobs["cell/plans.json"] =
@@ -157,7 +157,7 @@ class CellPlansTest : public QObject {
     QVERIFY(*cell->plans == expected);
   }
 
-  // What is more than a cell can hold is refused when it is added, and noted when a file has it.
+  // More entries than a cell can hold are refused when they are added, and noted when a file has them.
   void fullCells() {
     using nlohmann::json;
     const json entry = {{"name", "home"}, {"joints", {{"turn", 0.5}}}};
@@ -189,11 +189,11 @@ class CellPlansTest : public QObject {
     QVERIFY(!checkCounts(plans).hasValue());
     plans.frames.pop_back();
     QVERIFY(checkCounts(plans).hasValue());
-    plans.paths.front().places.resize(RobotPath::kMostPlaces + 1);
+    plans.paths.front().waypoints.resize(RobotPath::kMostWaypoints + 1);
     QVERIFY(!checkCounts(plans).hasValue());
   }
 
-  // Whatever stands there, the cell opens.
+  // The cell opens with any content.
   void hostile_data() {
     QTest::addColumn<QByteArray>("stored");
     QTest::newRow("no JSON") << QByteArray("{");

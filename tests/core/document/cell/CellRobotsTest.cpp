@@ -72,9 +72,9 @@ class CellRobotsTest : public QObject {
  private slots:
   void initTestCase() { write(m_bar, kBarUrdf); }
 
-  // Two bars whose feet are 700 mm apart, the second turned by half a turn: each turns freely alone, and so does the
-  // first one while the second is out of its way; where that points to it, the two meet as long as the first one's end
-  // is within the 20 mm of the other.
+  // Two bars whose feet are 700 mm apart, the second turned by half a turn. Each turns freely alone, and so does the
+  // first one while the second points away; if it points to the first, the two collide while the first one's end is
+  // within the 20 mm of the other.
   void barsThatMeet() {
     const RobotCellSnapshot cell = twoBars();
     CollisionMeshes meshes;
@@ -121,7 +121,7 @@ class CellRobotsTest : public QObject {
     QVERIFY(allowed->scene.nearest(allowed->planned(cell.joints), 1.0).distance > 0.0);
   }
 
-  // What the other robot carries goes with it: a ball of 50 mm on its tip, 300 mm before the first one's foot.
+  // Bodies that the other robot carries move with it: a ball of 50 mm on its tip, 300 mm before the first one's foot.
   void carriedByTheOther() {
     RobotCellSnapshot cell = twoBars();
     Body ball{.id = 4, .name = "ball", .geometry = *PrimitiveGeometry::make(Primitive::Sphere, {50.0})};
@@ -152,15 +152,15 @@ class CellRobotsTest : public QObject {
       const Pose alone = toolPose(*own->robot, *own->plans, turned);
       const Pose there = toolPose(*cell.robot, *cell.plans, cell.joints);
       RC_ASSERT(((base * alone).matrix() - there.matrix()).cwiseAbs().maxCoeff() < 1e-6);
-      // One of the ways of the closed form is where it stands, and each leads there.
+      // One of the solutions of the closed form is the present one, and each reaches the pose.
       CollisionMeshes meshes;
       const Result<CellScene> scene = sceneOf(cell, meshes);
       RC_ASSERT(scene.hasValue());
       bool isFound = false;
       const ArmValues now = scene->planned(cell.joints);
-      for (const CellIkSolution& way : ikSolutionsTo(*scene, *cell.plans, there, now)) {
-        isFound |= (way.arm.values - now).cwiseAbs().maxCoeff() < 1e-4;
-        const Pose reached = toolPose(*cell.robot, *cell.plans, scene->whole(way.arm.values));
+      for (const CellIkSolution& solution : ikSolutionsTo(*scene, *cell.plans, there, now)) {
+        isFound |= (solution.arm.values - now).cwiseAbs().maxCoeff() < 1e-4;
+        const Pose reached = toolPose(*cell.robot, *cell.plans, scene->whole(solution.arm.values));
         RC_ASSERT((reached.matrix() - there.matrix()).cwiseAbs().maxCoeff() < 1e-4);
       }
       RC_ASSERT(isFound || std::abs(std::sin(turned[4])) < 0.02 || std::abs(std::sin(turned[2])) < 0.02);
@@ -191,7 +191,7 @@ class CellRobotsTest : public QObject {
           if (moved) edit = document.robotsEdit(std::move(moved).value());
         } else if (what == 3) {
           CellPlans plans = *withArmChosen(document.robot(), *document.plans(), document.robot().arms[chosen].name);
-          plans.configurations.push_back({plans.freePlaceName("home"), document.joints(), plans.arm});
+          plans.configurations.push_back({plans.freePoseName("home"), document.joints(), plans.arm});
           plans.paths.push_back({plans.freePathName("way"), {{.joints = document.joints()}}, plans.arm});
           plans.tool.translation() = Vec3(0.0, 0.0, number(1.0, 300.0));
           edit = document.plansEdit(std::move(plans));
@@ -419,7 +419,7 @@ class CellRobotsTest : public QObject {
     const Result<CellScene> scene = sceneOf(cell, meshes);
     RobotPath path{"way", {{.joints = values({2.0, 0.0})}}};
     QVERIFY(scene->robotsElsewhere(path).empty());
-    path.places.push_back({.joints = values({0.0, 0.1})});
+    path.waypoints.push_back({.joints = values({0.0, 0.1})});
     QVERIFY(scene->robotsElsewhere(path) == std::set<std::string>{"bar_2"});
     QVERIFY(scene->areOwnUnplannedJointsAt(values({2.0, 0.1})));
   }

@@ -70,8 +70,8 @@ class CellSceneTest : public QObject {
     QVERIFY(allowed->scene.nearest(allowed->planned(values({0.0, 0.0, 0.0})), 1.0).distance > 0.0);
   }
 
-  // What the robot carries and is turned into its arm collides with it, also where it does so at rest; not with what
-  // carries it.
+  // A body that the robot carries and that is turned into its arm collides with it, also at rest; but not with its
+  // carrier.
   void aToolInTheArm() {
     const auto cell = cellOf(*libraryTable("irb120"));
     auto changed = std::make_shared<RobotCellSnapshot>(*cell);

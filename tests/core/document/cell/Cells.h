@@ -98,7 +98,7 @@ inline Box boxOf(const TriangleSoup& soup) {
   return box;
 }
 
-// Both corners there, to a tenth of a micrometre.
+// Returns true if both corners are there, to a tenth of a micrometre.
 inline bool isNear(const Box& box, const Vec3& min, const Vec3& max, double tolerance = 1e-4) {
   return (box.min() - min).norm() < tolerance && (box.max() - max).norm() < tolerance;
 }

@@ -75,7 +75,7 @@ void ColladaComparisonTest::unitsOnce_data() {
   }
 }
 
-// Whatever stands in nodes is in the document's unit, too. The up axis changes nothing.
+// All content of nodes is in the document's unit, too. The up axis changes nothing.
 void ColladaComparisonTest::unitsOnce() {
   QFETCH(QString, unit);
   QFETCH(QString, up);

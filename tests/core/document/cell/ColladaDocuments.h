@@ -7,13 +7,14 @@
 #include <stdexcept>
 #include <string>
 
-// COLLADA documents in the making.
+// Builders of COLLADA documents.
 namespace handwheel::test {
 
 inline const std::string kTriangles =
     "<triangles count='1'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles>";
 
-// Nine points in a square grid of side 1, at z = 0, 1, 2, … times a tenth; one geometry "g" with these primitives.
+// Returns one geometry "g" with these primitives and nine points in a square grid of side 1, at z = 0, 1, 2, … times a
+// tenth.
 inline std::string geometry(const std::string& primitives = kTriangles) {
   std::string numbers;
   for (int i = 0; i < 9; ++i)

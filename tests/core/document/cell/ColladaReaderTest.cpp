@@ -63,7 +63,7 @@ void ColladaReaderTest::primitives() {
     const TriangleSoup one{mesh.soup.points, {t}};
     covered += std::abs(areaVector(one).z());
   }
-  QVERIFY(std::abs(covered - area) < 1e-12);  // none lies the other way round
+  QVERIFY(std::abs(covered - area) < 1e-12);  // No triangle is inverted
 }
 
 void ColladaReaderTest::indicesBetweenOthers() {
@@ -148,7 +148,7 @@ void ColladaReaderTest::damage() {
   QVERIFY(mesh.damage[0].position.kind == InputPosition::Kind::Line);
 }
 
-// What overflows the stack of others: a node that holds itself, and nodes that double at each step.
+// Documents that overflow the stack of other readers: a node that contains itself, and nodes that double at each step.
 void ColladaReaderTest::instancesOfThemselves() {
   const ColladaMesh ring = readOrThrow(document(
       geometry() + scene("<node id='n'><instance_geometry url='#g'/><node><instance_node url='#n'/></node></node>")));
@@ -165,7 +165,7 @@ void ColladaReaderTest::instancesOfThemselves() {
   QVERIFY(doubled.soup.triangles.size() <= 100'000);
 }
 
-// What takes hours, or all memory, where each element is paid for as often as others name it.
+// Documents that take hours, or all memory, if each element costs as often as others name it.
 void ColladaReaderTest::fewBytesMuchWork() {
   const auto times = [](int count, const std::string& text) {
     std::string all;

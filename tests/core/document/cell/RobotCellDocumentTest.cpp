@@ -175,7 +175,7 @@ void RobotCellDocumentTest::snapshotsStay() {
   QCOMPARE(a.joints[1], 0.0);
   QCOMPARE(b.joints[1], 1.0);
   QCOMPARE(a.robot, b.robot);
-  // What is shown keeps its surfaces; one part moved.
+  // Displayed parts keep their surfaces; one part moved.
   const DisplayModel shownA = displayOf(*a.robot, a.joints), shownB = displayOf(*b.robot, b.joints);
   QCOMPARE(shownA.parts.size(), std::size_t{2});
   int moved = 0;
@@ -187,7 +187,7 @@ void RobotCellDocumentTest::snapshotsStay() {
   QCOMPARE(moved, 1);
 }
 
-// What an undo step keeps counts with the surfaces that nothing else has, with places, names and values.
+// The memory of an undo step includes surfaces that nothing else has, waypoints, names and values.
 void RobotCellDocumentTest::whatAStepHolds() {
   const auto bytesOf = [](const RobotCellSnapshot& cell) { return RobotsEdit(cell, {}, {}).bytes(); };
   const auto near = [](std::size_t bytes, std::size_t least) { return bytes >= least && bytes < least + least / 10; };
@@ -200,17 +200,17 @@ void RobotCellDocumentTest::whatAStepHolds() {
     plans.frames.push_back({.name = std::string(100, 'f'), .link = std::string(50, 'l')});
   }
   RobotPath path;
-  path.places.assign(1000, {.joints = values({0, 1}),
-                            .name = std::string(30, 'p'),
-                            .target = PlaceTarget{std::string(40, 't')},
-                            .configuration = std::string(20, 'c')});
+  path.waypoints.assign(1000, {.joints = values({0, 1}),
+                               .name = std::string(30, 'p'),
+                               .target = WaypointTarget{std::string(40, 't')},
+                               .configuration = std::string(20, 'c')});
   path.process = PathProcess{.values = {{"curve", std::string(70'000, 'v')}, {"speed", 1.0}}};
   plans.paths = {path};
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));
   const std::size_t ofNames = 1000 * (100 + 150 + 150 + 90) + 70'000, ofValues = 2 * 1000 * 2 * sizeof(double);
-  const std::size_t ofPlaces =
+  const std::size_t ofWaypoints =
       1000 * (sizeof(NamedConfiguration) + sizeof(NamedTarget) + sizeof(NamedFrame) + sizeof(Waypoint));
-  QVERIFY(near(bytesOf(cell) - before, ofNames + ofValues + ofPlaces));
+  QVERIFY(near(bytesOf(cell) - before, ofNames + ofValues + ofWaypoints));
 
   // A box and a mesh, of 8 points and 12 triangles each. As soon as another version of the robot shares them, they do
   // not count.

@@ -35,7 +35,7 @@ class RobotCellKindTest : public QObject {
   void recognises();
   void makes();
   void checksLinks();
-  void describesPlaces();
+  void describesWaypoints();
   void imports();
   void meshesInMetres();
   void tablesWithMeshes();
@@ -64,7 +64,7 @@ void RobotCellKindTest::recognises() {
   }
 }
 
-// As every document is made, with its content.
+// Makes a document like any other, with its content.
 void RobotCellKindTest::makes() {
   OpenedFile opened = importOrThrow(m_package.urdf());
   const SnapshotPointer content = opened.content;
@@ -90,7 +90,7 @@ void RobotCellKindTest::checksLinks() {
 }
 
 // Places that plans name: on what they stand, and where.
-void RobotCellKindTest::describesPlaces() {
+void RobotCellKindTest::describesWaypoints() {
   auto cell = withJoints(cellIn(importOrThrow(m_package.urdf())), values({100, M_PI_2}));
   CellPlans plans = *cell->plans;
   plans.configurations.push_back({"home", values({250, 0})});
@@ -257,7 +257,7 @@ void RobotCellKindTest::badDescription() {
   QCOMPARE(kKind.import(m_package.path("arm").toStdString(), {}, {}).error().code, ErrorCode::FileUnreadable);
 }
 
-// 2000 places for a mesh of 30,000 triangles.
+// 2000 placements of a mesh of 30,000 triangles.
 void RobotCellKindTest::tooMuchToShow() {
   TriangleSoup many;
   many.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -40,21 +40,21 @@ class ExerciseDocumentTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What is measured on the target moves with it, in the same undo step: 3 mm for facing instead of none, and a part
+  // Criteria measured on the target move with it, in the same undo step: 3 mm for facing instead of none, and a part
   // that is 3 mm further down gets the same measures.
   void placesMoveWithTheTarget() {
     const auto document = shoulderDocument();
-    const auto placesOf = [&](const char* id) { return document->exercise().exercise.find(id)->arguments; };
+    const auto positionsOf = [&](const char* id) { return document->exercise().exercise.find(id)->arguments; };
     QVERIFY(document->setProperty("facing_allowance", 3.0));
-    QCOMPARE(placesOf("d"), (std::vector{59.0, 96.0}));
-    QCOMPARE(placesOf("l"), (std::vector{17.0, 57.0, 5.0, 97.0}));  // radii stay
-    QCOMPARE(placesOf("ra"), (std::vector{59.0, 96.0}));
-    QVERIFY(placesOf("force").empty());
+    QCOMPARE(positionsOf("d"), (std::vector{59.0, 96.0}));
+    QCOMPARE(positionsOf("l"), (std::vector{17.0, 57.0, 5.0, 97.0}));  // radii stay
+    QCOMPARE(positionsOf("ra"), (std::vector{59.0, 96.0}));
+    QVERIFY(positionsOf("force").empty());
     QCOMPARE(document->history()->count(), 1);
     nlohmann::json passes = shoulderWork();
     for (nlohmann::json& pass : passes["passes"])
       for (nlohmann::json& point : pass["points"]) point[1] = point[1].get<double>() - 3.0;
-    // Its face first, from the outside to the axis: the nose stands on Z 97.
+    // Its face first, from the outside to the axis: the nose is at Z 97.
     const nlohmann::json facing = {
         {"nose_radius", 0.8}, {"feed", 0.2}, {"points", {{23.0, 97.8}, {0.0, 97.8}, {0.0, 104.0}}}};
     passes["passes"].insert(passes["passes"].begin(), facing);
@@ -65,14 +65,14 @@ class ExerciseDocumentTest : public QObject {
       QVERIFY2(mark.points == mark.of, (std::string(id) + ": " + mark.reason.inEnglish()).c_str());
     }
     document->history()->undo();
-    QCOMPARE(placesOf("d"), (std::vector{62.0, 99.0}));
-    QCOMPARE(placesOf("l"), (std::vector{17.0, 60.0, 5.0, 100.0}));
-    // What moves no target moves no place.
+    QCOMPARE(positionsOf("d"), (std::vector{62.0, 99.0}));
+    QCOMPARE(positionsOf("l"), (std::vector{17.0, 60.0, 5.0, 100.0}));
+    // A change that does not move the target moves no position.
     QVERIFY(document->setProperty("length", 110.0));
-    QCOMPARE(placesOf("d"), (std::vector{62.0, 99.0}));
+    QCOMPARE(positionsOf("d"), (std::vector{62.0, 99.0}));
   }
 
-  // Every property can be set to what it is, and to another value, and undone.
+  // Every property can be set to its own value, and to another, and undone.
   void everyPropertyIsSetAndUndone() {
     const auto document = shoulderDocument();
     const nlohmann::json before = ExerciseKind::description(document->exercise());
@@ -105,29 +105,29 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(changed > 60);
   }
 
-  // What is dragged is one undo step, however often it changes on the way; another criterion is another one.
+  // A drag is one undo step, however often the value changes meanwhile; a drag of another criterion is another step.
   void aDragIsOneStep() {
     const auto document = shoulderDocument();
-    const auto dragTo = [&](const char* id, double place, DragPhase phase) {
+    const auto dragTo = [&](const char* id, double position, DragPhase phase) {
       ExerciseSnapshot exercise = document->exercise();
       for (MarkingCriterion& c : exercise.exercise.criteria)
-        if (c.id == id) c.arguments[0] = place;
+        if (c.id == id) c.arguments[0] = position;
       document->change("Move", std::move(exercise), id, phase);
     };
-    const auto placeOf = [&](const char* id) { return document->exercise().exercise.find(id)->arguments[0]; };
-    for (const double place : {63.0, 64.0, 65.0}) dragTo("d", place, DragPhase::Continues);
+    const auto positionOf = [&](const char* id) { return document->exercise().exercise.find(id)->arguments[0]; };
+    for (const double position : {63.0, 64.0, 65.0}) dragTo("d", position, DragPhase::Continues);
     dragTo("d", 66.0, DragPhase::Ends);
     QCOMPARE(document->history()->count(), 1);
     dragTo("d", 67.0, DragPhase::Continues);
     dragTo("ra", 70.0, DragPhase::Ends);
     QCOMPARE(document->history()->count(), 3);
     for (int i = 0; i < 2; ++i) document->history()->undo();
-    QVERIFY(placeOf("d") == 66.0 && placeOf("ra") == 62.0);
+    QVERIFY(positionOf("d") == 66.0 && positionOf("ra") == 62.0);
     document->history()->undo();
-    QCOMPARE(placeOf("d"), 62.0);
+    QCOMPARE(positionOf("d"), 62.0);
   }
 
-  // What undo keeps counts with its texts, which are not shared.
+  // The size of an undo step includes its texts, which are not shared.
   void whatAStepHolds() {
     ExerciseSnapshot exercise = shoulderDocument()->exercise();
     const std::size_t before = ExerciseEdit(exercise).bytes();
@@ -137,7 +137,7 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(after >= before + 17'000 && after < before + 18'000);
   }
 
-  // A figure of a newer version stays what it was; where it is measured can be set as a list.
+  // An unknown figure of a newer version is unchanged; its positions can be set as a list.
   void aFigureThatIsNotKnown() {
     nlohmann::json description = shoulderDescription();
     description["criteria"].push_back(
@@ -190,7 +190,7 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(!document->history()->canUndo());
   }
 
-  // What is refused names the field as the panel does.
+  // A refusal names the field as the panel does.
   void refusalsNameTheField() {
     const auto document = shoulderDocument();
     const auto field = [&](const char* id, const PropertyValue& value) {
@@ -199,14 +199,14 @@ class ExerciseDocumentTest : public QObject {
     };
     QCOMPARE(field("criterion.d.nominal", std::string("x")), std::string("⌀30 h10, Nominal size (mm)"));
     QCOMPARE(field("criterion.d.tolerance", std::string("K7")), std::string("⌀30 h10, Tolerance on the drawing"));
-    // Of several marks the one that there is not, and those that there are.
+    // If one of several marks is unknown, the error has that one, and the known ones.
     const Status unknown = document->setProperty("step.2.criteria", std::string("⌀30 h10; none; N8"));
     QVERIFY(!unknown && unknown.error().code == ExerciseError::MarkUnknown);
     QCOMPARE(unknown.error().arguments[0], std::string("2. Finish"));
     QCOMPARE(unknown.error().arguments[1], std::string("none"));
     QVERIFY(unknown.error().arguments[2].find("⌀30 h10; 40 ±0.2; N8") == 0);
     QCOMPARE(field("diameter", 0.0).find("diameter"), std::string::npos);
-    // Of a file: by the teacher's name, and by the id that the file has.
+    // For a file: by the teacher's name, and by the id that the file has.
     MarkingCriterion c;
     c.id = "c2";
     c.lower = 2.0;
@@ -235,7 +235,7 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(sets("criterion.d.tolerance", "h7") && isNear(limits("d"), 29.979, 30.0));
     QVERIFY(sets("criterion.d.nominal", "40") && isNear(limits("d"), 39.975, 40.0));
     QVERIFY(sets("criterion.d.tolerance", "±0.2") && isNear(limits("d"), 39.8, 40.2));
-    // As keyboards have it; the drawing gets the sign.
+    // Accepts signs of a keyboard; the drawing gets the proper sign.
     for (const char* const typed : {"+-0.3", "+/-0.3", "+- 0.3"}) {
       QVERIFY(sets("criterion.d.tolerance", typed) && isNear(limits("d"), 39.7, 40.3));
       QCOMPARE(std::get<std::string>(document->property("criterion.d.tolerance")->value), std::string("±0.3"));
@@ -244,14 +244,14 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(!sets("criterion.d.tolerance", "+-x") && !sets("criterion.d.tolerance", "+-"));
     QVERIFY(!sets("criterion.d.tolerance", "K7") && !sets("criterion.d.tolerance", "N7") &&
             !sets("criterion.d.tolerance", "h13") && isNear(limits("d"), 39.8, 40.2));
-    // With the size in front, as on the drawing, where that is the nominal size: h7 of 40 mm is 25 µm.
+    // Accepts a size in front, as on the drawing, if it is the nominal size: h7 of 40 mm is 25 µm.
     for (const char* const written : {"40 h7", "⌀40 h7", "Ø 40h7"}) {
       QVERIFY(sets("criterion.d.tolerance", written) && isNear(limits("d"), 39.975, 40.0));
       QCOMPARE(document->exercise().exercise.find("d")->tolerance, std::string("h7"));
       QVERIFY(sets("criterion.d.tolerance", "±0.2"));
     }
     QVERIFY(!sets("criterion.d.tolerance", "28 h7") && isNear(limits("d"), 39.8, 40.2));
-    QVERIFY(!sets("criterion.d.nominal", ""));  // which the tolerance needs
+    QVERIFY(!sets("criterion.d.nominal", ""));  // the tolerance needs it
     QVERIFY(sets("criterion.d.lower", "39.9") && isNear(limits("d"), 39.9, 40.2));
     QVERIFY(document->exercise().exercise.find("d")->tolerance.empty());  // it is another one now
     QVERIFY(sets("criterion.ra.tolerance", "N7") && document->exercise().exercise.find("ra")->upper == 1.6);
@@ -269,7 +269,7 @@ class ExerciseDocumentTest : public QObject {
     QVERIFY(document->property("criterion.c1.points")->problem.empty());
   }
 
-  // Where a mark is measured has a field for each number, which say what they take; limits say their unit.
+  // The position of a measurement has a field for each number, labelled with its meaning; limits show their unit.
   void fieldsSayWhatTheyTake() {
     const auto document = shoulderDocument();
     QVERIFY(document->property("criterion.d.at1")->label.starts_with("From Z (on the drawing "));

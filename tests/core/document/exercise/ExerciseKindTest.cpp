@@ -98,7 +98,7 @@ Json exportedJson(const ExerciseSnapshot& exercise) {
   return file.open(QFile::ReadOnly) ? Json::parse(file.readAll().toStdString()) : Json();
 }
 
-// With keys that nobody knows in some of the objects of a description.
+// Adds unknown keys to some of the objects of a description.
 Json withUnknownKeys(Json json) {
   const auto add = [](Json& object) {
     static const Json kValues[] = {7, "text", Json::array({1, {{"a", nullptr}}}), Json::object({{"b", true}}), nullptr};
@@ -284,10 +284,10 @@ class ExerciseKindTest : public QObject {
     description = shoulderDescription();
     description["solution"] = {{"passes", {{{"points", {{1, "x"}}}}}}};
     QVERIFY(!kindUnderTest().fromDescription(description, {}));
-    // What it writes is taken again.
+    // A written description can be read again.
     const Json written = ExerciseKind::description(*exercise);
     QVERIFY(toJson(exerciseFrom(kindUnderTest(), written)->exercise) == toJson(exercise->exercise));
-    // Who marks by a description without a key marks what was handed in for it; a copy for students stays one.
+    // A description without a key gets the key of the submissions for it; a copy for students stays one.
     QCOMPARE(exerciseFrom(kindUnderTest(), shoulderDescription())->key, exercise->key);
     const auto copy = exerciseFrom(kindUnderTest(), ExerciseKind::description(forStudents(*exercise)));
     QVERIFY(copy->isForStudents && copy->key == exercise->key);
@@ -296,7 +296,7 @@ class ExerciseKindTest : public QObject {
     QVERIFY(exerciseFrom(kindUnderTest(), other)->key != exercise->key);
   }
 
-  // Who saves a description that was opened loses neither its model solution, nor what others wrote into it.
+  // Saving a description that was opened loses neither its model solution, nor unknown keys.
   void aDescriptionIsSavedWhereItCameFrom() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("shoulder.exercise.json").toStdString();
@@ -315,7 +315,7 @@ class ExerciseKindTest : public QObject {
     const Json read = Json::parse(file.readAll().toStdString());
     QVERIFY(read["faults"] == description["faults"]);
     QVERIFY2(read["solution"] == description["solution"], read["solution"].dump().c_str());
-    // From a container it is described anew.
+    // From a container it is described again.
     Json& given = description["solution"]["passes"];
     for (Json& pass : given)
       if (!pass.contains("side")) pass["side"] = "outside";
@@ -342,7 +342,7 @@ class ExerciseKindTest : public QObject {
     QVERIFY(lossy && lossy->notes.size() == 1 && lossy->notes.front().isLoss);
   }
 
-  // Whatever another program has written anywhere is there again after an autosave, edits of other fields and Save.
+  // Unknown keys at any level are there again after an autosave, edits of other fields and Save.
   void nothingUnknownIsLost() {
     QVERIFY(rc::check("unknown keys come back", [] {
       const Json given = withUnknownKeys(shoulderDescription());

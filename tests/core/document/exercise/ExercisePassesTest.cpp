@@ -33,7 +33,7 @@ class ExercisePassesTest : public QObject {
   // A program counts each of its collisions once, whether the passes show it, as they do a rapid move, or not (M4).
   void collisionsOfAProgram_data() {
     QTest::addColumn<QString>("program");
-    QTest::addColumn<double>("points");  // of four: two for each collision
+    QTest::addColumn<double>("points");  // out of four: two for each collision
     const QString begin = "G7 G21 G97 S600\n", end = "G0 X50\nM2\n";
     QTest::newRow("none") << begin + "M3\nG0 X36 Z2\nG1 Z-30 F120\n" + end << 4.0;
     QTest::newRow("reversed") << begin + "M4\nG0 X36 Z2\nG1 Z-30 F120\n" + end << 2.0;
@@ -80,7 +80,7 @@ class ExercisePassesTest : public QObject {
     QVERIFY(work.part->passes.size() == 1);
     LatheCollision struck;
     struck.struck = LathePart::Jaws;
-    struck.place = {18.5, 24.94};
+    struck.position = {18.5, 24.94};
     struck.tool = pass.tool->id;
     struck.time = 165.9;
     struck.passes = 1.0;
@@ -89,7 +89,7 @@ class ExercisePassesTest : public QObject {
       return *markWork(*shoulderTask(), work, {"Bob", {}, {}, 300.0, {}, {}}).find("crash")->value;
     };
     LatheCollision elsewhere = struck, other = struck;
-    elsewhere.place = {18.5, 60.0};
+    elsewhere.position = {18.5, 60.0};
     other.tool = "parting-3";
     QCOMPARE(collisions({}), 1.0);
     QCOMPARE(collisions({elsewhere}), 2.0);

@@ -9,7 +9,7 @@
 
 using namespace handwheel;
 
-// How far work on an exercise is from its target.
+// The deviation of work on an exercise from its target.
 class ExerciseStockTest : public QObject {
   Q_OBJECT
 

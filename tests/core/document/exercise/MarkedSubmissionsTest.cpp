@@ -69,7 +69,7 @@ class MarkedSubmissionsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Those who hand in late come to the others; who hands in the same file again takes the place of the first one.
+  // Late submissions are added to the others; the same file submitted again replaces the first.
   void moreWorksAreAdded() {
     MarkedSubmissions all =
         withMarked({}, {markedWork("Ada", shoulderWork()), unmarkedWork("/class/broken.handwheel")});
@@ -125,7 +125,7 @@ class MarkedSubmissionsTest : public QObject {
     QVERIFY(!Json::parse(bytesOf(classExercise()))["document"].contains("class"));
   }
 
-  // Neither a copy for students, nor what they begin with or hand in, nor a description has a word of it.
+  // Neither a copy for students, nor their initial work or submission, nor a description contains any of it.
   void studentsDoNotGetIt() {
     ExerciseSnapshot exercise = classExercise();
     exercise.marked = std::make_shared<const MarkedSubmissions>(withMarked({}, {markedWork("Grace", shoulderWork())}));
@@ -145,7 +145,7 @@ class MarkedSubmissionsTest : public QObject {
     QVERIFY(read && !read->marked && !isIn(bytesOf(*read)));
   }
 
-  // What is wrong in the file costs what it concerns, and is reported.
+  // An error in the file costs only the data concerned, and is reported.
   void damagedClasses() {
     ExerciseSnapshot exercise = classExercise();
     exercise.marked = std::make_shared<const MarkedSubmissions>(withMarked({}, {markedWork("Ada", shoulderWork())}));
@@ -171,7 +171,7 @@ class MarkedSubmissionsTest : public QObject {
     QCOMPARE(reported, std::size_t{0});
   }
 
-  // Other limits, points or places may give other marks; names do not.
+  // Other limits, points or positions may give other marks; names do not.
   void whatTellsSchemesApart() {
     Exercise exercise = classExercise().exercise;
     const std::uint64_t before = schemeMark(exercise);
@@ -184,7 +184,7 @@ class MarkedSubmissionsTest : public QObject {
     QCOMPARE(schemeMark(exercise), before);
     exercise.criteria[0].arguments[0] += 0.5;
     QVERIFY(schemeMark(exercise) != before);
-    // So may another machine or target.
+    // Another machine or target may, too.
     ExerciseSnapshot other = classExercise();
     const std::uint64_t whole = schemeMark(other);
     other.exercise.title = "another";

@@ -93,7 +93,7 @@ class ShippedExercisesTest : public QObject {
     QVERIFY(exercise->solution && exercise->exercise.points() > 0.0 && exercise->exercise.steps.size() >= 2);
     for (const MarkingCriterion& c : exercise->exercise.criteria) QVERIFY2(isAsNamed(c), c.name.c_str());
     for (const MarkingCriterion& c : exercise->exercise.criteria)
-      QCOMPARE(exercise->subject->placeProblem(c, *exercise->task), std::string());
+      QCOMPARE(exercise->subject->positionProblem(c, *exercise->task), std::string());
     const Attempt attempt{"Model", {}, {}, 600.0, {}, {}};
     const Marking solved = markWork(*exercise, *exercise->solution, attempt);
     QVERIFY2(lostMarks(solved).empty(), reasons(solved).c_str());
@@ -127,7 +127,7 @@ class ShippedExercisesTest : public QObject {
     const ExerciseSnapshot marked = withCriteria(exercise, sizes);
     for (const MarkingCriterion& c : marked.exercise.criteria) {
       QVERIFY(c.lower && c.upper && c.nominal.has_value() == (c.figure != "profile") && !c.id.empty());
-      QCOMPARE(exercise.subject->placeProblem(c, *exercise.task), std::string());
+      QCOMPARE(exercise.subject->positionProblem(c, *exercise.task), std::string());
     }
     const Marking solved = markWork(marked, *exercise.solution, Attempt{"Model", {}, {}, 600.0, {}, {}});
     QVERIFY2(lostMarks(solved).empty(), reasons(solved).c_str());
@@ -161,7 +161,7 @@ class ShippedExercisesTest : public QObject {
     QVERIFY(inFiles == listed);
   }
 
-  // Who is to bore learns that it needs a boring bar.
+  // The task of boring tells that it needs a boring bar.
   void theTaskNamesTheToolsThatItNeeds() {
     const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
     for (const QString& name : folder.entryList({"*.exercise.json"})) {
@@ -179,7 +179,7 @@ class ShippedExercisesTest : public QObject {
     }
   }
 
-  // In another language what ships is in it; an exercise of one's own stays as it was written.
+  // In another language built-in texts are translated; an exercise of one's own stays as it was written.
   void ownWordsStay() {
     struct Shouting : QTranslator {
       bool isEmpty() const override { return false; }
@@ -197,7 +197,7 @@ class ShippedExercisesTest : public QObject {
     QCOMPARE(shown.steps[0].title, std::string("MEASURE"));
     QCOMPARE(shown.steps[0].text, std::string("In my words."));
     QCOMPARE(shown.steps[0].hints[0], std::string("TWO OR THREE PASSES ARE ENOUGH."));
-    // So are the fields of the editor, and the tools among the conditions.
+    // The fields of the editor are translated, and the tools among the conditions.
     const ExerciseKind kind(turningOnly());
     const auto shipped = exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/shaft.exercise.json")));
     const auto fields = exerciseProperties(*shipped);
@@ -213,7 +213,7 @@ class ShippedExercisesTest : public QObject {
     QCoreApplication::removeTranslator(&translator);
   }
 
-  // The drawing of each target: what is asked stands on it, and no text on another one.
+  // The drawing of each target has the required sizes, and no overlapping texts.
   void drawings_data() { each_data(); }
   void drawings() {
     QFETCH(QString, path);
@@ -287,7 +287,7 @@ class ShippedExercisesTest : public QObject {
     }
     QVERIFY(glass.inner(at(55.0)) == 0.0 && glass.radius(at(55.0)) < 4.2);
     QVERIFY(glass.radius(at(31.0)) > 25.0);
-    // Its foot ends at Z 30: there it is parted off, and the bar behind it is no part of the target.
+    // Its foot ends at Z 30: there it is parted off, and the bar behind it does not belong to the target.
     QCOMPARE(glass.pieces(), std::size_t{2});
     QVERIFY(glass.hasMaterial(at(30.1)) && !glass.hasMaterial(at(29.0)) && glass.hasMaterial(at(28.0)));
     QCOMPARE(static_cast<const TurningTask&>(*exercise->task).target->lowerEnd(), 30.0);

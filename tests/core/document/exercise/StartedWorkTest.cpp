@@ -43,7 +43,7 @@ OpenedFile startedWork() {
   return opened;
 }
 
-// The same work, and a program that turns 20 mm of it to this diameter.
+// Continues the work by a program that turns 20 mm of it to this diameter.
 WorkpieceSnapshot goneOnByProgram(const Snapshot& work, double diameter) {
   WorkpieceSnapshot made = static_cast<const WorkpieceSnapshot&>(work);
   const std::string text =
@@ -102,7 +102,7 @@ class StartedWorkTest : public QObject {
     QCOMPARE((*exercise)->key, exerciseFrom(kindOfStartedWork(), shoulderDescription())->key);
   }
 
-  // What is begun without being read is what the file gives: the student's copy, with the attempt.
+  // Work begun from memory equals work begun from the file: the student's copy, with the attempt.
   void begunAsItIsReadBack() {
     const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
     const AssignedExercise assigned = assignmentOf(*exercise, kHalfDone, "1");
@@ -146,7 +146,7 @@ class StartedWorkTest : public QObject {
     QVERIFY(!isBegunFrom({}, one));
   }
 
-  // The recording tells who moved the tool, also out of its file.
+  // The recording tells what moved the tool, also when read from its file.
   void byHandAndByProgram() {
     const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
     const ExerciseSubject& subject = *exercise->subject;
@@ -186,7 +186,7 @@ class StartedWorkTest : public QObject {
     QCOMPARE(remarksOn(*closed, byProgram), std::size_t(1));
     QCOMPARE(remarksOn(*open, byProgram), std::size_t(0));
     QCOMPARE(remarksOn(*closed, workFrom(*closed, shoulderWork())), std::size_t(0));
-    // A setting of the teacher; what is said as it is anyway is no unknown key.
+    // A setting of the teacher; the default value in a file is not an unknown key.
     const auto changed = closed->subject->withProperty(*closed->task, "programs", true);
     QVERIFY(changed && closed->subject->areProgramsAllowed(**changed));
     QVERIFY(!closed->subject->withProperty(*closed->task, "programs", 1.0));

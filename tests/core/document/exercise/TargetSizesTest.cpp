@@ -36,12 +36,12 @@ std::ptrdiff_t countOf(const std::vector<MarkingCriterion>& sizes, const char* f
 
 }  // namespace
 
-// What a teacher finds of a target whose sizes are known.
+// The sizes that are proposed for a target of known sizes.
 class TargetSizesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // 30 mm over 40 mm with a chamfer of 1 × 45°; what has the diameter of the bar is not turned.
+  // 30 mm over 40 mm with a chamfer of 1 × 45°; the diameter of the bar is not turned.
   void aShoulder() {
     const auto sizes = sizesOfTarget(taskWith({{0, 0}, {20, 0}, {20, 60}, {15, 60}, {15, 99}, {14, 100}, {0, 100}}));
     QCOMPARE(sizes.size(), std::size_t(3));
@@ -59,8 +59,8 @@ class TargetSizesTest : public QObject {
     QVERIFY(std::abs(*taper->lower - 44.0) < 1e-9);  // up to 10 mm: ±1°
   }
 
-  // A taper has the diameters of its ends and its length, but for what a cylinder beside it has: 24 to 32 mm over 20
-  // mm. A part that is made so, by a nose of 0.8 mm that goes along its normals, has these sizes.
+  // A taper has the diameters of its ends and its length, except those of an adjacent cylinder: 24 to 32 mm over 20 mm.
+  // A part that is made by a nose of 0.8 mm that goes along its normals has these sizes.
   void aTaper() {
     const std::vector<ProfilePoint> alone = {{0, 0}, {20, 0}, {20, 80}, {16, 80}, {12, 100}, {0, 100}};
     const auto sizes = sizesOfTarget(taskWith(alone));
@@ -99,7 +99,7 @@ class TargetSizesTest : public QObject {
       QVERIFY2(std::abs(*figures[i].value - wanted[i]) < within[i], std::to_string(*figures[i].value).c_str());
     }
     // Each of them can be measured there.
-    for (const MarkingCriterion& c : besides) QVERIFY2(subject.placeProblem(c, *task).empty(), c.figure.c_str());
+    for (const MarkingCriterion& c : besides) QVERIFY2(subject.positionProblem(c, *task).empty(), c.figure.c_str());
   }
 
   // A groove has two faces, and the bar beside it none of its sizes. A blind bore has a diameter and a depth.
@@ -154,7 +154,7 @@ class TargetSizesTest : public QObject {
     QVERIFY(sizes.back().arguments[0] < 52.0 && sizes.back().arguments[1] > 77.0);
   }
 
-  // A fillet of many lines is none of what is marked.
+  // A fillet of many lines is not marked.
   void aFilletOfLines() {
     std::vector<ProfilePoint> points = {{0, 0}, {20, 0}, {20, 60}};
     for (int i = 0; i <= 20; ++i)

@@ -91,7 +91,7 @@ class TurningExerciseTest : public QObject {
     QVERIFY(!marking.find("l")->remark.inEnglish().empty());
   }
 
-  // A file whose part is not what its passes cut is found out.
+  // A file whose part does not match its passes is detected.
   void aPartThatWasChangedInTheFile() {
     WorkpieceSnapshot forged = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork(31.0)));
     const auto honest = workFrom(*shoulder(), shoulderWork());
@@ -182,7 +182,7 @@ class TurningExerciseTest : public QObject {
     QVERIFY(deviationFrom(*static_cast<const TurningTask&>(**task).target, profile, 0.0).largest() < 0.02);
   }
 
-  // What was handed in before drills had a figure of their own is marked as what is handed in now.
+  // Submissions from before drills had a figure of their own are marked as new ones are.
   void drilledByAnOlderProgram_data() {
     QTest::addColumn<double>("feed");  // some are kept exactly in single precision, some are not
     for (const double feed : {0.1, 0.125, 0.15, 0.2, 0.35}) QTest::addRow("%g", feed) << feed;
@@ -211,7 +211,7 @@ class TurningExerciseTest : public QObject {
     QCOMPARE(before.points, now.points);
   }
 
-  // The student stands at the machine of the exercise.
+  // The student uses the machine of the exercise.
   void theLatheOfTheTask() {
     const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(shoulder()->subject->start(*shoulder()->task));
     QVERIFY(bar->lathe && bar->lathe->isSound());
@@ -239,7 +239,7 @@ class TurningExerciseTest : public QObject {
               !QString::fromStdString(line.text).contains("Power"));
   }
 
-  // Where it names tools of the lathe these are in the post, and no others can be mounted.
+  // If it names tools of the lathe, these are in the post, and no others can be mounted.
   void theToolsOfTheTask() {
     Json description = shoulderDescription();
     description["task"]["tools"] =
@@ -261,12 +261,12 @@ class TurningExerciseTest : public QObject {
     QCOMPARE(damage.size(), std::size_t{1});
   }
 
-  // What the lathe itself has seen counts besides what the passes show.
+  // Crashes recorded by the lathe count besides those found in the passes.
   void crashesOfTheManualLathe() {
     WorkpieceSnapshot work = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork()));
     LatheCollision crash;
     crash.cause = CrashCause::SpindleAtRest;
-    crash.place = {20.0, 80.0};
+    crash.position = {20.0, 80.0};
     QVERIFY(addCrashes(work, std::vector{crash}));
     const Marking marking = markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}});
     QCOMPARE(lostIn(marking), Names{"crash"});
@@ -277,7 +277,7 @@ class TurningExerciseTest : public QObject {
     QCOMPARE(markWork(*shoulder(), work, {"Bob", {}, {}, 300.0, {}, {}}).find("crash")->points, 0.0);
   }
 
-  // Air passes until nobody can review them must not hide a part that they did not cut.
+  // Endless passes in the air, which prevent a review, must not hide a part that they did not cut.
   void tooMuchWorkIsNotMeasured() {
     WorkpieceSnapshot forged = static_cast<const WorkpieceSnapshot&>(*workFrom(*shoulder(), shoulderWork()));
     TurnedPart part = *forged.part;
@@ -319,11 +319,11 @@ class TurningExerciseTest : public QObject {
       QVERIFY(marks(from, to, -angle - 1, -angle + 1).points == 1.0);
       QVERIFY(marks(from, to, angle + 2, angle + 3).points == 0.0);
     }
-    // Of the bar itself, without a trace of rounding.
+    // The bar itself gives exactly 0, without rounding.
     QCOMPARE(*marks(30, 60, -1, 1).find("c")->value, 0.0);
   }
 
-  // What is fed too fast is no collision, and the mark says so.
+  // An excessive feed is not a collision, and the mark says so.
   void aFeedTooHighIsNamed() {
     const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 2.5}, {"points", {{20.3, 103}, {20.3, 60}}}}}}};
     const auto snapshot = workFrom(*shoulder(), work);
@@ -337,13 +337,13 @@ class TurningExerciseTest : public QObject {
     QVERIFY(details.events[0].text.inEnglish().find("feed was too high") != std::string::npos);
   }
 
-  // Where to measure is checked before anybody has turned anything.
+  // Positions of measurements are checked before anything is turned.
   void placesThatCannotBe() {
     const auto problem = [](const char* figure, std::vector<double> at) {
       MarkingCriterion c;
       c.figure = figure;
       c.arguments = std::move(at);
-      return shoulder()->subject->placeProblem(c, *shoulder()->task);
+      return shoulder()->subject->positionProblem(c, *shoulder()->task);
     };
     QVERIFY(problem("diameter", {62, 99}).empty() && problem("length", {17, 60, 5, 100}).empty());
     QVERIFY(problem("crashes", {}).empty());
@@ -367,7 +367,7 @@ class TurningExerciseTest : public QObject {
              static_cast<std::ptrdiff_t>(passes - 1));
   }
 
-  // As on the drawing, and in the marks: the bar of 100 mm goes from the finished face to 100 mm below it.
+  // Z is as on the drawing, and in the marks: the bar of 100 mm goes from the finished face to 100 mm below it.
   void plotsTellPlacesFromTheFinishedFace() {
     const auto work = workFrom(*shoulder(), shoulderWork());
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
@@ -382,7 +382,7 @@ class TurningExerciseTest : public QObject {
     }
   }
 
-  // A student sees what the part is to become.
+  // The student's bar has the target.
   void theBarHasTheTarget() {
     const auto bar = std::static_pointer_cast<const WorkpieceSnapshot>(shoulder()->subject->start(*shoulder()->task));
     QVERIFY(bar->target && bar->target->profile.largestRadius() == 20.0);
@@ -435,7 +435,8 @@ class TurningExerciseTest : public QObject {
   void detailsForAReport() {
     const auto work = workFrom(*shoulder(), shoulderWork());
     const ReportDetails details = shoulder()->subject->details(*shoulder()->task, *work, {});
-    QCOMPARE(details.curves.size(), std::size_t{7});  // profile, path, finish, loads, and what is left and too deep
+    // profile, path, finish, loads, and material left and cut too deep
+    QCOMPARE(details.curves.size(), std::size_t{7});
     QVERIFY(std::any_of(details.curves.begin(), details.curves.end(), [](const auto& c) { return c.yUnit == "µm"; }));
     for (const ReportCurve& curve : details.curves) QVERIFY(!curve.series.empty() && !curve.series[0].points.empty());
     QVERIFY(details.events.empty() && details.seconds > 0.0);
@@ -445,7 +446,7 @@ class TurningExerciseTest : public QObject {
     QVERIFY(none.pictures.size() == 1 && none.figures.empty());
   }
 
-  // The bar of ⌀40 × 100 mm over its target, a shoulder of ⌀30 × 40 mm: to scale, and in the colours of what is left,
+  // The bar of ⌀40 × 100 mm over its target, a shoulder of ⌀30 × 40 mm: to scale, and in the colours of material left,
   // right and cut too deep.
   void thePictureOfThePart() {
     const auto pictureOf = [](const SnapshotPointer& work) {

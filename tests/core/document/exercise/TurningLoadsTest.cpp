@@ -8,7 +8,7 @@
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningTask.h"
 #include "document/workpiece/target/SectionPicture.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -28,7 +28,7 @@ std::shared_ptr<const ExerciseSnapshot> loadedShoulder() {
 
 }  // namespace
 
-// What work asked of the lathe, what must not happen at it, and where: as it is said of passes, in marks and reports.
+// Loads of the work on the lathe, events that must not happen, and their positions: in passes, marks and reports.
 class TurningLoadsTest : public QObject {
   Q_OBJECT
 
@@ -49,8 +49,8 @@ class TurningLoadsTest : public QObject {
     QVERIFY2(power > 0.999 * motor && power < 1.05 * motor, QByteArray::number(power));
   }
 
-  // The same cut with a motor that is overloaded, at half the speed that was asked for: it needed as much as the cut
-  // above, 1.84 kW, and a limit of 1.5 kW is not met. What was asked for at that speed needed half of it.
+  // The same cut with an overloaded motor, at half the set speed: it needed as much as the cut above, 1.84 kW, and a
+  // limit of 1.5 kW is not met. The same speed as a set speed needs half of it.
   void aSlowedSpindleNeededAsMuch() {
     TurningTask task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     task.powerLimit = 1.5;
@@ -75,7 +75,7 @@ class TurningLoadsTest : public QObject {
     }
   }
 
-  // A mark for force or power says that the lathe has not what the cut takes, and only then.
+  // A mark for force or power says that the cut exceeds the lathe, and only then.
   void tooHeavyIsInTheMark() {
     TurningTask task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
@@ -98,7 +98,7 @@ class TurningLoadsTest : public QObject {
     }
   }
 
-  // What is said of a pass, or of a program, is of that alone, whatever was cut before.
+  // Loads of a pass, or of a program, do not depend on earlier cuts.
   void loadsOfEachPass() {
     const TurningTask& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     const Json heavy = {{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}};
@@ -107,7 +107,7 @@ class TurningLoadsTest : public QObject {
     const auto two = workFrom(*loadedShoulder(), {{"passes", {heavy, light}}});
     const auto& before = static_cast<const WorkpieceSnapshot&>(*one);
     const auto& after = static_cast<const WorkpieceSnapshot&>(*two);
-    // As above: 2 mm at 0.3 mm from ⌀40, then 0.5 mm at 0.1 mm from ⌀36.
+    // The cuts above: 2 mm at 0.3 mm from ⌀40, then 0.5 mm at 0.1 mm from ⌀36.
     const auto isCut = [](const std::pair<double, double>& peaks, double depth, double feed, double diameter) {
       const double force = 1500.0 * depth * std::pow(feed, 0.78);
       const double power = force * M_PI * diameter * 600.0 / 1000.0 / 60000.0 / 0.8;
@@ -144,11 +144,11 @@ class TurningLoadsTest : public QObject {
     const Marking marking = markWork(scheme, *workFrom(scheme, shoulderWork()), {});
     const auto& remark = marking.find(id)->remark;
     QVERIFY(!remark.arguments.empty());
-    const double place = std::stod(remark.arguments.front());
-    QVERIFY2(place > -30.1 && place < -19.9, remark.arguments.front().c_str());
+    const double position = std::stod(remark.arguments.front());
+    QVERIFY2(position > -30.1 && position < -19.9, remark.arguments.front().c_str());
   }
 
-  // Without a drawing from the free end of the bar, which is the zero of programs then.
+  // Without a drawing, positions count from the free end of the bar, which is then the zero of programs.
   void withoutATargetPlacesCountFromTheFreeEnd() {
     TurningTask task;
     task.stock = {40.0, 120.0, 0.0};
@@ -193,7 +193,7 @@ class TurningLoadsTest : public QObject {
     QVERIFY2(blue * 50 < grey, qPrintable(QString("%1 of %2").arg(blue).arg(grey)));
   }
 
-  // A cut beyond what the lathe has is in the report, whether or not there are points for it.
+  // A cut beyond the limits of the lathe is in the report, whether or not there are points for it.
   void tooHeavyIsReported() {
     TurningTask task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     const Json work = {{"passes", {{{"nose_radius", 0.8}, {"feed", 0.3}, {"points", {{18.8, 100}, {18.8, 60}}}}}}};
@@ -217,7 +217,7 @@ class TurningLoadsTest : public QObject {
     QVERIFY(events(1300.0, 1.6).find("where the lathe has 1.6 kW") != std::string::npos);
   }
 
-  // A new mark for what must not happen has a limit, so that it gives its points to good work, and to that only.
+  // A new criterion for an event that must not happen has a limit, so that it gives its points only to good work.
   void newMarksHaveLimits() {
     const auto& task = static_cast<const TurningTask&>(*loadedShoulder()->task);
     for (const auto& [figure, limit] :

@@ -56,7 +56,7 @@ class TurningTargetsTest : public QObject {
     QCOMPARE(m_subject.targetMove(blank, **made), 0.0);  // there was none before
   }
 
-  // The upper 40 mm of ⌀30 lie at the chuck then, and the same places are the ends.
+  // The upper 40 mm of ⌀30 are at the chuck then, and the ends have the same positions.
   void endForEnd() {
     const auto turned = m_subject.withTurnedTarget(m_shoulder);
     QVERIFY(turned.hasValue());
@@ -67,27 +67,27 @@ class TurningTargetsTest : public QObject {
     QCOMPARE(m_subject.endsNote(**turned)->arguments, (std::vector<std::string>{"40", "30"}));
     const TurningTask without;
     QCOMPARE(m_subject.withTurnedTarget(without).error().code, ExerciseError::WithoutTarget);
-    QVERIFY(!m_subject.endsNote(without) && m_subject.placePicture(without).isNull());
-    QVERIFY(!m_subject.placePicture(m_shoulder).isNull());
+    QVERIFY(!m_subject.endsNote(without) && m_subject.targetPicture(without).isNull());
+    QVERIFY(!m_subject.targetPicture(m_shoulder).isNull());
   }
 
   void aTargetThatDoesNotFit() {
-    QVERIFY(m_subject.placeNotes(m_shoulder).empty() && m_subject.placeNotes(TurningTask()).empty());
+    QVERIFY(m_subject.fitNotes(m_shoulder).empty() && m_subject.fitNotes(TurningTask()).empty());
     // 0.5 mm are missing of the diameter; then 2 mm at the chuck's end.
-    const auto thin = m_subject.placeNotes(shoulderIn({39.5, 100.0, 0.0}, 0.0));
+    const auto thin = m_subject.fitNotes(shoulderIn({39.5, 100.0, 0.0}, 0.0));
     QCOMPARE(thin.size(), std::size_t{1});
     QCOMPARE(thin.front().arguments, (std::vector<std::string>{"40", "100", "39.5", "100"}));
-    QCOMPARE(m_subject.placeNotes(shoulderIn({40.0, 100.0, 2.0}, 0.0)).size(), std::size_t{1});
-    QVERIFY(m_subject.placeNotes(shoulderIn({40.0, 100.0, 2.0}, 2.0)).empty());
+    QCOMPARE(m_subject.fitNotes(shoulderIn({40.0, 100.0, 2.0}, 0.0)).size(), std::size_t{1});
+    QVERIFY(m_subject.fitNotes(shoulderIn({40.0, 100.0, 2.0}, 2.0)).empty());
   }
 
-  // A drawing of the shoulder is read as the target it was written from, with what is left for facing in another bar.
+  // A drawing of the shoulder is read as the target it was written from, with the allowance for facing in another bar.
   void drawingsComeBack() {
     const TurningTask longer = shoulderIn({40.0, 110.0, 0.0}, 0.0);
     for (const FileFormat& format : m_subject.drawingFormats()) {
       const std::filesystem::path path = m_folder.filePath("shoulder").toStdString() + format.endings.front();
       const auto written = m_subject.exportDrawing(Exercise(), m_shoulder, path, {});
-      if (format.name == "PDF") {  // which is for people, and has text: without a window there are no fonts
+      if (format.name == "PDF") {  // PDF is for people, and has text: without a window there are no fonts
         QVERIFY(!written && written.error().code == ErrorCode::LibraryFailed);
         continue;
       }
@@ -100,7 +100,7 @@ class TurningTargetsTest : public QObject {
         QVERIFY(isNear(targetOf(read->task).lowerEnd(), 10.0 - left));
         QVERIFY(isNear(targetOf(read->task).volume(), M_PI * (400.0 * 60.0 + 225.0 * 40.0), 1e-3));
         QVERIFY(isNear(m_subject.targetMove(longer, *read->task), 10.0 - left));
-        QCOMPARE(read->place, std::string("Target"));
+        QCOMPARE(read->positionGroup, std::string("Target"));
         QCOMPARE(read->lies->arguments.at(0), left == 1.0 ? std::string("1") : std::string("3.5"));
       }
       const auto beyond = m_subject.withImportedTarget(longer, path, 110.5, {});
@@ -139,8 +139,8 @@ class TurningTargetsTest : public QObject {
     QCOMPARE(m_subject.withRoundedTarget(task, 0.0, 0.0).error().code, ErrorCode::ValueOutOfRange);
   }
 
-  // As a drawing has them: the tolerance that the teacher wrote, else deviations from the nominal size, or both alike
-  // from the middle.
+  // Tolerances as on a drawing: the teacher's text, else deviations from the nominal size, or equal deviations from the
+  // middle.
   void tolerancesOnTheDrawing() {
     Exercise exercise;
     const auto add = [&](std::optional<double> nominal, std::optional<double> lower, std::optional<double> upper) {

@@ -85,7 +85,7 @@ std::vector<Seed> seeds() {
           {"3MF", threeMf(), true}};
 }
 
-// What every result must keep to, whatever the bytes were.
+// Checks the invariants of every result, for any bytes.
 bool isSoundOrRefused(const Result<MeshFile>& file) {
   if (!file) return true;
   const auto& [points, triangles] = file->soup;
@@ -111,8 +111,8 @@ class DamagedMeshTest : public QObject {
  private slots:
   void cutOff_data() { addSeeds(); }
 
-  // Cut off, a file is refused, or what is read is the beginning of it. Only formats that do not announce anything can
-  // be cut off without notice.
+  // A truncated file is refused, or its beginning is read. Only formats that announce nothing can be truncated without
+  // notice.
   void cutOff() {
     QFETCH(QByteArray, bytes);
     QFETCH(bool, announced);
@@ -164,7 +164,7 @@ class DamagedMeshTest : public QObject {
       }
       const auto strict = read(changed), partial = read(changed, true);
       QVERIFY2(isSoundOrRefused(strict) && isSoundOrRefused(partial), changed.toHex().constData());
-      // Opening in part never gives less than opening as a whole.
+      // Partial reading never gives less than complete reading.
       if (strict) QVERIFY2(partial && describe(partial) == describe(strict), changed.toHex().constData());
     }
   }

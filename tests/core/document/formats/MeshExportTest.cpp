@@ -185,7 +185,7 @@ class MeshExportTest : public QObject {
     QVERIFY(exported(soup, NumberType::Float64, "a.ply").report.parted.empty());
   }
 
-  // What is one edge with four faces in the mesh itself is the user's: it is written as it is.
+  // One edge with four faces in the mesh itself is the user's: it is written as it is.
   void leavesWhatTheMeshItselfWelds() {
     const TriangleSoup soup = pairAtAnEdge(0.0);
     QCOMPARE(statistics(soup).nonManifoldEdges, std::size_t(1));

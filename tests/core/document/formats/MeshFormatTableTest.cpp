@@ -68,7 +68,7 @@ class MeshFormatTableTest : public QObject {
     }
   }
 
-  // What a row says is in every list, is recognised by content and by name, read and written.
+  // The format of a row is in every list, is recognised by content and by name, read and written.
   void aFormatIsARow() {
     const MeshFormatTable table = withCubes(true);
     const auto cubes = static_cast<MeshFormat>(table.rows().size() - 1);

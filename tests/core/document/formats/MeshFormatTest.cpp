@@ -152,7 +152,7 @@ class MeshFormatTest : public QObject {
     }
   }
 
-  // Every place that notes damage goes through one counter.
+  // All damage goes through one counter.
   void damageIsCountedBeyondAThousand() {
     QByteArray bytes = kObj;
     for (int i = 0; i < 2500; ++i) bytes += "f 1 2 9\n";

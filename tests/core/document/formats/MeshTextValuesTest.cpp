@@ -20,15 +20,15 @@ class MeshTextValuesTest : public QObject {
     QCOMPARE(scanner.peek(), std::string_view("two"));
     QCOMPARE(scanner.word(), std::string_view("two"));
     QVERIFY(scanner.word().empty());
-    QCOMPARE(scanner.place().value, std::uint64_t{1});
+    QCOMPARE(scanner.inputPosition().value, std::uint64_t{1});
     QCOMPARE(scanner.wordOnAnyLine(), std::string_view("three"));
-    QCOMPARE(scanner.place().value, std::uint64_t{3});
+    QCOMPARE(scanner.inputPosition().value, std::uint64_t{3});
     QVERIFY(scanner.word().empty());
     QCOMPARE(scanner.wordOnAnyLine(), std::string_view("six"));
-    QCOMPARE(scanner.place().value, std::uint64_t{5});
+    QCOMPARE(scanner.inputPosition().value, std::uint64_t{5});
     QCOMPARE(scanner.word(), std::string_view("seven"));
     QCOMPARE(scanner.word(), std::string_view("eight"));
-    QCOMPARE(scanner.place().value, std::uint64_t{7});
+    QCOMPARE(scanner.inputPosition().value, std::uint64_t{7});
     QVERIFY(!scanner.nextLine());
     QVERIFY(scanner.wordOnAnyLine().empty());
   }
@@ -46,7 +46,7 @@ class MeshTextValuesTest : public QObject {
     QCOMPARE(scanner.word(), std::string_view("a"));
     QVERIFY(scanner.nextLine());
     QCOMPARE(scanner.word(), std::string_view("e"));
-    QCOMPARE(scanner.place().value, std::uint64_t{4});
+    QCOMPARE(scanner.inputPosition().value, std::uint64_t{4});
   }
 
   void emptyTexts() {

@@ -35,7 +35,8 @@ Bytes binaryTriangle(std::endian order, const QByteArray& elements = kFloatVerti
 class PlyReaderTest : public QObject {
   Q_OBJECT
  private slots:
-  // What has no name of ours keeps that of the file, once. An empty one says that there is more: no plain word.
+  // Lost properties without a name of ours keep that of the file, once. An empty one says that there are more: no plain
+  // word.
   void namesWhatIsLost() {
     const QByteArray vertices =
         QByteArray(kFloatVertices)

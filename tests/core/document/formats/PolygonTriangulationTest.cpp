@@ -127,7 +127,7 @@ class PolygonTriangulationTest : public QObject {
     const auto notched = [](double height) {
       return std::vector<Vec3>{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, height}};
     };
-    const auto share = [&](double height) {  // of the size, how far the corners are apart along the normal
+    const auto share = [&](double height) {  // distance of the corners along the normal, relative to the size
       const std::vector<Vec3> points = notched(height);
       const Vec3 normal = areaOf(points).normalized();
       double low = 0.0, high = 0.0;

@@ -11,7 +11,7 @@
 #include <bit>
 #include <cstring>
 
-// What a reader gave, as one line of text to compare with.
+// The result of a reader, as one line of text to compare with.
 namespace handwheel::test {
 
 inline const char* nameOf(LostAttribute lost) {
@@ -79,7 +79,7 @@ class Bytes {
   QByteArray m_bytes;
 };
 
-// The triangle most inputs describe.
+// The description of the triangle in most inputs.
 inline const QString kTriangle = "0 0 0, 1 0 0, 0 1 0 | 0 1 2";
 
 }  // namespace handwheel::test

@@ -14,7 +14,8 @@ using namespace handwheel;
 
 namespace {
 
-// A corner of a coarse lattice, off it by less than half a step of single precision: many of them round to one place.
+// Returns a corner of a coarse lattice, off it by less than half a step of single precision: many of them round to the
+// same position.
 Vec3 nearLatticePoint() {
   const auto coordinate = [] { return *rc::gen::inRange(1, 3) + *rc::gen::inRange(-3, 4) * std::ldexp(1.0, -27); };
   const double x = coordinate(), y = coordinate();
@@ -69,7 +70,7 @@ class RoundingCollisionsTest : public QObject {
       }
       for (std::size_t v = 0; v < exact.points.size(); ++v) {
         for (std::size_t u = 0; u < v; ++u) {
-          // What is one position in the mesh stays one in the file.
+          // One position in the mesh stays one in the file.
           if (exact.points[v] == exact.points[u]) RC_ASSERT(inFile.points[v] == inFile.points[u]);
         }
       }

@@ -9,8 +9,8 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Real meshes, and files that are broken in the ways people report. They are not part of the sources: the folder named
-// by HANDWHEEL_DATA holds them under "scans". Expectations come from other readers and from looking at the files.
+// Real meshes, and files with damage that users report. They are not part of the sources: the folder named by
+// HANDWHEEL_DATA holds them under "scans". Expectations come from other readers and from looking at the files.
 namespace {
 
 struct Scan {

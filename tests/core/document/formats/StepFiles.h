@@ -8,7 +8,7 @@
 #include <QtGlobal>
 #include <string>
 
-// STEP files to test with, written by Open CASCADE.
+// STEP files for tests, written by Open CASCADE.
 namespace handwheel::test {
 
 inline const char* const kStepFiles[] = {"box-inch.step", "line.step", "open-box-metre.step", "sphere.step",
@@ -20,7 +20,7 @@ inline std::string stepFile(const std::string& name) {
   return *bytes;
 }
 
-// The text with one place of it written otherwise.
+// Replaces one part of a text.
 inline std::string replaced(std::string text, const std::string& before, const std::string& after) {
   const std::size_t at = text.find(before);
   if (at == std::string::npos) qFatal("the file does not hold %s", before.c_str());

@@ -47,7 +47,7 @@ std::string nested(int depth) {
   return withData("#1=DIRECTION(''," + std::string(depth, '(') + "1." + std::string(depth, ')') + ");\n");
 }
 
-// One of the files, with up to seven places changed as a fuzzer does.
+// Returns one of the files with up to seven bytes changed as a fuzzer does.
 std::string mutated(std::mt19937& random) {
   const auto below = [&random](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   std::string bytes = test::stepFile(test::kStepFiles[below(std::size(test::kStepFiles))]);
@@ -76,7 +76,7 @@ std::string mutated(std::mt19937& random) {
 
 }  // namespace
 
-// Whatever stands in a file, it is read or refused, and its process is gone.
+// Any file is read or refused, and its process is gone.
 class StepHostileTest : public QObject {
   Q_OBJECT
 
@@ -157,10 +157,10 @@ class StepHostileTest : public QObject {
     work();
     other.join();
     QCOMPARE(unsound.load(), 0);
-    QVERIFY(readable > kFiles / 20);  // not all are refused at the door
+    QVERIFY(readable > kFiles / 20);  // not all are refused at once
   }
 
-  // Readers that answer what the program did not ask for: shell scripts in the reader's place.
+  // Readers with unexpected answers: shell scripts instead of the reader.
   void answersAreJudged_data() {
     QTest::addColumn<QByteArray>("answer");
     const QByteArray points =
@@ -186,7 +186,7 @@ class StepHostileTest : public QObject {
     QCOMPARE(read.error().arguments, std::vector<std::string>({"Open CASCADE", "its answer is not valid"}));
   }
 
-  // What it could not read is damage, which people may want to live with.
+  // Unread parts are damage, which users may accept.
   void partsAndFacesThatAreLost() {
     const QByteArray answer =
         "3 2 1 0 5 4 0.1 millimetre\nply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
@@ -204,7 +204,7 @@ class StepHostileTest : public QObject {
   }
 
  private:
-  // As if the reader had answered this.
+  // Reads a file with a reader that gives this answer.
   static Result<MeshFile> readFrom(const QByteArray& answer, const ReadOptions& options = {}) {
     const QTemporaryDir folder;
     QFile content(folder.filePath("answer"));

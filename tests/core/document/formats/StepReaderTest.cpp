@@ -20,7 +20,7 @@ using namespace handwheel;
 
 namespace {
 
-// What the reader makes of a file, with a chord tolerance as a share of the diagonal.
+// Returns the reader's result for a file, with a chord tolerance as a share of the diagonal.
 MeshFile readOrFail(const std::string& bytes, double chord = 1e-3) {
   const auto file = readMesh(bytes, "part.step", {.stepChord = chord});
   if (!file) qFatal("%s", file.error().arguments.empty() ? "not read" : file.error().arguments.back().c_str());
@@ -75,8 +75,8 @@ class StepReaderTest : public QObject {
     }
   }
 
-  // The corners of every triangle are on the sphere, and its plane is as near to that as the note says: what was asked
-  // for, or somewhat more, as the mesher leaves it. What is finer has more triangles.
+  // The corners of every triangle are on the sphere, and its plane is within the tolerance in the note: the requested
+  // one, or somewhat more, as the mesher leaves it. A finer tolerance gives more triangles.
   void aSphere() {
     const FidelitySetting setting = stepChordSetting();
     QCOMPARE(setting.standard, ReadOptions().stepChord);
@@ -150,7 +150,7 @@ class StepReaderTest : public QObject {
     const MeshFile file = readOrFail(test::stepFile("two-drilled.step"), 1e-4);
     const TriangleSoup soup = weld(file.soup);
     QVERIFY(test::countEdges(soup).sound());
-    QCOMPARE(test::eulerCharacteristic(soup), 0L);  // of a torus, twice
+    QCOMPARE(test::eulerCharacteristic(soup), 0L);  // two tori
     const double exact = 2 * (6000 - M_PI * 16 * 10), holes = 2 * M_PI * 8 * 10;
     const double skin = 1e-4 * boxOf(soup).diagonal().norm();
     QVERIFY(test::volume(soup) > exact - 1e-6 && test::volume(soup) < exact + holes * skin);
@@ -187,7 +187,7 @@ class StepReaderTest : public QObject {
     const auto read = readMesh(test::stepFile("sphere.step"), "", {}, Progress(job));
     QVERIFY(read);
     QVERIFY(job.fraction > 0.99);
-    // A million triangles take it a while.
+    // The reader needs a while for a million triangles.
     JobState stopped;
     std::thread person([&] {
       std::this_thread::sleep_for(std::chrono::milliseconds(300));

@@ -41,7 +41,7 @@ class ThreeMfHostileTest : public QObject {
     QCOMPARE(readModel(nothing + object(50, kTriangleMesh), item(40) + item(50)), kTriangle + " - Groups");
   }
 
-  // However the chain is entered: an object known to be deep must not hide that.
+  // For any entry into the chain: an object known to be deep must not hide that.
   void deepNesting() {
     const auto chain = [](int length) {
       QByteArray resources = object(1, kTriangleMesh);
@@ -79,7 +79,7 @@ class ThreeMfHostileTest : public QObject {
     QVERIFY(codeOf(package(QByteArray("\xff\xfe<\0m\0", 6))) == MeshFileError::TextEncoding);
     QVERIFY(codeOf(package(model("", "").replace("UTF-8", "UTF-16"))) == MeshFileError::TextEncoding);
     QVERIFY(codeOf(package("<html/>")) == ErrorCode::ElementMalformed);
-    QVERIFY(codeOf(package("<model><resources/></model>")) == ErrorCode::ElementMalformed);  // of no namespace
+    QVERIFY(codeOf(package("<model><resources/></model>")) == ErrorCode::ElementMalformed);  // no namespace
     QVERIFY(codeOf(package("")) == ErrorCode::ElementMalformed);
   }
 };

@@ -15,7 +15,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// Signed volume: says where things are and how they are turned.
+// Returns the signed volume, which shows positions and orientations.
 double volumeOf(const TriangleSoup& soup) {
   double sum = 0.0;
   for (const Triangle& t : soup.triangles)
@@ -87,7 +87,8 @@ class ThreeMfReaderTest : public QObject {
       }
       const auto file = read(package(model(object(1, kMesh), item(1, "transform='" + numbers + "5 6 7'"))));
       RC_ASSERT(file.hasValue());
-      RC_ASSERT(std::abs(volumeOf(file->soup) - std::abs(determinant) / 6.0) < 1e-9);  // outward, whatever the mirror
+      RC_ASSERT(std::abs(volumeOf(file->soup) - std::abs(determinant) / 6.0) <
+                1e-9);  // outward, in spite of the mirror
     }));
   }
 
@@ -110,7 +111,7 @@ class ThreeMfReaderTest : public QObject {
     QCOMPARE(readModel(turned, item(3)), QString("0 0 0, 1 0 0, 0 1 0, 0 0 1, 1 0 1, 0 1 1 | 0 1 2, 3 4 5 - Groups"));
   }
 
-  // Only what the build names, and never what is of the type 'other'.
+  // Only the objects that the build names, and never those of the type 'other'.
   void onlyTheBuild() {
     QCOMPARE(readModel(object(1, kTriangleMesh) + object(2, kMesh, "type='support'"), item(1)), kTriangle);
     QCOMPARE(readModel(object(1, kTriangleMesh, "type='solidsupport'"), item(1)), kTriangle);
@@ -232,7 +233,7 @@ class ThreeMfReaderTest : public QObject {
     QVERIFY(readModel(object(1, kTriangleMesh) + object(1, kMesh), item(1), "", true).startsWith(kTriangle + " ! "));
   }
 
-  // The build stands at the end, so a text that is cut off has none: what is no component is built.
+  // The build is at the end, so a truncated text has none: objects that are no components are built.
   void cutOff() {
     const QByteArray resources = object(1, kTriangleMesh) + object(2, components({{1, ""}})) + object(3, kMesh);
     QByteArray text = model(resources, item(2));
@@ -243,7 +244,7 @@ class ThreeMfReaderTest : public QObject {
              qPrintable(partial));
   }
 
-  // A wrong byte in the packed model: what unpacks before it is read.
+  // A wrong byte in the packed model: the part before it is read.
   void damagedArchive() {
     QByteArray resources = "<vertices>";
     for (int i = 0; i < 30'000; ++i) resources += "<vertex x='" + QByteArray::number(i * i) + "' y='0' z='1'/>";
@@ -261,7 +262,7 @@ class ThreeMfReaderTest : public QObject {
     QVERIFY(partial->damage[0].code == ArchiveError::EntryDamaged);
     QVERIFY(partial->soup.triangles.size() > 1000 && partial->soup.triangles.size() <= 30'000);
 
-    // Cut off with its directory.
+    // Truncated with its directory.
     bytes.truncate(bytes.size() * 3 / 4);
     QVERIFY(codeOf(bytes) == ArchiveError::Malformed);
     const auto cut = read(bytes, true);

@@ -54,7 +54,7 @@ class ThreeMfWriterTest : public QObject {
     QVERIFY(model->find("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") != std::string::npos);
   }
 
-  // Python's ZIP and XML readers find what the specification asks for.
+  // Python's ZIP and XML readers find the elements that the specification requires.
   void packageParts() {
     const QString program =
         "import io, sys, zipfile, xml.etree.ElementTree as E\n"
@@ -89,7 +89,7 @@ class ThreeMfWriterTest : public QObject {
     }
   }
 
-  // And what we make of other files is what it makes of them: several objects and transforms.
+  // Our result for other files is that of assimp: several objects and transforms.
   void assimpPutsTogetherTheSame() {
     const QByteArray bytes = package(model(object(1, kMesh) + object(2, kMesh), item(1) + item(2)));
     const auto file = read(bytes);

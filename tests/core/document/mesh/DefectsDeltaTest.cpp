@@ -85,7 +85,7 @@ class DefectsDeltaTest : public QObject {
     }));
   }
 
-  // What a step of the history holds is a matter of the edit, not of how much is wrong with the mesh elsewhere.
+  // The size of a history step depends on the edit, not on the number of defects elsewhere in the mesh.
   void aStepHoldsTheChangeOnly() {
     const auto bytesOfAStep = [](std::uint32_t n) {
       const auto document = test::meshDocument(sieve(n));

@@ -98,7 +98,7 @@ Loaded loaded(const Container& container) {
   return result;
 }
 
-// What the levels are made of: which position a dead vertex has is not saved.
+// Returns true if the contents of the levels are equal. The positions of dead vertices are not saved.
 bool same(const PatchLevels& a, const PatchLevels& b) {
   if (a.finest() != b.finest()) return false;
   for (std::size_t i = 0; i <= a.finest(); ++i) {

@@ -259,7 +259,7 @@ class MeshDocumentTest : public QObject {
     QCOMPARE(document->reversedFaces(), std::vector<Face>{5});
   }
 
-  // As the first step of the history: undone, every triangle is as in the file, corner for corner.
+  // The reversal is the first step of the history: after undo, every triangle is as in the file, corner for corner.
   void reversalOnOpeningIsAStep() {
     TriangleSoup soup = test::sphereWithHoles(2, 2, 0.4);
     for (std::size_t f = 0; f < soup.triangles.size(); f += 5) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
@@ -321,7 +321,7 @@ class MeshDocumentTest : public QObject {
     QVERIFY(!document->isModified());
     QVERIFY(changed.count() >= 1);
     QCOMPARE(document->name(), QString("mended.ply"));
-    QCOMPARE(document->fileNumbers(), NumberType::Float32);  // of the scan; PLY would hold more
+    QCOMPARE(document->fileNumbers(), NumberType::Float32);  // number type of the scan; PLY could store more
     document->history()->undo();
     QVERIFY(document->isModified());
   }

@@ -75,7 +75,7 @@ class MeshKindTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever no other kind takes is a mesh; its formats are those of mesh files.
+  // A file that no other kind accepts is a mesh; its formats are those of mesh files.
   void whatItReads() {
     QVERIFY(kKind.recognises("anything", "of.any.name"));
     const std::vector<std::string> endings = kinds().readEndings();
@@ -108,7 +108,7 @@ class MeshKindTest : public QObject {
     QCOMPARE(kKind.ofSurface(soup, {}, Progress(state)).error().code, ErrorCode::Cancelled);
   }
 
-  // What is saved comes back slot for slot, dead slots, marks and all, whatever edits went before.
+  // A saved document is restored slot for slot, including dead slots and marks, after any edits.
   void loadingIsTheInverseOfSaving() {
     const bool held = rc::check([] {
       const auto document = test::meshDocument(grid(*rc::gen::inRange<std::uint32_t>(1, 6)));
@@ -165,7 +165,7 @@ class MeshKindTest : public QObject {
     const auto document = test::meshDocument(grid(4));
     const HalfEdgeMesh whole = document->mesh();
     HalfEdgeMesh open = whole;
-    open.removeFace(11);  // that touches no edge of the grid
+    open.removeFace(11);  // the face touches no edge of the grid
     relink(open);
     document->commit("Remove", inspected(open));
     QCOMPARE(losses(*document).size(), std::size_t(0));
@@ -200,7 +200,7 @@ class MeshKindTest : public QObject {
     QVERIFY((*container.manifest)["document"]["turned_faces"] == 8);
   }
 
-  // Where the turn is undone, the container holds the directions of the file, and nothing that was turned.
+  // After undo of the reversal, the container has the orientations of the file, and no reversed faces.
   void directionsOfTheFileComeBack() {
     TriangleSoup soup = grid(4);
     for (std::size_t f = 0; f < 8; ++f) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
@@ -247,7 +247,7 @@ class MeshKindTest : public QObject {
     }
   }
 
-  // What is lost of a mesh that cannot be taken as it is, is said.
+  // Losses of a mesh that cannot be accepted as it is are reported.
   void aMeshThatContradictsItselfIsJoinedAnew() {
     const auto document = test::meshDocument(grid(3));
     document->setKeptOpen(document->defects().loops[0], true);

@@ -32,7 +32,7 @@ PatchLevels subdivided(double x) {
   return levels;
 }
 
-// The faces of a sphere of radius 1 around a place on it.
+// Returns the faces of a sphere of radius 1 around a point on it.
 FaceSelection around(const HalfEdgeMesh& mesh, const Vec3& centre) {
   return FaceSelection::where(mesh.faceSlots(), [&](Face f) {
     const auto [p, q, r] = mesh.points(f);
@@ -131,7 +131,7 @@ void SubdivisionLevelStoreTest::patchesApartFromOneAnother() {
   QVERIFY(!document->levels(lower.patch()));
   document->history()->redo();
   QVERIFY(document->levels(lower.patch()) && document->levels(upper.patch()));
-  document->keepLevels(PatchLevels(document->mesh(), {}));  // of a stroke on the whole surface
+  document->keepLevels(PatchLevels(document->mesh(), {}));  // levels of a stroke on the whole surface
   QVERIFY(document->levels(lower.patch()) && document->levels(upper.patch()));
 }
 

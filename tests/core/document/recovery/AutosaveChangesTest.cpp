@@ -25,7 +25,7 @@ Container document(int version) {
   return container;
 }
 
-// What a person gets back: of the one autosave that is there.
+// Returns the recovered container of the only autosave.
 std::optional<Container> recovered(const QTemporaryDir& folder) {
   const OrphanedAutosaves leftovers(rootIn(folder));
   if (leftovers.found().size() != 1) return {};
@@ -52,7 +52,7 @@ class AutosaveChangesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever is stored one after the other, removed, or grows: what is recovered is the last one that was stored.
+  // Stores, removes and enlarges autosaves in any order: the last stored one is recovered.
   void theLastIsRecovered() {
     QVERIFY(rc::check([] {
       QTemporaryDir folder;
@@ -108,8 +108,8 @@ class AutosaveChangesTest : public QObject {
     QVERIFY(!fs::exists(changes) && !fs::exists(whole));
   }
 
-  // The program died after a whole autosave took the place of another, and before its changes were removed: they are
-  // older, and left out. Those that are damaged are, too.
+  // The program died after a whole autosave replaced another, and before its changes were removed: they are older, and
+  // left out. Damaged ones are, too.
   void changesOfAnotherAutosave() {
     QTemporaryDir folder;
     std::string older;

@@ -27,7 +27,7 @@ class OrphanedAutosavesTest : public QObject {
     QVERIFY(contentsIn(rootIn(folder)).empty());
   }
 
-  // What another has in use now is found by who looks at it again.
+  // A session in use is found later, after it has ended.
   void foundWhenItIsLeft() {
     const QTemporaryDir folder;
     std::vector<std::filesystem::path> inUse;
@@ -59,7 +59,7 @@ class OrphanedAutosavesTest : public QObject {
     QVERIFY(isOutdated());
     std::filesystem::remove(file);
     QVERIFY(!isOutdated());
-    std::filesystem::create_directory(file);  // of images: its time is that of the last file that came into it
+    std::filesystem::create_directory(file);  // a folder of images: its time is that of the last file added to it
     std::filesystem::last_write_time(file, now + std::chrono::hours(1));
     QVERIFY(!isOutdated());
   }
@@ -118,7 +118,7 @@ class OrphanedAutosavesTest : public QObject {
     QVERIFY(contentsIn(rootIn(folder)) == (Strings{"2", "3"}));
   }
 
-  // Between making its folder and locking it a session looks like a dead one, but for the name.
+  // Between creating its folder and locking it a session looks like a dead one, except for the name.
   void aSessionThatBeginsIsNoLeftover() {
     QTemporaryDir folder;
     std::filesystem::create_directories(rootIn(folder) / ".new");
@@ -139,7 +139,7 @@ class OrphanedAutosavesTest : public QObject {
     QVERIFY(recovery::parseInfo("[1, 2]") == AutosaveInfo());
   }
 
-  // As it was written before the description had a stamp; and with one that is none.
+  // A description written before stamps existed, and one with an invalid stamp.
   void infoWithoutAStamp() {
     const AutosaveInfo old{"id", "/a b.stl", "a b.stl", "mesh"};
     const std::string text = R"("id": "id", "path": "/a b.stl", "name": "a b.stl", "kind": "mesh")";

@@ -130,7 +130,7 @@ class RecoveryTest : public QObject {
     QVERIFY(leftovers.found()[0].info == kInfo);
   }
 
-  // What a full disk does, brought about with a limit on the file size.
+  // A full disk, simulated by a limit on the file size.
   void aFullDiskLeavesTheOlderAutosave() {
     QTemporaryDir folder;
     {
@@ -161,7 +161,7 @@ class RecoveryTest : public QObject {
     QVERIFY(contentsIn(rootIn(folder)) == Strings{"old"});
   }
 
-  // Somebody cleans up the folder under the program.
+  // A user removes the folder while the program runs.
   void aFolderThatVanishes() {
     QTemporaryDir folder;
     {

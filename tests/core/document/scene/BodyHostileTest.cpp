@@ -34,7 +34,7 @@ json entry(const std::string& name) {
           {"geometry", {{"kind", "primitive"}, {"shape", "sphere"}, {"dimensions", {5.0}}}}};
 }
 
-// What must hold of every document that was opened.
+// Returns true if the invariants of every opened document hold.
 bool isSound(const BodySet& bodies) {
   std::set<std::string> names;
   std::set<BodyId> ids;
@@ -170,7 +170,7 @@ class BodyHostileTest : public QObject {
     QVERIFY(read.bodies.triangleCount() > 0 && read.bodies.triangleCount() <= BodySet::kMostTriangles);
     QCOMPARE(read.damage.size(), std::size_t{1});
     QCOMPARE(read.damage[0].code, ErrorCode::FileTooLarge);
-    // What is not shown is not lost, either.
+    // Bodies that cannot be shown are not lost, either.
     Container again;
     ShelfKind().save(*shelf(read.bodies), again);
     QCOMPARE((*again.manifest)["document"]["bodies"].size(), std::size_t{100});

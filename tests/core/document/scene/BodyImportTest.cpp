@@ -29,7 +29,7 @@ class BodyImportTest : public QObject {
     const ImportedBody read = valueOf(readBody(kinds(), m_root / "part.stl", false));
     QCOMPARE(read.body.name, "part");
     QVERIFY(!read.body.link && read.file.damage.empty());
-    QCOMPARE(read.file.notes.size(), std::size_t{1});  // how large it is
+    QCOMPARE(read.file.notes.size(), std::size_t{1});  // Its size
     QCOMPARE(read.file.notes[0].arguments, (std::vector<std::string>{"10", "10", "10"}));
     QCOMPARE(read.body.geometry->kind(), "mesh");
     QCOMPARE(read.body.geometry->surface()->triangles.size(), std::size_t{4});

@@ -22,7 +22,7 @@ void write(const fs::path& path, const std::string& bytes) {
   if (!writeFileAtomically(path, bytes, {})) throw std::runtime_error("not written");
 }
 
-// As of a document in this folder that was saved and opened.
+// Returns the link as in a document in this folder that was saved and opened.
 BodyLink linked(const fs::path& path, const fs::path& folder) {
   BodyLink link = valueOf(linkTo(path));
   link.relative = relativePathOf(link, folder);
@@ -56,7 +56,7 @@ class BodyLinksTest : public QObject {
     // A copy of the whole folder uses its own file, though the other is still there.
     fs::copy(m_root / "job", m_root / "copy", fs::copy_options::recursive);
     QCOMPARE(locateLink(link, m_root / "copy"), m_root / "copy/parts/a.bin");
-    // Where it was; and where all came into one folder.
+    // At its former path; and if all files came into one folder.
     write(m_root / "flat/a.bin", "abc");
     QCOMPARE(locateLink(link, m_root / "flat"), m_root / "job/parts/a.bin");
     QCOMPARE(locateLink(link, {}), m_root / "job/parts/a.bin");
@@ -79,7 +79,7 @@ class BodyLinksTest : public QObject {
     QCOMPARE(link.relative, "job/parts/a.bin");
     QCOMPARE(link.state, LinkState::Present);
     QCOMPARE(link.path, (m_root / "moved/job/parts/a.bin").string());
-    // A file that is missing may come back, so the way to it stays.
+    // A file that is missing may come back, so the path to it stays.
     fs::remove_all(m_root / "moved/job");
     const OpenedFile missing = valueOf(kinds().open(m_root / "moved/shelf.handwheel", {}));
     const BodyLink& lost = *bodiesOf(*missing.content).withName("a")->link;
@@ -159,7 +159,7 @@ class BodyLinksTest : public QObject {
     write(m_root / "huge", "");
     fs::resize_file(m_root / "huge", kLargestLinkedFile + 1);
     QCOMPARE(codeOf(m_root / "huge"), ErrorCode::FileTooLarge);
-    // Which would never end, were they read.
+    // Reading them would never end.
     QCOMPARE(mkfifo((m_root / "pipe").c_str(), 0600), 0);
     for (const fs::path& endless : {m_root / "pipe", fs::path("/dev/zero")}) {
       QCOMPARE(codeOf(endless), ErrorCode::FileUnreadable);

@@ -138,7 +138,7 @@ inline void add(ShelfDocument& document, Body added) {
   document.commit("Add", valueOf(addBodyEdit(document.bodies(), std::move(added))));
 }
 
-// Of a file that was read: damage and notes with it.
+// Returns a file as read, with damage and notes.
 inline OpenedFile opened(const std::string& bytes) {
   return valueOf(kinds().openContainer(bytes));
 }

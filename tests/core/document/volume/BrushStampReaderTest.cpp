@@ -104,7 +104,7 @@ class BrushStampReaderTest : public QObject {
     QCOMPARE(code("a.svg"), ErrorCode(DocumentError::FormatUnknown));
   }
 
-  // Of a volume, its heights along z.
+  // The stamp of a volume has its heights along z.
   void ofAVolume() {
     auto ball = std::make_shared<VolumeSnapshot>();
     ball->volume = ballOfVoxels(5.0, 0.1);

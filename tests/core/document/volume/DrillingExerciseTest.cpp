@@ -49,7 +49,7 @@ std::string containerOfBall(double radius, bool isWhole) {
 
 }  // namespace
 
-// What an exercise of drilling tells, shows and takes as its stock.
+// Tests the texts, the display and the stocks of exercises of drilling.
 class DrillingExerciseTest : public QObject {
   Q_OBJECT
 
@@ -139,7 +139,7 @@ class DrillingExerciseTest : public QObject {
     const Status refused = m_subject.applyTolerance(criterion);
     QVERIFY(!refused && refused.error().code == ErrorCode::ElementMalformed);
     QVERIFY(m_subject.usualLimit("forbidden", task) == std::optional(0.0) && !m_subject.usualLimit("plunge", task));
-    QVERIFY(m_subject.placeProblem(criterion, task).empty());
+    QVERIFY(m_subject.positionProblem(criterion, task).empty());
   }
 
   // Any volume that can be opened becomes the stock, the path stays; a facing allowance means nothing, which is said.
@@ -168,7 +168,7 @@ class DrillingExerciseTest : public QObject {
     QVERIFY(faced->notes.front().text.find("no facing allowance") != std::string::npos);
   }
 
-  // What is no volume, or not all of one, is not taken, and the error names the file.
+  // Files that are not a complete volume are refused, and the error names the file.
   void stocksThatAreNotTaken() {
     const QTemporaryDir folder;
     const fs::path root = folder.path().toStdString();
@@ -188,7 +188,7 @@ class DrillingExerciseTest : public QObject {
             ErrorCode::FileMissing);
   }
 
-  // What is offered to be imported can be read as a volume: no meshes, that can only be written.
+  // The file types offered for import can be read as a volume: no meshes, which can only be written.
   void endingsOfStocks() {
     const std::vector<std::string> endings = m_subject.targetEndings();
     const auto has = [&](const char* ending) {

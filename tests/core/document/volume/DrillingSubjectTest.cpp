@@ -100,7 +100,7 @@ class DrillingSubjectTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The figures are those of the way that was described: 5 mm at 2 mm/s, and what is beyond.
+  // The figures are those of the described path: 5 mm at 2 mm/s, and the part beyond.
   void figuresOfAHole() {
     const Marking good = marked(workOf(holeTo(6.5, 0.3)));
     QVERIFY(std::abs(figureOf(good, "plunge") - 1.5) < 0.02);
@@ -112,7 +112,7 @@ class DrillingSubjectTest : public QObject {
     QVERIFY(std::abs(deep.find("plunge")->points - 1.5) < 0.03);
   }
 
-  // Who comes into the forbidden region gets no points at all, and reads why.
+  // Entering the forbidden region gives no points at all, with a reason.
   void intoTheForbiddenRegion() {
     const Marking failed = marked(workOf(holeTo(9.5)));
     QVERIFY(std::abs(figureOf(failed, "in") - 0.5) < 0.01);
@@ -149,18 +149,18 @@ class DrillingSubjectTest : public QObject {
     QCOMPARE(figureOf(marking, "in"), 0.5);
     QCOMPARE(marking.find("in")->remark.inEnglish(),
              std::string("Tries that entered it and were taken back: 1 of 2, by 0.5 mm at most."));
-    QCOMPARE(marking.points, 6.0);  // of 10 without the 4 of the region
+    QCOMPARE(marking.points, 6.0);  // 10 points minus the 4 of the region
     QCOMPARE(markedBy("fail_the_work", second).points, 0.0);
     const Marking listed = markedBy("are_listed", second);
     QCOMPARE(listed.points, 10.0);
     QCOMPARE(listed.find("in")->remark.text, marking.find("in")->remark.text);
 
-    // Who leaves the hole in the region has failed, whatever was before.
+    // A final hole in the region fails the work, regardless of the tries before.
     QCOMPARE(markedBy({}, afterFailure(bad)).points, 0.0);
     const ReportDetails details = plate()->subject->details(*plate()->task, *second, {});
     QCOMPARE(details.events.front().text.inEnglish(),
              std::string("Try 1 entered the forbidden region by 0.5 mm, and was taken back."));
-    // That was before this work, which has a time of its own.
+    // The try was before this work, which has its own time.
     QVERIFY(!details.events.front().seconds);
     QVERIFY(details.events.size() > 1 && details.events[1].seconds.value_or(-1.0) >= 0.0);
     QCOMPARE(details.figures.back().value, 2.0);
@@ -361,7 +361,7 @@ class DrillingSubjectTest : public QObject {
     QCOMPARE(read->shown()->points, whole.points);
   }
 
-  // What is shown of a stock is made once, whichever of its copies and threads asks for it.
+  // The displayed surface of a stock is made once for all copies and threads.
   void shownStockIsMadeOnce() {
     const DrillingStock stock = stockOf(ballOfVoxels(8.0, 0.5)), copy = stock;
     std::shared_ptr<const TriangleSoup> first, second;
@@ -374,7 +374,7 @@ class DrillingSubjectTest : public QObject {
     QVERIFY(stockFrom(*stock.json())->shown() != first);
   }
 
-  // What the drill needs is in the document that a student works in.
+  // The document in which a student works contains all that the drill needs.
   void assignedTask() {
     const auto task = assignedDrilling(assignmentOf(*plate(), Attempt()));
     QVERIFY(task != nullptr);

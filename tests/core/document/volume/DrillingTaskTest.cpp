@@ -45,7 +45,7 @@ class DrillingTaskTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What the path is comes before what it is drilled by, each under its heading.
+  // The path comes before the drill, each under its heading.
   void orderOfProperties() {
     std::vector<std::string> path, drill;
     for (const Property& each : propertiesOf(plannedTask()))
@@ -92,7 +92,7 @@ class DrillingTaskTest : public QObject {
     QVERIFY(damage.empty() && toJson(read) == toJson(wanted));
   }
 
-  // What is within limits is taken, what is beyond is refused with them.
+  // Values within the limits are accepted, others are refused with the limits.
   void numbersAndTheirLimits() {
     for (const auto& [id, least, largest] : {std::tuple("tolerance", 0.01, 1000.0),
                                              std::tuple("spindle_speed", 1.0, 1e5), std::tuple("feed", 0.05, 50.0)}) {
@@ -165,7 +165,7 @@ class DrillingTaskTest : public QObject {
     QVERIFY(std::abs(Skull::depthAt(task.plan.entry)) < 0.01);
     QVERIFY(task.plan.forbidden == skullBrain());
     QCOMPARE(toJson(task)["stock"], nlohmann::json("skull"));
-    QVERIFY(!toJson(task).contains("failed_tries"));  // what is usual is not written
+    QVERIFY(!toJson(task).contains("failed_tries"));  // the default is not written
   }
 };
 

@@ -104,11 +104,11 @@ class ImageFilesTest : public QObject {
     QVERIFY(std::abs(std::stod(opened->file.notes.front().arguments.front()) - 100.0) < 1.0);
   }
 
-  // Every remark has words with places for all of its figures.
+  // Every remark has a text with placeholders for all of its figures.
   void remarks() {
     using Kind = ImageRemark::Kind;
     for (const Kind kind : {Kind::NoSpacing, Kind::NotNumbers, Kind::FirstOfSeveral, Kind::Tilted, Kind::Uneven,
-                            Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePlace, Kind::NotReadable}) {
+                            Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePosition, Kind::NotReadable}) {
       const std::vector<ImageRemark> one{{kind, {1.25, 3.0}}};
       const std::vector<Note> notes = notesOn(one);
       QCOMPARE(notes.size(), std::size_t{1});

@@ -51,7 +51,7 @@ class ImageSeriesTest : public QObject {
     std::ofstream(m_root / "empty" / "readme.txt") << "no slices";
   }
 
-  // Of a folder the largest series is read, and the others are reported.
+  // Reading a folder reads its largest series, and reports the others.
   void ofAFolder() {
     const Result<ImageFile> read = readImageFile(m_root, {});
     QVERIFY(read.hasValue());
@@ -63,7 +63,7 @@ class ImageSeriesTest : public QObject {
     for (int z = 0; z < 5; ++z) QCOMPARE(read->image.value(static_cast<std::size_t>(48 * z)), std::round(2.0 * z));
   }
 
-  // Of a file its own series is, whatever else there is.
+  // Reading a file reads its own series, regardless of the others.
   void ofAFile() {
     for (const auto& [name, slices] : {std::pair("short1", 3), std::pair("long4", 5)}) {
       const Result<ImageFile> read = readImageFile(m_root / name, {});
@@ -72,7 +72,7 @@ class ImageSeriesTest : public QObject {
     }
   }
 
-  // Whose names are often the patient's: they are not kept.
+  // Names of files are often the patient's: they are not kept.
   void namesAreNotKept() {
     QCOMPARE(sourceName(m_root), std::string("DICOM"));
     QCOMPARE(sourceName(m_root / "long0"), std::string("DICOM"));
@@ -81,10 +81,10 @@ class ImageSeriesTest : public QObject {
     const auto volume = importVolume(m_root / "short0", notes, {});
     QVERIFY(volume && (*volume)->source == "DICOM" && (*volume)->scan);
     QCOMPARE((*volume)->scan->image.grid().size[2], 3);
-    QCOMPARE(notes.size(), std::size_t{2});  // of the other series and of the threshold
+    QCOMPARE(notes.size(), std::size_t{2});  // notes on the other series and on the threshold
   }
 
-  // As a document, whose title is the name of the folder.
+  // A series opens as a document, whose title is the name of the folder.
   void opened() {
     for (const fs::path& path : {m_root, m_root / ""}) {
       const Result<OpenedFile> folder = kindsOfVolumes().open(path, {});

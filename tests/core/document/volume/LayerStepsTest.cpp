@@ -30,7 +30,7 @@ std::unique_ptr<VolumeDocument> ballDocument(const VolumeKind& kind) {
   return std::make_unique<VolumeDocument>(OpenedFile{&kind, {}, std::move(content)});
 }
 
-// As the clay tool does a stroke.
+// Applies a stroke like the clay tool.
 void strokeOn(VolumeDocument& document, ClayAction action, const Vec3& centre, double radius) {
   auto after = std::make_shared<VolumeSnapshot>(*document.volume());
   ClayDab dab;
@@ -103,8 +103,8 @@ class LayerStepsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever follows what: the volume is what its layers give, undone and done again step by step each state is the one
-  // that it was, and files keep it.
+  // For any sequence of steps, the volume is the result of its layers, undo and redo restore each state, and files keep
+  // it.
   void undoRedoAndFiles() {
     const VolumeKind kind;
     for (unsigned seed = 1; seed <= 12; ++seed) {
@@ -137,7 +137,7 @@ class LayerStepsTest : public QObject {
       QVERIFY(loaded && damage.empty());
       QVERIFY(sameLayers(*loaded, *document->volume()));
       if (!loaded->layers) continue;
-      // What the layers will become is in the file, too.
+      // The file also determines later changes of the layers.
       for (std::size_t i = 0; i < loaded->layers->all().size(); ++i)
         QVERIFY(sameVolume(withLayerShare(*loaded, i, 0.4, true).volume->volume,
                            withLayerShare(*document->volume(), i, 0.4, true).volume->volume));
@@ -194,7 +194,7 @@ class LayerStepsTest : public QObject {
     QCOMPARE(document->volume(), share->of);
   }
 
-  // What is no value, and what is no layer, changes nothing and is said.
+  // Invalid values and layers change nothing and are reported.
   void refused() {
     const VolumeKind kind;
     const auto document = ballDocument(kind);

@@ -50,14 +50,14 @@ std::vector<bool> flagsOf(const ImageVolume& image, const Segment& segment) {
 Segment painted(const ImageVolume& image, const ValueRange& range, int strokes, std::mt19937& random) {
   Segment segment(range);
   const std::array<int, 3>& size = image.grid().size;
-  const auto place = [&] {
+  const auto position = [&] {
     Vec3 at;
     for (std::size_t k = 0; k < 3; ++k)
       at[static_cast<Eigen::Index>(k)] = static_cast<double>(random() % static_cast<unsigned>(size[k]));
     return at;
   };
   for (int i = 0; i < strokes; ++i) {
-    const Vec3 from = place();
+    const Vec3 from = position();
     applyBrush(segment, image, {2.0, random() % 2 == 0, {}}, from, from + Vec3(3, 1, 0));
   }
   return segment;
@@ -81,7 +81,7 @@ class ScanBlobsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever the grid, the values, the range and the strokes: the same comes back, to the last bit.
+  // Grid, values, range and strokes are restored to the last bit.
   void savedIsLoaded() {
     QVERIFY(rc::check([] {
       std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -206,7 +206,7 @@ class ScanBlobsTest : public QObject {
     QCOMPARE(samplesOf(read->image), expected);
   }
 
-  // What makes no sense costs the image, and not the volume; and no memory.
+  // Malformed data cost the image, but neither the volume nor memory.
   void hostile_data() {
     QTest::addColumn<QByteArray>("patch");
     const auto row = [](const char* name, const char* patch) { QTest::newRow(name) << QByteArray(patch); };
@@ -264,7 +264,7 @@ class ScanBlobsTest : public QObject {
     }
   }
 
-  // Any bytes in place of bricks end in a segment of the image, or in damage: nothing lies outside of the image.
+  // Random bytes as bricks result in a segment of the image, or in damage: nothing lies outside the image.
   void anyBricks() {
     const auto content = paintedContent(20);
     Container container;

@@ -73,8 +73,8 @@ class SegmentEditTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever strokes, ranges, parts and smoothings follow each other: undone and done again step by step, each state is
-  // the one that it was, and the volume is not touched.
+  // For any sequence of strokes, ranges, parts and smoothings, undo and redo restore each state, and the volume is
+  // unchanged.
   void undoRedo() {
     const VolumeKind kind;
     for (unsigned seed = 1; seed <= 20; ++seed) {

@@ -34,7 +34,7 @@ std::shared_ptr<VolumeSnapshot> snapshotOf(const TriangleSoup& soup, double voxe
   return snapshot;
 }
 
-// The same samples in the same places.
+// Returns true if both volumes have the same samples at the same positions.
 bool same(const SparseVolume& a, const SparseVolume& b) {
   if (a.origin() != b.origin() || a.voxel() != b.voxel() || a.material() != b.material()) return false;
   bool isSame = true;
@@ -95,7 +95,7 @@ class VolumeKindTest : public QObject {
     }
   }
 
-  // What is protected comes back, inverted or not; a chunk of it that is lost was not painted, and is said.
+  // A mask is restored, inverted or not; a lost chunk of it counts as not painted, and is reported.
   void mask() {
     for (const bool isInverted : {false, true}) {
       const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.25);
@@ -143,7 +143,8 @@ class VolumeKindTest : public QObject {
     QVERIFY(!(*container.manifest)["document"].contains("mask"));
   }
 
-  // How holes were drilled comes back to the last bit; without one of its arrays there are no holes, and that is said.
+  // The records of holes are restored to the last bit; without one of their arrays there are no holes, and that is
+  // reported.
   void drilledHoles() {
     const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.5);
     for (const char* const tool : {"twist:2", "burr:1.5", "saw:3:0.7"}) {
@@ -178,7 +179,7 @@ class VolumeKindTest : public QObject {
     QVERIFY(static_cast<const VolumeSnapshot&>(**damaged).holes.empty());
   }
 
-  // What was tried comes back; a try that is impossible, as one before the last, ends the list and is said.
+  // Tries are restored; an impossible one, such as one before the last, ends the list and is reported.
   void triedHoles() {
     const auto value = snapshotOf(moved(cube(4.0), Vec3::Zero()), 0.5);
     const TriedHoles tried = {{~std::uint64_t{0}, 0.25, 1}, {7, 0.0, 1}, {8, 1e-3, 3}};
@@ -249,7 +250,7 @@ class VolumeKindTest : public QObject {
     QCOMPARE(m_kind.load(container, damage, {}).hasValue(), isRead);
   }
 
-  // Any bytes in place of a chunk end in a volume or in damage, and in a closed surface.
+  // Random bytes as a chunk result in a volume or in damage, and in a closed surface.
   void anyChunk() {
     const auto value = snapshotOf(cube(5.0), 1.0);
     Container container;

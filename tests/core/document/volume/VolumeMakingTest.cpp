@@ -56,7 +56,7 @@ class VolumeMakingTest : public QObject {
     QVERIFY(notes.empty() && !(*read)->scan);
   }
 
-  // What cannot be written is an error, and cancelled nothing is.
+  // Volumes that cannot be written are errors, and nothing is written if cancelled.
   void whatIsNotWritten() {
     const QTemporaryDir folder;
     const std::filesystem::path root = folder.path().toStdString();
@@ -71,7 +71,7 @@ class VolumeMakingTest : public QObject {
     }
   }
 
-  // Where no voxel is chosen there are 256 along the largest extent.
+  // The default is 256 voxels along the largest extent.
   void ofASurface() {
     const TriangleSoup block = test::box({0.0, 0.0, 0.0}, {16.0, 4.0, 2.0});
     const Result<MadeVolume> usual = makeVolume(block, std::nullopt, "block.stl", {});
@@ -88,7 +88,7 @@ class VolumeMakingTest : public QObject {
     QVERIFY(makeVolume(block, 0.5, {}, Progress(job)).error().code == ErrorCode::Cancelled);
   }
 
-  // That walls were lost is said from a thousandth of the surface on, with their share in percent.
+  // Lost walls are reported from a thousandth of the surface on, with their share in percent.
   void lostWalls() {
     SurfaceVolume made;
     made.volume = SparseVolume(Vec3::Zero(), 0.25);

@@ -37,7 +37,7 @@ WorkpieceSnapshot bored() {
   return workpiece;
 }
 
-// As a program of version 3 wrote it: a blob for each pass.
+// The file of a program of version 3: a blob for each pass.
 Container asOfVersion3(const WorkpieceSnapshot& workpiece) {
   Container container;
   WorkpieceKind().save(workpiece, container);

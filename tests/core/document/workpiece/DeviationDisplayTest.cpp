@@ -26,7 +26,7 @@ WorkpieceSnapshot barWithTarget(double lowerEnd = 5.0) {
   return workpiece;
 }
 
-// The same, turned down to the target but for `off` mm, at this spacing.
+// The same bar, turned down to the target except for `off` mm, with samples at this spacing.
 WorkpieceSnapshot turnedWithTarget(double off, double spacing) {
   WorkpieceSnapshot workpiece = barWithTarget();
   TurnedProfile profile(workpiece.stock, spacing);
@@ -35,7 +35,7 @@ WorkpieceSnapshot turnedWithTarget(double off, double spacing) {
   return workpiece;
 }
 
-// Where a part of the model is, in the coordinates of the document.
+// Returns the bounds of a part of the model, in the coordinates of the document.
 Box boxOfPart(const DisplayPart& part) {
   Box box;
   for (const Vec3& p : part.soup->points) box.extend(part.pose * p);
@@ -59,8 +59,8 @@ class DeviationDisplayTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // On the bar the corner of the shoulder is the nearest of the target just above it: 5 mm away where the axial way is
-  // √(5² - 2²) mm. Below that it is green, above it red, and neighbours of one colour are one part.
+  // For the bar the corner of the shoulder is the nearest point of the target just above it: 5 mm away, at an axial
+  // distance of √(5² - 2²) mm. Below that it is green, above it red, and neighbours of one colour are one part.
   void theBarIsColouredByItsDistance() {
     const DisplayModel model =
         deviationDisplay(barWithTarget(), [](double distance) { return distance > 5.0 ? kRed : kGreen; });
@@ -84,7 +84,7 @@ class DeviationDisplayTest : public QObject {
     QVERIFY(std::abs(*std::min_element(distances.begin(), distances.end()) - 2.0) < 1e-9);
   }
 
-  // What was cut too deep is below zero, and as far as that.
+  // A cut below the target has a negative distance of its depth.
   void tooMuchIsBelowZero() {
     for (const double off : {0.3, -0.3}) {
       const std::vector<double> distances = distancesIn(turnedWithTarget(off, 0.1));
@@ -94,7 +94,7 @@ class DeviationDisplayTest : public QObject {
     }
   }
 
-  // What the chuck holds behind the target is no part of it, and has no distance.
+  // The bar in the chuck behind the target does not belong to the part, and has no distance.
   void theBarBehindTheTargetDoesNotCount() {
     const DisplayModel model =
         deviationDisplay(barWithTarget(25.0), [](double distance) { return distance == 0.0 ? kGreen : kRed; });

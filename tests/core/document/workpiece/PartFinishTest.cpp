@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kFine = 300, kCoarse = 800;  // samples of a tenth of a mm
 
-// Of 600 r/min: 0.1 mm in a revolution along 20 to 60 mm, 0.4 up to 90 mm, both with a nose of 1 mm.
+// At 600 r/min: 0.1 mm in a revolution along 20 to 60 mm, 0.4 up to 90 mm, both with a nose of 1 mm.
 WorkpieceSnapshot finished() {
   WorkpieceSnapshot workpiece;
   TurningPass pass;
@@ -94,7 +94,7 @@ class PartFinishTest : public QObject {
     QVERIFY(loaded(savedOf(bored)).part->finish == bored.part->finish);
   }
 
-  // What was asked of a motor that could not hold it comes back with its pass; others have none.
+  // The set speed of an overloaded motor is read back with its pass; other passes have none.
   void askedSpeedsAreKeptInTheFile() {
     WorkpieceSnapshot workpiece = finished();
     TurningPass pass;
@@ -114,7 +114,7 @@ class PartFinishTest : public QObject {
     QVERIFY((back.part->passes[3]->speeds == std::vector<double>{800.0, 400.0}));
   }
 
-  // A file without it, as older programs wrote: the part is the same, and what is cut from then on is known.
+  // A file without it, as older programs wrote: the part is the same, and the finish of new cuts is known.
   void filesWithoutIt() {
     Container container = savedOf(finished());
     (*container.manifest)["document"]["turned"].erase("finish");
@@ -132,7 +132,7 @@ class PartFinishTest : public QObject {
     QVERIFY(loaded(savedOf(old)).part->finish == old.part->finish);
   }
 
-  // What is lost or impossible is not known; the part is whole, and it is no damage.
+  // Lost or impossible values are unknown; the part is whole, and there is no damage.
   void whatIsLostIsNotKnown() {
     Container container = savedOf(finished());
     std::string& blob = container.blobs.at("workpiece/finish/0000");
@@ -143,7 +143,7 @@ class PartFinishTest : public QObject {
     numbers[3 * 303 + 2] = 2.0f;  // there are two passes
     numbers[3 * 304 + 2] = 0.5f;
     numbers[3 * 305 + 2] = 1e30f;
-    numbers[3 * 306] = std::numeric_limits<float>::infinity();  // of an ideal point
+    numbers[3 * 306] = std::numeric_limits<float>::infinity();  // an ideal point
     blob = toBlob(numbers);
     const WorkpieceSnapshot odd = loaded(container);
     for (std::size_t i = 300; i < 306; ++i) QVERIFY(!markAt(odd, i).isKnown());
@@ -184,8 +184,8 @@ class PartFinishTest : public QObject {
     m_kind.save(workpiece, container);
     return container;
   }
-  // Turned, bored, ground and threaded: the passes cut once more in the bar, all at once, give the part and its finish
-  // to the last bit. That is what the command line does with work by hand.
+  // Turned, bored, ground and threaded: the passes cut again in the bar, all at once, give the part and its finish to
+  // the last bit. The command line does so with work by hand.
   void allPassesAgain() {
     WorkpieceSnapshot workpiece = finished();
     const auto addPass = [&](TurningPass pass) {

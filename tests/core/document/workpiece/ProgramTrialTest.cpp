@@ -6,7 +6,7 @@
 #include "document/workpiece/PassesProgram.h"
 #include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/target/TargetImport.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "machining/program/ProgramErrors.h"
 
 #include <QtTest>
@@ -67,8 +67,7 @@ class ProgramTrialTest : public QObject {
   }
 
   // With a target, program zero is its finished face: 3 mm behind the end of the bar. A program that turns a pin to Z 0
-  // and more to Z -50 makes a shoulder 53 mm behind the end of the bar; what was cut becomes a program that does the
-  // same.
+  // and more to Z -50 makes a shoulder 53 mm behind the end of the bar; the cut becomes a program that does the same.
   void zeroIsTheFinishedFace() {
     WorkpieceSnapshot workpiece = freshBar();
     const auto drawn =
@@ -97,7 +96,7 @@ class ProgramTrialTest : public QObject {
     for (std::size_t i = 0; i < part.size(); ++i) QVERIFY(std::abs(repeated.radius(i) - part.radius(i)) < 2e-3);
   }
 
-  // The part at a place of the path: in the middle of the cut the tip is at z = -24, 76 mm above the lower end.
+  // The part at a position of the path: in the middle of the cut the tip is at z = -24, 76 mm above the lower end.
   void thePartUpToALine() {
     const WorkpieceSnapshot workpiece = freshBar();
     const auto trial = tried(kTurn, workpiece);
@@ -111,7 +110,8 @@ class ProgramTrialTest : public QObject {
     QVERIFY(*trial->profileAt(trial->steps().end()) == trial->part()->profile);
   }
 
-  // Many moves, of which few versions are kept: each place is what the moves before it leave.
+  // A path of many moves, of which few versions are kept: at each position the part is the result of the moves before
+  // it.
   void everyPlaceOfALongPath() {
     std::string text = "G7 G21 S600 M3\nG0 X44 Z1\n";
     for (int i = 0; i < 350; ++i)
@@ -126,8 +126,8 @@ class ProgramTrialTest : public QObject {
     } while (simulation.step());
   }
 
-  // A drill on its way back is still a drill, and a tool that leaves its thread cuts nothing: in the middle of both
-  // ways the part is what it was before them.
+  // A retracting drill is still a drill, and a tool that leaves its thread cuts nothing: in the middle of the
+  // retraction the part is unchanged.
   void halfTheWayBack_data() {
     QTest::addColumn<QString>("cuts");
     QTest::addColumn<double>("nose");
@@ -148,7 +148,7 @@ class ProgramTrialTest : public QObject {
     QVERIFY(*before == trial->part()->profile);
   }
 
-  // What a program struck, as the manual lathe records it, at the points of its path.
+  // Collisions of a program are recorded as by the manual lathe, at the points of its path.
   void collisionsAsCrashes_data() {
     QTest::addColumn<QString>("cuts");
     QTest::addColumn<int>("cause");
@@ -173,8 +173,9 @@ class ProgramTrialTest : public QObject {
     QCOMPARE(static_cast<int>(crash.cause), cause);
     QCOMPARE(static_cast<int>(crash.struck), struck);
     const auto& path = trial->part()->passes.back()->path;
-    QVERIFY(std::find(path.begin(), path.end(), crash.place) != path.end());
-    QVERIFY(crash.place.x() == 18.0 && crash.place.y() < 100.0 && crash.place.y() > 80.0);  // where it first cut
+    QVERIFY(std::find(path.begin(), path.end(), crash.position) != path.end());
+    // position of the first cut
+    QVERIFY(crash.position.x() == 18.0 && crash.position.y() < 100.0 && crash.position.y() > 80.0);
     QVERIFY(crash.time > 0.0 && crash.time <= trial->path().time);
   }
 
@@ -208,7 +209,7 @@ class ProgramTrialTest : public QObject {
     }
   }
 
-  // Those of a bore, too, with the tools that come with the program: a hole of 10 mm, 20 mm deep.
+  // Passes of a bore, too, with the tools that come with the program: a hole of 10 mm, 20 mm deep.
   void boredPassesAsAProgram() {
     WorkpieceSnapshot workpiece = freshBar();
     const auto drilled = tried("G7 G21 G97 S600 M3\nG0 X0 Z2\nG1 Z-20 F100\nG0 Z2\nM2\n", workpiece, 5.0);

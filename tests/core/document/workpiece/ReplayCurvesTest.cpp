@@ -42,12 +42,12 @@ WorkpieceSnapshot turnedDown() {
 
 }  // namespace
 
-// What the time line of a replay shows.
+// The curves on the time line of a replay.
 class ReplayCurvesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // 1 mm deep, 0.2 mm in a turn, at the surface speed of the bar: what the law says for that.
+  // 1 mm deep, 0.2 mm in a turn, at the surface speed of the bar: the force is that of the law.
   void theForceIsThatOfTheCut() {
     const auto track = replayCurves(turnedDown());
     QVERIFY(track);
@@ -92,14 +92,14 @@ class ReplayCurvesTest : public QObject {
     QVERIFY(track && track->replay->at(track->replay->duration()).profile == work.part->profile);
   }
 
-  // A crash of the lathe ended the pass under way; what a program struck is at a point of its path; of files of older
-  // programs nothing is known.
+  // A crash of the lathe ended its pass; that of a program is at a point of its path; files of older programs have no
+  // times.
   void crashesAreMarked() {
     WorkpieceSnapshot work = turnedDown();
     LatheCollision older, lathe, program;
     lathe.passes = 1.0;
     program.passes = 2.0;
-    program.place = passAt(18.0).path[10];
+    program.position = passAt(18.0).path[10];
     addCrashes(work, std::vector{older, program, lathe});
     const auto track = replayCurves(work);
     QVERIFY(track && track->crashes.size() == 3);

@@ -39,12 +39,12 @@ WorkpieceSnapshot shaftToRead() {
 
 }  // namespace
 
-// Targets from files of other programs, and what is said of how they were read.
+// Targets from files of other programs, and the notes on reading them.
 class TargetImportTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A drawing that does not say its unit is in mm, and what it has beside lines is counted.
+  // A drawing without a unit is in mm, and its elements besides lines are counted.
   void aDrawingWithoutAUnit() {
     const auto path = written("pin.dxf", dxfWith(std::string(kPinLines) + "0 TEXT 1 M8 0 TEXT 1 x 0 HATCH 2 ANSI31 "));
     const auto imported = importTarget(path, UnturnedFaces::Refuse);
@@ -56,7 +56,7 @@ class TargetImportTest : public QObject {
     QCOMPARE(imported->notes[1].arguments, std::vector<std::string>{"1 HATCH, 2 TEXT"});
   }
 
-  // The same in inches, which it says.
+  // The same drawing in inches, which its file says.
   void aDrawingInInches() {
     const auto path = written("inches.dxf", dxfWith(kPinLines, "9 $INSUNITS 70 1 "));
     const auto imported = importTarget(path, UnturnedFaces::Refuse);
@@ -89,7 +89,7 @@ class TargetImportTest : public QObject {
     QVERIFY(!importTarget(damaged, UnturnedFaces::Refuse));
   }
 
-  // What is exported is read again, with ends as wide as they are. A tetrahedron was never turned.
+  // An exported file is read again, with ends of the same width. A tetrahedron was never turned.
   void aMesh() {
     const WorkpieceSnapshot shaft = shaftToRead();
     for (const char* const name : {"shaft.stl", "shaft.obj"}) {

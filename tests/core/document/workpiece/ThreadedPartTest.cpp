@@ -59,7 +59,7 @@ class ThreadedPartTest : public QObject {
     QVERIFY(part.volume() < part.profile.volume() - 100.0);
   }
 
-  // What no thread can be costs the pass, and says so.
+  // An impossible thread costs the pass, and is reported.
   void impossibleThreadsAreDamage() {
     for (const auto& [key, value] : std::vector<std::pair<const char*, nlohmann::json>>{
              {"pitch", 0.0}, {"pitch", -1.0}, {"starts", 0}, {"starts", 1e9}, {"hand", "up"}, {"angle", 4.0}}) {
@@ -83,7 +83,7 @@ class ThreadedPartTest : public QObject {
     QVERIFY(owner.workpiece().part->threads());
   }
 
-  // Of a bar whose thread is behind the cut, the end piece has all of it, wherever its volume is shown.
+  // In a bar whose thread is behind the cut, the end piece has all of it, wherever its volume is shown.
   void piecesHaveTheirThreads() {
     WorkpieceSnapshot workpiece = threadedBar();
     const auto whole = workpiece.part;

@@ -113,7 +113,7 @@ class TurnedPartTest : public QObject {
     QVERIFY(isSame(static_cast<const WorkpieceSnapshot&>(**loaded), older));
   }
 
-  // Of 100,000 samples in two chunks the second is lost: that many.
+  // 100,000 samples in two chunks, the second of which is lost.
   void countsWhatIsLost() {
     WorkpieceSnapshot workpiece;
     TurningPass pass;
@@ -185,7 +185,7 @@ class TurnedPartTest : public QObject {
         }
       }
     }
-    QVERIFY(worst > 0.02 && worst <= 0.1 + 0.002);  // what is between the points of the path is 0.0003
+    QVERIFY(worst > 0.02 && worst <= 0.1 + 0.002);  // the material between the points of the path is 0.0003
   }
 
   void hostileManifests_data() {
@@ -284,8 +284,8 @@ class TurnedPartTest : public QObject {
     QVERIFY(!endPieceOf(TurnedProfile::fromRadii({0.0, 0.0, 0.0}, 4.0)));
   }
 
-  // What has come off is shown by itself: a gap of 2 mm in the middle of a bar of 100 mm. Seen again, the block of the
-  // gap is the same; each triangle is on one side.
+  // A piece that has come off is shown by itself: a gap of 2 mm in the middle of a bar of 100 mm. Shown again, the
+  // block of the gap is the same; each triangle is on one side.
   void thePartedPieceIsShownByItself() {
     WorkpieceSnapshot workpiece;
     TurningPass pass;

@@ -105,7 +105,7 @@ void WorkpieceDocumentTest::propertiesAreListed() {
   QCOMPARE(std::get<double>(propertyOf(*document, "area").value), M_PI * 50 * 100 + 2 * M_PI * 625);
   QVERIFY(!propertyOf(*document, "volume").editable);
   QVERIFY(!propertyOf(*document, "area").editable);
-  QVERIFY(propertyOf(*document, "display_unit").editable);  // of every document
+  QVERIFY(propertyOf(*document, "display_unit").editable);  // a property of every document
 }
 
 void WorkpieceDocumentTest::setsProperties() {

@@ -121,8 +121,8 @@ void WorkpieceKindTest::containerOnDisk() {
   QVERIFY(same(valueOf(opened->content), valueOf(document->snapshot())));
 }
 
-// Also of a bar that was not cut; and where an older program kept those of programs.
-// With their bodies, and undone as one step. Tools that cannot be are left out and said.
+// Also for an uncut bar, and from the key where an older program kept them; with their bodies, and undone as one step.
+// Impossible tools are left out and reported.
 void WorkpieceKindTest::programToolsAreKept() {
   const LatheTools shipped = shippedLatheTools();
   ProgramTools tools;
@@ -167,7 +167,7 @@ void WorkpieceKindTest::crashesAreKept() {
   WorkpieceSnapshot value = workpiece({40.0, 100.0, 0.0});
   LatheCollision crash;
   crash.cause = CrashCause::SpindleAtRest;
-  crash.place = {20.0, 80.0};
+  crash.position = {20.0, 80.0};
   crash.tool = "facing";
   value.crashes = std::make_shared<const std::vector<LatheCollision>>(std::vector{crash, crash});
   Container container;

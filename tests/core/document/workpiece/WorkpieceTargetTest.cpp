@@ -11,7 +11,7 @@
 #include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetBlobs.h"
 #include "document/workpiece/target/TargetEdit.h"
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 #include "document/workpiece/target/TargetReport.h"
 #include "machining/target/TargetErrors.h"
 #include "machining/target/files/DrawingWriter.h"
@@ -59,7 +59,7 @@ class WorkpieceTargetTest : public QObject {
     const auto& workpiece = static_cast<const WorkpieceSnapshot&>(**back);
     QVERIFY(workpiece.target && workpiece.target->profile == steppedShaft());
     QCOMPARE(workpiece.target->source, std::string("Welle 轴.step"));
-    // Without one there is none.
+    // Without a target there is no property.
     Container bare;
     m_kind.save(WorkpieceSnapshot(), bare);
     QVERIFY(!readTarget((*bare.manifest)["document"], bare, damage) && damage.empty());
@@ -119,8 +119,8 @@ class WorkpieceTargetTest : public QObject {
       const auto& bar = static_cast<const WorkpieceSnapshot&>(*opened->content);
       QVERIFY(bar.target && !bar.part);
       QVERIFY(std::abs(bar.target->profile.volume() - shaft.volume()) < 1e-6 * shaft.volume());
-      QCOMPARE(bar.stock.diameter, 42.0);  // of ⌀40 and 2 mm
-      QCOMPARE(bar.stock.length, 111.0);   // of 80 mm, 1 mm and 30 mm
+      QCOMPARE(bar.stock.diameter, 42.0);  // ⌀40 and 2 mm
+      QCOMPARE(bar.stock.length, 111.0);   // 80 mm, 1 mm and 30 mm
       QVERIFY(std::abs(bar.target->profile.upperEnd() - 110.0) < 1e-6);
     }
     QFile text(QString::fromStdString(at("text.dxf").string()));
@@ -181,13 +181,13 @@ class WorkpieceTargetTest : public QObject {
     QCOMPARE(kept->profile.lowerEnd(), 20.0);
     const auto beyond = placedTarget({steppedShaft().moved(-5.0), "x", {}, true}, stock);
     QVERIFY(std::abs(beyond->profile.upperEnd() - 109.0) < 1e-9);
-    // A bar that is hardly longer has what it has, and a shorter one nothing.
+    // A bar that is hardly longer leaves its excess, and a shorter one nothing.
     QVERIFY(std::abs(usualAllowance(steppedShaft(), {50.0, 80.25, 0.0}) - 0.25) < 1e-9);
     QCOMPARE(usualAllowance(steppedShaft(), {50.0, 70.0, 0.0}), 0.0);
   }
 
-  // ⌀24 is the upper end of the shaft and ⌀40 the lower one, and the other way round after it is turned. The picture is
-  // that of the target in its bar, wherever the bar is.
+  // ⌀24 is the upper end of the shaft and ⌀40 the lower one, and the reverse after it is turned. The picture is that of
+  // the target in its bar, wherever the bar is.
   void endForEnd() {
     const TargetProfile shaft = steppedShaft(), turned = shaft.turnedEndForEnd();
     QCOMPARE(endsNote(shaft).arguments, std::vector<std::string>({"24", "40"}));
@@ -212,7 +212,7 @@ class WorkpieceTargetTest : public QObject {
     QCOMPARE(shownZero(workpiece, false), 0.0);
   }
 
-  // A tool of 2 mm goes in to the axis at Z 50 of a bar of 100 mm: what is free of the chuck is above Z 51.
+  // A tool of 2 mm goes in to the axis at Z 50 of a bar of 100 mm: the piece free of the chuck is above Z 51.
   void aPartedPart() {
     WorkpieceSnapshot workpiece;
     QVERIFY(sectionNotes(workpiece).empty());
@@ -230,7 +230,7 @@ class WorkpieceTargetTest : public QObject {
     QVERIFY(sectionNotes(workpiece).front().isLoss);
   }
 
-  // What is left for facing can be changed, undone and saved; where it does not fit, that is said.
+  // The allowance for facing can be changed, undone and saved; a target that does not fit is reported.
   void theAllowanceIsAProperty() {
     WorkpieceKind kind;
     OpenedFile opened = DocumentKinds::blank(kind);
@@ -255,7 +255,7 @@ class WorkpieceTargetTest : public QObject {
     document->history()->undo();
     QCOMPARE(value("facing_allowance"), 1.0);
     QVERIFY(document->property("facing_allowance")->problem.empty());
-    QVERIFY(document->setProperty("facing_allowance", 20.5));  // of 20 mm
+    QVERIFY(document->setProperty("facing_allowance", 20.5));  // the limit is 20 mm
     QVERIFY(!document->property("facing_allowance")->problem.empty());
     for (const PropertyValue& wrong : {PropertyValue(-1.0), PropertyValue(101.0), PropertyValue(std::string("1"))})
       QVERIFY(!document->setProperty("facing_allowance", wrong));

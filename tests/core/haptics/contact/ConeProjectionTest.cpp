@@ -17,7 +17,8 @@ Vec3 someVector() {
   return {*number, *number, *number};
 }
 
-// The same by another way: Hildreth's, which lets one plane after the other push, and converges to the nearest point.
+// The same by another method: Hildreth's, which lets one plane after the other push, and converges to the nearest
+// point.
 Vec3 byHildreth(const Vec3& goal, const std::vector<HalfSpace>& planes) {
   std::vector<double> push(planes.size(), 0.0);
   Vec3 y = goal;
@@ -57,7 +58,7 @@ class ConeProjectionTest : public QObject {
 
   void isTheNearestPoint() {
     QVERIFY(rc::check([] {
-      // Through the origin, so that there is a point that fits.
+      // All planes pass through the origin, so that a point fits.
       std::vector<HalfSpace> planes;
       const int count = *rc::gen::inRange(1, 9);
       for (int i = 0; i < count; ++i) {
@@ -72,7 +73,7 @@ class ConeProjectionTest : public QObject {
     }));
   }
 
-  // Planes that are all but one: a sum of huge multipliers would lose every digit.
+  // For nearly equal planes a sum of huge multipliers would lose every digit.
   void bearsPlanesThatAreNearlyParallel() {
     for (const double angle : {0.0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3}) {
       const Vec3 tilted = Vec3(std::sin(angle), 0.0, std::cos(angle));

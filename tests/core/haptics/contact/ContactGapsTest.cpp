@@ -29,7 +29,7 @@ TriangleSoup twoSheets(double gap, std::uint32_t leftRows, std::uint32_t rightRo
   return s;
 }
 
-// Whether a proxy that slides over it falls in anywhere.
+// Returns the number of falls of a proxy that slides over it.
 int fallsIn(const TriangleSoup& s, double scale = 1.0) {
   const ContactSurface surface(s.points, s.triangles);
   std::mt19937 random(7);
@@ -74,7 +74,7 @@ class ContactGapsTest : public QObject {
     QFETCH(int, right);
     for (const double scale : {1e-3, 1.0, 1e3}) {
       const TriangleSoup s = moved(twoSheets(gap, left, right), Vec3::Zero(), scale);
-      QVERIFY(fallsIn(s, scale) > 0);  // as it is, a point falls in
+      QVERIFY(fallsIn(s, scale) > 0);  // unmodified, a point falls in
       QCOMPARE(fallsIn(closed(s), scale), 0);
     }
   }
@@ -85,7 +85,7 @@ class ContactGapsTest : public QObject {
     QCOMPARE(closed(ball).triangles.size(), ball.triangles.size());
   }
 
-  // Triangles of which each has corners of its own, off by 1e-5 mm.
+  // Closes triangles that each have corners of their own, off by 1e-5 mm.
   void closesSoup() {
     TriangleSoup s = unshared(moved(icosphere(4), Vec3::Zero(), 38.0));
     std::mt19937 random(3);

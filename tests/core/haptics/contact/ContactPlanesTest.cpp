@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kSkin = 1e-6;
 
-// On the triangle (0, 0), (1, 0), (0, 1) at height 0, from above or, turned over, from what it calls inside.
+// The triangle (0, 0), (1, 0), (0, 1) at height 0, from above or, turned over, from its inside.
 const TouchedFace kFloor{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, true};
 const TouchedFace kTurned{{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 0)}, false};
 
-ContactPlanes onFloor(const Vec3& place, const TouchedFace& face = kFloor) {
+ContactPlanes onFloor(const Vec3& position, const TouchedFace& face = kFloor) {
   ContactPlanes planes;
-  planes.beginAt(place);
-  planes.add({Vec3::UnitZ(), kSkin - place.z()}, face);
+  planes.beginAt(position);
+  planes.add({Vec3::UnitZ(), kSkin - position.z()}, face);
   return planes;
 }
 
@@ -38,20 +38,20 @@ class ContactPlanesTest : public QObject {
     }
   }
   void goWhereItLeavesTheTriangle() {
-    for (const Vec3& place :
+    for (const Vec3& position :
          {Vec3(0.6, 0.6, kSkin), Vec3(-0.1, 0.3, kSkin), Vec3(0.2, 0.2, 3 * kSkin), Vec3(0.2, 0.2, -kSkin)}) {
       ContactPlanes planes = onFloor({0.2, 0.2, kSkin});
-      planes.moveTo(place, kSkin);
+      planes.moveTo(position, kSkin);
       QVERIFY(planes.empty());
     }
   }
-  // Met aslant, beside the triangle: for the next tick it does not stand, though nothing has moved.
+  // Met obliquely, beside the triangle: the plane does not stay for the next tick, although nothing has moved.
   void goWhereItStandsBesideTheTriangle() {
     ContactPlanes planes = onFloor({0.2, -0.5 * kSkin, kSkin});
     planes.keepBelow(kSkin);
     QVERIFY(planes.empty());
   }
-  // However slowly it creeps out.
+  // The planes are released also if it creeps out slowly.
   void goWhereItCreepsOut() {
     ContactPlanes planes = onFloor({0.2, 10.5 * kSkin, kSkin});
     int kept = 0;

@@ -50,7 +50,7 @@ class ContactSurfaceTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // After any edits it finds what a loop over all triangles finds.
+  // After any edits it finds the same as a loop over all triangles.
   void findsWhatIsThere() {
     QVERIFY(rc::check([] {
       const TriangleSoup sphere = icosphere(2);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The surface is edited under the pressed tip, through the whole loop: what is sent never changes faster than the slew
-// limit, whatever the edit takes away or brings.
+// The surface is edited under the pressed tip, through the whole loop: the sent force never changes faster than the
+// slew limit, for any edit.
 #include <QtTest>
 #include <random>
 
@@ -18,7 +18,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr std::uint32_t kTop = 100'000;  // number of what is laid over the cube
+constexpr std::uint32_t kTop = 100'000;  // first number of the triangles laid over the cube
 
 // A plate of 40 mm at this height in the middle of a cube of 100, turned up.
 std::vector<ContactTriangle> plateAt(double z) {
@@ -26,7 +26,7 @@ std::vector<ContactTriangle> plateAt(double z) {
   return {{{a, b, c}, kTop}, {{a, c, d}, kTop + 1}};
 }
 
-// Of 8 N and 2 N/mm: 2 N a tick are its limit.
+// A device of 8 N and 2 N/mm: 2 N a tick are its limit.
 DeviceCapabilities device() {
   DeviceCapabilities all = forceDevice();
   all.maxStiffness = 2.0;
@@ -87,7 +87,8 @@ class EditUnderTipTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // At 5 mm, 4 N: the whole cube goes, and comes back around the tip; what bears it is laid 1 mm higher and taken away.
+  // At 5 mm, 4 N: the whole cube is removed, and comes back around the tip; the supporting plate is laid 1 mm higher
+  // and taken away.
   void noForceChangesFasterThanTheLimit() {
     Fixture fixture;
     fixture.begin(5.0);
@@ -109,7 +110,7 @@ class EditUnderTipTest : public QObject {
     QVERIFY(fixture.last.isZero());
     fixture.edit({}, cubes);
     QVERIFY2(fixture.most <= fixture.slew + 1e-9, qPrintable(QString::number(fixture.most)));
-    QVERIFY(fixture.most > 0.9 * fixture.slew);  // it was a matter of the limit
+    QVERIFY(fixture.most > 0.9 * fixture.slew);  // the limit was reached
   }
 
   // A face lowered and raised by a brush, a hundred times by up to 4 mm, while the hand goes up and down.

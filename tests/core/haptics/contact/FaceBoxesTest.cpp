@@ -12,7 +12,8 @@ class FaceBoxesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Compared with boxes of doubles: none is missed, and none is named that is farther off than what floats round.
+  // Compared with boxes of doubles: none is missed, and none is reported that is farther off than the rounding to
+  // float.
   void tellsWhichASegmentMeets_data() {
     QTest::addColumn<double>("scale");
     QTest::addColumn<double>("away");
@@ -65,7 +66,7 @@ class FaceBoxesTest : public QObject {
     QVERIFY(met > 10'000 && apart > 10'000);
   }
 
-  // A region without extent, as where all corners are one point.
+  // A region without extent, for example if all corners are one point.
   void namesAllWhereItCannotTell() {
     FaceBoxes boxes;
     boxes.clear(Box(Vec3(1, 2, 3)));

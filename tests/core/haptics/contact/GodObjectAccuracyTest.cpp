@@ -15,12 +15,12 @@ using namespace handwheel::test;
 
 namespace {
 
-using Path = std::function<Vec3(double)>;        // of a tip, from 0 to 1
-using Ideal = std::function<Vec3(const Vec3&)>;  // where the proxy of such a tip is on the true surface
+using Path = std::function<Vec3(double)>;        // position of a tip, from 0 to 1
+using Ideal = std::function<Vec3(const Vec3&)>;  // proxy of such a tip on the true surface
 
 constexpr int kPathTicks = 4000;
 
-// The force on a tip led along a path into the mesh, against that of the surface that the mesh stands for: root of the
+// Returns the error of the force on a tip led along a path into the mesh, against that of the true surface: root of the
 // mean square, as a share of the largest.
 double errorOf(const TriangleSoup& mesh, const Vec3& from, const Path& path, const Ideal& ideal) {
   const ContactSurface surface(mesh.points, mesh.triangles);
@@ -68,7 +68,7 @@ class GodObjectAccuracyTest : public QObject {
                     [](const Vec3& tip) { return Vec3(tip * std::max(1.0, 38.0 / tip.norm())); }) < kBar);
   }
 
-  // To the last digit: what the tip has felt before does not matter once it was free, as when a recording is felt
+  // The force after a free phase is independent of earlier contacts to the last digit, so a recording can be felt
   // again.
   void whateverWasBefore() {
     const TriangleSoup mesh = moved(icosphere(4), Vec3::Zero(), 38.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The god-object where many planes meet, and what it remembers from tick to tick.
+// The god-object at corners of many planes, and its memory from tick to tick.
 #include "haptics/contact/GodObject.h"
 
 #include "ExactGodObject.h"
@@ -17,7 +17,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// Triangles around a point whose neighbours rise and fall as they like; the rim is far away.
+// Returns triangles around a point whose neighbours rise and fall arbitrarily; the rim is far away.
 TriangleSoup fanOf(double steepness, std::mt19937& random) {
   std::uniform_real_distribution<double> rise(-steepness, steepness), apart(0.5, 1.5);
   const int spokes = std::uniform_int_distribution<int>(3, 9)(random);
@@ -34,7 +34,7 @@ TriangleSoup fanOf(double steepness, std::mt19937& random) {
   return fan;
 }
 
-// Under the fan, around its middle and through it.
+// Returns a path under the fan, around its middle and through it.
 std::vector<Vec3> walkUnder(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   std::vector<Vec3> path;
@@ -54,11 +54,11 @@ class GodObjectCornerTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Where it comes to rest, a walk downhill over the triangles themselves would stay. Among spikes, where the skins of
-  // steep walls leave no way through a crack, it may be held once in many corners.
+  // A walk downhill over the triangles themselves would stay where the proxy comes to rest. Among spikes, whose skins
+  // close every crack between steep walls, it may be held once in many corners.
   void restsWhereTheExactOneWould_data() {
     QTest::addColumn<double>("steepness");
-    QTest::addColumn<double>("mostHeld");  // of the ticks
+    QTest::addColumn<double>("mostHeld");  // share of the ticks
     QTest::newRow("nearly flat") << 0.1 << 0.0;
     QTest::newRow("slopes of 40 degrees") << 0.8 << 1e-4;
     QTest::newRow("spikes") << 2.0 << 1e-3;
@@ -88,16 +88,16 @@ class GodObjectCornerTest : public QObject {
     QVERIFY(held <= mostHeld * compared);
   }
 
-  // Met aslant at the edge of a hole, it stands beside the triangle; pulled straight down, it falls.
+  // Met obliquely at the edge of a hole, the proxy is beside the triangle; pulled straight down, it falls.
   void fallsBesideAnEdge() {
-    TriangleSoup floor;  // where x <= 0
+    TriangleSoup floor;  // for x <= 0
     floor.points = {{0, -50, 0}, {0, 50, 0}, {-100, -50, 0}, {-100, 50, 0}};
     floor.triangles = {{0, 1, 2}, {3, 2, 1}};
     const ContactSurface surface(floor.points, floor.triangles);
     const ContactOptions rough{.friction = 10.0};
     GodObject god;
     god.place({1, 0, 0.5});
-    god.follow(surface, Vec3(-1e-9, 0, 0) - 0.5 * Vec3(1, 0, 0.5), rough);  // held where it came
+    god.follow(surface, Vec3(-1e-9, 0, 0) - 0.5 * Vec3(1, 0, 0.5), rough);  // held at its arrival
     const Vec3 held = god.contact().proxy;
     QVERIFY(god.contact().touching && held.x() > 0.0);
     QVERIFY(!god.follow(surface, held - Vec3(0, 0, 1), rough).touching);
@@ -135,9 +135,8 @@ class GodObjectCornerTest : public QObject {
     QVERIFY2(late == 0, qPrintable(QString::number(late)));
   }
 
-  // What was looked up and touched in the ticks before is used only where it would be found again: a surface that calls
-  // itself changed is looked up anew in each tick. Where a step ends at the side of what was looked up, it may go on
-  // another way from there.
+  // The cache of earlier ticks is used only where a look-up would find the same: a surface that calls itself changed is
+  // looked up anew in each tick. If a step ends at the side of the cached region, it may continue on another path.
   void findsWhatItRemembers() {
     const TriangleSoup ball = bumpySphere(5);
     const ContactSurface surface(ball.points, ball.triangles);
@@ -147,11 +146,12 @@ class GodObjectCornerTest : public QObject {
     GodObject remembers, forgets;
     remembers.place({2, 0, 0});
     forgets.place({2, 0, 0});
-    Vec3 tip(2, 0, 0), way(0, 0, 0);
+    Vec3 tip(2, 0, 0), drift(0, 0, 0);
     int touched = 0, apart = 0;
     for (int i = 0; i < 100'000; ++i) {
-      way = 0.9 * way + 5e-4 * std::pow(10.0, (i / 500) % 3 - 1) * Vec3(number(random), number(random), number(random));
-      tip += way;
+      drift =
+          0.9 * drift + 5e-4 * std::pow(10.0, (i / 500) % 3 - 1) * Vec3(number(random), number(random), number(random));
+      tip += drift;
       if (tip.norm() > 1.3 || tip.norm() < 0.6) tip = 0.95 * tip.normalized();
       restless.update({}, {});
       const Contact& a = remembers.follow(surface, tip, {});

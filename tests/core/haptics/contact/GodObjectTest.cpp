@@ -30,14 +30,14 @@ TriangleSoup floorOf(const std::function<double(double, double)>& height = [](do
   });
 }
 
-// In straight steps, each no longer than this.
+// Leads the tip in straight steps, each no longer than this.
 void lead(GodObject& god, const ContactSurface& surface, const Vec3& from, const Vec3& to, double step,
           const ContactOptions& options = {}) {
   const int n = std::max(1, static_cast<int>(std::ceil((to - from).norm() / step)));
   for (int i = 0; i <= n; ++i) god.follow(surface, from + (to - from) * (double(i) / n), options);
 }
 
-// The triangles of a floor that are not at height 0, as an edit that raises them.
+// Returns the triangles of a floor that are not at height 0, as an edit that raises them.
 std::vector<ContactTriangle> raisedIn(const TriangleSoup& soup) {
   std::vector<ContactTriangle> raised;
   for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
@@ -77,7 +77,7 @@ class GodObjectTest : public QObject {
     QVERIFY((contactForce(contact, tip, {50, 0, -10}, 0.5, 0.01) - Vec3(0, 0, 1.1)).norm() < 1e-5);
     // Leaving so fast that the damper would pull: no force instead.
     QVERIFY(contactForce(contact, tip, {0, 0, 1000}, 0.5, 0.01).norm() < 1e-12);
-    // And out again.
+    // Leads the tip out again.
     god.follow(floor, {0.3, 0.2, 0.1}, {});
     QVERIFY(!god.contact().touching);
   }
@@ -145,7 +145,7 @@ class GodObjectTest : public QObject {
       const int levels = *rc::gen::inRange(0, 5);
       TriangleSoup ball = bumpySphere(levels);
       const auto turned = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0u, 20u << (2 * levels)));
-      for (const std::uint32_t i : turned) std::swap(ball.triangles[i][1], ball.triangles[i][2]);  // as scans have them
+      for (const std::uint32_t i : turned) std::swap(ball.triangles[i][1], ball.triangles[i][2]);  // typical for scans
       const ContactSurface surface = surfaceOf(ball);
       GodObject god;
       Vec3 tip(2, 0, 0);
@@ -157,7 +157,7 @@ class GodObjectTest : public QObject {
         tip += step * Vec3(*number, *number, *number);
         if (tip.norm() > 2) tip *= 0.5;
         const Vec3 proxy = god.follow(surface, tip, options).proxy;
-        // Each ray from the middle meets the surface once: outside, the ray onwards meets nothing.
+        // Each ray from the middle meets the surface once: outside, the continued ray meets nothing.
         int met = 0;
         for (const Triangle& t : ball.triangles) {
           const Vec3 &a = ball.points[t[0]], &b = ball.points[t[1]], &c = ball.points[t[2]];
@@ -170,7 +170,7 @@ class GodObjectTest : public QObject {
     }));
   }
 
-  // At rest, no place of the surface around it is nearer to the tip.
+  // At rest, no point of the surface around it is nearer to the tip.
   void restsWhereTheTipIsNearest() {
     const TriangleSoup ball = bumpySphere(4);
     const ContactSurface surface = surfaceOf(ball);
@@ -195,7 +195,8 @@ class GodObjectTest : public QObject {
     QVERIFY(compared >= 40);  // at least one in each of 41 ticks, but for the first
   }
 
-  // Coulomb on a floor: held as long as the tangential force is below µ times the normal one, then µ N against the way.
+  // Coulomb friction on a floor: held while the tangential force is below µ times the normal one, then µ N against the
+  // motion.
   void isHeldByFriction() {
     const ContactSurface floor = surfaceOf(floorOf());
     const ContactOptions rough{.friction = 0.4};
@@ -209,7 +210,7 @@ class GodObjectTest : public QObject {
     QVERIFY((force - Vec3(-0.4, 0, 1.0)).norm() < 1e-5);
   }
 
-  // Nothing depends on the unit, and hardly anything on the place.
+  // Nothing depends on the unit, and hardly anything on the position.
   void isTheSameAtAnyScale() {
     const TriangleSoup ball = bumpySphere(4);
     const auto path = [](int i) {
@@ -254,7 +255,7 @@ class GodObjectTest : public QObject {
     QVERIFY(!god.follow({}, {1, 2, 3}, {}).touching);  // an empty surface
   }
 
-  // Also where more triangles are on the way up than are looked at at once.
+  // Also if more triangles lie in between than are looked at at once.
   void isLiftedThroughFineTriangles() {
     const auto fine = [](double height) {
       TriangleSoup soup = grid(201, 201, false, false, [&](std::uint32_t i, std::uint32_t j) {
@@ -263,7 +264,7 @@ class GodObjectTest : public QObject {
       });
       const auto n = static_cast<std::uint32_t>(soup.points.size());
       for (const Vec3& p : {Vec3(100, 0, 0), Vec3(101, 0, 0), Vec3(100, 1, 0)}) soup.points.push_back(p);
-      soup.triangles.push_back({n, n + 1, n + 2});  // far away: the model is large
+      soup.triangles.push_back({n, n + 1, n + 2});  // far away, so that the model is large
       return soup;
     };
     const TriangleSoup flat = fine(0.0), bump = fine(0.8);
@@ -274,7 +275,7 @@ class GodObjectTest : public QObject {
     surface.update({}, raisedIn(bump));
     god.surfaceChanged(surface);
     const Contact& contact = god.follow(surface, {0.05, 0.03, -1}, {});
-    const double height = 0.8 * (1.0 - std::hypot(contact.proxy.x(), contact.proxy.y()));  // of the bump there
+    const double height = 0.8 * (1.0 - std::hypot(contact.proxy.x(), contact.proxy.y()));  // height of the bump there
     QVERIFY(contact.touching && contact.proxy.z() > std::max(0.0, height) - 1e-4);
   }
 
@@ -291,7 +292,7 @@ class GodObjectTest : public QObject {
     god.surfaceChanged(surface);
     const Contact& contact = god.follow(surface, {0.2, 0.3, -1}, {});
     QVERIFY(contact.proxy.z() > 0.9);
-    // And falls back when it is taken away.
+    // The proxy falls back when the bump is removed.
     for (ContactTriangle& t : changed)
       for (Vec3& corner : t.corners) corner.z() = 0.0;
     surface.update({}, changed);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces of rigid bodies that share their hierarchies: what is found and felt of them is what is found and felt of
-// the same triangles, written down where they stand.
+// Surfaces of rigid bodies that share their hierarchies: they are found and felt like the same triangles stored at
+// their poses.
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "haptics/contact/GodObject.h"
@@ -48,7 +48,7 @@ TrianglePoints cornersAt(const Pose& pose, const TriangleSoup& soup, const Trian
   return {pose * soup.points[t[0]], pose * soup.points[t[1]], pose * soup.points[t[2]]};
 }
 
-// A number by which a triangle is known again.
+// Returns a number that identifies a triangle.
 double markOf(const TrianglePoints& t) {
   return (t[0] + t[1] + t[2]).dot(Vec3(1.0, 10.0, 100.0));
 }
@@ -68,7 +68,7 @@ bool hasBoxAt(const TrianglePoints& t, const Box& box) {
   return around.intersects(box);
 }
 
-// Whether one of some points of a triangle is in the box.
+// Returns true if one of some points of a triangle is in the box.
 bool reaches(const TrianglePoints& t, const Box& box) {
   constexpr int kParts = 8;
   for (int i = 0; i <= kParts; ++i) {
@@ -80,7 +80,7 @@ bool reaches(const TrianglePoints& t, const Box& box) {
   return false;
 }
 
-// A cube of 100 mm that is there twice, side by side: from 0 to 200 along x.
+// Returns a cube of 100 mm twice, side by side: from 0 to 200 along x.
 Placed twoCubes(const ContactSurface& cube) {
   return {{cube, Pose::Identity()}, {cube, shifted({100, 0, 0})}};
 }
@@ -96,7 +96,7 @@ class PlacedSurfacesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // All that reach into a box, and none whose boxes do not.
+  // All triangles that reach into a box are found, and none whose boxes do not.
   void findsWhatStandsThere() {
     QVERIFY(rc::check([] {
       const TriangleSoup ball = icosphere(2), block = cube(3.0);
@@ -151,7 +151,7 @@ class PlacedSurfacesTest : public QObject {
     QVERIFY((contact.proxy - Vec3(100, 50, 100)).norm() < 1e-4);
   }
 
-  // What moves elsewhere shares its hierarchy, so the version goes on; a scene that is new does not.
+  // A body that moves shares its hierarchy, so the version continues; a new scene is another version.
   void bodiesThatMoveAreAVersion() {
     const ContactSurface cube = cubeSurface();
     Placed bodies = twoCubes(cube);

@@ -16,15 +16,15 @@ namespace {
 
 constexpr double kPeriod = 0.001;  // s
 
-// A sampled wall without any loop around it. Stiffness and damping in N/m and N·s/m here, as the literature has them.
+// A sampled wall without any loop around it. Stiffness and damping in N/m and N·s/m here, the units of the literature.
 struct Wall {
   double friction = 0.5;  // b of the device
   double delay = 0.0;     // s
   double damping = 0.0;   // B of the wall
-  double seconds = 20.0;  // to look at
+  double seconds = 20.0;  // observed time
 };
 
-// A mass of 0.1 kg that sticks to the wall from both sides, let go at 100 mm/s: whether its swings shrink.
+// Returns true if the swings shrink of a mass of 0.1 kg that sticks to the wall from both sides, let go at 100 mm/s.
 bool isStable(const Wall& wall, double stiffness) {
   SimulatedDeviceSettings settings = simulatedDevice();
   settings.capabilities.inherentDamping = wall.friction / 1000.0;
@@ -57,7 +57,7 @@ double largestStableStiffness(const Wall& wall) {
   return stable;
 }
 
-// Stiffness in N/m that the program allows.
+// Returns the stiffness in N/m that the program allows.
 double rule(const Wall& wall) {
   return 1000.0 * stiffnessLimit({kPeriod, wall.delay, wall.friction / 1000.0}, wall.damping / 1000.0);
 }
@@ -95,7 +95,7 @@ class SampledWallTest : public QObject {
     const double measured = largestStableStiffness(bare);
     QVERIFY2(measured >= rule(bare), qPrintable(QString("%1 below %2").arg(measured).arg(rule(bare))));
     QVERIFY2(qAbs(measured / independent - 1.0) < 0.02, qPrintable(QString::number(measured)));
-    // With damping in the wall, too; of either sign, since an estimate that lags may turn it round.
+    // The wall has damping, too; of either sign, since a lagging estimate may reverse it.
     for (const double share : {-0.5, 0.25, 0.5, 0.9}) {
       const Wall damped{friction, delay, share * friction, seconds};
       QVERIFY2(isStable(damped, rule(damped)), qPrintable(QString("B = %1 b").arg(share)));

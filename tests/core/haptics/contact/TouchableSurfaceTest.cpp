@@ -36,7 +36,7 @@ std::multiset<std::uint32_t> numbersIn(const ContactSurface& surface) {
   return numbers;
 }
 
-// Where a tip stops that is pressed down from above at x, y.
+// Returns the height at which a tip stops that is pressed down from above at x, y.
 double stopAt(const ContactSurface& surface, double x, double y) {
   GodObject god;
   god.place(Vec3(x, y, 1.0));
@@ -49,7 +49,7 @@ class TouchableSurfaceTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Each face under its own number, the strips of the seam under others, and none twice.
+  // Each face has its own number, the strips of the seam have others, and none occurs twice.
   void facesKeepTheirNumbers() {
     const TriangleSoup s = seamedSheet();
     std::vector<std::uint32_t> faces;
@@ -69,7 +69,7 @@ class TouchableSurfaceTest : public QObject {
     for (int i = -45; i <= 45; ++i) QVERIFY(std::abs(stopAt(surface, 0.0, i + 0.123)) < 1e-3);
   }
 
-  // After an edit the tip meets what is there now: nothing where a face went, the new height where one moved.
+  // After an edit the tip meets the present surface: nothing where a face was removed, the new height where one moved.
   void editsAreFelt() {
     const TriangleSoup s = cube(10.0, Vec3::Constant(-5.0));
     ContactSurface surface = touchableSurface(s.points, s.triangles, {});

@@ -24,7 +24,7 @@ class DeviceMotionEstimatorTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A device of 1 kHz asked at 4 kHz, at 200 mm/s: the velocity is that of its readings, and holds between them.
+  // A device of 1 kHz read at 4 kHz, at 200 mm/s: the velocity is that of its readings, and holds between them.
   void onlyNewReadingsCount() {
     DeviceMotionEstimator motion(0.01, {0.00025, 0.001, 0.005});
     for (std::uint32_t i = 0; i < 400; ++i) {
@@ -37,7 +37,7 @@ class DeviceMotionEstimatorTest : public QObject {
     }
   }
 
-  // What the device says of its velocity is taken, as long as it is not stale.
+  // The velocity that the device reports is used unless it is stale.
   void anOldVelocityIsNone() {
     DeviceMotionEstimator motion(0.01, {0.001, 0.001, 0.005});
     DeviceState state = at(0.0, 1);
@@ -54,21 +54,21 @@ class DeviceMotionEstimatorTest : public QObject {
     QCOMPARE(motion.add(state, 0.001).velocity, Vec3(0, 70, 0));
   }
 
-  // After 50 ms of silence 10 mm on: 200 mm/s. Two readings at once: by the time that the device takes for two.
+  // After 50 ms of silence 10 mm on: 200 mm/s. Two readings at once count with the time that the device takes for two.
   void theTimeIsThatBetweenTheReadings() {
     DeviceMotionEstimator motion(0.01, {0.001, 0.001, 0.005});
     QCOMPARE(motion.add(at(0.0, 7), 0.001).stepSpeed, 0.0);
     for (int i = 1; i < 50; ++i) motion.add(at(0.0, 7), 0.001);
     QVERIFY(std::abs(motion.add(at(10.0, 8), 0.001).stepSpeed - 200.0) < 1e-9);
     QVERIFY(std::abs(motion.add(at(12.0, 10), 0.001).stepSpeed - 1000.0) < 1e-9);
-    // The count goes round.
+    // The count wraps around.
     motion.reset();
     const std::uint32_t last = std::numeric_limits<std::uint32_t>::max();
     QCOMPARE(motion.add(at(0.0, last), 0.001).stepSpeed, 0.0);
     QVERIFY(std::abs(motion.add(at(1.0, 1), 0.001).stepSpeed - 500.0) < 1e-9);
   }
 
-  // One that does not count is new each time.
+  // A reading without a count is always new.
   void withoutACountEachIsNew() {
     DeviceMotionEstimator motion(0.01, {0.001, 0.001, 0.005});
     for (int i = 0; i < 30; ++i) QVERIFY(motion.add(at(1.0, 0), 0.001).isNew);

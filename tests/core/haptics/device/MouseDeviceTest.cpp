@@ -62,15 +62,15 @@ class MouseDeviceTest : public QObject {
     PointerDepth depth;
     const Vec3 eye(1, 0, 0), away(0, 0, -1);
     depth.setSurface(50.0);
-    QCOMPARE(depth.place(eye, away), Vec3(1, 0, -50));
+    QCOMPARE(depth.positionOn(eye, away), Vec3(1, 0, -50));
     depth.turnWheel(3.0, 2.0);
-    QCOMPARE(depth.place(eye, away), Vec3(1, 0, -56));
+    QCOMPARE(depth.positionOn(eye, away), Vec3(1, 0, -56));
     depth.setSurface(40.0);
-    QCOMPARE(depth.place(eye, away), Vec3(1, 0, -46));
+    QCOMPARE(depth.positionOn(eye, away), Vec3(1, 0, -46));
     depth.resetWheel();
-    QCOMPARE(depth.place(eye, away), Vec3(1, 0, -40));
+    QCOMPARE(depth.positionOn(eye, away), Vec3(1, 0, -40));
     depth.turnWheel(-100.0, 2.0);
-    QCOMPARE(depth.place(eye, away), eye);
+    QCOMPARE(depth.positionOn(eye, away), eye);
   }
 };
 

@@ -12,7 +12,7 @@ class PoseTrajectoryTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void goesStraightAndTurnsTheShortWay() {
+  void goesStraightAndTurnsByTheSmallerAngle() {
     const Eigen::Quaterniond turned(Eigen::AngleAxisd(1.0, Vec3::UnitZ()));
     const PoseTrajectory path({{1.0, {0, 0, 0}, Eigen::Quaterniond::Identity(), 1},
                                {3.0, {10, 20, 0}, Eigen::Quaterniond(-turned.coeffs()), 2}});
@@ -31,7 +31,7 @@ class PoseTrajectoryTest : public QObject {
     for (const double t : {2.0, 5.0, inf}) QCOMPARE(path.at(t).position, Vec3(2, 0, 0));
   }
 
-  // Two poses at one time: there the hand is at the second.
+  // Two poses at one time: the hand is at the second.
   void leapsWhereTimesAreEqual() {
     const PoseTrajectory path({{0.0, {0, 0, 0}}, {1.0, {1, 0, 0}}, {1.0, {5, 0, 0}}, {2.0, {6, 0, 0}}});
     QVERIFY((path.at(0.5).position - Vec3(0.5, 0, 0)).norm() < 1e-12);

@@ -11,7 +11,7 @@ class ServoClockTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Never back before the time asked for, and at once when it has passed.
+  // Never returns before the requested time, and at once when it has passed.
   void theMachinesClockWaits() {
     MonotonicClock clock;
     std::int64_t last = clock.now();

@@ -14,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// 0.1 kg with 2 N·s/m, in nobody's hand.
+// Returns 0.1 kg with 2 N·s/m, in nobody's hand.
 SimulatedDeviceSettings loose(double friction = 0.002) {
   SimulatedDeviceSettings settings = simulatedDevice();
   settings.capabilities.inherentDamping = friction;
@@ -43,7 +43,7 @@ class SimulatedDeviceTest : public QObject {
     QVERIFY(device.read().status == DeviceStatus::Absent);
   }
 
-  // v(t) = u + (v0 - u)·exp(-b·t/m) with u = F/b, at whatever times it is looked at; friction 0 as its limit.
+  // v(t) = u + (v0 - u)·exp(-b·t/m) with u = F/b, for any sampling; friction 0 as its limit.
   void aPushedMassMovesAsTheSolution_data() {
     QTest::addColumn<double>("friction");
     QTest::newRow("2 N·s/m") << 0.002;
@@ -66,7 +66,7 @@ class SimulatedDeviceTest : public QObject {
       clock.set(nanoseconds(t));
       const double time = static_cast<double>(nanoseconds(t)) * 1e-9;
       const double e = std::exp(-friction * time / mass);
-      // By series where the closed form has no digits left.
+      // A series is used where the closed form has no digits left.
       const bool isFree = friction < 1e-8;
       const double z = friction * time / mass;
       const double x = isFree ? 0.5 * 0.3 / mass * time * time * (1 - z / 3)
@@ -110,7 +110,7 @@ class SimulatedDeviceTest : public QObject {
     }
   }
 
-  // A hand gives way: against 5 N with at most 3 the tip goes with the 5.
+  // A hand yields: against 5 N with at most 3 the tip goes with the 5.
   void aHandIsOnlySoStrong() {
     SimulatedDeviceSettings settings = loose();
     settings.grip = {1.0, 0.01, 0.0, 3.0};
@@ -123,7 +123,7 @@ class SimulatedDeviceTest : public QObject {
     QVERIFY(device.read().position.x() > 10.0);
   }
 
-  // 7 ms late and not before; forces arrive in their order.
+  // Forces act 7 ms late and not before; they arrive in their order.
   void aForceActsLate() {
     SimulatedDeviceSettings settings = loose();
     settings.capabilities.latency = 0.007;
@@ -138,7 +138,7 @@ class SimulatedDeviceTest : public QObject {
     clock.set(7 * kMillisecond);
     QCOMPARE(device.read().position, Vec3(0, 0, 0));
     clock.set(8 * kMillisecond);
-    // 1 ms of 1 N from rest, then coasting.
+    // The force is 1 ms of 1 N from rest, then the mass coasts.
     const double mass = 1e-4, b = 0.002, e = std::exp(-b * 0.001 / mass);
     const double x = 0.001 / b - mass / (b * b) * (1 - e), v = (1 - e) / b;
     QVERIFY(qAbs(device.read().position.x() - x) < 1e-9);
@@ -175,7 +175,7 @@ class SimulatedDeviceTest : public QObject {
     QCOMPARE(state.buttons, 1u);
   }
 
-  // A clock that goes back moves nothing, and an hour at once ends finite.
+  // A clock that goes back moves nothing, and a step of an hour ends finite.
   void theClockJumps() {
     VirtualClock clock;
     SimulatedDevice device(simulatedDevice(), PoseTrajectory({{0.0, {0, 0, 0}}}), clock);

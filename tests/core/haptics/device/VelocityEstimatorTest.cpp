@@ -65,7 +65,7 @@ class VelocityEstimatorTest : public QObject {
     QVERIFY(estimator.add({100, 0, 0}, 0.001).isZero(0.0));
   }
 
-  // The longest window that can be set, at the largest rate: half of it late, not less.
+  // The longest window that can be set, at the highest rate: the lag is half of it, not less.
   void theLongestWindowIsWhole() {
     FidelityValues longest;
     QVERIFY(longest.set(velocityWindowSetting(), velocityWindowSetting().largest));

@@ -71,7 +71,7 @@ class WorkspaceMapperTest : public QObject {
     }));
   }
 
-  // Whatever the mapping, the velocity is the derivative of the position.
+  // For any mapping, the velocity is the derivative of the position.
   void velocityIsTheDerivative() {
     QVERIFY(rc::check("derivative", [] {
       WorkspaceMapper mapper;
@@ -84,7 +84,7 @@ class WorkspaceMapperTest : public QObject {
     }));
   }
 
-  // Clutch held: the tip stays while the hand moves and turns. Let go: it goes on from there, as the mapping has it.
+  // With the clutch held the tip stays while the hand moves and turns. Released, it goes on from there by the mapping.
   void theClutchDoesNotLeap() {
     QVERIFY(rc::check("no leap", [] {
       WorkspaceMapping mapping = anyMapping();
@@ -170,7 +170,7 @@ class WorkspaceMapperTest : public QObject {
     QVERIFY((tip.position - Vec3(0.001, 0, 0)).norm() < 1e-12);
   }
 
-  // A mirrored axis mirrors the sense of turning: what turns left is seen turning right.
+  // A mirrored axis mirrors the sense of rotation: a turn to the left is seen as a turn to the right.
   void mirroredAxesMirrorTheRotation() {
     WorkspaceMapping mapping;
     mapping.axes[0].isInverted = true;

@@ -21,17 +21,17 @@ class WorkspaceMappingTest : public QObject {
     QCOMPARE(Vec3(mapping.viewFromDevice() * Vec3(1, 2, 3)), Vec3(2, -3, 1));
   }
 
-  // Virtual work: what the scene's force does along the scene's way is, but for scale and gain, what the device's force
-  // does along the device's way.
+  // Virtual work: the work of the scene's force along the scene's motion is, but for scale and gain, that of the
+  // device's force along the device's motion.
   void forcesAreTheTransposedMotions() {
     QVERIFY(rc::check("virtual work", [] {
       const WorkspaceMapping mapping = anyMapping();
-      const Vec3 way = anyVector(), force = anyVector();
-      const Vec3 sceneWay = mapping.scale * (mapping.sceneFromView.linear() * (mapping.viewFromDevice() * way));
-      const double work = mapping.deviceForce(force).dot(way) * mapping.scale;
-      const double sceneWork = force.dot(sceneWay) * mapping.forceGain;
+      const Vec3 motion = anyVector(), force = anyVector();
+      const Vec3 sceneMotion = mapping.scale * (mapping.sceneFromView.linear() * (mapping.viewFromDevice() * motion));
+      const double work = mapping.deviceForce(force).dot(motion) * mapping.scale;
+      const double sceneWork = force.dot(sceneMotion) * mapping.forceGain;
       RC_ASSERT(std::abs(work - sceneWork) <= 1e-9 * (1.0 + std::abs(sceneWork)));
-      // Torque is the cross product of arm and force, whatever the handedness.
+      // Torque is the cross product of arm and force, for both handednesses.
       const Vec3 arm = anyVector();
       WorkspaceMapping rigid = mapping;
       rigid.scale = rigid.forceGain = 1.0;
@@ -40,7 +40,7 @@ class WorkspaceMappingTest : public QObject {
     }));
   }
 
-  // A spring of the stiffness in the scene feels as stiff as was asked for at the device.
+  // A spring of the stiffness in the scene feels as stiff as required at the device.
   void stiffnessIsFeltAtTheDevice() {
     WorkspaceMapping mapping;
     mapping.scale = 4.0;

@@ -27,7 +27,7 @@ class ForceRecorderTest : public QObject {
     QVERIFY(qAbs(recording[599'999].tip.time - 600.0) < 0.01);
   }
 
-  // On threads, at 8 kHz, while this one looks at what there is.
+  // Records on threads, at 8 kHz, while this one looks at the recording.
   void threadsLoseNothing() {
     auto log = std::make_shared<ScriptedDevice::Log>();
     MonotonicClock clock;
@@ -67,7 +67,7 @@ class ForceRecorderTest : public QObject {
     QCOMPARE(recording.size(), std::size_t{1500});
   }
 
-  // A new recording starts with the ticks from now on, not with what nobody fetched.
+  // A new recording starts with the ticks from now on, not with pending ones.
   void beginsAnew() {
     RecordedRun run;
     run.loop->runTicks(500);
@@ -109,7 +109,7 @@ class ForceRecorderTest : public QObject {
     QCOMPARE(small.recording().size(), std::size_t{700});
   }
 
-  // Nobody fetches: the ring fills, the loop goes on, and the loss is seen in the recording.
+  // Nobody fetches: the ring fills, the loop goes on, and the recording shows the loss.
   void whatWasLostIsSeen() {
     RecordedRun run;
     run.loop->runTicks(20'000);

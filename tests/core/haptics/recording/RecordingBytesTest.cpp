@@ -37,7 +37,7 @@ class RecordingBytesTest : public QObject {
     }));
   }
 
-  // Parts, wherever they are cut, are recordings, and one after the other they are the whole.
+  // Parts, cut anywhere, are recordings, and one after the other they are the whole.
   void partsAreTheWhole() {
     QVERIFY(rc::check("parts", [] {
       const Recording recording = anyRecording();
@@ -71,7 +71,7 @@ class RecordingBytesTest : public QObject {
     QVERIFY(recordingFromBytes(bytes + "x").error().code == ErrorCode::CountMismatch);
   }
 
-  // Announces far more than there is: refused at once, without asking for the memory.
+  // Announces far more than there is: refused at once, without allocating the memory.
   void announcedNumbersAreNotBelieved() {
     std::string bytes = recordingBytes(twoTicks());
     std::string many = bytes;
@@ -88,7 +88,7 @@ class RecordingBytesTest : public QObject {
     QVERIFY(recordingFromBytes(bytes).error().code == ErrorCode::VersionNewer);
   }
 
-  // A tip must be somewhere; what a failed device said, and a scene without an answer, may be no number.
+  // A tip must be finite; the reading of a failed device, and a scene without an answer, need not.
   void tipsAreFinite() {
     RecordedTick tick;
     tick.devicePosition.x() = tick.felt.force.y() = std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +103,7 @@ class RecordingBytesTest : public QObject {
     QCOMPARE(read.error().position.value, std::uint64_t{20 + 312});
   }
 
-  // Whoever plays it asks for its time.
+  // The player needs the times.
   void timesAreFinite() {
     RecordedTick tick;
     tick.tip.time = std::numeric_limits<double>::quiet_NaN();

@@ -129,7 +129,7 @@ class RecordingCsvTest : public QObject {
     QVERIFY(ok);
   }
 
-  // Whatever the text, there is an answer, and a line number with what is wrong.
+  // Any text gives a result, or an error with a line number.
   void refusesWhatIsNoTable() {
     Recording recording;
     RecordedTick tick;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;  // ns
 
-// Ticks at the times given, s.
+// Returns ticks at the times given, s.
 Recording at(const std::vector<double>& times) {
   Recording recording;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -89,7 +89,7 @@ class RecordingPlayerTest : public QObject {
     QCOMPARE(player.tick()->tick, std::uint64_t{2});
   }
 
-  // The definition, tick by tick: the last whose time is not after the moment.
+  // By definition, tick by tick, it is the last whose time is not after the moment.
   void showsTheLastTickWhoseTimeHasCome() {
     QVERIFY(rc::check([] {
       std::vector<double> times{0.0};
@@ -106,7 +106,7 @@ class RecordingPlayerTest : public QObject {
     }));
   }
 
-  // Whatever the difference of two times is rounded to.
+  // For any rounding of the difference of two times.
   void endsWithTheLastTick() {
     QVERIFY(rc::check([] {
       const double first = *rc::gen::inRange(0, 1000000) * 0.001, step = *rc::gen::inRange(1, 1000000) * 1e-5;
@@ -117,7 +117,7 @@ class RecordingPlayerTest : public QObject {
     }));
   }
 
-  // Written by hand, with times that go back: some tick, and the same each time.
+  // Written by hand, with decreasing times: some tick is returned, and the same each time.
   void timesThatGoBackDoNoHarm() {
     VirtualClock clock;
     RecordingPlayer player(at({3.0, 1.0, 2.0, -4.0}), clock);

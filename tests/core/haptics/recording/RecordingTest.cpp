@@ -30,7 +30,7 @@ class RecordingTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The hand, the loop and its measured limits made these tips; the source alone makes the same forces of them again.
+  // The hand, the loop and its measured limits made these tips; the source alone computes the same forces from them.
   void replayGivesTheSameForcesBitForBit() {
     RecordedRun run;
     const Recording recording = run.record(4000);
@@ -56,7 +56,7 @@ class RecordingTest : public QObject {
       scene->renderer = std::make_unique<StickyWall>();
       run.recorder->noteNextScene(note);
       run.loop->setScene(std::move(scene));
-      run.recorder->fetch();  // as its thread may at any time
+      run.recorder->fetch();  // its thread may do so at any time
     };
     setScene("wall");
     run.record(1500);
@@ -96,7 +96,7 @@ class RecordingTest : public QObject {
     }
   }
 
-  // And the whole of it on a virtual clock: hand, loop, safety and all.
+  // The whole runs on a virtual clock: hand, loop, safety and all.
   void twoRunsAreTheSameBitForBit() {
     RecordedRun one, other;
     const Recording a = one.record(3000), b = other.record(3000);
@@ -118,7 +118,7 @@ class RecordingTest : public QObject {
     QCOMPARE(recording.missing(), std::uint64_t{2 + 8});
   }
 
-  // Ticks without a scene, as while the device was gone, are not given to the source.
+  // Ticks without a scene, for example while the device was gone, are not given to the source.
   void onlyWhatTheSceneWasAskedIsReplayed() {
     Recording recording;
     RecordedTick tick;

@@ -61,14 +61,14 @@ class ForceLimitsTest : public QObject {
     }));
   }
 
-  void slewIsABoundedStepOnTheStraightWay() {
+  void slewIsABoundedStraightStep() {
     QVERIFY(rc::check("bounded, straight, and arrives", [] {
       const DeviceForce last = clamped(anyForce(), settings()), asked = anyForce();
       const DeviceForce sent = slewed(last, asked, 0.001, settings());
-      const Vec3 step = sent.force - last.force, way = asked.force - last.force;
+      const Vec3 step = sent.force - last.force, change = asked.force - last.force;
       RC_ASSERT(step.norm() <= 1.0 + 1e-9);
-      if (way.stableNorm() <= 1.0) RC_ASSERT(sent.force == asked.force);
-      if (way.stableNorm() > 1.0) RC_ASSERT(step.dot(way.stableNormalized()) >= 1.0 - 1e-9);
+      if (change.stableNorm() <= 1.0) RC_ASSERT(sent.force == asked.force);
+      if (change.stableNorm() > 1.0) RC_ASSERT(step.dot(change.stableNormalized()) >= 1.0 - 1e-9);
       RC_ASSERT((sent.torque - last.torque).norm() <= 20.0 + 1e-9);
       RC_ASSERT(std::abs(sent.gripper - last.gripper) <= 0.1 + 1e-12);
       // The clamp that follows does not undo it.

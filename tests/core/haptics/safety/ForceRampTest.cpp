@@ -25,7 +25,7 @@ class ForceRampTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // In free space the ramp starts at once and takes its time.
+  // In free space the ramp starts at once and takes its full time.
   void risesInProportionToTime() {
     ForceRamp ramp(forceRampSettings());
     for (int i = 0; i < 500; ++i) QVERIFY(qAbs(ramp.gain(0.1, 0.001) - i * 0.002) < 1e-9);
@@ -54,7 +54,7 @@ class ForceRampTest : public QObject {
     QCOMPARE(ramp.gain(0.0, 0.001), 0.0);
   }
 
-  // However late the ticks come, a step is no larger than that of two in time; and it ends at 1.
+  // For ticks of any lateness, a step is no larger than that of two in time; and it ends at 1.
   void aLateTickMakesNoStep() {
     QVERIFY(rc::check("bounded steps", [] {
       ForceRamp ramp(forceRampSettings());

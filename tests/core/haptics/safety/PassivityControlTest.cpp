@@ -19,7 +19,7 @@ SafetySettings settings(double inherentDamping, double controlDamping) {
   return s;
 }
 
-// A number between a and b.
+// Returns a number between a and b.
 double between(double a, double b) {
   return a + (b - a) * *rc::gen::inRange(0, 10001) / 10000.0;
 }
@@ -30,8 +30,8 @@ class PassivityControlTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A constant force of 2 N against 3 mm of way takes 6 N·mm from the hand, and gives them back on the way home.
-  void workIsForceTimesWay() {
+  // A constant force of 2 N over 3 mm takes 6 N·mm from the hand, and gives them back on the return.
+  void workIsForceTimesDistance() {
     PassivityControl control(settings(0.0, 0.0));
     control.observe({0, 0, 0}, 0.001);
     control.sent({-2, 0, 0});
@@ -60,8 +60,8 @@ class PassivityControlTest : public QObject {
     }));
   }
 
-  // Colgate's bound: the sampled spring makes K/2·dx² each step, the friction of the device takes b·dx²/T. Whatever the
-  // way, there is no deficit up to K = 2b/T.
+  // Colgate's bound: the sampled spring makes K/2·dx² each step, the friction of the device takes b·dx²/T. On any path,
+  // there is no deficit up to K = 2b/T.
   void aSpringAtTheBoundNeverShowsADeficit() {
     QVERIFY(rc::check("no deficit at the bound", [] {
       const double period = between(1e-4, 2e-3), damping = between(1e-4, 0.02);
@@ -79,7 +79,7 @@ class PassivityControlTest : public QObject {
     }));
   }
 
-  // Above it, to and fro over the same way makes K/2 - b/T times dx² a step: here (5 - 2/0.001·0.001)·1.
+  // Above it, moving to and fro over the same distance makes K/2 - b/T times dx² a step: here (5 - 2/0.001·0.001)·1.
   void aSpringAboveTheBoundDoes() {
     PassivityControl control(settings(0.002, 0.0));
     const double stiffness = 10.0;
@@ -93,7 +93,7 @@ class PassivityControlTest : public QObject {
     QVERIFY(qAbs(control.energy() - 10.0 * (0.002 / 0.001 - 0.5 * stiffness)) < 1e-9);
   }
 
-  // At the same velocity the correction takes back the whole deficit in one period.
+  // At the same velocity the correction dissipates the whole deficit in one period.
   void theCorrectionTakesTheDeficitBack() {
     PassivityControl control(settings(0.0, 100.0));
     control.observe({0, 0, 0}, 0.001);
@@ -119,7 +119,7 @@ class PassivityControlTest : public QObject {
     QVERIFY(control.correction().isZero(0.0));
   }
 
-  // A tip at rest has no velocity to damp: no force, and no division by nothing.
+  // A tip at rest has no velocity to damp: no force, and no division by zero.
   void restIsNotCorrected() {
     PassivityControl control(settings(0.0, 1.0));
     control.observe({0, 0, 0}, 0.001);
@@ -131,7 +131,7 @@ class PassivityControlTest : public QObject {
     QVERIFY(control.correction().isZero(0.0));
   }
 
-  // Free space earns no credit but that of the last step, 0.002·0.1²/0.001; and pays deficits by the friction.
+  // Free space earns no credit but that of the last step, 0.002·0.1²/0.001, and pays deficits by the friction.
   void freeSpaceEarnsNothing() {
     PassivityControl control(settings(0.002, 1.0));
     control.observe({0, 0, 0}, 0.001);
@@ -148,7 +148,7 @@ class PassivityControlTest : public QObject {
     QVERIFY(qAbs(control.energy() - (-0.06 + 0.02)) < 1e-9);
   }
 
-  // 3 ms late: what was sent three ticks ago has acted.
+  // For 3 ms of latency, the force sent three ticks ago has acted.
   void aLateDeviceIsObservedLate() {
     SafetySettings s = settings(0.0, 0.0);
     s.latency = 0.003;
@@ -162,7 +162,7 @@ class PassivityControlTest : public QObject {
     }
   }
 
-  // 1.25 ms late: for a quarter of the period the force of two ticks ago, then that of one.
+  // For 1.25 ms of latency, the force of two ticks ago acts for a quarter of the period, then that of one.
   void latencyIsNoWholeNumberOfTicks() {
     SafetySettings s = settings(0.0, 0.0);
     s.latency = 0.00125;

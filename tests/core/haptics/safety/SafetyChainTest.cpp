@@ -33,7 +33,7 @@ SafetyInput asking(const Vec3& force) {
   return input;
 }
 
-// A chain whose ramp is over.
+// Returns a chain whose ramp is over.
 SafetyChain running() {
   SafetyChain chain(safetyChainSettings());
   for (int i = 0; i < 200; ++i) chain.process(asking(Vec3::Zero()));
@@ -78,7 +78,7 @@ class SafetyChainTest : public QObject {
     QVERIFY(settled(chain, {5, 0, 0}).isZero(0.0));
   }
 
-  // A fault is zero in the very tick, though the slew limit allows 1 N a tick; and then the ramp.
+  // A fault gives zero in the same tick, although the slew limit allows 1 N a tick; then the ramp follows.
   void faultsGoToZeroAtOnce_data() {
     QTest::addColumn<int>("fault");
     QTest::addColumn<std::uint32_t>("action");
@@ -114,7 +114,7 @@ class SafetyChainTest : public QObject {
     QVERIFY(next.actions.has(SafetyAction::Ramp));
   }
 
-  // What may leap comes down by the slew limit, 1 N a tick, and up by the ramp.
+  // A force that may leap comes down by the slew limit, 1 N a tick, and up by the ramp.
   void aLeapIsSlewedDownAndRampedUp() {
     SafetyChain chain = running();
     QCOMPARE(settled(chain, {6, 0, 0}), Vec3(6, 0, 0));
@@ -153,7 +153,7 @@ class SafetyChainTest : public QObject {
     QVERIFY(output.actions.has(SafetyAction::Watchdog));
   }
 
-  // The silent scene: first its force, then only what slows the hand, then nothing.
+  // A silent scene: first its force is held, then only the damping, then nothing.
   void silenceLeavesDampingAndThenNothing() {
     SafetyChain chain = running();
     QCOMPARE(settled(chain, {2, 0, 0}), Vec3(2, 0, 0));
@@ -167,7 +167,7 @@ class SafetyChainTest : public QObject {
     QVERIFY(sent.isZero(0.0));
   }
 
-  // The observer counts what was sent and held, not what was asked: clamped 8 N over 1 mm, not 100.
+  // The observer counts the force sent and held, not the one asked for: clamped 8 N over 1 mm, not 100.
   void theObserverCountsWhatWasSent() {
     SafetySettings s = safetyChainSettings();
     s.inherentDamping = 0.0;
@@ -180,7 +180,7 @@ class SafetyChainTest : public QObject {
     QVERIFY(qAbs(chain.process(input).energy - 8.0) < 1e-12);
   }
 
-  // A force that pushes the hand along makes energy: it is damped, in the direction of the motion.
+  // A force that pushes the hand along generates energy: it is damped, in the direction of the motion.
   void whatMakesEnergyIsDamped() {
     SafetyChain chain = running();
     double x = 0.0;
@@ -198,7 +198,7 @@ class SafetyChainTest : public QObject {
     QVERIFY(hasActed);
   }
 
-  // A device without motors for torque and gripper gets none, and that is nobody's fault.
+  // A device without motors for torque and gripper gets none, which is no fault.
   void whatTheDeviceDoesNotGiveIsLeftOut() {
     SafetyChain chain = running();
     SafetyInput input = asking({0.5, 0, 0});
@@ -210,8 +210,8 @@ class SafetyChainTest : public QObject {
     QCOMPARE(output.sent.gripper, 0.0);
   }
 
-  // Of a device that has motors for it: 25 N·mm a tick, up to 100; to zero at once where it is no number; slowly back;
-  // and it fades when the scene is silent.
+  // Torque of a device that has motors for it: 25 N·mm a tick, up to 100; to zero at once if it is no number; slowly
+  // back; and it fades when the scene is silent.
   void torqueIsLimitedAsForceIs() {
     SafetySettings s = safetyChainSettings();
     s.maxTorque = 100.0;
@@ -270,7 +270,8 @@ class SafetyChainTest : public QObject {
     }));
   }
 
-  // Whatever comes in: finite, within the device's limits, and never further from the last but for a fall to zero.
+  // For any input, the force is finite, within the device's limits, and never further from the last but for a fall to
+  // zero.
   void alwaysFiniteAndLimited() {
     QVERIFY(rc::check("any input", [] {
       SafetyChain chain(safetyChainSettings());

@@ -25,7 +25,7 @@ class SafetySettingsTest : public QObject {
     QCOMPARE(settings.maxGripperForce, 2.0);
     QCOMPARE(settings.inherentDamping, 0.005);
     QCOMPARE(settings.controlDamping, 0.02);
-    QCOMPARE(settings.speedDamping, 0.005);  // of a velocity that is estimated late
+    QCOMPARE(settings.speedDamping, 0.005);  // for a velocity that is estimated late
     // 8 N at most along the 200 mm across the workspace.
     QCOMPARE(settings.energyLimit, 1600.0);
   }
@@ -40,7 +40,7 @@ class SafetySettingsTest : public QObject {
     }
   }
 
-  // A stiff one as fast as a hand of 1 m/s meets its stiffest wall: that of its maker, or of eq. 2-1.
+  // A stiff one slews as fast as a hand of 1 m/s meets its stiffest wall: that of its manufacturer, or of eq. 2-1.
   void slewsAsFastAsAHandMeetsAWall() {
     DeviceCapabilities device = test::forceDevice();
     device.maxStiffness = 7.0;
@@ -51,7 +51,7 @@ class SafetySettingsTest : public QObject {
     QVERIFY(qAbs(safetySettingsFor(device, 1000.0).slewRate - 5000.0) < 1e-9);
   }
 
-  // 3 N/mm at 1 kHz need 1.5 N·s/m, eq. 2-1; at whatever rate the loop then runs.
+  // 3 N/mm at 1 kHz need 1.5 N·s/m, eq. 2-1; at any rate of the loop.
   void frictionThatIsNotStatedFollowsFromTheStiffness() {
     DeviceCapabilities device = test::forceDevice();
     device.inherentDamping = 0.0;
@@ -60,7 +60,7 @@ class SafetySettingsTest : public QObject {
     QCOMPARE(safetySettingsFor(device, 4000.0).inherentDamping, 0.0015);
   }
 
-  // Damping that arrives a period late or more is no more than the friction that makes up for it.
+  // Damping that arrives a period late or more is limited to the friction that compensates for it.
   void lateDampingIsBounded() {
     DeviceCapabilities device = test::forceDevice();
     device.latency = 0.002;

@@ -34,7 +34,7 @@ class SpeedLimitTest : public QObject {
     QVERIFY((limit.damping({0, 0, -600}) - Vec3(0, 0, 0.02 * 600.0)).norm() < 1e-12);
   }
 
-  // Cut at 300 mm/s, and not given back at 299.
+  // The force is cut at 300 mm/s, and not restored at 299.
   void theCutStaysUntilTheTipIsSlow() {
     SpeedLimit limit(speedLimitSettings());
     QVERIFY(!limit.cuts(299.0));

@@ -34,7 +34,7 @@ class WatchdogTest : public QObject {
     }
   }
 
-  // Held for 5 ms, faded within 5 more to damping alone, and 100 ms later to nothing.
+  // The force is held for 5 ms, faded within 5 more to damping alone, and 100 ms later to nothing.
   void silenceFadesToDampingAndThenToNothing() {
     Watchdog watchdog(watchdogSettings());
     for (int i = 1; i <= 5; ++i) QVERIFY(qAbs(watchdog.tick(0.001, false).force - 1.0) < 1e-9);
@@ -52,7 +52,7 @@ class WatchdogTest : public QObject {
     }
   }
 
-  // Back within the time of recovery, without a step.
+  // The force is back within the recovery time, without a step.
   void newsBringTheForceBackSlowly() {
     Watchdog watchdog(watchdogSettings());
     for (int i = 0; i < 50; ++i) watchdog.tick(0.001, false);
@@ -60,7 +60,7 @@ class WatchdogTest : public QObject {
     QCOMPARE(watchdog.tick(0.001, true).force, 1.0);
   }
 
-  // A tick 50 ms late has held its force for all that time: it starts from nothing. One 4 ms late is in its right.
+  // A tick 50 ms late has held its force for all that time: it starts from nothing. One 4 ms late is allowed.
   void aVeryLateTickFadesToo() {
     Watchdog watchdog(watchdogSettings());
     QCOMPARE(watchdog.tick(0.005, true).force, 1.0);

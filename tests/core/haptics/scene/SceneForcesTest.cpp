@@ -14,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// The top of a cube of 10 mm is at z = 10.
+// Returns a cube of 10 mm, whose top is at z = 10.
 TouchedSurface cubeFeel(double stiffness, double damping = 0.0) {
   const TriangleSoup s = cube(10.0);
   return {ContactSurface(s.points, s.triangles), stiffness, damping, {}};
@@ -51,7 +51,7 @@ class SceneForcesTest : public QObject {
     QCOMPARE(out.proxy, Vec3(1, 2, 3));
   }
 
-  // A tip that appears inside of a cube, or to which the cube appears, comes to rest on the side that it comes from.
+  // A tip that appears inside of a cube, or to which the cube appears, comes to rest on the side of its approach.
   void aTipThatAppearsComesFromTheViewer() {
     for (const Vec3& from : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0)}) {
       const Vec3 inside = Vec3::Constant(5.0) + 0.5 * from;
@@ -71,7 +71,7 @@ class SceneForcesTest : public QObject {
       second.follow(nothing);
       for (int i = 0; i < 10; ++i) out = feltAt(second, inside);
       QVERIFY(out.isContact && isNear(out.proxy, Vec3::Constant(5.0) + 5.0 * from));
-      SceneForces third = scene();  // beside it, nothing is in the way
+      SceneForces third = scene();  // beside it, nothing is between
       const Vec3 beside = Vec3::Constant(5.0) + 30.0 * from.unitOrthogonal();
       for (int i = 0; i < 10; ++i) out = feltAt(third, beside);
       QVERIFY(!out.isContact && out.proxy == beside);
@@ -95,7 +95,7 @@ class SceneForcesTest : public QObject {
     QCOMPARE(soft.asked, 0.6);
   }
 
-  // A thread: k times its length against the pull, and b times the speed against the motion.
+  // A thread pulls with k times its length, and damps with b times the speed against the motion.
   void pullsLikeAThread() {
     MeshHaptics feel;
     feel.springs = {{Vec3(1, 0, 0), 0.1, 0.002}};
@@ -103,14 +103,14 @@ class SceneForcesTest : public QObject {
     const double open = std::numeric_limits<double>::infinity();
     const ForceOut out = feltAt(scene, {11, 0, 0}, open, open, {30, 40, 0});
     QVERIFY(isNear(out.force, {-1.0 - 0.06, -0.08, 0}));
-    // Of a device of 0.002 N·s/mm half is left to it, and half of the stiffness that it carries.
+    // Half of the damping of a device of 0.002 N·s/mm is left to it, and half of the stiffness that it carries.
     const ForceOut soft = feltAt(scene, {11, 0, 0}, 0.1, 0.002, {30, 40, 0});
     QVERIFY(soft.isSoftened);
     QVERIFY(isNear(soft.force, {-0.5 - 0.03, -0.04, 0}));
   }
 
-  // k times the angle about the axis of the shortest way; two that are opposite are none, and the place has no part in
-  // it.
+  // k times the angle about the axis of the shortest rotation; opposite quaternions give none, and the position has no
+  // part in it.
   void turnsTheTip() {
     const auto torqueAt = [](const Eigen::Quaterniond& from, std::vector<Spring> springs) {
       MeshHaptics feel;
@@ -148,7 +148,7 @@ class SceneForcesTest : public QObject {
     QVERIFY(torqueAt(from, {{Vec3(9, 9, 9), 1.0}}).isZero(0.0));
   }
 
-  // As a force, the torque of a target that is caught comes within a tenth of a second, in equal steps.
+  // Like a force, the torque of a target that is caught grows within a tenth of a second, in equal steps.
   void aTurningSpringGrowsIn() {
     SceneForces nothing({});
     feltAt(nothing, Vec3::Zero());
@@ -171,7 +171,7 @@ class SceneForcesTest : public QObject {
   }
 
   // A face draws a tip above it by the quadratic profile, and leaves one that touches it to the surface. Through the
-  // surface the force changes by no more than the stiffer of the two allows. What holds is stated for points and edges.
+  // surface the force changes by no more than the stiffer of the two allows. `held` is set for points and edges.
   void aFaceDrawsOnlyFromAbove() {
     SnapFeatures features;
     features.addTriangle(1, {0, 0, 10}, {10, 0, 10}, {10, 10, 10});
@@ -197,7 +197,7 @@ class SceneForcesTest : public QObject {
     QVERIFY(!feltAt(scene, {7, 3, 14}).isHeld);
   }
 
-  // What the loop cannot carry is softened alike, damping and springs: K <= limit (1 - B / dampingLimit).
+  // Forces too stiff for the loop are softened alike, damping and springs: K <= limit (1 - B / dampingLimit).
   void isSoftenedAsAWhole() {
     MeshHaptics feel;
     feel.surface = cubeFeel(1.5, 0.002);
@@ -208,7 +208,7 @@ class SceneForcesTest : public QObject {
     QVERIFY(still.isSoftened);
     QVERIFY(std::abs(still.stiffness - 0.5) < 1e-12);
     QVERIFY(isNear(still.force, {0, 0, 0.25 * (1.5 * 2 + 0.5 * 12)}));
-    // More damping than the device has: half of its own.
+    // With more damping than the device has, half of its own is applied.
     const ForceOut slow = feltAt(scene, {5, 5, 8}, 1.0, 0.001, {0, 0, -10});
     QVERIFY(std::abs(slow.stiffness - 0.5) < 1e-12);
     QVERIFY(isNear(slow.force, {0, 0, 0.25 * (1.5 * 2 + 0.5 * 12) + 0.0005 * 10}));
@@ -225,13 +225,13 @@ class SceneForcesTest : public QObject {
     second.follow(first);
     const ForceOut out = feltAt(second, {5, 5, 7});
     QVERIFY(out.isContact && isNear(out.force, {0, 0, 1.5}));
-    // One of another model begins at the tip, wherever that is.
+    // A scene of another model begins at the tip, at any position.
     MeshHaptics other;
     other.surface = cubeFeel(0.5);
     SceneForces elsewhere(forceSources(std::move(other)));
     elsewhere.follow(first);
     QVERIFY(!feltAt(elsewhere, {5, 5, 7}).isContact);
-    // One that follows none does so, too.
+    // A scene without a predecessor does so, too.
     MeshHaptics alone;
     alone.surface = cubeFeel(0.5);
     SceneForces third(forceSources(std::move(alone)));
@@ -254,7 +254,7 @@ class SceneForcesTest : public QObject {
   // While a thread of 10 mm is pulled along a surface, a target is caught, and let go again: each time 1 N comes and
   // goes within a tenth of a second, in equal steps, and the surface pushes all the while.
   void aSpringGrowsInAndFades() {
-    const Vec3 place(5, 5, 9), target(5, 7, 9);
+    const Vec3 tip(5, 5, 9), target(5, 7, 9);
     const TouchedSurface surface = cubeFeel(0.5);
     const auto scene = [&](bool hasTarget) {
       MeshHaptics feel;
@@ -266,14 +266,14 @@ class SceneForcesTest : public QObject {
     auto now = scene(false);
     feltAt(*now, {5, 5, 12});
     const Vec3 thread(-1.0, 0, 0.5);
-    QVERIFY(isNear(feltAt(*now, place).force, thread));
+    QVERIFY(isNear(feltAt(*now, tip).force, thread));
     for (const bool hasTarget : {true, false}) {
       auto next = scene(hasTarget);
       next->follow(*now);
       now = std::move(next);
-      const Vec3 way = hasTarget ? Vec3(0, 1, 0) : Vec3(0, -1, 0);
+      const Vec3 change = hasTarget ? Vec3(0, 1, 0) : Vec3(0, -1, 0);
       const Vec3 from = hasTarget ? thread : Vec3(thread + Vec3(0, 1, 0));
-      for (int i = 0; i <= 120; ++i) QVERIFY(isNear(feltAt(*now, place).force, from + std::min(1.0, i / 100.0) * way));
+      for (int i = 0; i <= 120; ++i) QVERIFY(isNear(feltAt(*now, tip).force, from + std::min(1.0, i / 100.0) * change));
     }
   }
 
@@ -285,16 +285,16 @@ class SceneForcesTest : public QObject {
     MeshHaptics feel;
     feel.snap = SnapAttraction{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 5.0)};
     SceneForces drawn(forceSources(std::move(feel)));
-    const Vec3 place(2.5, 0, 0);
-    QVERIFY(isNear(feltAt(drawn, place).force, {-0.75, 0, 0}));
+    const Vec3 tip(2.5, 0, 0);
+    QVERIFY(isNear(feltAt(drawn, tip).force, {-0.75, 0, 0}));
     SceneForces held({});
     held.follow(drawn);
     for (int i = 0; i <= 120; ++i)
-      QVERIFY(isNear(feltAt(held, place).force, {-0.75 * std::max(0.0, 1.0 - i / 100.0), 0, 0}));
+      QVERIFY(isNear(feltAt(held, tip).force, {-0.75 * std::max(0.0, 1.0 - i / 100.0), 0, 0}));
   }
 
-  // Scenes that are exchanged in each tick, with the same spring: the force does not lag behind a hand that moves, to
-  // and fro at 10 Hz and 5 mm.
+  // Scenes are exchanged in each tick, with the same spring: the force does not lag behind a hand that moves to and fro
+  // at 10 Hz and 5 mm.
   void exchangedScenesDoNotLag() {
     const auto scene = [] {
       MeshHaptics feel;
@@ -305,9 +305,9 @@ class SceneForcesTest : public QObject {
     const double open = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 500; ++i) {
       const double phase = 2.0 * M_PI * 0.01 * i;
-      const Vec3 place(5.0 * std::sin(phase), 0, 0), velocity(5.0 * 2.0 * M_PI * 10.0 * std::cos(phase), 0, 0);
-      const Vec3 force = feltAt(*now, place, open, open, velocity).force;
-      QVERIFY2((force + 0.5 * place).norm() < 0.005, qPrintable(QString::number(i)));
+      const Vec3 tip(5.0 * std::sin(phase), 0, 0), velocity(5.0 * 2.0 * M_PI * 10.0 * std::cos(phase), 0, 0);
+      const Vec3 force = feltAt(*now, tip, open, open, velocity).force;
+      QVERIFY2((force + 0.5 * tip).norm() < 0.005, qPrintable(QString::number(i)));
       auto next = scene();
       next->follow(*now);
       now = std::move(next);

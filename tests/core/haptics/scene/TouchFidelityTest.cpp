@@ -42,7 +42,7 @@ void TouchFidelityTest::aDeviceKeepsItsRateUnlessOneIsChosen() {
   for (FidelityPreset preset : kFidelityPresets) {
     QCOMPARE(servoSettings(FidelityValues(preset)).rate, servoRateSetting().presetValue(preset));
   }
-  // Chosen, though it is the default's number.
+  // The value is chosen, although it is the default's number.
   QVERIFY(values.set(servoRateSetting(), servoRateSetting().standard));
   QCOMPARE(servoSettings(values).rate, servoRateSetting().standard);
 }
@@ -52,7 +52,7 @@ void TouchFidelityTest::defaultsAreWhatHoldsWithoutASetting() {
   QCOMPARE(contactOptions(none).tolerance, ContactOptions().tolerance);
   QCOMPARE(servoSettings(none).velocityWindow, ServoSettings().velocityWindow);
   QCOMPARE(touchedSurface(ContactSurface(), none).stiffness, TouchedSurface().stiffness);
-  // The loop takes every rate that can be chosen, and the scene only settings of its range.
+  // The loop accepts every rate that can be chosen, and the scene only settings of its range.
   QVERIFY(servoRateSetting().least >= kLeastServoRate && servoRateSetting().largest <= kLargestServoRate);
   for (const FidelitySetting& s :
        {proxyToleranceSetting(), servoRateSetting(), contactStiffnessSetting(), velocityWindowSetting()}) {

@@ -11,7 +11,7 @@ class ForceTestTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever the mapping: at the device it pulls along one axis at a time, both ways, up to the force and no further,
+  // For any mapping, it pulls at the device along one axis at a time, in both senses, up to the force and no further,
   // and a half sine leaves no leap: |dF/dt| ≤ π F / T.
   void pullsAlongTheAxesOfTheDevice() {
     WorkspaceMapping mapping;

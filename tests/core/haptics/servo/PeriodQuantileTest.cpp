@@ -24,7 +24,7 @@ class PeriodQuantileTest : public QObject {
     QCOMPARE(usual.value(), 0.001);
   }
 
-  // Ten in a thousand may be as late as they like; eleven count.
+  // Ten in a thousand may be arbitrarily late; eleven count.
   void rareOnesDoNotCount() {
     for (const int rare : {0, 10, 11}) {
       PeriodQuantile usual(1e-5, 0.0);
@@ -33,7 +33,7 @@ class PeriodQuantileTest : public QObject {
     }
   }
 
-  // Against the sorted times: right to the step, from above.
+  // Compared with the sorted times, it is right to the step, from above.
   void isTheQuantileToTheResolution() {
     std::mt19937 random(3);
     std::exponential_distribution<double> late(1.0 / 5e-5);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A tick allocates nothing, takes no lock, and makes no system call but the wait: counted by functions of this program
-// that stand before those of the C library, and by the kernel's filter of system calls on the ticking thread.
+// that replace those of the C library, and by the kernel's filter of system calls on the ticking thread.
 #include "QuietThread.h"
 
 #include <QtTest>
@@ -29,7 +29,7 @@ class QuietTickTest : public QObject {
     if (HANDWHEEL_SANITIZED) QSKIP("a sanitizer stands in the same place");
   }
 
-  // So that the counters are known to count.
+  // Checks that the counters count.
   void theCountersCount() {
     isCounting = true;
     std::vector<int> some(1000);
@@ -60,8 +60,8 @@ class QuietTickTest : public QObject {
     isSilentFor(loop, [&] { loop.setScene(sceneOf(wall(0.5), false)); });
   }
 
-  // What ships: the hand slides over a ball of 20,480 triangles, with points that draw it and a spring that comes and
-  // goes, by either method, while each scene has another edit of the ball, and the view is another.
+  // The released set-up: the hand slides over a ball of 20,480 triangles, with points that draw it and a spring that
+  // comes and goes, by either method, while each scene has another edit of the ball, and the view is another.
   void aMeshSceneIsQuiet() {
     for (const SnapMethod method : {SnapMethod::Proxy, SnapMethod::Sum}) {
       MonotonicClock clock;
@@ -132,7 +132,7 @@ class QuietTickTest : public QObject {
     QVERIFY(m_contacts > 100);
   }
 
-  // A device that is gone, and one that says NaN.
+  // A device that is gone, and one that reports NaN.
   void faultsAreQuietToo() {
     auto log = std::make_shared<ScriptedDevice::Log>();
     log->onRead = [](ScriptedDevice::Log& l) {
@@ -148,7 +148,7 @@ class QuietTickTest : public QObject {
 
  private:
   static constexpr double kBall = 30.0;  // mm
-  // Over the ball, a millimetre deep.
+  // Returns a position on a path over the ball, a millimetre deep.
   static Vec3 slideAt(double time) { return (kBall - 1.0) * Vec3(std::sin(2.0 * time), 0, std::cos(2.0 * time)); }
   int m_contacts = 0;  // ticks
 
@@ -158,7 +158,7 @@ class QuietTickTest : public QObject {
     allocations = locks = systemCalls = 0;
     std::atomic<bool> isDone{false};
     std::thread servo([&] {
-      loop.runTicks(10);  // what is looked up when first called is
+      loop.runTicks(10);  // for symbols that are resolved in the first call
       forbidSystemCalls();
       isCounting = true;
       loop.runTicks(500);

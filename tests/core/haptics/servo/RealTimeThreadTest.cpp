@@ -15,7 +15,7 @@ class RealTimeThreadTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What it says is what the kernel says; and the slack is 1 ns in any case, but not that of other threads.
+  // The reported state is that of the kernel; and the slack is 1 ns in any case, but not that of other threads.
   void saysWhatItIs() {
     RealTimeState state = RealTimeState::NotRunning;
     int policy = -1, slack = -1;

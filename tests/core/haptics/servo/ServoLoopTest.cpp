@@ -53,7 +53,7 @@ class ServoLoopTest : public QObject {
     }
   }
 
-  // Two scenes between two ticks: the first may leap, the second is felt.
+  // Two scenes between two ticks: the first may leap, the second is used.
   void aLeapThatWasAnnouncedStartsTheRamp() {
     LoopRig rig;
     rig.loop->setScene(sceneOf(wall(0.1)));
@@ -70,7 +70,8 @@ class ServoLoopTest : public QObject {
     QVERIFY(rig.loop->latest().actions.has(SafetyAction::Ramp));
   }
 
-  // 1 kHz, then 4 kHz: by the new period, with the same scene, count and time; and the force rises from none again.
+  // 1 kHz, then 4 kHz: the new period applies, with the same scene, count and time; and the force rises from zero
+  // again.
   void settingsChangeBetweenTicks() {
     LoopRig rig;
     double most = 0.0;  // N in a tick
@@ -108,7 +109,7 @@ class ServoLoopTest : public QObject {
     QVERIFY(qAbs(rig.loop->measure().lateness().quantile(0.5) - 300e-6) <= 5.001e-6);
   }
 
-  // One that takes 50 ms: those it covers are left out and counted, and the next lies on the grid, alone.
+  // A tick that takes 50 ms: the ticks that it covers are left out and counted, and the next lies on the grid, alone.
   void anOverrunIsNotMadeUpForInABurst() {
     LoopRig rig;
     std::vector<std::int64_t> times;
@@ -137,8 +138,8 @@ class ServoLoopTest : public QObject {
     QVERIFY(rig.clock.now() < 400'010 * kMillisecond);
   }
 
-  // A real thread on the machine's clock: it runs, says what it is, feels, and ends with zero force and a closed
-  // device.
+  // A real thread on the machine's clock: it runs, reports its state, computes forces, and ends with zero force and a
+  // closed device.
   void runsOnItsThread() {
     auto log = std::make_shared<ScriptedDevice::Log>();
     MonotonicClock clock;

@@ -29,7 +29,7 @@ class ServoStatisticsTest : public QObject {
     }
     const double expected = 0.005 / (0.00075 + 0.00125);
     QVERIFY(qAbs(measure.stiffnessLimit() / expected - 1.0) < 1e-6);
-    // Followed with half a second: a tick never changes it by more than 1/500 of the whole way.
+    // Followed with half a second: a tick never changes it by more than 1/500 of the whole difference.
     QVERIFY(largestStep <= 0.002 * 5.0);
   }
 

@@ -16,7 +16,7 @@ constexpr double kServoTickFaultsNan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-// What a device, a scene and the machine can do wrong, and the hand must not feel.
+// Faults of a device, a scene and the machine that the hand must not feel.
 class ServoTickFaultsTest : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,8 @@ class ServoTickFaultsTest : public QObject {
     QTest::newRow("gripper") << 3;
     QTest::newRow("orientation of zeros") << 4;
   }
-  // The tip in contact, the device says NaN: nothing in that very tick, the scene never sees it, and back by the ramp.
+  // The tip in contact, the device reports NaN: no force in that very tick, the scene never sees it, and the force
+  // returns by the ramp.
   void numbersThatAreNone() {
     QFETCH(int, where);
     Rig rig;
@@ -146,8 +147,8 @@ class ServoTickFaultsTest : public QObject {
     QVERIFY(sample.sent.isZero());
   }
 
-  // One wrong reading, 40 mm away for a tick at whatever rate: no force for it, though the velocity over ten
-  // milliseconds is below the cut.
+  // One wrong reading, 40 mm away for a tick at any rate: no force for it, although the velocity over ten milliseconds
+  // is below the cut.
   void oneWrongReading() {
     for (const std::int64_t period : {kMillisecond / 8, kMillisecond / 4, kMillisecond, 2 * kMillisecond}) {
       Rig rig;
@@ -171,8 +172,8 @@ class ServoTickFaultsTest : public QObject {
     }
   }
 
-  // A hand of 1 m/s is none that got loose, where a loop of 4 kHz sees a device of 1 kHz, whose packets come up to half
-  // a millisecond early or late, and sometimes two at once.
+  // A hand of 1 m/s is not cut if a loop of 4 kHz reads a device of 1 kHz, whose packets come up to half a millisecond
+  // early or late, and sometimes two at once.
   void packetsInABunchAreNoCut() {
     for (const bool isCounted : {true, false}) {
       Rig rig;
@@ -198,8 +199,8 @@ class ServoTickFaultsTest : public QObject {
     }
   }
 
-  // The line falls silent in a wall: the device repeats what it said last. The force is held for 5 ms, gone after 10,
-  // and nothing pushes a hand that was moving. With the next word it comes back, without a step.
+  // The line falls silent in a wall: the device repeats its last reading. The force is held for 5 ms, gone after 10,
+  // and nothing pushes a hand that was moving. With the next reading it comes back, without a step.
   void aSilentLineHoldsNoForce() {
     Rig rig;
     rig.log->onRead = [this](ScriptedDevice::Log& log) { log.state.reading += m_isSilent ? 0 : 1; };
@@ -227,7 +228,7 @@ class ServoTickFaultsTest : public QObject {
     QVERIFY((last - Vec3(-2, 0, 0)).norm() < 1e-9);
   }
 
-  // One that does not count is asked when it is read: rest is no silence.
+  // A device without a count is measured on request: rest is no silence.
   void restIsNoSilence() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));

@@ -13,7 +13,7 @@ class ServoTickTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The whole way: 2 mm deep in a wall of 1 N/mm.
+  // The whole chain: 2 mm deep in a wall of 1 N/mm.
   void aWallPushesBack() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
@@ -37,7 +37,7 @@ class ServoTickTest : public QObject {
     QCOMPARE(rig.log->writes, 10);
   }
 
-  // b/(T/2) = 0.005/0.0005 = 10 N/mm once the loop has measured itself; until then as if it were half as fast.
+  // b/(T/2) = 0.005/0.0005 = 10 N/mm once the loop has measured itself; until then for a loop half as fast.
   void theSceneGetsTheStiffnessLimit() {
     Rig rig;
     QVERIFY(qAbs(rig.run().tip.stiffnessLimit - 5.0) < 1e-9);
@@ -73,7 +73,7 @@ class ServoTickTest : public QObject {
     QCOMPARE(rig.run().tip.velocity, Vec3(0, 7, 0));
   }
 
-  // Another model: by the ramp. An edit under the tip: as it was, and the new source follows the old.
+  // Another model starts the ramp. An edit under the tip does not, and the new source follows the old.
   void scenesLeapOrDoNot() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
@@ -107,7 +107,7 @@ class ServoTickTest : public QObject {
     rig.channel.isForceOn.store(false);
     ServoSample sample = rig.runMany(10);
     QVERIFY(sample.sent.isZero());
-    QVERIFY(sample.felt.isContact);  // what would be felt is still shown
+    QVERIFY(sample.felt.isContact);  // the computed force is still shown
     rig.channel.isForceOn.store(true);
     QVERIFY(rig.run().sent.isZero());
     QVERIFY((rig.runMany(2500).sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
@@ -139,13 +139,13 @@ class ServoTickTest : public QObject {
     QVERIFY((rig.run().tip.position - Vec3(2.5, 0, 0)).norm() < 1e-9);
   }
 
-  // The view orbits while the tip is in a wall: the tip stays, the force is turned to the device's new axes; at once
-  // where that is hardly felt, else by the ramp.
+  // The view orbits while the tip is in a wall: the tip stays, the force is turned to the device's new axes; at once if
+  // that is hardly felt, else by the ramp.
   void anotherViewKeepsTheTipAndTurnsTheForce() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
     rig.pressTo(2.0);
-    WorkspaceMapping turned;  // what was right in the scene is now towards the user
+    WorkspaceMapping turned;  // the right of the scene is now towards the user
     turned.sceneFromView.linear() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
     rig.channel.mapping.write({1, turned});
     ServoSample sample = rig.run();
@@ -154,7 +154,7 @@ class ServoTickTest : public QObject {
     QVERIFY(sample.actions.has(SafetyAction::Ramp));  // a change of 2.8 N
     QVERIFY(sample.sent.force.norm() < 0.01);
     QVERIFY((rig.runMany(3000).sent.force - Vec3(0, 0, -2)).norm() < 1e-12);
-    // By 3 degrees: of 2·2·sin(1.5°) = 0.105 N.
+    // Turned by 3 degrees, the force of 2 N changes by 2·2·sin(1.5°) = 0.105 N.
     turned.sceneFromView.linear() *= Eigen::AngleAxisd(3.0 * M_PI / 180.0, Vec3::UnitY()).toRotationMatrix();
     rig.channel.mapping.write({2, turned});
     sample = rig.run();
@@ -168,7 +168,7 @@ class ServoTickTest : public QObject {
     QVERIFY(sample.actions.has(SafetyAction::Ramp));
   }
 
-  // A leap that is announced with a mapping in the middle of a tick: whichever tick finds the mapping has the ramp.
+  // A leap that is announced with a mapping in the middle of a tick: the tick that finds the mapping has the ramp.
   void aMappingIsNeverFeltBeforeItsLeap() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
@@ -206,7 +206,7 @@ class ServoTickTest : public QObject {
     QVERIFY((sample.felt.force - Vec3(-2, 0, 0)).norm() < 1e-12);
   }
 
-  // What only points has no motors that could become unstable: no limit, and the force is still reported.
+  // A pointing device has no motors that could become unstable: no limit, and the force is still reported.
   void aDeviceWithoutMotorsHasNoLimit() {
     Rig rig;
     DeviceCapabilities mouse;

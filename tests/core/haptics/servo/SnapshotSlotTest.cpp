@@ -13,7 +13,7 @@ namespace {
 
 std::atomic<int> alive{0};
 
-// Knows whether it was freed, and its number twice, so that half a value would show.
+// An object that records whether it was freed, and has its number twice, so that half a value would show.
 struct Counted {
   explicit Counted(int n) : number(n), again(n) { ++alive; }
   ~Counted() {
@@ -53,7 +53,7 @@ class SnapshotSlotTest : public QObject {
     QCOMPARE(taken.previous->number, 2);
   }
 
-  // The one before lives through the tick that took the new one, and is freed by the thread that made it.
+  // The previous snapshot lives through the tick that took the new one, and is freed by the thread that made it.
   void whatIsLeftIsFreedByTheMaker() {
     {
       SnapshotSlot<Counted> slot;
@@ -72,7 +72,7 @@ class SnapshotSlotTest : public QObject {
     QCOMPARE(alive.load(), 0);
   }
 
-  // Nobody collects: the taker goes on with what it has and never loses the newest.
+  // Nobody collects: the taker keeps its snapshot and never loses the newest.
   void withoutCollectingTheNewestStillArrives() {
     SnapshotSlot<Counted> slot;
     for (int i = 1; i <= 10; ++i) {

@@ -15,7 +15,7 @@ using namespace handwheel::test;
 namespace {
 
 constexpr double kStabilityPeriod = 0.001;  // s
-// Of a run of the whole loop: in free space, and in contact.
+// Ticks of a run of the whole loop: in free space, and in contact.
 constexpr int kSettling = 8000, kContactTicks = 20000;
 
 // The whole loop with a simulated hand: from 3 mm outside it goes to 2 mm inside a wall that is as stiff as the loop
@@ -29,13 +29,13 @@ struct Run {
   double friction = 0.0005;  // N·s/mm: b
   double rate = 1000.0;      // Hz
   double grip = 0.1;         // N/mm: of the hand
-  bool isStolen = false;     // slices of 1 to 4 ms once a second, and now and then 50 ms, as a busy machine takes them
+  bool isStolen = false;     // slices of 1 to 4 ms once a second, and now and then 50 ms, typical for a busy machine
   double handDamping = 0.0;  // N·s/mm; 0: a hand that takes no energy away
   bool isControlled = true;  // by the passivity controller
 };
 
 struct Outcome {
-  double largestOffset = 0.0;  // mm from the hand's place: was 5 when it let go
+  double largestOffset = 0.0;  // mm from the hand's position: was 5 when it let go
   double leastEnergy = 0.0;    // N·mm, of the observer
   double lastSwing = 0.0;      // mm, within the last second
   double largestStiffness = 0.0;
@@ -59,7 +59,7 @@ Outcome pressWall(const Run& run) {
   if (run.isStolen) {
     clock.late = [&, n = 0]() mutable -> std::int64_t {
       ++n;
-      // The last two seconds are left in peace, to see what remains.
+      // The last two seconds are undisturbed, to see the remaining motion.
       if (n % 1000 != 500 || n > kSettling + kContactTicks - 2000) return 0;
       return n % 5000 == 500 ? 50 * kMillisecond : static_cast<std::int64_t>(random() % 3 + 1) * kMillisecond;
     };
@@ -76,7 +76,7 @@ Outcome pressWall(const Run& run) {
     allowed.stiffnessLimit *= run.beyond;
     wall(1e6, run.wallDamping * run.friction)(allowed, out);
   }));
-  // In free space until the loop has measured itself and the ramp is over.
+  // The tip is in free space until the loop has measured itself and the ramp is over.
   const Vec3 outside(-3, 0, 0), inside(2, 0, 0);
   device.setTarget({0.0, outside});
   loop.runTicks(kSettling);
@@ -106,8 +106,8 @@ class StabilityTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // At the cap the loop gives back no more than it was given: the hand, let go 5 mm from its place, is never further
-  // off, the observer shows no deficit, and the swings die out.
+  // At the cap the loop gives back no more than it was given: the hand, let go 5 mm from its rest position, is never
+  // further off, the observer shows no deficit, and the swings die out.
   void theLoopIsPassiveAtTheCap_data() {
     QTest::addColumn<double>("latency");
     QTest::addColumn<double>("jitter");
@@ -129,12 +129,12 @@ class StabilityTest : public QObject {
     const Outcome calm =
         pressWall({.latency = latency, .jitter = jitter, .wallDamping = damping, .handDamping = 0.003});
     QVERIFY2(calm.lastSwing < 0.01, qPrintable(QString::number(calm.lastSwing)));
-    // The cap is no excuse: it is the rule's for the period, jitter and delay of this run.
+    // The cap is the rule's for the period, jitter and delay of this run.
     const double longest = kStabilityPeriod + jitter * 1e-9;
     QVERIFY(outcome.largestStiffness >= 0.99 * 0.0005 * (1 - damping) / (0.5 * longest + latency));
   }
 
-  // Whatever hand, device and rate: masses of 20 g to 1 kg, frictions of 0.2 to 20 N·s/m, 0.5 to 8 kHz.
+  // For any hand, device and rate: masses of 20 g to 1 kg, frictions of 0.2 to 20 N·s/m, 0.5 to 8 kHz.
   void anyLoopIsPassiveAtTheCap() {
     std::mt19937 random(23);
     const auto any = [&](double least, double largest) {  // evenly in the logarithm
@@ -161,13 +161,14 @@ class StabilityTest : public QObject {
                                .arg(outcome.largestOffset)
                                .arg(outcome.leastEnergy);
       QVERIFY2(outcome.largestOffset <= 5.0 + 1e-3, qPrintable(what));
-      // A thousandth of what the hand had stretched: one tick in a hundred is later than the cap takes for usual.
+      // The bound is a thousandth of the energy that the hand had stretched: one tick in a hundred is later than the
+      // cap assumes.
       QVERIFY2(outcome.leastEnergy >= -1e-3 * 0.5 * run.grip * 25.0, qPrintable(what));
     }
   }
 
-  // What the watchdog leaves, damping of a velocity that is estimated half a window late, slows even the lightest tip:
-  // it is never faster than it was let go.
+  // The remaining damping of the watchdog, for a velocity that is estimated half a window late, slows even the lightest
+  // tip: it is never faster than it was let go.
   void lateDampingOnlySlows() {
     for (const double mass : {0.005, 0.02, 0.1}) {
       SimulatedDeviceSettings settings = simulatedDevice();
@@ -195,8 +196,8 @@ class StabilityTest : public QObject {
     }
   }
 
-  // Time that the machine takes away cannot be had back: what was sent last is held through it and pushes the tip out.
-  // But nothing builds up: within the device's force, and at rest again after.
+  // Stolen time cannot be recovered: the last force is held through it and pushes the tip out. But nothing builds up:
+  // the force is within the device's, and the tip at rest again after.
   void stolenTimeDoesNotBuildUp() {
     Run run;
     run.isStolen = true;
@@ -208,7 +209,7 @@ class StabilityTest : public QObject {
     QVERIFY2(outcome.lastSwing < 0.01, qPrintable(QString::number(outcome.lastSwing)));
   }
 
-  // So that the tests at the cap are known to see it: three times the cap swings for ever, and the controller calms it.
+  // Checks that the tests at the cap can fail: three times the cap swings for ever, and the controller calms it.
   void beyondTheCapTheControllerIsNeeded() {
     const Outcome bare = pressWall({.beyond = 3.0, .isControlled = false});
     QVERIFY(bare.leastEnergy < -0.1);

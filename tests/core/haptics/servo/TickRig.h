@@ -22,13 +22,13 @@ struct Rig {
     tick.run(time);
     return channel.latest.read();
   }
-  // So many more, with what the last one gave.
+  // Runs so many more ticks and returns the last sample.
   ServoSample runMany(int count) {
     ServoSample sample;
     for (int i = 0; i < count; ++i) sample = run();
     return sample;
   }
-  // Past the ramp in free space, and then to x in half a second.
+  // Waits past the ramp in free space, and then moves to x in half a second.
   ServoSample pressTo(double x) {
     log->state.position = {-1, 0, 0};
     runMany(1500);

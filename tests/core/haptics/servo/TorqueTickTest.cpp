@@ -62,12 +62,12 @@ Eigen::Quaterniond aroundZ(double angle) {
 
 }  // namespace
 
-// The way of a torque from a scene to the motors.
+// The path of a torque from a scene to the motors.
 class TorqueTickTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // 50 N·mm/rad over 0.4 rad; as the device is turned there, less and less.
+  // 50 N·mm/rad over 0.4 rad; less and less as the device turns there.
   void turnsTheDevice() {
     TurningRig rig;
     rig.turnTo(aroundZ(0.4), 50.0);
@@ -106,7 +106,7 @@ class TorqueTickTest : public QObject {
     QVERIFY(rig.channel.latest.read().actions.isEmpty());
   }
 
-  // Never more than the device can, nor faster than its limit: all of it in 4 ms.
+  // The torque never exceeds the device's maximum, nor its slew limit: all of it in 4 ms.
   void isLimited() {
     TurningRig rig;
     rig.turnTo(aroundZ(3.0), 1e4);
@@ -132,7 +132,7 @@ class TorqueTickTest : public QObject {
       ServoSample sample = rig.run();
       QVERIFY(sample.sent.isZero() && sample.actions.has(SafetyAction::NotFinite));
       QVERIFY(rig.runMany(100).sent.isZero());
-      // A good one comes back, slowly.
+      // A finite torque comes back, slowly.
       rig.turnTo(aroundZ(0.4), 50.0);
       QVERIFY(rig.run().sent.torque.norm() < 1.0);
       QVERIFY((rig.runMany(4000).sent.torque - Vec3(0, 0, 20)).norm() < 1e-9);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The view changes while the hand presses: what it feels stays.
+// The view changes while the hand presses: the felt force stays.
 #include <QtTest>
 #include <cmath>
 
@@ -20,7 +20,7 @@ namespace {
 constexpr double kViewChangeStiffness = 0.5;  // N/mm at the device
 constexpr double kNotch = 1.1892071150;       // 2^(1/4), of the wheel
 
-// A hand of which the test says where it is, on the top of a cube of 100 mm at z = 100.
+// A hand whose position the test sets, on the top of a cube of 100 mm at z = 100.
 struct ViewChangeFixture {
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
   VirtualClock clock;
@@ -48,7 +48,7 @@ struct ViewChangeFixture {
     const double skin = 2.0 * surface.skin() / leastScale;
     return (log->last.force - Vec3(0, 0, newtons)).norm() < kViewChangeStiffness * skin + 1e-9;
   }
-  // So deep below the top, mm at the device, and past the ramp.
+  // Presses to a depth below the top, mm at the device, and waits past the ramp.
   void pressTo(double depth) {
     loop.setMapping(mapping, scene(true));
     log->state.position = {0, 0, 5};
@@ -65,8 +65,8 @@ class ViewChangeTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // 4 mm at 0.5 N/mm are 2 N before and after each notch of the wheel, in and out, whatever the scale is at first; and
-  // the proxy, which is what is seen, stays.
+  // 4 mm at 0.5 N/mm are 2 N before and after each notch of the wheel, in and out, for any initial scale; and the
+  // displayed proxy stays.
   void zoomingInContactIsNotFelt() {
     for (const double scale : {0.1, 1.0, 3.0}) {
       ViewChangeFixture fixture;

@@ -56,7 +56,7 @@ void LoopSnapFieldTest::givesTheNumbersBack() {
            (SnapFeature{SnapKind::Segment, 500}));
 }
 
-// In the sum too: at an edge next to a corner the force is that of the edge alone.
+// In the sum, too, the force at an edge next to a corner is that of the edge alone.
 void LoopSnapFieldTest::rimIsOneFeature() {
   const LoopSnapField scene = rectangleScene(Rectangle(), {false, false, true});
   const SnapProfile profile(SnapShape::Triangular, 0.5, 0.5);

@@ -26,7 +26,7 @@ std::vector<double> distancesTo(const std::vector<Simplex>& simplices, const Vec
 
 }  // namespace
 
-// What happens when more features are in reach than may act.
+// Cases with more features in reach than may act.
 class SnapCrowdTest : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class SnapCrowdTest : public QObject {
   void shrinksToTheFirstLeftOut();
   void continuousInTheCrowd();
   void continuousIntoTheCrowd();
-  void almostAtOnePlace();
+  void almostAtOnePoint();
   void proxyHoldsTheNearest();
   void longOnesAcrossEachOther();
 };
@@ -81,7 +81,7 @@ void SnapCrowdTest::continuousInTheCrowd() {
   }
 }
 
-// From where few are in reach to where thousands are.
+// Moves from few features in reach to thousands.
 void SnapCrowdTest::continuousIntoTheCrowd() {
   std::mt19937 random(3);
   const auto simplices = randomSimplices(random, 3000, 1.0, 0.2);
@@ -102,9 +102,9 @@ void SnapCrowdTest::continuousIntoTheCrowd() {
   QVERIFY(wasWhole && wasShrunk);
 }
 
-// Ten thousand points that are not quite at one place, further from the origin than their distances: no force to speak
-// of, and none that is not finite.
-void SnapCrowdTest::almostAtOnePlace() {
+// Ten thousand points that are not quite equal, further from the origin than their distances: no force to speak of, and
+// none that is not finite.
+void SnapCrowdTest::almostAtOnePoint() {
   std::mt19937 random(4);
   for (const double offset : {0.0, 1e7}) {
     const Vec3 middle = Vec3::Constant(offset);
@@ -117,7 +117,7 @@ void SnapCrowdTest::almostAtOnePlace() {
         const SnapResult pull =
             sum.step(field, SnapProfile(shape, kStiffness, kDistance), middle + randomIn(random, i % 2 ? 1.0 : 1e-7));
         QVERIFY(pull.force.allFinite());
-        // Each acts over no more than what they are apart.
+        // Each acts over no more than their distance.
         const double apart = 4e-7;
         QVERIFY(pull.distance < kDistance);
         if (shape != SnapShape::Spring) QVERIFY(pull.force.norm() <= 2.0 * kStiffness * apart * SnapSum::kMost);

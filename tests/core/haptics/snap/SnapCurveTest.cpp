@@ -45,7 +45,7 @@ class SnapCurveTest : public QObject {
   void proxyKeepsUpWithAQuickHand();
 };
 
-// However it is divided: a joint adds nothing.
+// For any division, a joint adds nothing.
 void SnapCurveTest::straightCurveIsOneSegment() {
   std::mt19937 random(2);
   const Vec3 from(1, 2, 3), to(11, -5, 4);
@@ -83,7 +83,7 @@ void SnapCurveTest::outsideOfACornerIsOnePoint() {
   }
 }
 
-// Inside and outside of it, beside and above: the force of the nearest point, but for the chords.
+// The force inside and outside of it, beside and above is that of the nearest point, but for the chords.
 void SnapCurveTest::circleDrawsToItself() {
   const double radius = 10.0, ls = 1.5;
   const SnapField field = curveField(circle(radius, 720), true);
@@ -126,7 +126,7 @@ void SnapCurveTest::continuousInEveryBend() {
   }));
 }
 
-// Round the circle and back, the hand a little inside: always held, the proxy always at the hand's foot.
+// Around the circle and back, the hand a little inside: always held, the proxy always at the hand's foot.
 void SnapCurveTest::proxySlidesAlong() {
   const double radius = 10.0;
   const SnapField field = curveField(circle(radius, 720), true);
@@ -142,8 +142,8 @@ void SnapCurveTest::proxySlidesAlong() {
   }
 }
 
-// Half a millimetre in a tick, along segments of 3 micrometres, over a face that lies in reach: the curve holds all the
-// way round.
+// Half a millimetre in a tick, along segments of 3 micrometres, over a face that lies in reach: the curve holds all
+// around.
 void SnapCurveTest::proxyKeepsUpWithAQuickHand() {
   const double radius = 10.0;
   SnapFeatures features;

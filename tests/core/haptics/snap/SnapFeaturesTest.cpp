@@ -30,13 +30,13 @@ class SnapFeaturesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void leavesOutWhatIsNoPlace();
+  void leavesOutInvalidPositions();
   void curvesBecomeSegmentsAndJoints();
   void curveCountsOnceEverywhere();
   void nothingFromNothing();
 };
 
-void SnapFeaturesTest::leavesOutWhatIsNoPlace() {
+void SnapFeaturesTest::leavesOutInvalidPositions() {
   const Vec3 o = Vec3::Zero(), x = Vec3::UnitX(), y = Vec3::UnitY();
   for (const double bad : {kNaN, kInfinity, -kInfinity, 1e101}) {
     const Vec3 b(0.0, bad, 0.0);
@@ -72,7 +72,7 @@ void SnapFeaturesTest::curvesBecomeSegmentsAndJoints() {
   }
 }
 
-// Euler: at any place the pieces that count, less the joints that count against them, are one where the nearest point
+// Euler: at any point the pieces that count, less the joints that count against them, are one where the nearest point
 // is unique on each side, and the pieces of a straight line are one everywhere.
 void SnapFeaturesTest::curveCountsOnceEverywhere() {
   std::mt19937 random(3);

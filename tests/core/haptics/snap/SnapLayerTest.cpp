@@ -13,7 +13,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// Random places and sizes, from a seed that shrinks with nothing else.
+// Random positions and sizes, from a seed that shrinks with nothing else.
 struct Scene {
   double scale = 1.0;
   Vec3 middle = Vec3::Zero();
@@ -32,7 +32,7 @@ Scene randomScene(std::mt19937& random) {
   return s;
 }
 
-// What rounding of coordinates in the scene may shift.
+// Returns the largest effect of rounding coordinates in the scene.
 double roundingOf(const Scene& s) {
   return 1e-15 * (s.middle.cwiseAbs().maxCoeff() + s.scale) * 10.0;
 }

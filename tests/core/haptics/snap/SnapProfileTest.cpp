@@ -12,12 +12,12 @@ using namespace handwheel::test;
 
 namespace {
 
-// A share of a range of `parts` equal steps.
+// Returns a share of a range of `parts` equal steps.
 double stepOf(int i, int parts) {
   return static_cast<double>(i) / parts;
 }
 
-// Numbers that no formula expects.
+// Returns numbers that no formula expects.
 std::vector<double> strangeNumbers() {
   using Limits = std::numeric_limits<double>;
   return {Limits::quiet_NaN(),
@@ -92,7 +92,7 @@ void SnapProfileTest::jumpsNoMoreThanItsSlope() {
       const double from = ls * stepOf(i, parts), to = ls * stepOf(i + 1, parts);
       steepest = std::max(steepest, std::abs(profile.force(to) - profile.force(from)) / (to - from));
     }
-    // The bound holds, and it is no larger than it has to be.
+    // The bound holds, and is tight.
     QVERIFY(steepest <= profile.largestSlope() * (1.0 + 1e-9));
     QVERIFY(steepest >= profile.largestSlope() * (1.0 - 1e-4));
     QVERIFY(std::abs(profile.largestSlope() - slopeByEquation(shape) * k) <= 1e-4 * k);
@@ -114,7 +114,7 @@ void SnapProfileTest::onlyTheSpringLeaps() {
   }
 }
 
-// F' at both borders is k, 2k and 9k / (e^4.5 - 1); as the equations stand the Gaussian's digits cancel there.
+// F' at both borders is k, 2k and 9k / (e^4.5 - 1); by the unmodified equations the Gaussian's digits cancel there.
 void SnapProfileTest::keepsItsDigitsAtTheBorders() {
   const double k = 0.7, ls = 2.0;
   const auto expected = [&](SnapShape shape) {

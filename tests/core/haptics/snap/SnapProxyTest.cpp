@@ -17,12 +17,12 @@ namespace {
 constexpr double kSnapProxyStiffness = 0.7;  // N/mm
 const SnapProfile kProfile(SnapShape::Triangular, kSnapProxyStiffness, 1.0);
 
-// A hand and what it holds.
+// A hand and its held feature.
 struct Play {
   SnapField field;
   SnapProxy proxy = {};
 
-  // The number of what is held; kNone when nothing is.
+  // Returns the number of the held feature; kNone if there is none.
   std::uint32_t at(const Vec3& hand) {
     const SnapResult pull = proxy.step(field, kProfile, hand);
     return pull.featureCount ? pull.features[0].id : kNone;
@@ -111,7 +111,7 @@ void SnapProxyTest::closestToTheProxyWins() {
   QCOMPARE(play.at(Vec3(-0.1, 0, 0)), 0u);
   QCOMPARE(play.at(Vec3(0.45, 0, 0)), 0u);
   QCOMPARE(play.at(Vec3(0.99, 0, 0)), 0u);
-  // Out of the first's reach: nearest to the proxy is the second, to the hand the third.
+  // Outside the first's reach, the second is nearest to the proxy, the third to the hand.
   QCOMPARE(play.at(Vec3(1.1, 0, 0)), 1u);
   QCOMPARE(play.at(Vec3(1.6, 0, 0)), 2u);
   play.proxy.release();
@@ -171,8 +171,8 @@ void SnapProxyTest::slidesOverAFan() {
   QCOMPARE(held.size(), fan.size());
 }
 
-// A line 40 m long, whose nearest points are rounded by more than there is between them: kept although a face is in
-// reach, and left for another line where they cross.
+// A line 40 m long, whose nearest points are rounded by more than their distance: kept although a face is in reach, and
+// left for another line at a crossing.
 void SnapProxyTest::longLinesAreKept() {
   const Vec3 along = Vec3(1.0, 0.7, 0.3).normalized(), up = along.unitOrthogonal(), aside = along.cross(up);
   const double far = 2e4;
@@ -214,7 +214,7 @@ void SnapProxyTest::survivesAnEdit() {
   Play play{fieldOf({point(Vec3(5, 5, 5)), point(Vec3(0, 0, 0)), point(Vec3(0.5, 0, 0))})};
   QCOMPARE(play.at(Vec3(0.1, 0, 0)), 1u);
   play.field = fieldOf({point(Vec3(0.7, 0, 0)), point(Vec3(0, 0, 0))});
-  QCOMPARE(play.at(Vec3(0.6, 0, 0)), 1u);  // held before: at its place still
+  QCOMPARE(play.at(Vec3(0.6, 0, 0)), 1u);  // held before: still at its position
   play.field = fieldOf({point(Vec3(0.7, 0, 0))});
   QCOMPARE(play.at(Vec3(0.6, 0, 0)), 0u);
   play.field = SnapField();

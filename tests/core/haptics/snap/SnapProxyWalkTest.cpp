@@ -57,7 +57,7 @@ class Rules {
   Vec3 m_proxy = Vec3::Zero();
 };
 
-// A hand that wanders, and now and then is elsewhere at once: at 10 m/s, or after ticks that were lost.
+// A hand that wanders, and now and then leaps: at 10 m/s, or after lost ticks.
 class Wanderer {
  public:
   explicit Wanderer(std::mt19937& random, double size) : m_random(random), m_size(size) {}
@@ -106,7 +106,7 @@ void SnapProxyWalkTest::holdsWhatTheRulesSay() {
   }));
 }
 
-// Of features that touch and cross, too.
+// Also for features that touch and cross.
 void SnapProxyWalkTest::alwaysOnAFeatureInReach() {
   QVERIFY(rc::check([] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-// Features to snap to, and an independent computation of the nearest point. It has nothing of the program's.
+// Features to snap to, and an independent computation of the nearest point. It uses no code of the program.
 namespace handwheel::test {
 
 using Real = long double;
@@ -18,7 +18,7 @@ inline constexpr SnapShape kSnapShapes[] = {SnapShape::Spring, SnapShape::Triang
                                             SnapShape::Gaussian};
 inline constexpr SnapShape kSmoothShapes[] = {SnapShape::Triangular, SnapShape::Quadratic, SnapShape::Gaussian};
 
-// The force of eq. 3-1 to 3-3 as they stand, and the largest slopes that the specification states.
+// Returns the force of eq. 3-1 to 3-3; slopeByEquation() returns the largest slopes that the specification states.
 inline Real forceByEquation(SnapShape shape, Real k, Real ls, Real x) {
   if (x <= 0 || x >= ls) return 0;
   const auto g = [&](Real at) {
@@ -51,7 +51,7 @@ inline Vec3l nearestOnLine(const Vec3l& p, const Vec3l& a, const Vec3l& b) {
   return a + t * along;
 }
 
-// By the regions of the triangle's plane (Ericson, Real-Time Collision Detection, 5.1.5).
+// Uses the regions of the triangle's plane (Ericson, Real-Time Collision Detection, 5.1.5).
 inline Vec3l nearestOnFace(const Vec3l& p, const Vec3l& a, const Vec3l& b, const Vec3l& c) {
   const Vec3l normal = (b - a).cross(c - a);
   const bool hasArea = normal.squaredNorm() > 0;
@@ -85,7 +85,7 @@ inline Simplex face(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {SnapKind::Facet, {a, b, c}};
 }
 
-// Each with its place in the list as its number.
+// Collects the features, each with its index in the list as its number.
 inline SnapFeatures featuresOf(const std::vector<Simplex>& simplices) {
   SnapFeatures features;
   for (std::uint32_t i = 0; i < simplices.size(); ++i) {
@@ -107,7 +107,7 @@ inline Vec3 randomIn(std::mt19937& random, double size) {
   return {x, y, number(random)};
 }
 
-// Of all kinds, in a cube of so many millimetres to each side, themselves about `length` long.
+// Returns simplices of all kinds in a cube of half-width `size` (mm), themselves about `length` long.
 inline std::vector<Simplex> randomSimplices(std::mt19937& random, std::size_t count, double size, double length,
                                             const Vec3& middle = Vec3::Zero()) {
   std::vector<Simplex> simplices;
@@ -120,12 +120,12 @@ inline std::vector<Simplex> randomSimplices(std::mt19937& random, std::size_t co
   return simplices;
 }
 
-// The sum of the forces of all.
+// Returns the sum of the forces of all features.
 inline Vec3 sumOf(const std::vector<Simplex>& simplices, SnapShape shape, double k, double ls, const Vec3& hand) {
   Vec3l sum = Vec3l::Zero();
   for (const Simplex& s : simplices) {
-    const Vec3l way = nearestOn(s, hand) - hand.cast<Real>();
-    if (const Real x = way.norm(); x > 0) sum += way * (forceByEquation(shape, k, ls, x) / x);
+    const Vec3l toNearest = nearestOn(s, hand) - hand.cast<Real>();
+    if (const Real x = toNearest.norm(); x > 0) sum += toNearest * (forceByEquation(shape, k, ls, x) / x);
   }
   return sum.cast<double>();
 }

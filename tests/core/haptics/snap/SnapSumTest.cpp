@@ -16,11 +16,11 @@ namespace {
 constexpr double kSnapSumStiffness = 0.7;  // N/mm
 
 struct Jump {
-  double largest = 0.0;  // N, from one place of the hand to the next
+  double largest = 0.0;  // N, from one position of the hand to the next
   double peak = 0.0;     // N
 };
 
-// The hand goes straight from one place to another, in steps of a servo sample.
+// The hand goes straight from one position to another, in steps of a servo sample.
 template <class Force>
 Jump sweep(const Vec3& from, const Vec3& to, int steps, Force force) {
   Jump jump;
@@ -34,7 +34,7 @@ Jump sweep(const Vec3& from, const Vec3& to, int steps, Force force) {
   return jump;
 }
 
-// Of each kind, those without length or area too.
+// Returns one simplex of each kind, also those without length or area.
 std::vector<Simplex> eachKind() {
   const Vec3 a(0, 0, 0), b(3, 1, 0), c(0, 2, 1);
   return {point(a), segment(a, b), face(a, b, c), segment(a, a), face(a, a, a), face(a, b, b), face(a, b, 2.0 * b)};
@@ -71,8 +71,8 @@ void SnapSumTest::isTheSum() {
       const Vec3 hand = middle + randomIn(random, scale);
       const Vec3 expected = sumOf(simplices, shape, kSnapSumStiffness, profile.distance(), hand);
       const SnapResult pull = sum.step(field, profile, hand);
-      // Of a needle the nearest point is off by a share of its width, and far from the origin by what the coordinates
-      // are rounded to.
+      // The nearest point of a needle is off by a share of its width, and far from the origin by the rounding of the
+      // coordinates.
       const double rounded = static_cast<double>(simplices.size()) * 0x1p-50 * hand.norm();
       RC_ASSERT((pull.force - expected).norm() <= 1e-8 * profile.peak() + kSnapSumStiffness * rounded);
       RC_ASSERT(pull.distance == profile.distance());
@@ -133,7 +133,7 @@ void SnapSumTest::continuousAcrossMany() {
   }));
 }
 
-// Between two places at both of which the same features act, no steeper than it says.
+// Between two positions at both of which the same features act, the force is no steeper than it says.
 void SnapSumTest::slopeIsABound() {
   QVERIFY(rc::check([] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());

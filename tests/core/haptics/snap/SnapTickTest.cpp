@@ -17,7 +17,7 @@ namespace {
 thread_local bool counts = false;
 thread_local int countedAllocations = 0;
 
-// Allocations on this thread while the work is done.
+// Returns the number of allocations on this thread during the work.
 template <class Work>
 int allocationsIn(Work work) {
   countedAllocations = 0;
@@ -29,7 +29,7 @@ int allocationsIn(Work work) {
 
 }  // namespace
 
-// Takes the place of the library's, here and in every library of the program.
+// Replaces the operator of the library, here and in every library of the program.
 void* operator new(std::size_t size) {
   if (counts) ++countedAllocations;
   if (void* p = std::malloc(size ? size : 1)) return p;
@@ -42,7 +42,7 @@ void operator delete(void* p, std::size_t) noexcept {
   std::free(p);
 }
 
-// What the servo thread does in a tick.
+// The work of the servo thread in a tick.
 class SnapTickTest : public QObject {
   Q_OBJECT
 

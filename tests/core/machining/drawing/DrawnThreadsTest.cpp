@@ -39,7 +39,7 @@ bool isBetween(const DrawnThread& thread, double low, double high) {
 
 }  // namespace
 
-// What a drawing says of the threads of a part: ISO 6410-1.
+// The threads of a part on a drawing: ISO 6410-1.
 class DrawnThreadsTest : public QObject {
   Q_OBJECT
 

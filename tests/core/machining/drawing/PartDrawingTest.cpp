@@ -40,7 +40,7 @@ bool hasText(const Sheet& sheet, const std::string& wanted) {
   return std::any_of(sheet.texts.begin(), sheet.texts.end(), [&](const auto& t) { return t.text == wanted; });
 }
 
-// What a hand leaves: a shaft with two shoulders whose surface goes in and out by up to `waviness`, every 0.3 mm.
+// A part turned by hand: a shaft with two shoulders whose surface goes in and out by up to `waviness`, every 0.3 mm.
 TargetProfile byHand(double waviness) {
   std::vector<ProfilePoint> points{{12, 0}};
   for (int i = 1; i <= 300; ++i) {
@@ -79,9 +79,9 @@ class PartDrawingTest : public QObject {
   // bottom, all texts apart.
   void dimensionsAlone() {
     const DrawingTitle title{"Bolt", "C45", {}, 1e-3, {}, {}};
-    DrawingPlace place;
-    place.scale = 1.6;
-    const Sheet whole = drawingSheet(part(), title), alone = dimensionSheet(part(), title, place);
+    DrawingLayout layout;
+    layout.scale = 1.6;
+    const Sheet whole = drawingSheet(part(), title), alone = dimensionSheet(part(), title, layout);
     for (const char* const text : {"Ø40", "Ø24", "Ø20", "Ø10", "R3", "90", "30"})
       QVERIFY2(hasText(alone, text) && hasText(whole, text), text);
     QVERIFY(!hasText(alone, "Bolt") && overlaps(alone).isEmpty());
@@ -125,7 +125,7 @@ class PartDrawingTest : public QObject {
     QCOMPARE(areas(drawingSheet(along({{20, 0}, {20, 50}}), {})), 0);
   }
 
-  // Whatever its size, the part is within the frame, at a scale of ISO 5455.
+  // A part of any size is within the frame, at a scale of ISO 5455.
   void anySize() {
     for (const double size : {1e-3, 0.1, 1.0, 30.0, 1000.0, 1e4}) {
       for (const double slender : {0.05, 1.0, 20.0}) {
@@ -153,7 +153,7 @@ class PartDrawingTest : public QObject {
     QVERIFY2(overlaps(sheet).isEmpty(), qPrintable(overlaps(sheet).join(", ")));
   }
 
-  // What a hand leaves below 0.05 mm is no feature: the three diameters and lengths remain.
+  // Steps of a hand below 0.05 mm are no features: the three diameters and lengths remain.
   void tinyStepsHaveNoDimensions() {
     const Sheet sheet = drawingSheet(byHand(0.015), {"By hand", "", {}, 0.01, {}, {}});
     QCOMPARE(countOf(sheet, "Ø"), std::size_t{3});
@@ -187,7 +187,7 @@ class PartDrawingTest : public QObject {
     QCOMPARE(countOf(shaft(0.4, 0.35), "∠"), std::size_t{2});
   }
 
-  // Whatever the part is, no text is on another one, and all are on the sheet.
+  // For any part, no text is on another one, and all are on the sheet.
   void noTextIsOnAnother() {
     for (const double waviness : {0.02, 0.08, 0.3, 1.0}) {
       const Sheet sheet = drawingSheet(byHand(waviness), {"By hand", "C45", {}, 0.01, {}, {}});
@@ -208,7 +208,7 @@ class PartDrawingTest : public QObject {
   }
 
   // ISO 6410-1: a narrow line at the minor diameter along the thread, on both sides of the axis, and the designation
-  // in place of the diameter.
+  // instead of the diameter.
   void threads() {
     DrawingTitle title{"Bolt", "C45", {}, 1e-3, {{"M20×2.5", 60.0, 80.0, 20.0, 16.93, false}}, {}};
     const Sheet sheet = drawingSheet(along({{15, 0}, {15, 50}, {10, 50}, {10, 80}}), title);
@@ -250,7 +250,7 @@ class PartDrawingTest : public QObject {
     QVERIFY(hasText(sheet, "Ø30") && countOf(sheet, "17") == 0);
   }
 
-  // The nearest places with a gap: of a crowd its middle stays, single ones stay where they are.
+  // The nearest positions with a gap: the middle of a crowd stays, and so do single ones.
   void spreading() {
     QCOMPARE(spread({0.0, 10.0, 20.0}, 5.0), (std::vector<double>{0.0, 10.0, 20.0}));
     QCOMPARE(spread({10.0, 10.0, 10.0}, 5.0), (std::vector<double>{5.0, 10.0, 15.0}));

@@ -31,7 +31,7 @@ struct FollowedPart {
   FinishMark at(double z, TurningSide side = kOutside) const { return meter.finish().at(side, sampleAt(z)); }
 };
 
-// From one place of the centre of the nose to another at a feed (mm per revolution), in this number of moves.
+// Moves the centre of the nose between two positions at a feed (mm per revolution), in this number of moves.
 TurningPass passAt(const ProfilePoint& from, const ProfilePoint& to, double feed, double nose, int moves = 1) {
   TurningPass pass;
   pass.noseRadius = nose;
@@ -111,7 +111,7 @@ class FinishMeterTest : public QObject {
     QCOMPARE(idealRoughness(0.0, 0.8), 0.0);
   }
 
-  // By feed and nose, in one move or in many in a turn; what is not cut stays as it was.
+  // By feed and nose, in one move or in many in a turn; uncut surfaces keep their finish.
   void edges() {
     for (const int moves : {1, 5000}) {
       FollowedPart part;
@@ -148,8 +148,9 @@ class FinishMeterTest : public QObject {
     QVERIFY(!part.at(60.0, TurningSide::Bore).isKnown() && !part.at(90.0).isKnown());
   }
 
-  // A drill leaves what drills leave, by either of the ways to record it; what is bored after it is bored. The ends of
-  // the range are those of ASME B46.1 at the feeds of Machinery's Handbook; between them it rises with the feed.
+  // A drill leaves the finish of drilling, by either method of recording it; a bore after it has the finish of boring.
+  // The ends of the range are those of ASME B46.1 at the feeds of Machinery's Handbook; between them it rises with the
+  // feed.
   void drills() {
     const auto range = [](double feed, double least, double largest) {
       const double ra = drilledRoughness(feed);
@@ -177,7 +178,7 @@ class FinishMeterTest : public QObject {
     QVERIFY(isNear(other.at(90.0, TurningSide::Bore).roughness, drilledRoughness(0.2), 0.01));
   }
 
-  // Cusps of f²/(8 R) have an Ra of a quarter of that: a quarter of what leaves is what Ra falls by. It ends at the
+  // Cusps of f²/(8 R) have an Ra of a quarter of that: Ra falls by a quarter of the removed depth. It ends at the
   // grain; finer grain goes on; coarser grain leaves its own marks. Beside the width nothing changes.
   void abrasives() {
     FollowedPart part;
@@ -239,8 +240,8 @@ class FinishMeterTest : public QObject {
     QCOMPARE(meter.finish().at(kOutside, 100).roughness, FinishMark::kUnknown);
   }
 
-  // Turned, and wound back at the same X by a tool that takes 0.3 µm of what has sprung back: touched, and no more.
-  // What a light cut takes in moves of which each takes less than that is cut all the same.
+  // Turned, and wound back at the same X by a tool that removes 0.3 µm of work that has sprung back: touched, and no
+  // more. A light cut in moves of which each removes less than that still counts as cut.
   void whatSpringsBackIsTouched() {
     for (const bool isOnePass : {true, false}) {
       FollowedPart part;
@@ -267,7 +268,7 @@ class FinishMeterTest : public QObject {
     }
   }
 
-  // What a pass takes where it begins leaves with the feed of its first move, whether that is cut as one or not.
+  // The material removed at the begin of a pass has the feed of its first move, if it is cut as one or not.
   void aPassBeginsWithItsFirstMove() {
     FollowedPart part, live;
     const TurningPass there = along(18.0, 105.0, 80.0, 0.2), back = along(17.9, 80.0, 95.0, 0.1, 0.8, 150);

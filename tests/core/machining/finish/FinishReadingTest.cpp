@@ -25,7 +25,7 @@ class FinishReadingTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Of 101 samples 16 may be rougher (16 %), and 17 not.
+  // 16 of 101 samples may be rougher (16 %), and 17 not.
   void aSixthMayBeRougher() {
     const TurnedProfile profile(kReadBar, 1.0);
     SurfaceFinish finish(profile.size());

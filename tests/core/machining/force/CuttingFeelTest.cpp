@@ -22,7 +22,8 @@ double anyNumber() {
   return kOdd[*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 8))];
 }
 
-// How far a beam bends at its load, by integrating its curvature M / EI twice; the support's reaction by bisection.
+// Returns the deflection of a beam at its load, by integrating its curvature M / EI twice; the support's reaction by
+// bisection.
 double integratedDeflection(const SlenderWork& work, double force) {
   constexpr int kSteps = 20'000;
   const double stiffness = work.modulus * M_PI * std::pow(work.diameter, 4) / 64.0, dx = work.length / kSteps;
@@ -30,10 +31,10 @@ double integratedDeflection(const SlenderWork& work, double force) {
     double slope = 0.0, bent = 0.0;
     for (int i = 0; i < kSteps; ++i) {
       const double x = (i + 0.5) * dx;
-      const double moment = force * std::max(work.place - x, 0.0) - reaction * (work.length - x);
+      const double moment = force * std::max(work.position - x, 0.0) - reaction * (work.length - x);
       bent += slope * dx + 0.5 * moment / stiffness * dx * dx;
       slope += moment / stiffness * dx;
-      if (x < work.place) atLoad = bent;
+      if (x < work.position) atLoad = bent;
     }
     return bent;  // at the end
   };
@@ -107,10 +108,10 @@ class CuttingFeelTest : public QObject {
 
   void beamsBendAsTheirCurvatureSays() {
     for (const bool hasTailstock : {false, true}) {
-      for (const double place : {10.0, 100.0, 170.0, 200.0}) {
-        const SlenderWork work{20.0, 200.0, place, 210e3, hasTailstock};
+      for (const double position : {10.0, 100.0, 170.0, 200.0}) {
+        const SlenderWork work{20.0, 200.0, position, 210e3, hasTailstock};
         const double expected = integratedDeflection(work, 300.0), found = deflection(work, 300.0);
-        QVERIFY2(std::abs(found - expected) < 1e-3 * std::abs(expected) + 1e-9, qPrintable(QString::number(place)));
+        QVERIFY2(std::abs(found - expected) < 1e-3 * std::abs(expected) + 1e-9, qPrintable(QString::number(position)));
       }
     }
     QCOMPARE(deflection({0.0, 100.0, 50.0, 210e3, false}, 1.0), kInfinity);
@@ -139,7 +140,7 @@ class CuttingFeelTest : public QObject {
     QCOMPARE(broken({0.0, 0.0, 0.0}, {}, stout, strong), std::vector<Rule>());
   }
 
-  // What is thinner than a micrometre is no number to read.
+  // A chip thinner than a micrometre is not shown as a number.
   void aThinChipInWords() {
     QCOMPARE(textOf({CutWarning::Rule::Rubbing, 4.27e-5, 0.009}),
              std::string("Rubbing: a chip of less than 0.001 mm is not cut but rubbed; 0.009 mm is the least."));

@@ -119,7 +119,7 @@ class ForceLawsTest : public QObject {
     QVERIFY(!inUse(ForceLaw::Kosilova, kUsualMaterial, between).isVerified);
     QVERIFY(!inUse(ForceLaw::Kosilova, kUsualMaterial, {ToolMaterial::HighSpeedSteel, {}, {}, {}, {}}).isVerified);
     ThrustSettings table;
-    table.law = ThrustLaw::Table;  // whose rows are all unverified
+    table.law = ThrustLaw::Table;  // its rows are all unverified
     const WorkMaterial& usual = *all.find(kUsualMaterial);
     QVERIFY(!lawInUse(*forceModelFor(ForceLaw::Kosilova, usual, verified, table), usual).isVerified);
     WorkMaterial remembered = usual;
@@ -254,7 +254,7 @@ class ForceLawsTest : public QObject {
       QVERIFY(!model->covers(cut));
   }
 
-  // Whatever a device says: a finite force that pushes, and none where nothing is cut.
+  // Any input of a device gives a finite force that pushes, and none if nothing is cut.
   void extremesGiveFiniteForces() {
     const KosilovaTables& tables = KosilovaTables::standard();
     const WorkMaterials& materials = WorkMaterials::standard();

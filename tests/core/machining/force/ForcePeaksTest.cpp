@@ -37,7 +37,7 @@ class ForcePeaksTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A cut of constant depth: what the law gives for it at the diameter of the bar, by few and by many moves.
+  // A cut of constant depth: the force of the law at the diameter of the bar, by few and by many moves.
   void findsTheDepthAndTheFeed_data() {
     QTest::addColumn<int>("moves");
     QTest::newRow("one move") << 1;

@@ -29,7 +29,7 @@ TurnedProfile cone(double slope) {
 
 }  // namespace
 
-// Depth, normal and force of what grinds, He 2008 (5-1) to (5-4).
+// Depth, normal and force of grinding tools, He 2008 (5-1) to (5-4).
 class GrindingContactTest : public QObject {
   Q_OBJECT
 

@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// A lathe at work on a bar of 40 mm by 100 mm. Its tools are where the read-out would have them.
+// A lathe at work on a bar of 40 mm by 100 mm. Its tools are at the positions of the read-out.
 class Lathe {
  public:
   using CommandKind = LatheCommand::Kind;
@@ -24,7 +24,7 @@ class Lathe {
 
   static LatheSetup exactSetup() {
     LatheSetup setup = defaultLatheSetup(kBlank);
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     return setup;
   }
 
@@ -38,9 +38,9 @@ class Lathe {
       deepest = std::max(deepest, step.cut.depth);
     }
   }
-  // Without the part in the way, and with nothing that would hold it.
+  // The part must not be in the way, and nothing may hold the tool.
   void go(double r, double z) {
-    once({{CommandKind::Place, LatheAxis::Carriage, r, z}});
+    once({{CommandKind::MoveTip, LatheAxis::Carriage, r, z}});
     for (int i = 0; i < 20000 && (run.machine().tip() - ProfilePoint(r, z)).norm() > 1e-9; ++i)
       removed += once().cut.volume;
   }

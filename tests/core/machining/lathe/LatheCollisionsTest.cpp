@@ -56,7 +56,7 @@ class LatheCollisionsTest : public QObject {
     QVERIFY(!contactBetween(moved, {0.0, -0.99}, others));
     const auto contact = contactBetween(moved, {0.0, -1.01}, others);
     QVERIFY(contact && contact->moving == LathePart::Holder && contact->struck == LathePart::Jaws);
-    QVERIFY(contact->place == ProfilePoint(0.0, -1.01) && contact->cause == CrashCause::Contact);
+    QVERIFY(contact->position == ProfilePoint(0.0, -1.01) && contact->cause == CrashCause::Contact);
     QVERIFY(!contactBetween(moved, {6.0, -1.01}, others));
   }
 

@@ -15,7 +15,7 @@ using HoldCommand = Lathe::CommandKind;
 
 }  // namespace
 
-// What stays in the way of a tool without a crash, and what does not.
+// Cases in which the work stops a tool without a crash, and in which it does not.
 class LatheHoldTest : public QObject {
   Q_OBJECT
 
@@ -72,10 +72,10 @@ class LatheHoldTest : public QObject {
     QVERIFY(lathe.run.collisions().empty());
     QVERIFY(lathe.run.machine().state().speed > 0.0);
     QCOMPARE(lathe.run.machine().state().feed, 0.0);
-    QVERIFY(lathe.run.machine().tip().x() > 20.0 - 3.0 - 0.11);  // it follows what it has taken
+    QVERIFY(lathe.run.machine().tip().x() > 20.0 - 3.0 - 0.11);  // it follows the removed material
     const double most = 0.002 * (lathe.run.machine().state().turns - turns);
     QVERIFY(20.0 - lathe.radiusAt(60.0) > 0.5 * most && 20.0 - lathe.radiusAt(60.0) < most + 1e-6);
-    QVERIFY2(lathe.deepest < 2.1e-5, qPrintable(QString::number(lathe.deepest)));  // of 0.01 turns
+    QVERIFY2(lathe.deepest < 2.1e-5, qPrintable(QString::number(lathe.deepest)));  // depth of 0.01 turns
     const auto& warnings = lathe.run.warnings().all();
     QCOMPARE(warnings.size(), std::size_t{1});
     QVERIFY(warnings.front().warning.rule == CutWarning::Rule::Pressing && warnings.front().tool == "file-flat");

@@ -34,7 +34,7 @@ class AreaLaw : public CuttingForceModel {
 
 LatheSetup setupWith(double power, double torque) {
   LatheSetup setup = defaultLatheSetup(kLoadedShaft);
-  for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+  for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
   setup.spindle.power = power;
   setup.spindle.torque = torque;
   return setup;
@@ -58,7 +58,7 @@ struct LoadedLathe {
   void turnDown(double r, double feed, double seconds) {
     const double length = run.profile().length();
     send({Lever::Spindle, LatheAxis::Carriage, 1.0});
-    send({Lever::Place, LatheAxis::Carriage, r, length + 1.0});
+    send({Lever::MoveTip, LatheAxis::Carriage, r, length + 1.0});
     pass(2.0);
     send({Lever::Feed, LatheAxis::Carriage, -feed});
     pass(seconds);
@@ -92,7 +92,7 @@ class LatheLoadTest : public QObject {
     QVERIFY(lathe.run.collisions().empty());
   }
 
-  // Of a cut that needs more power, the spindle slows down to where the motor has it: P = T ω / η.
+  // If a cut needs more power, the spindle slows down to the speed at which the motor has it: P = T ω / η.
   void tooMuchPower() {
     LoadedLathe lathe(setupWith(1.0, 100.0));
     lathe.turnDown(17.0, 0.4, 8.0);  // 2400 N on an arm of 18.5 mm: 44 N·m, 2.8 kW at 600 r/min
@@ -104,11 +104,11 @@ class LatheLoadTest : public QObject {
     QVERIFY(warning && warning->tool == "right-roughing" && warning->time > 2.0);
     QVERIFY(std::abs(warning->warning.value / (torque * 600.0 * 2.0 * M_PI / 60.0 / 800.0) - 1.0) < 0.15);
     QCOMPARE(warning->warning.limit, 1.0);
-    // It goes on in the part, slower, and takes what it would have taken.
+    // It continues in the part, slower, and removes the same material.
     QVERIFY(std::abs(lathe.radiusAt(99.0) - 17.0) < 1e-3);
     // Out of the cut it comes back.
     lathe.send({Lever::Feed, LatheAxis::Carriage, 0.0});
-    lathe.send({Lever::Place, LatheAxis::Carriage, 30.0, 105.0});
+    lathe.send({Lever::MoveTip, LatheAxis::Carriage, 30.0, 105.0});
     lathe.pass(3.0);
     QCOMPARE(lathe.speed(), 600.0);
   }
@@ -127,8 +127,8 @@ class LatheLoadTest : public QObject {
     QVERIFY(lathe.warningOf(Rule::Torque)->time < stall.time);
     // It does not fall within a tick: the excess slows it down.
     QVERIFY(stall.time > 2.3);
-    // The way out is free.
-    lathe.send({Lever::Place, LatheAxis::Carriage, 30.0, 105.0});
+    // The tool can be moved out freely.
+    lathe.send({Lever::MoveTip, LatheAxis::Carriage, 30.0, 105.0});
     lathe.pass(2.0);
     QCOMPARE(lathe.run.collisions().size(), std::size_t{1});
   }
@@ -140,16 +140,16 @@ class LatheLoadTest : public QObject {
     QVERIFY(!lathe.warningOf(Rule::Power) && !lathe.warningOf(Rule::Torque));
   }
 
-  // A slender shaft gives way by F x³ / 3EI, and is left as much thicker.
+  // A slender shaft is deflected by F x³ / 3EI, and is left thicker by that.
   void slenderWorkGivesWay() {
     const StockCylinder slender{12.0, 170.0, 0.0};
     LatheSetup setup = setupWith(0.0, 0.0);
     setup.chuck.grip = 20.0;
     LoadedLathe lathe(setup, 500.0, slender);
     lathe.turnDown(5.5, 0.2, 6.0);
-    const double force = 500.0 * 0.5 * 0.2, place = 140.0, modulus = 210e3;
-    const double moment = M_PI * std::pow(2.0 * 5.9, 4) / 64.0;  // of a bar that is turned at its end only
-    const double bent = force * std::pow(place - 20.0 + 6.0, 3) / (3.0 * modulus * moment);
+    const double force = 500.0 * 0.5 * 0.2, cutHeight = 140.0, modulus = 210e3;
+    const double moment = M_PI * std::pow(2.0 * 5.9, 4) / 64.0;  // a bar that is turned at its end only
+    const double bent = force * std::pow(cutHeight - 20.0 + 6.0, 3) / (3.0 * modulus * moment);
     const double z = lathe.run.machine().tip().y();
     QVERIFY(z < 162.0 && z > 150.0);
     const double left = lathe.radiusAt(z + 2.0) - 5.5;
@@ -166,9 +166,9 @@ class LatheLoadTest : public QObject {
     LatheSetup setup = setupWith(0.0, 0.0);
     setup.tailstock.fitting = LatheFitting::Drill;
     setup.tailstock.drill = "drill-6";
-    setup.tailstock.place = 175.0;
+    setup.tailstock.position = 175.0;
     LoadedLathe lathe(setup, 500.0, slender);
-    lathe.send({Lever::Place, LatheAxis::Carriage, 60.0, 210.0});
+    lathe.send({Lever::MoveTip, LatheAxis::Carriage, 60.0, 210.0});
     lathe.pass(2.0);
     lathe.send({Lever::Spindle, LatheAxis::Carriage, 1.0});
     lathe.pass(1.0);
@@ -184,7 +184,7 @@ class LatheLoadTest : public QObject {
     const TurnedProfile bar(kLoadedShaft, 0.05);
     const SlenderWork whole = beamOf(bar, 20.0, 100.0);
     QVERIFY(std::abs(whole.diameter - 40.0) < 1e-9 && std::abs(whole.length - 80.0) < 1e-6);
-    QCOMPARE(whole.place, whole.length);
+    QCOMPARE(whole.position, whole.length);
     // Two lengths: δ = F/3E (a³ - b³)/I₁ + b³/I₂, with b the length of the thinner one at the end.
     std::vector<double> radii(2001);
     for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = i <= 1200 ? 20.0 : 10.0;
@@ -195,11 +195,11 @@ class LatheLoadTest : public QObject {
     const double expected = 100.0 / e * ((a * a * a - b * b * b) / moment(20.0) + b * b * b / moment(10.0));
     QVERIFY(std::abs(deflection(beam, 100.0) / expected - 1.0) < 0.01);
     const SlenderWork beside = beamOf(bar, 20.01, 10.0);  // between two samples
-    QVERIFY(beside.place == 0.0 && beside.diameter == 40.0 && std::abs(beside.length - 79.99) < 1e-6);
+    QVERIFY(beside.position == 0.0 && beside.diameter == 40.0 && std::abs(beside.length - 79.99) < 1e-6);
   }
 
-  // What is faced off to the centre and past it, or parted off, holds nothing: the work stays that of ⌀40, which
-  // protrudes by 75 mm, about twice its diameter, where four times are recommended.
+  // Material that is faced off to the centre and past it, or parted off, holds nothing: the work stays that of ⌀40,
+  // which protrudes by 75 mm, about twice its diameter, and four times are recommended.
   void facingIsNotSlender_data() {
     QTest::addColumn<double>("z");
     QTest::newRow("between two samples") << 99.52;
@@ -211,7 +211,7 @@ class LatheLoadTest : public QObject {
     setup.chuck.grip = 25.0;
     LoadedLathe lathe(setup, 500.0);
     lathe.send({Lever::Spindle, LatheAxis::Carriage, 1.0});
-    lathe.send({Lever::Place, LatheAxis::Carriage, 21.0, z});
+    lathe.send({Lever::MoveTip, LatheAxis::Carriage, 21.0, z});
     lathe.pass(3.0);
     lathe.send({Lever::Feed, LatheAxis::Cross, -0.2});
     lathe.pass(12.0);
@@ -238,7 +238,7 @@ class LatheLoadTest : public QObject {
     QCOMPARE(warnings.all().size(), LatheWarnings::kMost);
   }
 
-  // By name, by id, and the usual one of other words; what is worn needs more.
+  // By name, by id, and the usual one for other words; a worn tool needs more.
   void materials() {
     const WorkMaterials& all = WorkMaterials::standard();
     QCOMPARE(all.called("brass").id, std::string("brass"));

@@ -113,7 +113,7 @@ class LatheRunTest : public QObject {
   // Touching off as a student does it: the tool is not where the read-out says, until it was set.
   void touchingOff() {
     LatheSetup setup = defaultLatheSetup(kBlank);
-    setup.stations[1].place = {1.37, -2.1};
+    setup.stations[1].position = {1.37, -2.1};
     const std::array<double, kLatheAxes> slides{70.0, 25.0, 3.0, 0.0};
     const ProfilePoint tip = tipAt(setup, setup.stations[1], slides);
     QVERIFY((readoutAt(setup, setup.stations[1], slides) - tip).norm() > 1.0);
@@ -121,9 +121,10 @@ class LatheRunTest : public QObject {
     setup.stations[1] = touchedOff(setup, setup.stations[1], slides, false, 0.0);
     QVERIFY(setup.stations[1].hasOffset[0] && setup.stations[1].hasOffset[1]);
     const std::array<double, kLatheAxes> elsewhere{60.0, 21.0, 1.0, 0.0};
-    const ProfilePoint way = tipAt(setup, setup.stations[1], elsewhere) - tip;
+    const ProfilePoint displacement = tipAt(setup, setup.stations[1], elsewhere) - tip;
     const ProfilePoint shown = readoutAt(setup, setup.stations[1], elsewhere);
-    QVERIFY(std::abs(shown.x() - (tip.x() + way.x())) < 1e-12 && std::abs(shown.y() - way.y()) < 1e-12);
+    QVERIFY(std::abs(shown.x() - (tip.x() + displacement.x())) < 1e-12 &&
+            std::abs(shown.y() - displacement.y()) < 1e-12);
     QVERIFY(touchedOff(setup, setup.stations[1], slides, true, std::nan("")) == setup.stations[1]);
   }
 
@@ -131,7 +132,7 @@ class LatheRunTest : public QObject {
     LatheSetup setup = Lathe::exactSetup();
     setup.tailstock.fitting = LatheFitting::Drill;
     setup.tailstock.drill = "drill-10";
-    setup.tailstock.place = 105.0;
+    setup.tailstock.position = 105.0;
     Lathe lathe(setup);
     lathe.go(60.0, 140.0);
     lathe.once({{CommandKind::Turn, LatheAxis::Quill, 3.0}});  // in front of the part
@@ -148,7 +149,7 @@ class LatheRunTest : public QObject {
   void aCentreStopsAtThePart() {
     LatheSetup setup = Lathe::exactSetup();
     setup.tailstock.fitting = LatheFitting::Centre;
-    setup.tailstock.place = 110.0;
+    setup.tailstock.position = 110.0;
     Lathe lathe(setup);
     lathe.go(90.0, 100.0);
     lathe.once({{CommandKind::Turn, LatheAxis::Quill, 50.0}});
@@ -176,14 +177,14 @@ class LatheRunTest : public QObject {
     row("indexed", CrashCause::Contact, LathePart::CuttingEdge, LathePart::Work);
   }
 
-  // Each way to a crash: the spindle stops, the part is as it was, the tool stays clear, and it is recorded once.
+  // Each kind of crash: the spindle stops, the part is unchanged, the tool stays clear, and it is recorded once.
   void crashes() {
     QFETCH(int, cause);
     QFETCH(int, struck);
     QFETCH(int, moving);
     const QByteArray name = QTest::currentDataTag();
     LatheSetup setup = Lathe::exactSetup();
-    if (name == "tailstock") setup.tailstock.fitting = LatheFitting::Centre, setup.tailstock.place = 108.0;
+    if (name == "tailstock") setup.tailstock.fitting = LatheFitting::Centre, setup.tailstock.position = 108.0;
     if (name == "chuck") setup.chuck.diameter = 240.0;
     Lathe lathe(setup);
     const auto turnTo = [&](LatheAxis axis, double mm) {
@@ -223,7 +224,7 @@ class LatheRunTest : public QObject {
       turnTo(LatheAxis::Cross, -25.0);
     } else if (name == "indexed") {
       LatheSetup longer = setup;
-      longer.stations[1].place = {-5.0, -5.0};
+      longer.stations[1].position = {-5.0, -5.0};
       Lathe other(longer);
       other.spindle(600.0);
       other.go(20.5, 60.0);
@@ -241,12 +242,12 @@ class LatheRunTest : public QObject {
     QCOMPARE(static_cast<int>(crash.struck), struck);
     QCOMPARE(static_cast<int>(crash.moving), moving);
     QCOMPARE(lathe.run.collisions().size(), std::size_t{1});
-    QVERIFY(crash.time > 0.0 && crash.place.allFinite());
+    QVERIFY(crash.time > 0.0 && crash.position.allFinite());
     QCOMPARE(lathe.run.machine().state().speed, 0.0);
     QCOMPARE(lathe.run.machine().state().feed, 0.0);
     if (name == "at rest" || name == "rapid" || name == "jaws" || name == "too deep")
       QVERIFY(lathe.run.profile() == TurnedProfile(kBlank, 0.02));
-    // The way back is free.
+    // The tool can be moved back freely.
     const std::size_t count = lathe.run.collisions().size();
     lathe.once({{CommandKind::Turn, LatheAxis::Cross, 30.0}});
     const double r = lathe.run.machine().tip().x();
@@ -255,8 +256,8 @@ class LatheRunTest : public QObject {
     QVERIFY(lathe.run.machine().tip().x() > r + 5.0);
   }
 
-  // A tube of 40 mm with a bore of 24 mm on jaws that press outward: its outside is free all the way to the chuck, and
-  // the jaws are in the bore up to z = 20.
+  // A tube of 40 mm with a bore of 24 mm on jaws that press outward: its outside is free up to the chuck, and the jaws
+  // are in the bore up to z = 20.
   void jawsGripInside() {
     LatheSetup setup = Lathe::exactSetup();
     setup.chuck.gripsInside = true;
@@ -317,7 +318,7 @@ class LatheRunTest : public QObject {
     QVERIFY(std::abs(lathe.run.machine().tip().y() - (100.0 - 10.0 * 0.5)) < 0.8);
   }
 
-  // Two wheels at once no faster than one: the way of the tool counts, and what marks it agrees.
+  // Two wheels at once are no faster than one: the travel of the tool counts, and the marks agree.
   void twoHandsAreAsSlow() {
     Lathe lathe;
     lathe.spindle(600.0);
@@ -333,7 +334,7 @@ class LatheRunTest : public QObject {
     QVERIFY(lathe.run.collisions().empty());
   }
 
-  // Paper takes off what it can, however hard it is pressed.
+  // Paper removes a limited depth, at any pressure.
   void abrasivesGiveWay() {
     LatheSetup setup = Lathe::exactSetup();
     setup.stations[0].tool = "paper-240";
@@ -379,8 +380,8 @@ class LatheRunTest : public QObject {
     lathe.spindle(200.0);
     const auto phase = [&] {
       const LatheState& state = lathe.run.machine().state();
-      const double place = (lathe.run.machine().tip().y() + 1.5 * state.turns) / 1.5;
-      return place - std::floor(place);
+      const double pitches = (lathe.run.machine().tip().y() + 1.5 * state.turns) / 1.5;
+      return pitches - std::floor(pitches);
     };
     std::vector<double> phases;
     for (int i = 0; i < 3; ++i) {

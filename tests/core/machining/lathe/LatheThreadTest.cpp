@@ -25,7 +25,7 @@ class ChipLaw : public CuttingForceModel {
 };
 
 // mm²: a groove of 60° that is this deep, mm, with its bottom rounded: the V with its corner at the middle of the
-// flanks, without what is between that corner and the circle.
+// flanks, without the area between that corner and the circle.
 double sectionOfGroove(double depth, double nose) {
   const double root = std::sqrt(3.0);
   return (depth + nose) * (depth + nose) / root - nose * nose * (root - M_PI / 3.0);
@@ -35,7 +35,7 @@ double sectionOfGroove(double depth, double nose) {
 struct ThreadLathe {
   explicit ThreadLathe(double depthLimit = 0.0) {
     LatheSetup setup = defaultLatheSetup(kThreadStock);
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     setup.stations[0].tool = "threading-60";
     setup.depthLimit = depthLimit;
     LatheMaterial material;
@@ -52,7 +52,7 @@ struct ThreadLathe {
     for (int i = 0; i < static_cast<int>(std::lround(seconds / kThreadTick)); ++i) once();
   }
   void go(double r, double z) {
-    once({{ThreadDo::Place, LatheAxis::Carriage, r, z}});
+    once({{ThreadDo::MoveTip, LatheAxis::Carriage, r, z}});
     for (int i = 0; i < 20000 && (tip() - ProfilePoint(r, z)).norm() > 1e-9; ++i) once();
     once({{ThreadDo::Release}});
   }
@@ -78,12 +78,13 @@ struct ThreadLathe {
 
 }  // namespace
 
-// Threads by the half-nut: what is cut, what it asks for, and where the tool is free.
+// Threads by the half-nut: the cut, its load, and the free moves of the tool.
 class LatheThreadTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The first pass takes all of its groove, the next ones what they are deeper; a pass once more takes nothing.
+  // The first pass removes all of its groove, the next ones only their additional depth; a repeated pass removes
+  // nothing.
   void theChipIsWhatTheGrooveGrowsBy() {
     ThreadLathe lathe;
     lathe.spin(200.0);
@@ -96,7 +97,7 @@ class LatheThreadTest : public QObject {
                qPrintable(QString::number(load.forces.cutting)));
       if (chip > 0.0) {
         QVERIFY(load.isCutting);
-        // As wide as both flanks are long, and so much thinner than the lead, which a feed would be.
+        // The chip is as wide as both flanks are long, and so much thinner than the lead, which a feed would be.
         QVERIFY(load.cut.depth > depth && load.cut.depth < 2.0 * (depth + lathe.nose()) / std::cos(M_PI / 6.0));
         QVERIFY(load.cut.feed < 0.5 * depth && std::abs(load.cut.depth * load.cut.feed - chip) < 0.05 * section);
         QVERIFY(std::abs(load.torque - load.forces.cutting * (kRadius - 0.4 * depth) / 1000.0) < 0.02 * load.torque);
@@ -112,7 +113,7 @@ class LatheThreadTest : public QObject {
     QVERIFY(lathe.isUncut());  // the profile is the envelope
   }
 
-  // Guldin: the section on the way of its middle, on the helix.
+  // Guldin's theorem: the section times the path of its centroid, on the helix.
   void theVolume() {
     ThreadLathe lathe;
     lathe.spin(200.0);
@@ -167,7 +168,7 @@ class LatheThreadTest : public QObject {
     if (isRapid) lathe.once({{ThreadDo::Rapid, LatheAxis::Cross, 0.0}});
     QVERIFY2(lathe.tip().x() > r + 3.9, qPrintable(QString::number(lathe.tip().x() - r)));
     QVERIFY(lathe.run->collisions().empty());
-    // Where the nut is opened the work turns on against an edge that goes no further along it: a ring.
+    // If the nut is opened, the work turns on against an edge that goes no further along it: a ring.
     QCOMPARE(lathe.isUncut(), !isOpened || isAtRest);
     if (isOpened && !isAtRest) {
       double least = kRadius;
@@ -207,7 +208,7 @@ class LatheThreadTest : public QObject {
     QVERIFY(lathe.tip().y() > z + 5.0);
   }
 
-  // Of a thread it counts from the groove that is there.
+  // For a thread it counts from the existing groove.
   void theDepthLimitIsThatOfAPass() {
     ThreadLathe lathe(0.5);
     lathe.spin(200.0);
@@ -226,7 +227,7 @@ class LatheThreadTest : public QObject {
     QVERIFY(lathe.run->collisions().empty());
   }
 
-  // What a pass has left in the document is the groove that the next run begins with; a left-hand one, too.
+  // The groove that a pass has left in the document is the begin of the next run; a left-hand one, too.
   void theThreadsOfThePart() {
     for (const bool isLeft : {false, true}) {
       const auto tool = toolNamed(shippedLatheTools(), "threading-60");

@@ -112,13 +112,13 @@ class LatheToolTest : public QObject {
     QVERIFY(std::abs(blade->width() - 3.0) < 1e-9);
   }
 
-  // Across the way of the edge, on the side where the material is not: outside, in a bore, facing; and nowhere where an
+  // Perpendicular to the motion of the edge, on the side without material: outside, in a bore, facing; and zero if an
   // edge plunges evenly.
-  void theWayOfThePassiveForce() {
+  void theDirectionOfThePassiveForce() {
     const LatheTools tools = shippedLatheTools();
     const ProfilePoint toChuck(0.0, -2.0), away(0.0, 0.1), in(-0.3, 0.0), out(1.0, 0.0);
-    const auto is = [&](const char* id, const ProfilePoint& way, const ProfilePoint& expected) {
-      return (toolNamed(tools, id)->passiveWay(way) - expected).norm() < 1e-12;
+    const auto is = [&](const char* id, const ProfilePoint& direction, const ProfilePoint& expected) {
+      return (toolNamed(tools, id)->passiveDirection(direction) - expected).norm() < 1e-12;
     };
     QVERIFY(is("right-roughing", toChuck, {1.0, 0.0}) && is("left-roughing", away, {1.0, 0.0}));
     QVERIFY(is("facing", in, {0.0, 1.0}) && is("facing", out, {0.0, 1.0}) && is("left-finishing", in, {0.0, -1.0}));
@@ -126,12 +126,12 @@ class LatheToolTest : public QObject {
     QVERIFY(is("parting-3", in, {0.0, 0.0}) && is("threading-60", in, {0.0, 0.0}) && is("threading-60", toChuck, out));
     QVERIFY(is("right-roughing", {-1.0, -1.0}, {0.0, 0.0}) && is("drill-10", toChuck, {0.0, 0.0}));
     QVERIFY(is("right-roughing", {0.0, 0.0}, {0.0, 0.0}));
-    // Any way: across it, and no longer than 1.
+    // In any direction: perpendicular to it, and no longer than 1.
     for (double angle = 0.0; angle < 6.28; angle += 0.1) {
-      const ProfilePoint way(std::cos(angle), std::sin(angle));
+      const ProfilePoint direction(std::cos(angle), std::sin(angle));
       for (const auto& tool : tools) {
-        const ProfilePoint passive = tool->passiveWay(way);
-        QVERIFY(std::abs(passive.dot(way)) < 1e-12 && passive.norm() <= 1.0 + 1e-12);
+        const ProfilePoint passive = tool->passiveDirection(direction);
+        QVERIFY(std::abs(passive.dot(direction)) < 1e-12 && passive.norm() <= 1.0 + 1e-12);
       }
     }
   }

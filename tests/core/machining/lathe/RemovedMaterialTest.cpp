@@ -27,8 +27,8 @@ RoundedPolygon anySection() {
   return RoundedPolygon(corners, number(0.2, 2.0));
 }
 
-// How far p is inside of the widened polygon, by the definition: the nearest point of the hull, found by trying very
-// many mixtures of its corners is too slow; so the distance to each edge, with the sign of the side.
+// Returns the depth of p inside of the widened polygon, by the definition: the nearest point of the hull, found by
+// trying very many mixtures of its corners, is too slow; so the distance to each edge, with the sign of the side.
 double depthIn(const RoundedPolygon& section, const ProfilePoint& p) {
   const auto corners = section.corners();
   double nearest = std::numeric_limits<double>::infinity();
@@ -43,15 +43,15 @@ double depthIn(const RoundedPolygon& section, const ProfilePoint& p) {
   return isInside ? section.radius() : section.radius() - nearest;
 }
 
-// The least or the largest r at z that dense places of the section cover, found by halving towards a covered point.
+// The least or the largest r at z that dense positions of the section cover, found by halving towards a covered point.
 struct Cover {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
 };
 Cover coverOf(const RoundedPolygon& section, const ProfilePoint& a, const ProfilePoint& b, double z) {
   Cover cover;
-  constexpr int kPlaces = 400, kRows = 400;
-  for (int i = 0; i <= kPlaces; ++i) {
-    const ProfilePoint at = a + static_cast<double>(i) / kPlaces * (b - a);
+  constexpr int kSteps = 400, kRows = 400;
+  for (int i = 0; i <= kSteps; ++i) {
+    const ProfilePoint at = a + static_cast<double>(i) / kSteps * (b - a);
     for (int k = 0; k <= kRows; ++k) {
       const double r = -15.0 + 55.0 * k / kRows;
       if (depthIn(section, ProfilePoint(r, z) - at) < 0.0) continue;
@@ -82,7 +82,7 @@ class RemovedMaterialTest : public QObject {
     for (const ProfilePoint& p : line) QVERIFY(std::abs(depthIn(square, p)) < 1e-12);
   }
 
-  // What a sweep covers is what the section covers at dense places of its way.
+  // A sweep covers the same as the section at dense positions of its path.
   void theEnvelopeOfTheSweep() {
     QVERIFY(rc::check("lowest and highest agree with dense samples", [] {
       const RoundedPolygon section = anySection();
@@ -103,7 +103,7 @@ class RemovedMaterialTest : public QObject {
     }));
   }
 
-  // A round nose alone is what TurnedProfile::cut() and cutBore() are for.
+  // A round nose alone cuts like TurnedProfile::cut() and cutBore().
   void aDiscCutsAsARoundNose() {
     QVERIFY(rc::check("the same samples change by the same amount", [] {
       const ProfilePoint a(number(5.0, 30.0), number(-5.0, 105.0)), b(number(5.0, 30.0), number(-5.0, 105.0));
@@ -155,7 +155,7 @@ class RemovedMaterialTest : public QObject {
     QVERIFY(!(overlapOf(ring, block(10.0, 20.0), 10.0).depth > 0.0));
     QVERIFY(std::abs(overlapOf(ring, block(9.0, 20.0), 10.0).depth - 1.0) < 1e-12);
     const SectionOverlap other = overlapOf(ring, block(-6.5, 5.0), 10.0);
-    QVERIFY(std::abs(other.depth - 0.5) < 1e-12 && other.place.x() < 0.0);
+    QVERIFY(std::abs(other.depth - 0.5) < 1e-12 && other.position.x() < 0.0);
     QVERIFY(!(overlapOf(TurnedProfile::fromRadii({0, 0}, 3.0), block(-5.0, 5.0), 10.0).depth > 0.0));
   }
 

@@ -40,7 +40,7 @@ std::optional<FinishReading> finishOf(const TurningReview& review, TurningSide s
 
 }  // namespace
 
-// What the passes tell about the work.
+// The results of the passes for the work.
 class TurningReviewTest : public QObject {
   Q_OBJECT
 
@@ -66,12 +66,12 @@ class TurningReviewTest : public QObject {
     const auto review = reviewOf({along(18, 100, 50, 0.4)});
     QVERIFY(review && !review->moments().empty());
     const CutMoment& cut = review->moments().front();
-    // 2 mm over 50 mm, and what the nose takes beyond its centre.
+    // 2 mm over 50 mm, and the cut of the nose beyond its centre.
     QVERIFY(cut.depth >= 2.0 && cut.depth < 2.0 + 0.8 * 2.0 / 50.0 && std::abs(cut.feed - 0.4) < 1e-9);
     QVERIFY(std::abs(cut.speed - M_PI * 40.0 * 600.0 / 1000.0) < 1e-9);
     // Facing 1 mm off is as deep as longitudinal turning of 1 mm, whatever the radius is.
     TurningPass facing;
-    facing.noseRadius = 0.5;  // as wide as what is faced off
+    facing.noseRadius = 0.5;  // width of the faced material
     facing.path = {{20.5, 99.5}, {0.0, 99.5}};
     facing.times = {0.0, 10.0};
     const auto faced = reviewOf({std::make_shared<const TurningPass>(facing)});
@@ -113,7 +113,7 @@ class TurningReviewTest : public QObject {
     QCOMPARE(chip.thickness(), 0.0);
   }
 
-  // Each time that the tool comes into the jaws counts, with the place and the moment.
+  // Each time that the tool enters the jaws counts, with the position and the time.
   void theChuckAndRapidMoves() {
     TurningPass twice;
     twice.noseRadius = 0.8;
@@ -130,7 +130,8 @@ class TurningReviewTest : public QObject {
     QVERIFY(reviewOf({along(22, 105, 50, 3.0)})->crashes().empty());  // in the air
   }
 
-  // What is wound back at the same X over a shaft that has sprung back by 0.3 µm is not rammed into anything; 3 µm are.
+  // A tool that is wound back at the same X over a shaft that has sprung back by 0.3 µm is not rammed into anything; 3
+  // µm are.
   void touchingIsNoCrash() {
     for (const double sprung : {3e-4, 3e-3}) {
       TurningPass back = *along(18.0 - sprung, 50, 105, 8.0);
@@ -141,15 +142,15 @@ class TurningReviewTest : public QObject {
     }
   }
 
-  // The largest feed itself is allowed, along any way; rounding and a path that gives way do not make it more.
+  // The largest feed itself is allowed, in any direction; rounding and a path that yields do not make it more.
   void theLargestFeedIsAllowed() {
     const auto into = [](double feed) {
       TurningPass pass;
       pass.noseRadius = 0.8;
       for (int i = 0; i <= 3000; ++i) {
-        const double way = 0.002 * i;
-        pass.path.emplace_back(20.6 - way * std::sqrt(0.5), 80.0 - way * std::sqrt(0.5));
-        pass.times.push_back(way / (feed * 10.0));
+        const double distance = 0.002 * i;
+        pass.path.emplace_back(20.6 - distance * std::sqrt(0.5), 80.0 - distance * std::sqrt(0.5));
+        pass.times.push_back(distance / (feed * 10.0));
       }
       return std::make_shared<const TurningPass>(pass);
     };
@@ -167,7 +168,7 @@ class TurningReviewTest : public QObject {
     QVERIFY(review->moments().empty());
   }
 
-  // A steady hand whose points come in pairs, two at once, feeds by what it goes in a revolution.
+  // A steady hand whose points come in pairs, two at once, feeds by its travel in a revolution.
   void feedOfAHand() {
     TurningPass pass;
     pass.noseRadius = 0.8;
@@ -182,8 +183,7 @@ class TurningReviewTest : public QObject {
     QVERIFY(std::abs(finish->roughness / (1000.0 * 0.01 / 25.6) - 1.0) < 0.25);
   }
 
-  // What the spindle did counts, and not what the task says: 0.12 mm per revolution at 2000 r/min is f²/32R = 0.5625
-  // µm.
+  // The actual spindle speed counts, not that of the task: 0.12 mm per revolution at 2000 r/min is f²/32R = 0.5625 µm.
   void theSpindleSpeedOfThePass() {
     TurningPass fast = *along(18, 105, 50, 0.4);  // 4 mm/s
     fast.speeds.assign(fast.path.size(), 2000.0);

@@ -46,8 +46,8 @@ class FanucCycleTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // R is the way from where the tool is: from Z 10 by -8 to Z 2. Then steps of 5 mm to Z -12, each back to Z 2, down
-  // again to 0.254 mm before what is drilled; at last to where the tool began.
+  // R is the distance from the tool: from Z 10 by -8 to Z 2. Then steps of 5 mm to Z -12, each back to Z 2, down again
+  // to 0.254 mm before the drilled depth; at last to the start of the tool.
   void drillsFromTheLevel() {
     const CycleMoves moves = fanucMoves("G0 X0 Z10.\nG83 Z-12. R-8. Q5000 F0.1\nG80\nG0 X50.\n");
     QCOMPARE(moves.size(), std::size_t{11});
@@ -131,7 +131,7 @@ class FanucCycleTest : public QObject {
     QVERIFY(goesTo(moves.back(), 5.0, 2.0, false));
   }
 
-  // Steps that are smaller than what a number can tell at that place come to an end, too.
+  // Steps that are smaller than the resolution of a number at that coordinate come to an end, too.
   void pecksNearlyNothing() {
     const double z = 100.00000000000003, r = 50.00000000000003;
     const CycleMoves along = fanucMoves("G0 X10. Z100.\nG74 R0\nG74 Z100.00000000000003 Q0.000000000000001 F0.1\n");

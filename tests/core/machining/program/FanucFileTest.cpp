@@ -17,14 +17,14 @@ Result<ToolPath> runFanuc(const std::string& text, const char* tools = "") {
   return runProgram(text, setup);
 }
 
-// Where the tip ends, (r, z).
+// Returns the end of the tip's path, (r, z).
 ProfilePoint fanucEnd(const std::string& text, const char* tools = "") {
   const Result<ToolPath> path = runFanuc(text, tools);
   if (!path) qWarning("line %d: %s", int(path.error().position.value), path.error().arguments.at(2).c_str());
   return path && !path->moves.empty() ? path->moves.back().to : ProfilePoint(std::nan(""), std::nan(""));
 }
 
-bool isPlace(const ProfilePoint& p, double r, double z) {
+bool isTipAtPoint(const ProfilePoint& p, double r, double z) {
   return (p - ProfilePoint(r, z)).norm() < 1e-9;
 }
 
@@ -43,11 +43,12 @@ class FanucFileTest : public QObject {
  private slots:
   // N10 of the program that jumps, not of the next in the file.
   void jumpsStayInTheirProgram() {
-    QVERIFY(isPlace(fanucEnd("O1\n#1=0\nN10 #1=#1+1\nG0 Z#1\nIF[#1 LT 5]GOTO10\nM30\nO2\nN10 G0 Z99.\nM99\n"), 0, 5));
-    QVERIFY(isPlace(fanucEnd("O1\nGOTO20\nG0 Z7.\nN20 G0 X6.\nM30\nO2\nN20 G0 Z99.\nM99\n"), 3, 0));
+    QVERIFY(
+        isTipAtPoint(fanucEnd("O1\n#1=0\nN10 #1=#1+1\nG0 Z#1\nIF[#1 LT 5]GOTO10\nM30\nO2\nN10 G0 Z99.\nM99\n"), 0, 5));
+    QVERIFY(isTipAtPoint(fanucEnd("O1\nGOTO20\nG0 Z7.\nN20 G0 X6.\nM30\nO2\nN20 G0 Z99.\nM99\n"), 3, 0));
     QCOMPARE(refusedLine("O1\nGOTO20\nM30\nO2\nN20 G0 Z99.\nM99\n"), 2);
     // M99 P goes back into the caller.
-    QVERIFY(isPlace(fanucEnd("O1\nM98 P2\nG0 Z9.\nN30 G0 X8.\nM30\nO2\nN30 G0 Z1.\nM99 P30\n"), 4, 1));
+    QVERIFY(isTipAtPoint(fanucEnd("O1\nM98 P2\nG0 Z9.\nN30 G0 X8.\nM30\nO2\nN30 G0 Z1.\nM99 P30\n"), 4, 1));
   }
 
   // The contour is behind the cycle in one file, before it in the other; a subprogram has lines of these numbers, too.
@@ -74,13 +75,13 @@ class FanucFileTest : public QObject {
   void aSubprogramEndsWithM99() {
     QCOMPARE(refusedLine("O1\nM98 P2\nG0 X9.\nM30\nO2\nG0 Z1.\nO3\nM99\n"), 7);
     QVERIFY(refusedLine("O1\nM98 P2\nM30\nO2\nG0 Z1.\n") > 0);
-    QVERIFY(isPlace(fanucEnd("O1\nM98 P2\nG0 X9.\nM30\nO2\nG0 Z1.\nM99\nO3\nM99\n"), 4.5, 1));
+    QVERIFY(isTipAtPoint(fanucEnd("O1\nM98 P2\nG0 X9.\nM30\nO2\nG0 Z1.\nM99\nO3\nM99\n"), 4.5, 1));
   }
 
   void tapes() {
-    QVERIFY(isPlace(fanucEnd("(title)\n\n%\nO1\nG0 Z3.\nM30\n%\nG0 Z9.\n"), 0, 3));
-    QVERIFY(isPlace(fanucEnd("%\nO1\nG0 Z3.\n%\nG0 Z9.\n"), 0, 3));
-    QVERIFY(isPlace(fanucEnd("O1\nG0 Z3.\n%\nG0 Z9.\n"), 0, 3));
+    QVERIFY(isTipAtPoint(fanucEnd("(title)\n\n%\nO1\nG0 Z3.\nM30\n%\nG0 Z9.\n"), 0, 3));
+    QVERIFY(isTipAtPoint(fanucEnd("%\nO1\nG0 Z3.\n%\nG0 Z9.\n"), 0, 3));
+    QVERIFY(isTipAtPoint(fanucEnd("O1\nG0 Z3.\n%\nG0 Z9.\n"), 0, 3));
     QCOMPARE(refusedLine("G0 Z1.\n%\nO1\nG0 Z3.\nM30\n%\n"), 2);
   }
 
@@ -107,22 +108,22 @@ class FanucFileTest : public QObject {
 
   void loopsWithComments() {
     const char* const loop = "#1=0\n/WHILE [#1 LT 5] DO1 (up to five)\n#1=#1+1\nN20 END1 (loop)\nG0 Z#1\n";
-    QVERIFY(isPlace(fanucEnd(loop), 0, 5));
-    QVERIFY(isPlace(fanucEnd("#1=0\nN5 WHILE[#1 LT 3]DO2;\n#1=#1+1\nEND2;\nG0 Z#1\n"), 0, 3));
-    QVERIFY(isPlace(fanucEnd("#1=7\nIF[[#1 AND 4]EQ 4]GOTO10\nG0 Z9.\nN10 G0 X8.\n"), 4, 0));
+    QVERIFY(isTipAtPoint(fanucEnd(loop), 0, 5));
+    QVERIFY(isTipAtPoint(fanucEnd("#1=0\nN5 WHILE[#1 LT 3]DO2;\n#1=#1+1\nEND2;\nG0 Z#1\n"), 0, 3));
+    QVERIFY(isTipAtPoint(fanucEnd("#1=7\nIF[[#1 AND 4]EQ 4]GOTO10\nG0 Z9.\nN10 G0 X8.\n"), 4, 0));
   }
 
-  // The post goes where the numbers and the offset in effect say; the tip is off by what the tool is longer.
+  // The numbers and the offset in effect position the post; the tip is off by the difference of the tools' lengths.
   void aWrongOffsetCutsElsewhere() {
     const char* const tools = "T1 X1 Z10 D0.8 Q3\nT2 X3 Z25 D1.6 Q3\n";
-    QVERIFY(isPlace(fanucEnd("T0101\nG0 X40. Z2.\n", tools), 20, 2));
-    QVERIFY(isPlace(fanucEnd("T0202\nG0 X40. Z2.\n", tools), 20, 2));
-    QVERIFY(isPlace(fanucEnd("T0102\nG0 X40. Z2.\n", tools), 20 + 3 - 1, 2 + 25 - 10));
-    QVERIFY(isPlace(fanucEnd("T0100\nG0 X40. Z2.\n", tools), 20 - 1, 2 - 10));
-    QVERIFY(isPlace(fanucEnd("T0101\nG0 X40. Z2.\nT0202\nX40. Z2.\n", tools), 20, 2));
+    QVERIFY(isTipAtPoint(fanucEnd("T0101\nG0 X40. Z2.\n", tools), 20, 2));
+    QVERIFY(isTipAtPoint(fanucEnd("T0202\nG0 X40. Z2.\n", tools), 20, 2));
+    QVERIFY(isTipAtPoint(fanucEnd("T0102\nG0 X40. Z2.\n", tools), 20 + 3 - 1, 2 + 25 - 10));
+    QVERIFY(isTipAtPoint(fanucEnd("T0100\nG0 X40. Z2.\n", tools), 20 - 1, 2 - 10));
+    QVERIFY(isTipAtPoint(fanucEnd("T0101\nG0 X40. Z2.\nT0202\nX40. Z2.\n", tools), 20, 2));
     // Not in the table: as programmed, whatever the offset.
-    QVERIFY(isPlace(fanucEnd("T0502\nG0 X40. Z2.\n", tools), 20, 2));
-    QVERIFY(isPlace(fanucEnd("T0102\nG0 X40. Z2.\n"), 20, 2));
+    QVERIFY(isTipAtPoint(fanucEnd("T0502\nG0 X40. Z2.\n", tools), 20, 2));
+    QVERIFY(isTipAtPoint(fanucEnd("T0102\nG0 X40. Z2.\n"), 20, 2));
   }
 
   // Tool 3 with offset 13: the nose that cuts is that of entry 13 where 3 has none, and that of 3 where it has one.
@@ -140,12 +141,12 @@ class FanucFileTest : public QObject {
     ProgramSetup setup;
     setup.tools = readToolTable("T1 X1 Z10 D0.8 Q2\nT2 X3 Z25 D1.6 Q2\n").value();
     const auto end = [&](const char* text) { return runProgram(text, setup).value().moves.back().to; };
-    QVERIFY(isPlace(end("T1 M6 G43\nG0 X20 Z2\n"), 20, 2));
-    QVERIFY(isPlace(end("T1 M6\nG0 X20 Z2\n"), 19, -8));
-    QVERIFY(isPlace(end("T1 M6 G43 H2\nG0 X20 Z2\n"), 22, 17));
-    QVERIFY(isPlace(end("T1 M6 G43\nT2 M6\nG0 X20 Z2\n"), 18, -13));
+    QVERIFY(isTipAtPoint(end("T1 M6 G43\nG0 X20 Z2\n"), 20, 2));
+    QVERIFY(isTipAtPoint(end("T1 M6\nG0 X20 Z2\n"), 19, -8));
+    QVERIFY(isTipAtPoint(end("T1 M6 G43 H2\nG0 X20 Z2\n"), 22, 17));
+    QVERIFY(isTipAtPoint(end("T1 M6 G43\nT2 M6\nG0 X20 Z2\n"), 18, -13));
     // The post goes to machine zero: the tip is shorter of it by the tool.
-    QVERIFY(isPlace(end("T1 M6 G43\nG0 X5 Z5\nG53 G0 X0 Z0\n"), -1, -10));
+    QVERIFY(isTipAtPoint(end("T1 M6 G43\nG0 X5 Z5\nG53 G0 X0 Z0\n"), -1, -10));
   }
 };
 

@@ -95,7 +95,7 @@ class FanucProgramTest : public QObject {
       }
     }
     QVERIFY(near(moves[moves.size() - 2].to, 20.0, 2.0) && near(moves.back().to, 30.0, 2.0));
-    // Of one line with the depth D, as on a Haas: the same cuts.
+    // One line with the depth D, as on a Haas: the same cuts.
     const auto haas = movesOf(kBegin + "G0 X40. Z2.\nG71 P10 Q20 U0.4 W0.1 D2. F0.3\n" + contour + "G0 X60.\n");
     QCOMPARE(haas.size(), moves.size());
   }
@@ -125,7 +125,7 @@ class FanucProgramTest : public QObject {
     QVERIFY(near(moves.back().to, 12.0, 5.0));
   }
 
-  // F is the way along the axis that a thread goes along most; the feed of a move is that along its path.
+  // F is the travel along the axis with the larger travel of the thread; the feed of a move is that along its path.
   void leadsOfTapers_data() {
     QTest::addColumn<QString>("cuts");
     QTest::newRow("G32") << "G0 X10. Z0.\nG32 X20. Z-30. F2.\n";
@@ -141,9 +141,9 @@ class FanucProgramTest : public QObject {
     const auto threads = only(movesOf(kBegin + cuts.toStdString()), MoveKind::Thread);
     QVERIFY(!threads.empty());
     for (const ToolMove& move : threads) {
-      const ProfilePoint way = move.to - move.from;
-      QVERIFY(way.x() != 0.0);
-      QVERIFY(std::abs(move.feed * way.cwiseAbs().maxCoeff() / way.norm() - 2.0) < 1e-9);
+      const ProfilePoint displacement = move.to - move.from;
+      QVERIFY(displacement.x() != 0.0);
+      QVERIFY(std::abs(move.feed * displacement.cwiseAbs().maxCoeff() / displacement.norm() - 2.0) < 1e-9);
     }
   }
 

@@ -202,8 +202,9 @@ class LinuxCncModesTest : public QObject {
     for (std::size_t i = 0; i < last.size(); ++i) {
       const ToolMove& move = threads[threads.size() - last.size() + i];
       QVERIFY2((move.to - last[i]).norm() < 1e-9, qPrintable(QString("%1 %2").arg(move.to.x()).arg(move.to.y())));
-      const ProfilePoint way = move.to - move.from;
-      if (way.y() != 0.0) QVERIFY(std::abs(move.feed * std::abs(way.y()) / way.norm() - 2.0) < 1e-9);
+      const ProfilePoint displacement = move.to - move.from;
+      if (displacement.y() != 0.0)
+        QVERIFY(std::abs(move.feed * std::abs(displacement.y()) / displacement.norm() - 2.0) < 1e-9);
     }
   }
 };

@@ -22,7 +22,7 @@ class LinuxCncOffsetsTest : public QObject {
     QVERIFY(lathe.endsAt("G7 G0 X20 Z5\nG92 X4\nG0 X8\n", 12, 5));  // diameters
   }
 
-  // G92.2 keeps what G92.1 forgets, for G92.3 and for the parameters 5211 and 5213.
+  // G92.2 keeps the shift that G92.1 forgets, for G92.3 and for the parameters 5211 and 5213.
   void g92IsEndedAndBroughtBack() {
     const ProgramTrial lathe;
     const std::string named = "G0 X10 Z5\nG92 X2 Z0\n";
@@ -62,9 +62,9 @@ class LinuxCncOffsetsTest : public QObject {
     QVERIFY(lathe.endsAt("G0 X4 Z6\nG10 L2 P1 X5 Z-10\nG91 G0 X1 Z1\n", 5, 7));
   }
 
-  // G28 goes to the place of G28.1, in coordinates of the machine; first over the place in the line, and then on the
+  // G28 goes to the position of G28.1, in coordinates of the machine; first over the point in the line, and then on the
   // axes in the line alone.
-  void referencesArePlacesOfTheMachine() {
+  void referencesArePositionsOfTheMachine() {
     const ProgramTrial lathe;
     const std::string set = "G0 X30 Z40\nG28.1\nG0 X20 Z10\nG30.1\nG0 X1 Z1\n";
     QVERIFY(lathe.endsAt(set + "G28\n", 30, 40));

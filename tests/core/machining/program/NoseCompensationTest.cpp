@@ -19,7 +19,7 @@ NoseStep noseLine(const PlanePoint& to) {
   NoseStep step;
   step.modal.kind = ToolMove::Kind::Feed;
   step.to = to;
-  step.place = {7, 3};
+  step.location = {7, 3};
   return step;
 }
 
@@ -30,7 +30,7 @@ NoseStep noseArc(int turn, const PlanePoint& to, const PlanePoint& centre) {
   return step;
 }
 
-// What the tip does. tip: from the centre of the nose, (r, z) in radii.
+// Returns the moves of the tip. tip: from the centre of the nose, (r, z) in radii.
 std::vector<NoseStep> noseMoves(int side, const PlanePoint& at, const std::vector<NoseStep>& contour,
                                 const ProfilePoint& tip = {0, 0}) {
   std::vector<NoseStep> emitted;
@@ -54,7 +54,7 @@ std::string noseRefusal(int side, const PlanePoint& at, const std::vector<NoseSt
   return {};
 }
 
-bool isSameNosePlace(const PlanePoint& a, const PlanePoint& b) {
+bool isSameNosePosition(const PlanePoint& a, const PlanePoint& b) {
   return std::abs(a - b) < 1e-9;
 }
 
@@ -81,15 +81,15 @@ class NoseCompensationTest : public QObject {
     const NoseStep quarter = noseArc(1, {10, 10}, {0, 10});
     const auto moves = noseMoves(side, {0, 0}, {quarter});
     QCOMPARE(moves.size(), std::size_t{1});
-    QVERIFY(isSameNosePlace(moves[0].to, {end, 10}) && isSameNosePlace(moves[0].centre, {centre, 10}));
+    QVERIFY(isSameNosePosition(moves[0].to, {end, 10}) && isSameNosePosition(moves[0].centre, {centre, 10}));
     QCOMPARE(int(moves[0].modal.turn), 1);
-    // A tip towards axis and chuck goes the same way beside it; it is there after a straight move.
+    // A tip towards axis and chuck follows the same path beside it; it is there after a straight move.
     const PlanePoint tip(-kNose, -kNose);
     const auto tipped = noseMoves(side, {0, 0}, {quarter}, {-1, -1});
     QCOMPARE(tipped.size(), std::size_t{2});
-    QVERIFY(tipped[0].modal.turn == 0 && isSameNosePlace(tipped[0].to, tip));
-    QVERIFY(isSameNosePlace(tipped[1].to, moves[0].to + tip) &&
-            isSameNosePlace(tipped[1].centre, moves[0].centre + tip));
+    QVERIFY(tipped[0].modal.turn == 0 && isSameNosePosition(tipped[0].to, tip));
+    QVERIFY(isSameNosePosition(tipped[1].to, moves[0].to + tip) &&
+            isSameNosePosition(tipped[1].centre, moves[0].centre + tip));
   }
 
   void theFirstMoveIsLongerThanTheNose() {
@@ -110,12 +110,12 @@ class NoseCompensationTest : public QObject {
     const auto moves = noseMoves(1, {-20, 0},
                                  {noseLine({-10, 0}), noseLine({0, 0}), noseLine({0, 0}), noseLine({0, 10}),
                                   noseLine({0, 10}), noseLine({-9, 10})});
-    std::vector<PlanePoint> places;
+    std::vector<PlanePoint> positions;
     for (const NoseStep& move : moves)
-      if (places.empty() || !isSameNosePlace(places.back(), move.to)) places.push_back(move.to);
+      if (positions.empty() || !isSameNosePosition(positions.back(), move.to)) positions.push_back(move.to);
     const std::vector<PlanePoint> expected = {{-10, 1}, {-1, 1}, {-1, 9}, {-9, 9}};
-    QCOMPARE(places.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) QVERIFY(isSameNosePlace(places[i], expected[i]));
+    QCOMPARE(positions.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) QVERIFY(isSameNosePosition(positions[i], expected[i]));
   }
 
   // A line along +z, then an arc of 10 mm that leaves at 45° to the side of the nose: the corner is on the line at 1 mm
@@ -134,7 +134,7 @@ class NoseCompensationTest : public QObject {
     const PlanePoint corner = moves[1].to;
     QVERIFY(std::abs(corner.imag() - kNose) < 1e-9 && std::abs(corner) < 2.0 * kNose);
     QVERIFY(std::abs(std::abs(corner - centre) - (10.0 - turn * kNose)) < 1e-9);
-    QVERIFY(std::abs(std::abs(moves[2].to - to) - kNose) < 1e-9 && isSameNosePlace(moves[2].centre, centre));
+    QVERIFY(std::abs(std::abs(moves[2].to - to) - kNose) < 1e-9 && isSameNosePosition(moves[2].centre, centre));
   }
 
   // The same between two arcs of 10 mm: the first arrives along +z. The corner is on both circles.

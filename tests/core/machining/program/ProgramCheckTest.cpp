@@ -13,13 +13,13 @@ using namespace handwheel;
 
 namespace {
 
-QStringList placesOf(const std::vector<Error>& problems) {
-  QStringList places;
+QStringList positionsOf(const std::vector<Error>& problems) {
+  QStringList positions;
   for (const Error& each : problems)
-    places << QStringLiteral("%1:%2 %3")
-                  .arg(each.position.value)
-                  .arg(QString::fromStdString(each.arguments.at(0)), QString::fromStdString(each.arguments.at(1)));
-  return places;
+    positions << QStringLiteral("%1:%2 %3")
+                     .arg(each.position.value)
+                     .arg(QString::fromStdString(each.arguments.at(0)), QString::fromStdString(each.arguments.at(1)));
+  return positions;
 }
 
 ToolMove moveTo(const ProfilePoint& from, const ProfilePoint& to, std::uint32_t line, double time) {
@@ -34,7 +34,7 @@ ToolMove moveTo(const ProfilePoint& from, const ProfilePoint& to, std::uint32_t 
 
 }  // namespace
 
-// What an editor learns of a program: all errors, its dialect, its steps.
+// The information about a program for an editor: all errors, its dialect, its steps.
 class ProgramCheckTest : public QObject {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class ProgramCheckTest : public QObject {
         "M2\n";
     // Columns counted by hand. The words of G68 are its own and not reported again.
     const QStringList expected{"2:1 G68", "3:14 M77", "4:4 Y5"};
-    QCOMPARE(placesOf(programProblems(text, {})), expected);
+    QCOMPARE(positionsOf(programProblems(text, {})), expected);
     QVERIFY(programProblems("G0 X20 Z2\nG1 Z-10 F100\nM2\n", {}).empty());
   }
 

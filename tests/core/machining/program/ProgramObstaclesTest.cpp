@@ -44,8 +44,8 @@ bool isContact(const std::vector<ProgramCollision>& all, LathePart moving, Lathe
 
 }  // namespace
 
-// What programs meet with holder, post and slide. The places follow from the sections in resources/machining/tools.json
-// and LatheCollisions.
+// Contacts of holder, post and slide in programs. The positions follow from the sections in
+// resources/machining/tools.json and LatheCollisions.
 class ProgramObstaclesTest : public QObject {
   Q_OBJECT
 
@@ -82,7 +82,7 @@ class ProgramObstaclesTest : public QObject {
   void theHolderMeetsTheQuill() {
     BodyTrial trial(12.0, "right-roughing");
     trial.setup.lathe->tailstock.fitting = LatheFitting::Centre;
-    trial.setup.lathe->tailstock.place = 100.0;
+    trial.setup.lathe->tailstock.position = 100.0;
     QVERIFY(trial.run("G0 X60 Z10\nG0 X22\nG1 X60 F60").empty());
     QVERIFY(isContact(trial.run("G0 X60 Z16\nG0 X22\nG1 X60 F60"), LathePart::Holder, LathePart::Fitting, 4));
     trial.setup.lathe->tailstock.fitting = LatheFitting::None;
@@ -99,7 +99,8 @@ class ProgramObstaclesTest : public QObject {
     QVERIFY(met[0].moving == LathePart::Holder && met[0].struck == LathePart::Work && met[0].line == 4);
   }
 
-  // A table as text gives the same tools again, bodies included; what a line does not say follows from its body.
+  // A table as text gives the same tools again, bodies included; values that a line does not state follow from its
+  // body.
   void tablesWithBodies() {
     for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
       ProgramTools tools;

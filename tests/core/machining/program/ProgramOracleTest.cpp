@@ -48,7 +48,7 @@ ProfilePoint offsetOf(int tool) {
   return tool == 5 ? ProfilePoint(2.54, 5.08) : ProfilePoint(0, 0);
 }
 
-// What LinuxCNC's interpreter makes of a program: where the tip of the mounted tool goes. It runs in a folder of its
+// Runs a program in LinuxCNC's interpreter: it gives the path of the mounted tool's tip. It runs in a folder of its
 // own: it keeps variables there.
 Oracle askOracle(const QByteArray& program) {
   const QTemporaryDir folder;
@@ -94,7 +94,7 @@ Oracle askOracle(const QByteArray& program) {
   return oracle;
 }
 
-// Our moves that are longer than what rs274 prints.
+// Returns our moves that are longer than the resolution of rs274's output.
 std::vector<ToolMove> longMoves(const ToolPath& path, double unit) {
   std::vector<ToolMove> moves;
   for (const ToolMove& m : path.moves)
@@ -103,7 +103,7 @@ std::vector<ToolMove> longMoves(const ToolPath& path, double unit) {
   return moves;
 }
 
-// What is different, or nothing.
+// Returns the difference, or nothing.
 QString difference(const QByteArray& program) {
   ProgramSetup setup;
   setup.tools = readToolTable(kTools).value();
@@ -210,7 +210,7 @@ class ProgramOracleTest : public QObject {
     QVERIFY2(problem.isEmpty(), qPrintable(problem));
   }
 
-  // What is written for recorded passes, of bores, too.
+  // Written programs of recorded passes, of bores, too.
   void writtenPasses() {
     const std::string text =
         programText(movesOf(test::bushPasses(), test::kBushBar, 100.0, {}), ProgramDialect::LinuxCnc, "bush");
@@ -218,7 +218,7 @@ class ProgramOracleTest : public QObject {
     QVERIFY2(problem.isEmpty(), qPrintable(problem));
   }
 
-  // What LinuxCNC refuses, and so do we.
+  // Programs that both LinuxCNC and we refuse.
   void bothRefuse_data() {
     QTest::addColumn<QByteArray>("program");
     QTest::newRow("narrow corner") << QByteArray("T2 M6\nG0 X20 Z10\nG42 G1 X8 Z3 F9\nG1 Z2\nX8.2 Z2.1\nX20 Z2\nM2\n");

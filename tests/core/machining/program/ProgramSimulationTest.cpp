@@ -53,7 +53,7 @@ double removedBy(const Simulated& simulated) {
 
 }  // namespace
 
-// What a program does to a bar of 40 mm, and what it must not do. Z 0 is the right end.
+// The effects of programs on a bar of 40 mm, and their collisions. Z 0 is the right end.
 class ProgramSimulationTest : public QObject {
   Q_OBJECT
 
@@ -156,7 +156,7 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(std::abs(outside.inner(outside.size() - 2) - 18.0) < 1e-12);
   }
 
-  // A wall of 15 to 20 mm and ways through it: the depth is the distance to the nearer side.
+  // A wall of 15 to 20 mm and paths through it: the depth is the distance to the nearer side.
   void depthOfAPoint() {
     TurnedProfile tube({40.0, 100.0, 0.0}, 0.5);
     for (std::size_t i = 0; i < tube.size(); ++i) tube.limitInner(i, 15.0);
@@ -201,8 +201,8 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(meant && meant->moves.size() >= 2 && meant->notes.empty());
   }
 
-  // One whose body is known leaves its point of 118° at the bottom: a cone of half of that about the axis. What is
-  // bored above it leaves the rest of the cone. The passes repeat it, bit for bit.
+  // A drill with a known body leaves its point of 118° at the bottom: a cone of half of that about the axis. A bore
+  // above it leaves the rest of the cone. The passes repeat it, bit for bit.
   void aDrillHasItsPoint() {
     const LatheTools shipped = shippedLatheTools();
     ProgramSetup setup;
@@ -233,7 +233,7 @@ class ProgramSimulationTest : public QObject {
     QCOMPARE(int(simulated.notes.front().line), 4);
   }
 
-  // Facing leaves a pip below the nose; the way back along the axis does not hit it.
+  // Facing leaves a pip below the nose; the return along the axis does not hit it.
   void facingIsNotDrilling() {
     const Simulated simulated = simulate("G21 G18 G7\nF100 S500 M3\nG0 X44 Z-0.5\nG1 X0\nG0 Z2\n", 0.8);
     QCOMPARE(simulated.collisions.size(), std::size_t{0});
@@ -263,9 +263,9 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(simulated.passes.size() >= 2);
     for (const TurningPass& pass : simulated.passes) {
       QCOMPARE(pass.times.front(), 0.0);
-      double way = 0.0;
-      for (std::size_t i = 1; i < pass.path.size(); ++i) way += (pass.path[i] - pass.path[i - 1]).norm();
-      QVERIFY(std::abs(pass.times.back() - way) < 1e-6);  // at 1 mm/s
+      double distance = 0.0;
+      for (std::size_t i = 1; i < pass.path.size(); ++i) distance += (pass.path[i] - pass.path[i - 1]).norm();
+      QVERIFY(std::abs(pass.times.back() - distance) < 1e-6);  // at 1 mm/s
     }
   }
 };

@@ -18,7 +18,7 @@ struct ProgramTrial {
     if (!path) qWarning("line %d: %s", int(path.error().position.value), path.error().arguments.at(2).c_str());
     return path ? path->moves : std::vector<ToolMove>();
   }
-  // Whether the last move of the program ends at this radius and height, mm.
+  // Returns true if the last move of the program ends at this radius and height, mm.
   bool endsAt(const std::string& text, double r, double z) const {
     const std::vector<ToolMove> moves = movesOf(text);
     if (moves.empty()) return false;
@@ -27,7 +27,7 @@ struct ProgramTrial {
     if (!isThere) qWarning("ends at r %g, z %g", to.x(), to.y());
     return isThere;
   }
-  // What is wrong with a program, as "line: word: reason. advice"; empty where nothing is.
+  // Returns the error of a program, as "line: word: reason. advice"; empty if it has none.
   std::string refusalOf(const std::string& text) const {
     const Result<ToolPath> path = runProgram(text, setup);
     if (path) return {};

@@ -22,7 +22,7 @@ Result<ToolPath> run(const std::string& text, ProgramDialect dialect = ProgramDi
   return runProgram(text, setup);
 }
 
-// Where the tool ends, (r, z), after G0 X... Z... with these values.
+// Returns the end of the tool's path, (r, z), after G0 X... Z... with these values.
 ProfilePoint endOf(const std::string& text, ProgramDialect dialect = ProgramDialect::LinuxCnc) {
   const Result<ToolPath> path = run(text, dialect);
   if (path && !path->moves.empty()) return path->moves.back().to;
@@ -73,7 +73,7 @@ class ProgramWordsTest : public QObject {
     QCOMPARE(valueOf("FUP[-2.5]", ProgramDialect::Fanuc), -3.0);
   }
 
-  // What a line assigns counts from the next line on.
+  // Assignments of a line count from the next line on.
   void variables() {
     QVERIFY(endsAt(endOf("#1=5\n#1=6 G0 X#1\n"), 5.0, 0.0));
     QVERIFY(endsAt(endOf("#<a b>=2\n#<_G>=3\nG0 X#<ab> Z#<_g>\n"), 2.0, 3.0));
@@ -210,7 +210,7 @@ class ProgramWordsTest : public QObject {
   }
 
   // A cut at 0.2 mm per revolution and 600 r/min moves 2 mm/s. With a constant surface speed the time is the integral
-  // of 2πr/(1000 v f) over the way: faced from 20 mm to 10 mm at 100 m/min, π·(20² - 10²)/(1000·100·0.2) minutes.
+  // of 2πr/(1000 v f) over the path: faced from 20 mm to 10 mm at 100 m/min, π·(20² - 10²)/(1000·100·0.2) minutes.
   void estimatesTheTime() {
     ProgramSetup setup;
     setup.rapidSpeed = 6000.0;
@@ -224,7 +224,7 @@ class ProgramWordsTest : public QObject {
     QVERIFY(std::abs(seconds("G0 X20\nG95 G96 S100 M3 F0.2\nG1 X10\n") - in - faced) < 1e-6);
   }
 
-  // Whatever a program is turned into, it is run or refused.
+  // Any mutation of a program is run or refused.
   void survivesMutations() {
     const std::string seeds[] = {
         "G21 G18 G7\nT1 M6 G43\nG96 D2000 S100 M3\nG95 F0.2\nO1 sub\nG0 X10 Z0\nG1 X20 Z-5 A1\nG2 X24 Z-7 R2\nG1 "

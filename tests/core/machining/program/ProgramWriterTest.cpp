@@ -50,7 +50,7 @@ class ProgramWriterTest : public QObject {
     }
     const ProgramSetup setup = bushSetup(passes, dialect);
     QCOMPARE(setup.tools.size(), std::size_t{4});
-    QCOMPARE(setup.tools.at(1).noseRadius, 10.0);  // of a drill half its diameter
+    QCOMPARE(setup.tools.at(1).noseRadius, 10.0);  // a drill has half its diameter
     QVERIFY(tipDirection(dialect, setup.tools.at(2).orientation) == ProfilePoint(1, -1));
     QVERIFY(tipDirection(dialect, setup.tools.at(4).orientation) == ProfilePoint(1, -1));
     const std::string text = programText(movesOf(passes, kBushBar, 100.0, {}), dialect, "bush");
@@ -96,7 +96,7 @@ class ProgramWriterTest : public QObject {
   }
 
   // 0.25 mm in each turn of 1680 r/min, then drawn back at 80 mm/s: at 500 r/min it is 0.25 mm in a turn still, in both
-  // dialects. What does not tell its spindle keeps its feed in a minute.
+  // dialects. A pass that does not record its spindle keeps its feed in a minute.
   void theFeedPerRevolution() {
     TurningPass pass = bushPasses()[2];
     pass.path.clear();

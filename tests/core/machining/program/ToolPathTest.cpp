@@ -22,7 +22,7 @@ ToolMove pathMove(const ProfilePoint& from, const ProfilePoint& to, int turn = 0
   return move;
 }
 
-bool isNearPlace(const ProfilePoint& a, const ProfilePoint& b) {
+bool isNearPathPoint(const ProfilePoint& a, const ProfilePoint& b) {
   return (a - b).norm() < 1e-12;
 }
 
@@ -34,27 +34,27 @@ class ToolPathTest : public QObject {
 
  private slots:
   void directionsOfLines() {
-    QVERIFY(isNearPlace(directionOf(pathMove({1, 1}, {4, 5}), 0.3), {0.6, 0.8}));
+    QVERIFY(isNearPathPoint(directionOf(pathMove({1, 1}, {4, 5}), 0.3), {0.6, 0.8}));
     QVERIFY(directionOf(pathMove({1, 1}, {1, 1}), 0.3).isZero());
   }
 
-  // A quarter from (0, 2) to (2, 0) about the origin: it begins along +r and ends along -z; the other way round it is
+  // A quarter from (0, 2) to (2, 0) about the origin: it begins along +r and ends along -z; in the other sense it is
   // three quarters, and begins along -r.
   void directionsOfArcs() {
     const ToolMove left = pathMove({0, 2}, {2, 0}, 1), right = pathMove({0, 2}, {2, 0}, -1);
-    QVERIFY(isNearPlace(directionOf(left, 0.0), {1, 0}) && isNearPlace(directionOf(left, 1.0), {0, -1}));
-    QVERIFY(isNearPlace(directionOf(left, 0.5), {std::sqrt(0.5), -std::sqrt(0.5)}));
-    QVERIFY(isNearPlace(directionOf(right, 0.0), {-1, 0}) && isNearPlace(directionOf(right, 1.0), {0, 1}));
+    QVERIFY(isNearPathPoint(directionOf(left, 0.0), {1, 0}) && isNearPathPoint(directionOf(left, 1.0), {0, -1}));
+    QVERIFY(isNearPathPoint(directionOf(left, 0.5), {std::sqrt(0.5), -std::sqrt(0.5)}));
+    QVERIFY(isNearPathPoint(directionOf(right, 0.0), {-1, 0}) && isNearPathPoint(directionOf(right, 1.0), {0, 1}));
     QVERIFY(directionOf(pathMove({0, 0}, {0, 0}, 1), 0.0).isZero());
     QVERIFY(std::abs(lengthOf(left) - M_PI) < 1e-12 && std::abs(lengthOf(right) - 3.0 * M_PI) < 1e-12);
   }
 
-  // The direction is the derivative of the place.
+  // The direction is the derivative of the position.
   void directionsAreTangents() {
     const ToolMove arc = pathMove({5, 1}, {2, 4}, -1, {2, 1});
     for (const double t : {0.1, 0.4, 0.8}) {
-      const ProfilePoint way = pointOn(arc, t + 1e-6) - pointOn(arc, t - 1e-6);
-      QVERIFY((way.normalized() - directionOf(arc, t)).norm() < 1e-6);
+      const ProfilePoint displacement = pointOn(arc, t + 1e-6) - pointOn(arc, t - 1e-6);
+      QVERIFY((displacement.normalized() - directionOf(arc, t)).norm() < 1e-6);
     }
   }
 
@@ -67,7 +67,7 @@ class ToolPathTest : public QObject {
     path.moves[1].time = 2.0;
     const ProgramTimeline line(path);
     QCOMPARE(line.duration(), 3.0);
-    QVERIFY(isNearPlace(line.tipAt(line.at(2.0)), {0, 2}));
+    QVERIFY(isNearPathPoint(line.tipAt(line.at(2.0)), {0, 2}));
   }
 };
 

@@ -35,7 +35,7 @@ bool isPlacedAt(const ProfilePoint& a, double r, double z) {
   return (a - ProfilePoint(r, z)).norm() < 1e-6;
 }
 
-// Of a point from a chain of segments, by points all along them.
+// Returns the distance of a point from a chain of segments, by points all along them.
 double gapTo(const std::vector<ProfileSegment>& segments, const ProfilePoint& p) {
   double least = 1e9;
   for (const ProfileSegment& s : segments) least = std::min(least, (s.nearest(p) - p).norm());
@@ -48,8 +48,8 @@ class RefitTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What the tools left is found to the last digits, corners between two samples included: a shoulder with the fillet
-  // of a nose of radius 1 at z = 60.0037, and a plunge of radius 3 with its walls.
+  // Exact surfaces of the tools are found to the last digits, corners between two samples included: a shoulder with the
+  // fillet of a nose of radius 1 at z = 60.0037, and a plunge of radius 3 with its walls.
   void exactGeometry() {
     TurnedProfile part(kRefitBlank, 0.013);
     part.cut({18.0, 120.0}, {18.0, 60.0037}, 1.0);

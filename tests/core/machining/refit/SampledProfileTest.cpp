@@ -55,7 +55,7 @@ class SampledProfileTest : public QObject {
     QCOMPARE(back->segments()[3].to.x(), 15.0);
   }
 
-  // What a round nose leaves: a cylinder, a quarter of a circle, a wall where the circle is steepest.
+  // The profile of a round nose: a cylinder, a quarter of a circle, a wall at the steepest part of the circle.
   void aPassOfARoundNose() {
     TurnedProfile part(StockCylinder{40.0, 60.0, 0.0}, 0.02);
     part.cut({15.0 + 2.0, 30.0}, {15.0 + 2.0, 70.0}, 2.0);
@@ -96,7 +96,7 @@ class SampledProfileTest : public QObject {
     QVERIFY(std::abs(open->volume() / tube.volume() - 1.0) < 1e-9);
   }
 
-  // Where a bored part was faced, the samples beyond its face are the wall of the bore on both sides.
+  // If a bored part was faced, the samples beyond its face are the wall of the bore on both sides.
   void aFacedBush() {
     for (const double face : {39.2, 39.207, 39.213}) {
       TurnedProfile part = sampled(profileThrough({{8, 0}, {20, 0}, {20, 40}, {8, 40}, {8, 0}}), 0.02);
@@ -165,7 +165,7 @@ class SampledProfileTest : public QObject {
     QVERIFY(std::abs(shaft->volume() - M_PI * (25.0 * 20.0 + 10.0 / 3.0 * (25.0 + 15.0 + 9.0))) < 1e-9);
   }
 
-  // ⌀20 from Z 30 on, parted off from a bar of ⌀40: the end piece alone, and all of what is in one piece.
+  // ⌀20 from Z 30 on, parted off from a bar of ⌀40: the end piece alone, and a part in one piece as a whole.
   void theEndPiece() {
     TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.02);
     for (std::size_t i = 0; i < part.size(); ++i)

@@ -12,7 +12,7 @@
 // Profiles of parts to test with.
 namespace handwheel::test {
 
-// Evenly from the whole range, also in RapidCheck's first, small tests.
+// Returns a uniform value from the whole range, also in RapidCheck's first, small tests.
 inline double evenly(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
@@ -22,13 +22,13 @@ inline bool isAt(const ProfilePoint& p, double x, double y) {
 }
 
 inline ProfileSegment anySegment(double size) {
-  const auto place = [&] { return ProfilePoint(evenly(-size, size), evenly(-size, size)); };
+  const auto point = [&] { return ProfilePoint(evenly(-size, size), evenly(-size, size)); };
   const bool isArc = evenly(0.0, 3.0) > 1.0;
-  return {place(), place(), isArc ? std::tan(0.25 * evenly(-1.9 * M_PI, 1.9 * M_PI)) : 0.0};
+  return {point(), point(), isArc ? std::tan(0.25 * evenly(-1.9 * M_PI, 1.9 * M_PI)) : 0.0};
 }
 
-// The outline of a shaft with shoulders, tapers and fillets, of 1 to 6 steps, from its lower end on the axis to the
-// upper one; no step crosses another.
+// Returns the outline of a shaft with shoulders, tapers and fillets, of 1 to 6 steps, from its lower end on the axis to
+// the upper one; no step crosses another.
 inline std::vector<ProfileSegment> anyShaft() {
   std::vector<ProfileSegment> all;
   ProfilePoint at(0.0, 0.0);

@@ -83,7 +83,7 @@ class CurveFitTest : public QObject {
     QVERIFY(fitSegments(std::vector<ProfilePoint>{}, 1e-3).empty());
     QVERIFY(fitSegments(std::vector<ProfilePoint>{{1, 1}}, 1e-3).empty());
     QCOMPARE(fitSegments(std::vector<ProfilePoint>{{1, 1}, {2, 2}}, 1e-3).size(), std::size_t{1});
-    // All in one place.
+    // All points coincide.
     QVERIFY(fitSegments(std::vector<ProfilePoint>(50, ProfilePoint(1, 1)), 1e-3).size() <= 50);
   }
 };

@@ -36,7 +36,7 @@ class ProfileFromMeshTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // In any place and direction; in the precision of STL files.
+  // In any position and direction; in the precision of STL files.
   void sectionIsFound_data() {
     QTest::addColumn<bool>("isBored");
     QTest::addColumn<double>("tilt");
@@ -65,7 +65,7 @@ class ProfileFromMeshTest : public QObject {
     QVERIFY2(std::abs(found->target.volume() / expected - 1.0) < 1e-5, QByteArray::number(found->target.volume()));
   }
 
-  // Points within a flat lie anywhere: what is flat is exact. The ends of a bar of 200 sides, a ring of five points in
+  // Points within a flat are arbitrary: a flat face is exact. The ends of a bar of 200 sides, a ring of five points in
   // the upper end, and the lower end without a point in its middle.
   void pointsWithinFlats() {
     constexpr std::uint32_t kSides = 200, kInner = 5;

@@ -85,7 +85,7 @@ class ProfileFromStepTest : public QObject {
     }
   }
 
-  // What this program writes itself: B-spline surfaces, the axis z.
+  // Files of this program: B-spline surfaces, the axis z.
   void ofOurOwnFiles() {
     const auto shaft =
         written(ProfileCurve::polyline({{0, 3}, {10, 3}, {10, 20}, {15, 20}, {12, 40}, {0, 40}}).value());
@@ -123,7 +123,7 @@ class ProfileFromStepTest : public QObject {
     const double volume = M_PI * (100.0 * 17.0 + 20.0 / 3.0 * (15.0 * 15.0 + 15.0 * 12.0 + 12.0 * 12.0));
     QVERIFY(std::abs(part.volume() / volume - 1.0) < 1e-6);
     QVERIFY(std::abs(part.length() - 37.0) < 1e-6 && std::abs(part.largestRadius() - 15.0) < 1e-6);
-    // Which of its ends is the upper one does not follow from the axis.
+    // The axis does not determine the upper end.
     const bool isUp = std::abs(part.distance({10.0, part.lowerEnd() + 7.0})) < 1e-6;
     const auto placed = [&](double r, double z) {
       return ProfilePoint(r, isUp ? part.lowerEnd() + z - 3.0 : part.upperEnd() - z + 3.0);

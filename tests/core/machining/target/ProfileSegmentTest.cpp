@@ -49,7 +49,7 @@ class ProfileSegmentTest : public QObject {
       QVERIFY(std::abs(arc.length() - 100.0) < 100.0 * bulge * bulge * 3.0 + 1e-12);
       QVERIFY(isSame(arc.at(0.5), {10.0 + 50.0 * bulge, 50.0}, 1e-9));
       QVERIFY(isSame(arc.nearest({10.0, 50.0}), arc.at(0.5), 1e-6));
-      // Of the frustum of radius 10, but for the sliver.
+      // The moment is that of the frustum of radius 10, but for the sliver.
       QVERIFY(std::abs(arc.squareMoment() - 1e4) < 1e5 * bulge + 1e-8);
     }
   }

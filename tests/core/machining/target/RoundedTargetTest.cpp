@@ -96,7 +96,7 @@ class RoundedTargetTest : public QObject {
     QVERIFY(largestDistance(*round, ball.value()) < 0.1);
   }
 
-  // What is round already stays, and rounding twice is rounding once.
+  // Round sizes stay, and rounding twice is rounding once.
   void twiceIsOnce() {
     QVERIFY(rc::check([] {
       std::vector<ProfileSegment> outline;

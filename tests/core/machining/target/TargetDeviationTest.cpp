@@ -36,7 +36,7 @@ class TargetDeviationTest : public QObject {
     QCOMPARE(d.largestUnder.distance, 0.0);
   }
 
-  // A finished part of 70 mm with the bar behind it: nothing is too large, but what stands over its face.
+  // A finished part of 70 mm with the bar behind it: only the material over its face is too large.
   void theBarBehindThePart() {
     const auto target = TargetProfile::make({{{18, 30}, {18, 100}, 0.0}});
     QVERIFY(bool(target));
@@ -69,7 +69,7 @@ class TargetDeviationTest : public QObject {
     const TurnedProfile part(StockCylinder{40.0, 99.0, 0.0}, 0.1);
     const TargetDeviation d = deviationFrom(cylinder(20.0, 100.0), part, 0.0);
     QVERIFY(std::abs(d.largestUnder.distance + 1.0) < 1e-12);
-    // As far up as it is short, both ends are off.
+    // Both ends are off: the part is moved up by its shortfall.
     const TargetDeviation moved = deviationFrom(cylinder(20.0, 100.0), part, 1.0);
     QVERIFY(std::abs(moved.largestUnder.distance + 1.0) < 1e-12 && moved.largestUnder.at.y() == 1.0);
   }
@@ -119,7 +119,7 @@ class TargetDeviationTest : public QObject {
     const auto of = [&](const TurnedProfile& part, AxisRange range) {
       return deviationFrom(*stepped, part, 0.0, {}, range);
     };
-    QVERIFY(of(turned(0, 0, 100), kWholeAxis).largest() <= 0.02 + 1e-9);  // of a face between two samples
+    QVERIFY(of(turned(0, 0, 100), kWholeAxis).largest() <= 0.02 + 1e-9);  // for a face between two samples
     QVERIFY(std::abs(of(turned(0.3, 0, 100), {55, 95}).largestOver.distance - 0.3) < 1e-9);
     QVERIFY(std::abs(of(turned(-0.2, 0, 100), {55, 95}).largestUnder.distance + 0.2) < 1e-9);
     QVERIFY(std::abs(of(turned(0, 0.1, 100), {65, 95}).largestUnder.distance + 0.1) < 1e-9);
@@ -170,7 +170,7 @@ class TargetDeviationTest : public QObject {
     QVERIFY(rc::check("its samples are on the target; an allowance shows as such", [] {
       const auto target = TargetProfile::make(anyShaft());
       RC_PRE(target.hasValue());
-      // What an arc along the lower face is beyond it by rounding is no recess: the part has its face there.
+      // An arc along the lower face that is beyond it by rounding is no recess: the part has its face there.
       const double base = target->lowerEnd(), beyond = -base <= TargetProfile::kJoin ? -base : 0.0;
       const TurnedProfile part = sampled(*target, 0.05);
       RC_ASSERT(deviationFrom(*target, part, base).largest() < 1e-7 + beyond);

@@ -35,7 +35,7 @@ ErrorCode refusal(Segments segments) {
   return made ? ErrorCode() : made.error().code;
 }
 
-// Whether a point is in the material, by the crossings of a ray outwards with densely sampled chords.
+// Returns true if a point is in the material, by the crossings of a ray outwards with densely sampled chords.
 bool isInside(const TargetProfile& profile, const ProfilePoint& p) {
   int crossings = 0;
   for (const ProfileSegment& s : profile.segments()) {
@@ -81,7 +81,7 @@ class TargetProfileTest : public QObject {
   }
 
   void aCylinder() {
-    // As an open line, with its ends, closed along the axis, and the other way round: the same.
+    // The profile is the same as an open line, with its ends, closed along the axis, and in reverse.
     const Segments open = through({{20, 0}, {20, 100}});
     const Segments whole = through({{0, 0}, {20, 0}, {20, 100}, {0, 100}, {0, 0}});
     for (const Segments& given : {open, whole, turnedRound(open), turnedRound(whole)}) {
@@ -100,7 +100,7 @@ class TargetProfileTest : public QObject {
     }
   }
 
-  // The radius on an arc is exact however flat that is, and what lies on its circle beyond its end is none of it.
+  // The radius on an arc is exact for any flatness, and points of its circle beyond its end do not belong to it.
   void extentOnArcs() {
     for (const double bulge : {1e-9, 1e-7, 1e-4, -1e-4, -1e-2, 0.2}) {
       const ProfileSegment arc{{10, 10}, {14, 30}, bulge};
@@ -246,7 +246,7 @@ class TargetProfileTest : public QObject {
     QCOMPARE(other.extentAt(5.0)->inner, 8.0);
     QCOMPARE(other.extentAt(45.0)->outer, 20.0);
     QCOMPARE(other.turnedEndForEnd().extentAt(5.0)->inner, 5.0);
-    // They are as sound as what was read.
+    // They are as sound as the original.
     for (const TargetProfile* each : {&turned, &other}) {
       const auto again = TargetProfile::make({each->segments().begin(), each->segments().end()});
       QVERIFY(again && std::abs(again->volume() - each->volume()) < 1e-9 * each->volume());

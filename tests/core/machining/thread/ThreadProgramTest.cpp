@@ -103,7 +103,7 @@ class ThreadProgramTest : public QObject {
     QTest::addColumn<double>("depth");
     QTest::newRow("the first pass") << "G0 X9.5 Z5\nG33 Z-20 K2.5\n" << 0.0 << 0.5;
     QTest::newRow("the second pass") << "G0 X9.7 Z5\nG33 Z-20 K2.5\nG0 X12\nZ5\nX9.4\nG33 Z-20 K2.5\n" << 0.3 << 0.6;
-    // As deep as one that is there already, elsewhere.
+    // A thread as deep as an existing one, elsewhere.
     QTest::newRow("another thread") << "G0 X9.8 Z5\nG33 Z-20 K2.5\nG0 X12\nZ5\nX9.6\nG33 Z-20 K2.5\nG0 X12\nZ-22\n"
                                        "X9.6\nG33 Z-50 K2.5\n"
                                     << 0.0 << 0.4;
@@ -148,7 +148,7 @@ class ThreadProgramTest : public QObject {
   // Two runs with the half-nut are one thread where the lead is a part of the lead screw's pitch.
   void halfNutCutsAThread() {
     LatheSetup setup = defaultLatheSetup(kThreadedBar);
-    for (LatheSlot& slot : setup.stations) slot.place = slot.offset = {0.0, 0.0};
+    for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     LatheRun run(setup, shippedLatheTools(), TurnedProfile(kThreadedBar, 0.02),
                  LatheMachine::initialState(setup, kThreadedBar));
     using Kind = LatheCommand::Kind;
@@ -156,7 +156,7 @@ class ThreadProgramTest : public QObject {
       return run.step(0.001, std::vector<LatheCommand>(commands));
     };
     const auto go = [&](double r, double z) {
-      once({{Kind::Place, LatheAxis::Carriage, r, z}});
+      once({{Kind::MoveTip, LatheAxis::Carriage, r, z}});
       for (int i = 0; i < 20000 && (run.machine().tip() - ProfilePoint(r, z)).norm() > 1e-9; ++i) once();
       once({{Kind::Release}});
     };

@@ -95,8 +95,8 @@ class ThreadSurfaceTest : public QObject {
     QVERIFY2(std::abs(taken / groove - 1.0) < 3e-3, qPrintable(QString::number(taken / groove, 'g', 10)));
   }
 
-  // What a straight line along the surface crosses: the lowest points are a pitch apart, and go up by the lead in a
-  // turn of a right-hand thread.
+  // A straight line along the surface crosses the grooves: the lowest points are a pitch apart, and go up by the lead
+  // in a turn of a right-hand thread.
   void pitchAndHandAreThoseOfTheTriangles_data() {
     QTest::addColumn<int>("starts");
     QTest::addColumn<bool>("isLeft");

@@ -52,7 +52,7 @@ TriangleSoup sheetWithout(const std::vector<std::pair<int, int>>& cells) {
   return s;
 }
 
-// What findBoundaryLoops() promises of any mesh.
+// Checks the guarantees of findBoundaryLoops() for any mesh.
 std::string broken(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops) {
   std::vector<int> uses(mesh.halfEdgeSlots(), 0);
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -66,7 +66,8 @@ std::string broken(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& lo
       border += mesh.isBorder(h);
       if (!mesh.isBorder(h) && !mesh.isSeam(h)) return "a half-edge of a loop is not open";
       if (mesh.position(mesh.to(h)) != mesh.position(mesh.from(after))) return "a loop has a gap";
-      if (!passed.insert(test::place(mesh.position(mesh.from(h)))).second) return "a loop passes a position twice";
+      if (!passed.insert(test::coordinates(mesh.position(mesh.from(h)))).second)
+        return "a loop passes a position twice";
     }
     if (border == 0 || border != loop.borderEdges) return "borderEdges is wrong";
   }
@@ -82,11 +83,11 @@ std::vector<std::uint32_t> smallestWeldedNumbers(const TriangleSoup& soup, const
   std::map<test::Coordinates, std::uint32_t> number;
   for (const Triangle& t : soup.triangles)
     for (std::uint32_t v : t)
-      number.try_emplace(test::place(soup.points[v]), static_cast<std::uint32_t>(number.size()));
+      number.try_emplace(test::coordinates(soup.points[v]), static_cast<std::uint32_t>(number.size()));
   std::vector<std::uint32_t> smallest;
   for (const BoundaryLoop& loop : loops) {
     std::uint32_t least = kNone;
-    for (const Vec3& p : loopPoints(mesh, loop)) least = std::min(least, number.at(test::place(p)));
+    for (const Vec3& p : loopPoints(mesh, loop)) least = std::min(least, number.at(test::coordinates(p)));
     smallest.push_back(least);
   }
   return smallest;
@@ -153,8 +154,8 @@ void BoundaryLoopsTest::centreAndBox() {
   QVERIFY((loops[0].box.max() - Vec3(7, 8, 7)).norm() < 1e-12);
 }
 
-// A disc that faces +z has its surface to the left of its border, so the loop turns counter-clockwise; a hole's the
-// other way.
+// A disc that faces +z has its surface to the left of its border, so the loop turns counter-clockwise; the loop of a
+// hole turns clockwise.
 void BoundaryLoopsTest::runsAsItsFacesDo() {
   const HalfEdgeMesh mesh = buildMesh(test::annulus(16, 3, 1, 2)).mesh;
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);

@@ -33,7 +33,7 @@ class BoundarySmoothingTest : public QObject {
 
 namespace {
 
-// How far the loop's points are from the middles of their neighbours, squared.
+// Returns the squared distances of the loop's points from the middles of their neighbours.
 double roughness(const std::vector<Vec3>& p) {
   double sum = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -52,7 +52,7 @@ struct Smoothed {
     if (!moveVertices(after, border.moves)) qFatal("it moves other vertices");
   }
 
-  // What must hold in any case; empty when it does.
+  // Returns the first violation of a general condition; empty: none.
   std::string problem() const {
     if (const std::string broken = validate(after); !broken.empty()) return broken;
     if (test::meetingPairs(after) > test::meetingPairs(before)) return "faces cross";

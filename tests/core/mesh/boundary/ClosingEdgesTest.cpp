@@ -50,7 +50,7 @@ void ClosingEdgesTest::ofASlit() {
   QCOMPARE(edges.size(), std::size_t{4});
   for (const ClosingEdge& edge : edges) {
     QCOMPARE(edge.pairs.size(), std::size_t{2});
-    QCOMPARE(edge.places.size(), std::size_t{4});
+    QCOMPARE(edge.endPositions.size(), std::size_t{4});
   }
 }
 

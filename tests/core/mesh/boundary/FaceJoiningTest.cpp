@@ -118,7 +118,7 @@ void FaceJoiningTest::unitesAPinch() {
   QCOMPARE(used.size(), std::size_t(1));
 }
 
-// What changed since the hierarchy was built is seen.
+// Changes since the construction of the hierarchy are respected.
 void FaceJoiningTest::olderHierarchy() {
   HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const auto older = std::make_shared<FaceHierarchy>(mesh);

@@ -14,14 +14,14 @@ inline FaceLocator nearFaces(const HalfEdgeMesh& mesh) {
   return {mesh, std::make_shared<FaceHierarchy>(mesh)};
 }
 
-// The border half-edge that leaves the vertex there.
+// Returns the border half-edge that starts at this position.
 inline HalfEdge borderAt(const HalfEdgeMesh& mesh, const Vec3& p) {
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
     if (mesh.isBorder(h) && mesh.position(mesh.from(h)) == p) return h;
   return kNone;
 }
 
-// What no hand work may do to a mesh; empty when it did not.
+// Returns the damage that a manual edit did to a mesh; empty: none.
 inline std::string worse(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   if (const std::string broken = validate(after); !broken.empty()) return broken;
   const Edges was = countEdges(before), is = countEdges(after);
@@ -31,7 +31,7 @@ inline std::string worse(const HalfEdgeMesh& before, const HalfEdgeMesh& after) 
   return {};
 }
 
-// Faces that are in both and have the same corners stand where they stood.
+// Returns true if all faces except the changed ones are live as before and have the same corner positions.
 inline bool othersStay(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const std::vector<Face>& changed) {
   for (Face f = 0; f < before.faceSlots(); ++f) {
     if (std::find(changed.begin(), changed.end(), f) != changed.end()) continue;

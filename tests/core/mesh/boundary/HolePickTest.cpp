@@ -41,7 +41,7 @@ struct HoledModel {
   }
 };
 
-// From the place given to p; a pixel is 1/100 at p.
+// Returns a pick ray from the given position to p. The size of a pixel at p is 1/100.
 PickRay lookingAt(const Vec3& p, const Vec3& from, bool perspective) {
   PickRay pickRay{{from, (p - from).normalized()}, std::nullopt, 0.01, 0.0};
   if (perspective) {
@@ -145,7 +145,7 @@ void HolePickTest::extremes() {
       PickRay pickRay = good;
       pickRay.pixel = pixel;
       pickRay.focus = 0.0;
-      model.pick(pickRay);  // whatever it finds without a size to go by
+      model.pick(pickRay);  // any result is accepted without a scale
     }
     QVERIFY(!HoledModel(TriangleSoup()).pick(good));
     QVERIFY(!HoledModel(test::icosphere(2)).pick(good));

@@ -89,13 +89,13 @@ void IslandsTest::noIsland() {
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const auto loops = findBoundaryLoops(mesh);
   QVERIFY(findIslands(mesh, holeOf(mesh), loops).empty());
-  // What lies over a sheet lies in no hole of it.
+  // A piece over a sheet is in no hole of it.
   for (const BoundaryLoop& loop : loops) QVERIFY(!loop.isSheetBoundary || findIslands(mesh, loop, loops).empty());
 }
 
 void IslandsTest::peninsula_data() {
   QTest::addColumn<TriangleSoup>("soup");
-  QTest::addColumn<double>("least");  // of its area
+  QTest::addColumn<double>("least");  // least share of its area
   QTest::addColumn<double>("most");
   QTest::newRow("tongue") << test::plateWithTongue() << 14.0 << 16.5;
   QTest::newRow("mushroom") << test::plateWithout(20, [](double x, double y) {

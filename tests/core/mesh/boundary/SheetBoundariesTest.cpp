@@ -81,7 +81,7 @@ void SheetBoundariesTest::annulusOuterOnly() {
   QVERIFY(std::abs(boundaries.lengths[0] - 24 * 2 * 1.5 * std::sin(M_PI / 24)) < 1e-9);
 }
 
-// Of a sphere, a part that is clearly more than half is a body with a hole; what is less has no inside to close.
+// A part of a sphere that is clearly more than half is a body with a hole; a smaller part has no inside to close.
 void SheetBoundariesTest::closedShapesWithHoles() {
   for (double height : {-0.9, -0.3, 0.0, 0.5}) {
     const Boundaries boundaries = boundariesOf(cap(height));
@@ -144,7 +144,7 @@ void SheetBoundariesTest::boxesWithoutALid() {
     });
     for (Vec3& p : box.points) p.z() *= depth;
     const Boundaries boundaries = boundariesOf(box);
-    QCOMPARE(boundaries.lengths.size(), std::size_t(1.0 / (1.0 + 4.0 * depth) > tolerance::kOneWaySheet ? 1 : 0));
+    QCOMPARE(boundaries.lengths.size(), std::size_t(1.0 / (1.0 + 4.0 * depth) > tolerance::kSheetAreaVector ? 1 : 0));
     QCOMPARE(boundaries.lengths.size() + boundaries.holes, std::size_t{1});
   }
 }

@@ -43,12 +43,12 @@ TriangleSoup looseCube(double apart, std::uint32_t seed = 1) {
 }
 
 // Replaces a triangle's edge by edges through the points at these shares of it: the neighbour keeps the long edge.
-void split(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& places) {
+void split(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& shares) {
   const Triangle t = s.triangles[f];
   const std::uint32_t a = t[corner], b = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
   std::uint32_t last = a;
   std::vector<Triangle> fan;
-  for (double w : places) {
+  for (double w : shares) {
     const auto v = static_cast<std::uint32_t>(s.points.size());
     s.points.push_back((1.0 - w) * s.points[a] + w * s.points[b]);
     fan.push_back({last, v, apex});
@@ -95,7 +95,7 @@ void StitchingTest::roundedApart() {
     QCOMPARE(moved.size(), std::size_t{24 - 8});
     QCOMPARE(test::eulerCharacteristic(mesh), 2l);
     QVERIFY(std::abs(test::volume(mesh.compact().soup) - 1.0) < 1e-6);
-    // What was not moved is where it was; what was is at another vertex's old place, next to it.
+    // Unmoved vertices keep their positions; moved ones are at the old position of a nearby vertex.
     const std::set<Vertex> movedSet(moved.begin(), moved.end());
     for (Vertex v = 0; v < before.vertexSlots(); ++v) {
       if (!movedSet.contains(v))
@@ -196,7 +196,7 @@ void StitchingTest::shapesInPieces() {
     const std::vector<Vec3> centres = test::directions(*rc::gen::inRange(2, 8));
     const double apart = *rc::gen::element(1e-9, 1e-7, 1e-6);
     TriangleSoup s;
-    std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> number;  // of each piece's copy of a point
+    std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> number;  // number of each piece's copy of a point
     for (Triangle t : whole.triangles) {
       const Vec3 middle = (whole.points[t[0]] + whole.points[t[1]] + whole.points[t[2]]) / 3.0;
       std::size_t piece = 0;
@@ -217,7 +217,7 @@ void StitchingTest::shapesInPieces() {
     stitch(mesh);
     RC_ASSERT(validate(mesh) == std::string());
     RC_ASSERT(test::countEdges(mesh).sound());
-    RC_ASSERT(test::places(mesh.compact().soup).size() == whole.points.size());
+    RC_ASSERT(test::allCoordinates(mesh.compact().soup).size() == whole.points.size());
     RC_ASSERT(test::eulerCharacteristic(mesh) == test::eulerCharacteristic(whole));
   }));
 }

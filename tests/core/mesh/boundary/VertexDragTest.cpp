@@ -52,7 +52,8 @@ void VertexDragTest::shapes() {
   QVERIFY(!mayBecome(flat, {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, -1, 0)}));  // turned over
   QVERIFY(!mayBecome(flat, {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}));   // on one line
   QVERIFY(!mayBecome(flat, {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1e-3, 0)}));
-  QVERIFY(mayBecome({Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()}, flat));  // what had no side may have any
+  QVERIFY(mayBecome({Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()},
+                    flat));  // a face without an orientation may get any
   const TrianglePoints slim = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1e-3, 0)};
   QVERIFY(mayBecome(slim, {slim[0], slim[1], Vec3(0.5, 0.9e-3, 0)}));
   QVERIFY(!mayBecome(slim, {slim[0], slim[1], Vec3(0.5, 0.4e-3, 0)}));
@@ -92,11 +93,11 @@ void VertexDragTest::stopsWhereTheFileCanHoldIt() {
   }
 }
 
-// The faces around (-2, 0) reach to x = -3; on the way there they lose their area.
+// The faces around (-2, 0) extend to x = -3; before that they lose their area.
 void VertexDragTest::stopsBeforeAFaceTurns() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const VertexDrag pull(near(mesh), at(mesh, Vec3(-2, 0, 0)));
-  const VertexDrag::Place reached = pull.towards(Vec3(-5, 0, 0));
+  const VertexDrag::ReachablePoint reached = pull.towards(Vec3(-5, 0, 0));
   QCOMPARE(reached.problem, JoinProblem::FlippedFace);
   QVERIFY(reached.point.x() < -2.5 && reached.point.x() > -3.0);
   QCOMPARE(reached.point.y(), 0.0);
@@ -117,7 +118,7 @@ void VertexDragTest::stopsBeforeAWall() {
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const VertexDrag pull(near(mesh), at(mesh, Vec3(-2, 0, 0)));
   QCOMPARE(pull.towards(Vec3(-1.1, 0, 0)).problem, JoinProblem::None);
-  const VertexDrag::Place reached = pull.towards(Vec3(0, 0, 0));
+  const VertexDrag::ReachablePoint reached = pull.towards(Vec3(0, 0, 0));
   QCOMPARE(reached.problem, JoinProblem::Crosses);
   QVERIFY(reached.point.x() < -1.0 && reached.point.x() > -1.01);
   HalfEdgeMesh moved = mesh;
@@ -164,8 +165,8 @@ void VertexDragTest::neverTurnsAFace() {
     const auto part = [] { return *rc::gen::inRange(-300, 300) / 100.0; };
     const Vec3 target = mesh.position(v) + scale * Vec3(part(), part(), part());
     const HalfEdgeMesh before = mesh;
-    const Vec3 place = pull.towards(target).point;
-    RC_ASSERT(pull.apply(mesh, place));
+    const Vec3 position = pull.towards(target).point;
+    RC_ASSERT(pull.apply(mesh, position));
     RC_ASSERT(validate(mesh) == "");
     RC_ASSERT(test::meetingPairs(mesh) <= test::meetingPairs(before));
     for (const Face f : pull.faces()) RC_ASSERT(unitNormal(before.points(f)).dot(unitNormal(mesh.points(f))) > 0.0);

@@ -65,7 +65,7 @@ void DefectsTest::touchingCubes() {
   const Defects edge = findDefects(mesh);
   QCOMPARE(edge.nonManifoldEdges.size(), std::size_t{1});
   const auto [a, b] = edge.nonManifoldEdges[0];
-  const std::set<test::Coordinates> ends = {test::place(mesh.position(a)), test::place(mesh.position(b))};
+  const std::set<test::Coordinates> ends = {test::coordinates(mesh.position(a)), test::coordinates(mesh.position(b))};
   QVERIFY(ends == (std::set<test::Coordinates>{{1, 1, 0}, {1, 1, 1}}));
   QVERIFY(edge.nonManifoldVertices.empty());  // the edge accounts for them
 
@@ -88,7 +88,8 @@ void DefectsTest::nonOrientable() {
     QVERIFY(defectsOf(s).nonOrientableEdges.empty());
 }
 
-// Of a cube with two reversed neighbours those two; of one with eleven reversed sides the twelfth. No holes by that.
+// In a cube with two reversed neighbours these two are found; in one with eleven reversed faces, the twelfth. They
+// cause no holes.
 void DefectsTest::inconsistent() {
   for (const std::vector<Face>& odd : {std::vector<Face>{2, 3}, std::vector<Face>{7}}) {
     HalfEdgeMesh mesh = buildMesh(test::cube()).mesh;

@@ -98,7 +98,8 @@ void DuplicateFacesTest::nothingDoubled() {
   }
 }
 
-// Both copies look the same way: not the two sides of a plate. One of each face stays, and the sheet's one border.
+// Both copies face the same direction, so they are not the two sides of a plate. One of each face stays, and the single
+// border of the sheet.
 void DuplicateFacesTest::sheetWrittenTwice() {
   const TriangleSoup sheet = test::disc(12, 4);
   TriangleSoup soup = sheet;

@@ -251,7 +251,7 @@ void MeshReportTest::soups() {
     const MeshReport r = reportOn(s);
     const test::Edges edges = test::countEdges(s);
     RC_ASSERT(r.triangles == s.triangles.size());
-    RC_ASSERT(r.vertices == test::places(s).size());
+    RC_ASSERT(r.vertices == test::allCoordinates(s).size());
     RC_ASSERT(r.boundaryEdges == edges.border);
     RC_ASSERT(r.nonManifoldEdges == edges.nonManifold);
     RC_ASSERT(r.inconsistentEdges == edges.inconsistent);

@@ -52,8 +52,8 @@ class CgalHoleFillingTest : public QObject {
   void theSameHoleGetsTheSamePatch();
 };
 
-// Where the surroundings lie against the hole every patch bends by 180°, and on a grid many have the same area as well.
-// What decides must not be where in memory the library puts things: blocks of several sizes lie about there.
+// If the surroundings lie against the hole, every patch bends by 180°, and on a grid many have the same area too. The
+// result must not depend on memory addresses of the library: blocks of several sizes are allocated.
 void CgalHoleFillingTest::theSameHoleGetsTheSamePatch() {
   std::mt19937 random(7);
   std::vector<std::unique_ptr<char[]>> lying;
@@ -61,8 +61,8 @@ void CgalHoleFillingTest::theSameHoleGetsTheSamePatch() {
     HoleContext hole;
     constexpr int kSide = 15;
     Vec3 at(0, 0, 0);
-    for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)}) {
-      for (int i = 0; i < kSide; ++i, at += way) hole.points.push_back(at + Vec3(0, 0, random() % 8 == 0));
+    for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)}) {
+      for (int i = 0; i < kSide; ++i, at += direction) hole.points.push_back(at + Vec3(0, 0, random() % 8 == 0));
     }
     hole.loopSize = hole.points.size();
     hole.apexes.assign(hole.loopSize, Vec3(kSide / 2.0, kSide / 2.0, 0));
@@ -100,8 +100,8 @@ void CgalHoleFillingTest::minimalOfTheSmallestHole() {
   QCOMPARE(patch->triangles.size(), std::size_t{1});
   QVERIFY(closes(soup, *patch));
   std::set<test::Coordinates> wanted, is;
-  for (std::uint32_t v : lost) wanted.insert(test::place(soup.points[v]));
-  for (std::uint32_t v : patch->triangles[0]) is.insert(test::place(patch->points[v]));
+  for (std::uint32_t v : lost) wanted.insert(test::coordinates(soup.points[v]));
+  for (std::uint32_t v : patch->triangles[0]) is.insert(test::coordinates(patch->points[v]));
   QVERIFY(is == wanted);
 }
 
@@ -110,9 +110,9 @@ void CgalHoleFillingTest::refinedHasTheDensityAround() {
   const HoleContext hole = firstHole(soup);
   const auto start = triangulateMinimal(hole);
   QVERIFY(start.has_value());
-  const std::optional<Continuity> ways[] = {std::nullopt, Continuity::Position, Continuity::Tangent,
-                                            Continuity::Curvature};
-  for (const auto& bent : ways) {
+  const std::optional<Continuity> choices[] = {std::nullopt, Continuity::Position, Continuity::Tangent,
+                                               Continuity::Curvature};
+  for (const auto& bent : choices) {
     const auto patch = refinePatch(hole, *start, bent);
     QVERIFY(patch.has_value());
     QVERIFY(patch->method == (bent ? FillMethod::Fair : FillMethod::Refined));

@@ -51,12 +51,12 @@ struct CreaseFillErrors {
   }
 };
 
-// Cuts a ball out of the part around each place and fills it both ways.
-CreaseFillErrors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& places, double radius,
+// Cuts a ball out of the part around each centre and fills the hole with both methods.
+CreaseFillErrors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& centres, double radius,
                             const Distance& distance) {
   CreaseFillErrors errors;
-  for (const Vec3& place : places) {
-    const HalfEdgeMesh mesh = buildMesh(test::withHole(part, place, radius)).mesh;
+  for (const Vec3& centre : centres) {
+    const HalfEdgeMesh mesh = buildMesh(test::withHole(part, centre, radius)).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     const HoleFiller filler(mesh);
     const FillAttempt fair = filler.propose(loop, {}),
@@ -68,7 +68,7 @@ CreaseFillErrors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& p
   return errors;
 }
 
-// How many of the patch's own points are there.
+// Returns the number of the patch's own points for which isOn() is true.
 std::size_t countOn(const Patch& patch, const std::function<bool(const Vec3&)>& isOn) {
   return std::count_if(patch.points.begin() + static_cast<std::ptrdiff_t>(patch.loopSize), patch.points.end(), isOn);
 }
@@ -86,22 +86,22 @@ class CreaseFillTest : public QObject {
   void cornersComeBack();
   void withoutCreasesAsFair();
   void keepsTheWholePartSound();
-  void anySizeAndPlace();
+  void anySizeAndPosition();
   void cancels();
 };
 
 void CreaseFillTest::halvesTheErrorOnCubes() {
   const TriangleSoup cube = test::roughCube(24, 7);
   std::mt19937 random(1);
-  std::vector<Vec3> places;
+  std::vector<Vec3> centres;
   for (int i = 0; i < 25; ++i) {
     const auto unit = [&] { return random() / 4294967296.0; };
     // Along one of the edges parallel to z, off it by less than half the radius.
-    places.emplace_back((i % 2 ? 1.0 : -1.0) + 0.2 * (unit() - 0.5), 1.0 + 0.2 * (unit() - 0.5), unit() - 0.5);
+    centres.emplace_back((i % 2 ? 1.0 : -1.0) + 0.2 * (unit() - 0.5), 1.0 + 0.2 * (unit() - 0.5), unit() - 0.5);
   }
   for (double radius : {0.2, 0.35}) {
-    const CreaseFillErrors errors = cutAndFill(cube, places, radius, test::distanceToCube);
-    QCOMPARE(errors.crease.size(), places.size());
+    const CreaseFillErrors errors = cutAndFill(cube, centres, radius, test::distanceToCube);
+    QCOMPARE(errors.crease.size(), centres.size());
     QVERIFY2(errors.p90(errors.crease) <= 0.5 * errors.p90(errors.fair),
              qPrintable(QString("%1 %2").arg(errors.p90(errors.crease)).arg(errors.p90(errors.fair))));
   }
@@ -110,15 +110,15 @@ void CreaseFillTest::halvesTheErrorOnCubes() {
 void CreaseFillTest::halvesTheErrorOnRims() {
   const TriangleSoup part = test::roughCylinder(120, 7);
   std::mt19937 random(2);
-  std::vector<Vec3> places;
+  std::vector<Vec3> centres;
   for (int i = 0; i < 25; ++i) {
     const auto unit = [&] { return random() / 4294967296.0; };
     const double u = 2.0 * M_PI * unit(), r = 1.0 + 0.1 * (unit() - 0.5);
-    places.emplace_back(r * std::cos(u), r * std::sin(u), 1.0 + 0.1 * (unit() - 0.5));
+    centres.emplace_back(r * std::cos(u), r * std::sin(u), 1.0 + 0.1 * (unit() - 0.5));
   }
   for (double radius : {0.2, 0.4}) {
-    const CreaseFillErrors errors = cutAndFill(part, places, radius, test::distanceToCylinder);
-    QCOMPARE(errors.crease.size(), places.size());
+    const CreaseFillErrors errors = cutAndFill(part, centres, radius, test::distanceToCylinder);
+    QCOMPARE(errors.crease.size(), centres.size());
     QVERIFY2(errors.p90(errors.crease) <= 0.5 * errors.p90(errors.fair),
              qPrintable(QString("%1 %2").arg(errors.p90(errors.crease)).arg(errors.p90(errors.fair))));
   }
@@ -199,7 +199,7 @@ void CreaseFillTest::keepsTheWholePartSound() {
   }
 }
 
-void CreaseFillTest::anySizeAndPlace() {
+void CreaseFillTest::anySizeAndPosition() {
   const TriangleSoup cut = test::withHole(test::roughCube(24, 0), Vec3(1.02, 1.01, 0.1), 0.3);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()));
   for (const auto& [scale, shift] : {std::pair{1e-6, 0.0}, {1e6, 0.0}, {1.0, 1e4}}) {

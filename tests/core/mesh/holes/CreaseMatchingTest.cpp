@@ -14,8 +14,8 @@ using namespace handwheel;
 
 namespace {
 
-HoleContext holeIn(const TriangleSoup& part, const Vec3& place, double radius) {
-  const HalfEdgeMesh mesh = buildMesh(test::withHole(part, place, radius)).mesh;
+HoleContext holeIn(const TriangleSoup& part, const Vec3& centre, double radius) {
+  const HalfEdgeMesh mesh = buildMesh(test::withHole(part, centre, radius)).mesh;
   return holeContext(mesh, findBoundaryLoops(mesh).at(0));
 }
 
@@ -32,7 +32,7 @@ class CreaseMatchingTest : public QObject {
   void curveOfARimIsItsCircle();
   void spacingIsThatAround();
   void threeEndsMeetInACorner();
-  void wayToACorner();
+  void creaseToACorner();
   void twoCreasesDoNotCross();
   void roughSurfacesHaveNone();
 };
@@ -82,7 +82,7 @@ void CreaseMatchingTest::threeEndsMeetInACorner() {
 }
 
 // The corner is there yet, at the edge of the hole.
-void CreaseMatchingTest::wayToACorner() {
+void CreaseMatchingTest::creaseToACorner() {
   TriangleSoup part = test::roughCube(20, 0);
   std::erase_if(part.triangles, [&](const Triangle& t) {
     const Vec3 middle = (part.points[t[0]] + part.points[t[1]] + part.points[t[2]]) / 3.0;

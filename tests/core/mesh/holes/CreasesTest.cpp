@@ -14,8 +14,8 @@ using namespace handwheel;
 
 namespace {
 
-HoleContext creasesHoleIn(const TriangleSoup& part, const Vec3& place, double radius) {
-  const HalfEdgeMesh mesh = buildMesh(test::withHole(part, place, radius)).mesh;
+HoleContext creasesHoleIn(const TriangleSoup& part, const Vec3& centre, double radius) {
+  const HalfEdgeMesh mesh = buildMesh(test::withHole(part, centre, radius)).mesh;
   return holeContext(mesh, findBoundaryLoops(mesh).at(0));
 }
 

@@ -15,7 +15,7 @@ using namespace handwheel;
 
 namespace {
 
-// What is needed to fill the first hole of a mesh.
+// The input for filling the first hole of a mesh.
 struct EarClippingCase {
   explicit EarClippingCase(const TriangleSoup& soup)
       : mesh(buildMesh(soup).mesh), hole(holeContext(mesh, findBoundaryLoops(mesh).at(0))), obstacles(mesh) {}

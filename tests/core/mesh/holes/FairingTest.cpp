@@ -46,7 +46,7 @@ class FairingTest : public QObject {
   void onlyFreePointsMove();
   void orderTellsWhichPolynomialsStay();
   void smootherIsNearerToABall();
-  void sizePlaceAndTurnDoNotMatter();
+  void sizePositionAndTurnDoNotMatter();
   void borderHasNoTangent();
   void refusesWhatHasNoSurface();
 };
@@ -125,7 +125,7 @@ void FairingTest::smootherIsNearerToABall() {
   }
 }
 
-void FairingTest::sizePlaceAndTurnDoNotMatter() {
+void FairingTest::sizePositionAndTurnDoNotMatter() {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()));
   const TriangleSoup start = test::bumpySphere(3);
   std::vector<bool> isFree;
@@ -137,7 +137,7 @@ void FairingTest::sizePlaceAndTurnDoNotMatter() {
       TriangleSoup other = start;
       for (Vec3& p : other.points) p = scale * (turn * p) + Vec3::Constant(shift);
       QVERIFY(fair(other.points, other.triangles, isFree, continuity));
-      const double allowed = 1e-9 + 1e-12 * shift;  // of the numbers' own rounding, magnified by the equations
+      const double allowed = 1e-9 + 1e-12 * shift;  // rounding of the numbers, magnified by the equations
       for (std::size_t i = 0; i < plain.points.size(); ++i)
         QVERIFY(((other.points[i] - Vec3::Constant(shift)) / scale - turn * plain.points[i]).norm() < allowed);
     }

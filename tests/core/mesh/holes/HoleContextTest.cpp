@@ -65,14 +65,15 @@ void HoleContextTest::aroundAHoleInASphere() {
     // The ring's faces are those of three rings, with the same corners in the same turn.
     std::multiset<std::array<test::Coordinates, 3>> is, wanted;
     for (const Triangle& t : hole.ring)
-      is.insert({test::place(hole.points[t[0]]), test::place(hole.points[t[1]]), test::place(hole.points[t[2]])});
+      is.insert({test::coordinates(hole.points[t[0]]), test::coordinates(hole.points[t[1]]),
+                 test::coordinates(hole.points[t[2]])});
     for (Face f : threeRings(mesh, loop)) {
       const TrianglePoints p = mesh.points(f);
-      wanted.insert({test::place(p[0]), test::place(p[1]), test::place(p[2])});
+      wanted.insert({test::coordinates(p[0]), test::coordinates(p[1]), test::coordinates(p[2])});
     }
     QVERIFY(is == wanted);
     std::set<test::Coordinates> different;
-    for (const Vec3& p : hole.points) different.insert(test::place(p));
+    for (const Vec3& p : hole.points) different.insert(test::coordinates(p));
     QCOMPARE(different.size(), hole.points.size());
   }
 }

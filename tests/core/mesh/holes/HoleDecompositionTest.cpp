@@ -46,7 +46,7 @@ TriangleSoup sheetAround(std::uint32_t n, double width, Point outline) {
   });
 }
 
-// Whether the point is in the polygon (crossing number).
+// Returns true if the point is in the polygon (crossing number).
 bool isInside(const std::vector<Vec3>& polygon, const Vec3& p) {
   bool inside = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -198,7 +198,7 @@ void HoleDecompositionTest::noBridgeAlongAnEdge() {
       3, 2, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(2.0 * i, j, i == 1 ? 2.0 : 0.0); }));
   QCOMPARE(c.hole.loopSize, std::size_t{6});
   const auto known = c.obstacles.edgesAmong(c.hole.loop());
-  QCOMPARE(known.size(), std::size_t{9});  // of the outline, and three inside
+  QCOMPARE(known.size(), std::size_t{9});  // edges of the outline, and three inside
   const std::vector<HoleBridge> bridges = proposeHoleBridges(c.hole, c.obstacles, 4);
   QVERIFY(!bridges.empty());
   for (const HoleBridge& s : bridges) {

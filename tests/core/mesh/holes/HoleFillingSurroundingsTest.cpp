@@ -32,7 +32,7 @@ TriangleSoup needleOn(const Vec3& tip, double height) {
 
 }  // namespace
 
-// What a patch must keep clear of, and how it joins what is there.
+// Tests the obstacles that a patch must avoid, and its joints with the surroundings.
 class HoleFillingSurroundingsTest : public QObject {
   Q_OBJECT
 
@@ -66,7 +66,7 @@ void HoleFillingSurroundingsTest::poleThroughTheHole() {
   }
 }
 
-// Where the fair patch would pass hangs a little solid; a flat lid goes below it.
+// A small solid obstructs the fair patch; a flat lid fits below it.
 void HoleFillingSurroundingsTest::obstacleBeforeTheBulge() {
   TriangleSoup soup = test::sphereWithoutCap(3);
   test::append(soup, test::cube(0.1, Vec3(-0.05, -0.05, 0.95)));
@@ -134,9 +134,9 @@ void HoleFillingSurroundingsTest::touchesNoVertex() {
     const HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), {});
     QVERIFY(attempt.failure == FillFailure::None);
-    const std::set<test::Coordinates> taken = test::places(soup);
+    const std::set<test::Coordinates> taken = test::allCoordinates(soup);
     for (std::size_t k = attempt.patch.loopSize; k < attempt.patch.points.size(); ++k)
-      QVERIFY2(!taken.contains(test::place(attempt.patch.points[k])), "a new vertex lies on one of the part");
+      QVERIFY2(!taken.contains(test::coordinates(attempt.patch.points[k])), "a new vertex lies on one of the part");
   }
 }
 

@@ -89,12 +89,12 @@ class HoleFillingTest : public QObject {
   void usesTheDiagonalThatIsFree();
   void fairContinuesTheSphere();
   void fairFillsLargeHoles();
-  void whatTakesItsPlaceBendsLeast_data();
-  void whatTakesItsPlaceBendsLeast();
+  void theSubstituteBendsLeast_data();
+  void theSubstituteBendsLeast();
   void flatLids();
   void refinedKeepsToTheOpening();
-  void anySizeAndPlace_data();
-  void anySizeAndPlace();
+  void anySizeAndPosition_data();
+  void anySizeAndPosition();
   void largeRing();
   void largeHoleInDenseSphere();
   void tooShortAndCancelled();
@@ -215,15 +215,15 @@ void HoleFillingTest::fairContinuesTheSphere() {
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), filler.mesh().position(v)));
 }
 
-void HoleFillingTest::whatTakesItsPlaceBendsLeast_data() {
+void HoleFillingTest::theSubstituteBendsLeast_data() {
   QTest::addColumn<int>("levels");
   QTest::newRow("few edges") << 4;
   QTest::newRow("many edges") << 6;
 }
 
-// A block just above the opening is in the way of every cap that continues the sphere. What is taken instead bends no
-// more than what any other method makes by itself.
-void HoleFillingTest::whatTakesItsPlaceBendsLeast() {
+// A block just above the opening obstructs every cap that continues the sphere. The substitute bends no more than the
+// patch of any other method by itself.
+void HoleFillingTest::theSubstituteBendsLeast() {
   QFETCH(int, levels);
   TriangleSoup soup = test::sphereWithoutCap(levels);
   const BoundaryLoop open = findBoundaryLoops(buildMesh(soup).mesh).at(0);
@@ -302,7 +302,7 @@ void HoleFillingTest::refinedKeepsToTheOpening() {
   }
 }
 
-void HoleFillingTest::anySizeAndPlace_data() {
+void HoleFillingTest::anySizeAndPosition_data() {
   QTest::addColumn<double>("scale");
   QTest::addColumn<double>("shift");
   QTest::newRow("as it is") << 1.0 << 0.0;
@@ -312,7 +312,7 @@ void HoleFillingTest::anySizeAndPlace_data() {
   QTest::newRow("tiny and off") << 1e-6 << 1.0;
 }
 
-void HoleFillingTest::anySizeAndPlace() {
+void HoleFillingTest::anySizeAndPosition() {
   QFETCH(double, scale);
   QFETCH(double, shift);
   const Vec3 centre = shift * Vec3(1, -1, 1);

@@ -20,7 +20,7 @@ HalfEdgeMesh balls(double gap) {
   const TriangleSoup lower = test::sphereWithoutCap(4, 0.9);
   TriangleSoup upper = test::turnedOver(lower);
   double mouth = -1.0;
-  for (const test::Coordinates& p : test::places(lower)) mouth = std::max(mouth, p[2]);
+  for (const test::Coordinates& p : test::allCoordinates(lower)) mouth = std::max(mouth, p[2]);
   for (Vec3& p : upper.points) p.z() = 2.0 * mouth + gap - p.z();
   TriangleSoup both = lower;
   test::append(both, upper);
@@ -67,7 +67,7 @@ void HoleSequenceTest::oneInTheWayOfTheOther() {
   QCOMPARE(validate(mesh), std::string());
 }
 
-// A needle along the hole that is in the way changes the reason, not that it is tried again.
+// A needle along the obstructing hole changes the reason, but the hole is tried again all the same.
 void HoleSequenceTest::oneWithANeedleInTheWayOfTheOther() {
   HalfEdgeMesh mesh = balls(0.02);
   const HalfEdge h = findBoundaryLoops(mesh)[1].halfEdges[0];

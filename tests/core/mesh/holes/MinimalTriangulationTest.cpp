@@ -91,9 +91,9 @@ class MinimalTriangulationTest : public QObject {
   void areaIsTheLeastOfAll();
   void bendIsTheLeastOfQuadrilaterals();
   void bendsLessThanLeastAreaDoes();
-  void keepsTheWayUp();
+  void keepsTheOrientation();
   void flatHolesGetGoodTriangles();
-  void anySizeAndPlace();
+  void anySizeAndPosition();
   void leavesOutTakenEdges();
   void leavesOutFlatTriangles();
   void refusesTheEndless();
@@ -115,7 +115,7 @@ void MinimalTriangulationTest::areaIsTheLeastOfAll() {
   }));
 }
 
-// Of four points there are two triangulations, so there the programme is exact.
+// Four points have two triangulations, so dynamic programming is exact for them.
 void MinimalTriangulationTest::bendIsTheLeastOfQuadrilaterals() {
   QVERIFY(rc::check("least bend", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -146,7 +146,7 @@ void MinimalTriangulationTest::bendsLessThanLeastAreaDoes() {
 }
 
 // The patch runs against the loop, as its only border.
-void MinimalTriangulationTest::keepsTheWayUp() {
+void MinimalTriangulationTest::keepsTheOrientation() {
   const TriangleSoup part = test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5);
   for (Criterion criterion : {Criterion::Area, Criterion::Dihedral}) {
     const auto patch = triangulateOptimal(contextOf(part), criterion);
@@ -173,7 +173,7 @@ void MinimalTriangulationTest::flatHolesGetGoodTriangles() {
   }
 }
 
-void MinimalTriangulationTest::anySizeAndPlace() {
+void MinimalTriangulationTest::anySizeAndPosition() {
   const TriangleSoup part = test::withHole(test::bumpySphere(3), Vec3::UnitZ(), 0.5);
   for (Criterion criterion : {Criterion::Area, Criterion::Dihedral}) {
     const HoleContext plain = contextOf(part);

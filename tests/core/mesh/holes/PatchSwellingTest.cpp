@@ -74,7 +74,8 @@ double heightOf(const Patch& patch) {
   return height;
 }
 
-// Of the patch over a hat that continues the curvature, or, where that swells too far, the tangents: that is far lower.
+// Returns the height of the patch over a hat that continues the curvature or, if that bulges too far, the tangents,
+// which is far lower.
 double heightOver(const TriangleSoup& soup) {
   const FillAttempt attempt = faired(soup, Continuity::Curvature);
   return attempt.failure == FillFailure::None ? heightOf(attempt.patch) : -1.0;
@@ -92,7 +93,7 @@ double leanFor(double height, double high, double low) {
 
 }  // namespace
 
-// How far a patch may leave the model: a case just below and one just above.
+// Tests the largest distance of a patch from the model: a case just below and one just above.
 class PatchSwellingTest : public QObject {
   Q_OBJECT
 
@@ -130,8 +131,8 @@ void PatchSwellingTest::capSlack() {
   QVERIFY(above > 0.0 && above < 0.7 * limit);
 }
 
-// Of the diagonal of the loop's box, 2 √2, however large the model is. What is higher cannot be measured: the lean for
-// it goes on evenly from those below.
+// The limit is a share of the diagonal of the loop's box, 2 √2, regardless of the model's size. Greater heights cannot
+// be measured: their lean is extrapolated from lower ones.
 void PatchSwellingTest::patchSwelling() {
   const double limit = tolerance::kPatchSwelling * 2.0 * M_SQRT2;
   const auto leanOf = [&](double share) { return leanFor(share * limit, -M_PI / 8.0, M_PI / 8.0); };

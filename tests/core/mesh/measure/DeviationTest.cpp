@@ -123,8 +123,8 @@ void DeviationTest::concentricSpheres() {
     QVERIFY(value <= -least + 1e-12 && value >= -most - 1e-12);
   QVERIFY(std::abs(d.ofMesh.area - 1.21 * d.ofScan.area) < 1e-9);
   QCOMPARE(d.hausdorff(), std::max(d.ofMesh.highest.distance, -d.ofScan.lowest.distance));
-  const DeviationPlace& place = d.ofMesh.farthest();
-  QVERIFY(std::abs((place.place - place.nearest).norm() - place.distance) < 1e-15);
+  const DeviationExtremum& farthest = d.ofMesh.farthest();
+  QVERIFY(std::abs((farthest.position - farthest.nearest).norm() - farthest.distance) < 1e-15);
 }
 
 void DeviationTest::shiftedPlanes() {
@@ -151,7 +151,7 @@ void DeviationTest::tiltedPlane() {
     QVERIFY(std::abs(d.percentiles[i] - 0.002 * kDeviationPercentiles[i]) < 5e-4);
   for (double share : d.histogram) QVERIFY(std::abs(share - 0.1) < 2e-3);
   QVERIFY(std::abs(d.lowest.distance) < 1e-12 && std::abs(d.highest.distance - 0.2) < 1e-12);
-  QVERIFY(std::abs(d.highest.place.x() - 5.0) < 1e-12);
+  QVERIFY(std::abs(d.highest.position.x() - 5.0) < 1e-12);
 }
 
 // Nine tenths of the points crowd in the lowest tenth of the ramp.
@@ -174,7 +174,7 @@ void DeviationTest::againstAllTriangles() {
     const auto steps = *rc::gen::inRange<std::uint32_t>(2, 30);
     const TriangleSoup a = test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 30), steps);
     const TriangleSoup b = test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 60), steps);
-    TriangleSoup solid = b;  // what has an area, or everything where nothing has
+    TriangleSoup solid = b;  // the triangles with an area, or all if none has one
     std::erase_if(solid.triangles, [&](const Triangle& t) {
       return isDegenerate({b.points[t[0]], b.points[t[1]], b.points[t[2]]});
     });
@@ -246,7 +246,7 @@ void DeviationTest::facesWithoutArea() {
   QVERIFY(d.hausdorff() < 1e-12);
   QVERIFY(std::isnan(d.ofMesh.atVertex[deviationMeshOf(needles).triangle(14)[2]]) ||
           d.ofMesh.vertices < needles.points.size());
-  // Where there is nothing else they are what is measured: a segment and a point.
+  // Degenerate triangles are measured if there are no others: a segment and a point.
   const TriangleSoup segment{{Vec3(0, 0, 0), Vec3(4, 0, 0)}, {{0, 1, 1}}}, point{{Vec3(1, 2, 0)}, {{0, 0, 0}}};
   const Deviation flat = measured(segment, point);
   QCOMPARE(flat.ofMesh.samples, std::size_t{0});
@@ -259,7 +259,7 @@ void DeviationTest::farFromTheOrigin() {
   const Vec3 far(3e7, -2e7, 1e7);
   const TriangleSoup a = test::bumpySphere(3), b = test::icosphere(3);
   const Deviation near = measured(a, b), away = measured(test::moved(a, far), test::moved(b, far));
-  constexpr double kRounding = 1e-7;  // some units in the last place of 3e7
+  constexpr double kRounding = 1e-7;  // some ulps of 3e7
   QVERIFY(std::abs(near.ofMesh.mean - away.ofMesh.mean) < kRounding);
   QVERIFY(std::abs(near.ofMesh.rms - away.ofMesh.rms) < kRounding);
   QVERIFY(std::abs(near.hausdorff() - away.hausdorff()) < kRounding);
@@ -291,7 +291,7 @@ void DeviationTest::theSameEveryTime() {
   QCOMPARE(first.ofMesh.rms, second.ofMesh.rms);
   QCOMPARE(first.ofMesh.atVertex, second.ofMesh.atVertex);
   QCOMPARE(first.ofScan.percentiles, second.ofScan.percentiles);
-  QVERIFY(first.ofMesh.highest.place == second.ofMesh.highest.place);
+  QVERIFY(first.ofMesh.highest.position == second.ofMesh.highest.position);
 }
 
 HANDWHEEL_TEST(DeviationTest)

@@ -146,7 +146,7 @@ void SectionTest::overlapsCountOnce() {
   QVERIFY(isWithin(cut(touching, Vec3::UnitZ(), 1.0).area, 8.0));
 }
 
-// Of boxes with whole corners, the squares of the grid that any of them covers; across each axis.
+// Compares sections of boxes with integer corners with the covered squares of the grid, across each axis.
 void SectionTest::overlapsOfRandomBoxes() {
   QVERIFY(rc::check("as many squares as are covered", [] {
     const int axis = *rc::gen::inRange(0, 3), a = (axis + 1) % 3, b = (axis + 2) % 3;

@@ -52,11 +52,11 @@ std::optional<WallThickness> at(const FaceHierarchy& faces, const Vec3& origin, 
 
 void WallThicknessTest::slab() {
   const FaceHierarchy faces = facesOf(box({100, 80, 3}));
-  for (const Vec3& place : {Vec3(50, 40, 10), Vec3(20, 70, 10), Vec3(90.5, 11.25, 10)}) {
-    const auto t = at(faces, place, -Vec3::UnitZ());
+  for (const Vec3& point : {Vec3(50, 40, 10), Vec3(20, 70, 10), Vec3(90.5, 11.25, 10)}) {
+    const auto t = at(faces, point, -Vec3::UnitZ());
     QVERIFY(t && std::abs(t->alongNormal - 3.0) < 1e-9 && std::abs(t->ballDiameter - 3.0) < 0.03);
-    QVERIFY((t->opposite - Vec3(place.x(), place.y(), 0.0)).norm() < 1e-9);
-    QVERIFY((t->ballCentre - Vec3(place.x(), place.y(), 1.5)).norm() < 0.03);
+    QVERIFY((t->opposite - Vec3(point.x(), point.y(), 0.0)).norm() < 1e-9);
+    QVERIFY((t->ballCentre - Vec3(point.x(), point.y(), 1.5)).norm() < 0.03);
   }
 }
 
@@ -114,7 +114,7 @@ void WallThicknessTest::wedge() {
   }));
 }
 
-// Where one body begins inside another the way goes on to the far wall of both.
+// If one body starts inside another, the thickness extends to the far wall of both.
 void WallThicknessTest::overlappingBodies() {
   TriangleSoup two = test::cube(4.0);
   test::append(two, test::cube(4.0, Vec3(0.5, 0.5, 2.0)));
@@ -138,7 +138,7 @@ void WallThicknessTest::ballFitsInside() {
       QVERIFY(t->ballDiameter > 0.0 && t->ballDiameter <= t->alongNormal);
       const double radius = 0.5 * t->ballDiameter;
       QVERIFY(std::abs((t->ballCentre - hit->point).norm() - radius) < 1e-9);
-      // Seen from the smooth normal, the faces around the point stand in the ball's way by their tilt.
+      // Relative to the smooth normal, the faces around the point obstruct the ball by their tilt.
       const TrianglePoints corners = faces.mesh().points(hit->face);
       const Vec3 flat = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
       const double tilt = std::acos(std::min(1.0, flat.dot(smoothNormal(faces.mesh(), hit->face, hit->point))));

@@ -58,7 +58,8 @@ bool comesBackAlike(const HalfEdgeMesh& mesh) {
          test::sameMesh(mesh, after);
 }
 
-// What OpenMesh cannot hold, by counting: an edge is two half-edges that are opposite, or an open one.
+// Returns true if OpenMesh cannot represent a mesh, by counting: an edge consists of two opposite half-edges, or an
+// open one.
 bool isRefusable(const HalfEdgeMesh& mesh) {
   std::map<std::pair<Vertex, Vertex>, int> edges;
   std::map<std::set<Vertex>, std::set<Face>> facesAt;

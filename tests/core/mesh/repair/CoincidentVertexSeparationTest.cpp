@@ -30,7 +30,7 @@ std::size_t intersections(const TriangleSoup& s) {
 }
 
 // The distance between neighbouring numbers at the largest coordinate.
-double lastPlace(const Vec3& p, NumberType numbers) {
+double ulp(const Vec3& p, NumberType numbers) {
   const double x = p.cwiseAbs().maxCoeff();
   return numbers == NumberType::Float32 ? double(std::nextafter(float(x), INFINITY)) - double(float(x))
                                         : std::nextafter(x, INFINITY) - x;
@@ -71,7 +71,7 @@ void CoincidentVertexSeparationTest::cubesSharingAnEdge() {
       for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {
         const double distance = (mesh.position(v) - before.position(v)).norm();
         if (!movedSet.contains(v)) QVERIFY(test::sameBits(mesh.position(v), before.position(v)));
-        QVERIFY2(distance <= 8 * lastPlace(before.position(v), numbers), qPrintable(QString::number(distance)));
+        QVERIFY2(distance <= 8 * ulp(before.position(v), numbers), qPrintable(QString::number(distance)));
       }
     }
   }
@@ -164,7 +164,7 @@ void CoincidentVertexSeparationTest::keptBoundariesStay() {
   }
 }
 
-// Of two cubes that touch in a vertex the new one moves, whichever has the larger fan there, and the one that was there
+// If two cubes touch in a vertex, the vertex of the new one moves, regardless of the fan sizes, and the existing one
 // stays.
 void CoincidentVertexSeparationTest::newOnesMoveRather() {
   const TriangleSoup low = test::cube(), high = test::cube(1.0, {1, 1, 1});
@@ -181,7 +181,7 @@ void CoincidentVertexSeparationTest::newOnesMoveRather() {
   }
 }
 
-// Whatever is allowed: no more is done beyond it than one face needs, and the passes over the mesh that end there.
+// For any limit, the excess is at most the work for one face and the passes over the mesh that end there.
 void CoincidentVertexSeparationTest::largeFansStopSoon() {
   const HalfEdgeMesh before = buildMesh(test::twoConesSharingAnEdge(1'000)).mesh;
   const std::size_t passes = 2 * before.faceSlots();

@@ -47,10 +47,10 @@ void FarthestRemovedVertexTest::howFarItStoodOut() {
       const HalfEdgeMesh after = buildMesh(test::moved(test::cube(), shift, scale)).mesh;
       const double digits = 1e-9 * (shift.norm() + scale);
       const auto removed = farthestRemovedVertex(before, after);
-      if (scale < digits) continue;  // lost by the place itself
+      if (scale < digits) continue;  // lost by the rounding of the coordinates
       QVERIFY(removed.has_value());
       QVERIFY(std::abs(removed->distance - 0.7 * scale) <= digits);
-      QVERIFY(std::abs(removed->place.z() - (shift.z() + 1.7 * scale)) <= digits);
+      QVERIFY(std::abs(removed->position.z() - (shift.z() + 1.7 * scale)) <= digits);
       QVERIFY(!farthestRemovedVertex(after, after));
     }
   }
@@ -92,7 +92,7 @@ void FarthestRemovedVertexTest::neitherDebrisNorWhatAUnionHides() {
   QCOMPARE(clean.removedDebris, std::size_t{1});
   QVERIFY(!clean.removed);
 
-  // What two solids have in common lies inside of their union.
+  // The common part of two solids is inside their union.
   TriangleSoup two = test::cube();
   test::append(two, test::moved(test::cube(), {0.5, 0.4, 0.3}));
   HalfEdgeMesh both = buildMesh(two).mesh;

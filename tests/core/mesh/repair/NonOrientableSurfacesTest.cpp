@@ -21,9 +21,9 @@ class NonOrientableSurfacesTest : public QObject {
 
  private slots:
   void edgesThatDisagree();
-  void shortestWays();
-  void waysAreMirrors_data() { nonOrientable(); }
-  void waysAreMirrors();
+  void shortestCycles();
+  void cyclesAreMirrors_data() { nonOrientable(); }
+  void cyclesAreMirrors();
   void cuts_data() { nonOrientable(); }
   void cuts();
   void twoSidesStay();
@@ -89,8 +89,8 @@ void NonOrientableSurfacesTest::edgesThatDisagree() {
   QVERIFY(nonOrientableEdges(edges, turned.triangles).empty());
 }
 
-// The way of the cross cap has three edges of known length. A strip is cut across: one edge where it has one cell.
-void NonOrientableSurfacesTest::shortestWays() {
+// The cycle of the cross cap has three edges of known length. A strip is cut across: one edge if it has one cell.
+void NonOrientableSurfacesTest::shortestCycles() {
   const TriangleSoup cap = test::sphereWithCrossCap(2);
   const std::size_t n = cap.points.size();
   double around = 0.0;
@@ -111,7 +111,7 @@ void NonOrientableSurfacesTest::shortestWays() {
 }
 
 // Each is closed, or ends at borders; what lies along it and the border, alone, has one side only.
-void NonOrientableSurfacesTest::waysAreMirrors() {
+void NonOrientableSurfacesTest::cyclesAreMirrors() {
   QFETCH(TriangleSoup, soup);
   const Welded welded(soup);
   const auto loop = welded.shortest();
@@ -184,11 +184,11 @@ void NonOrientableSurfacesTest::closesACrossCap() {
       QVERIFY(test::countEdges(mesh).sound());
       QCOMPARE(test::eulerCharacteristic(mesh.compact().soup) % 2, 0L);
       QVERIFY(crossings(mesh) <= crossings(before));
-      const std::set<test::Coordinates> now = test::places(mesh.compact().soup);
+      const std::set<test::Coordinates> now = test::allCoordinates(mesh.compact().soup);
       for (std::size_t i = 0; i + 3 < soup.points.size(); ++i) {
         bool isUsed = false;
         for (const Triangle& t : soup.triangles) isUsed = isUsed || std::find(t.begin(), t.end(), i) != t.end();
-        QVERIFY(!isUsed || now.contains(test::place(soup.points[i])));
+        QVERIFY(!isUsed || now.contains(test::coordinates(soup.points[i])));
       }
     }
   }

@@ -162,7 +162,7 @@ void ObstructedHolesTest::oneTangleLeavesEffortForOthers() {
   }
 }
 
-// Whatever is tried with a sheet that cannot be thickened, a hole is closed and a flat sheet thickened.
+// Attempts with a sheet that cannot be thickened do not prevent closing a hole and thickening a flat sheet.
 void ObstructedHolesTest::oneSheetLeavesEffortForOthers() {
   TriangleSoup s = crumpledSheet();
   test::append(s, test::moved(ballWithRod(), {5, 0, 0}));

@@ -126,7 +126,7 @@ void OutcomeCountsTest::aRepairThatSplits() {
   options.maxEdges = 10;
   const RepairReport report = repair(mesh, options);
   QCOMPARE(validate(mesh), std::string());
-  QCOMPARE(loopsOf(mesh), std::size_t{2});  // of 12 edges each
+  QCOMPARE(loopsOf(mesh), std::size_t{2});  // with 12 edges each
   QCOMPARE(
       countOutcomes(report),
       (LoopCounts{.holes = {.all = 2, .closed = 1, .kept = 1}, .sheetBoundaries = {}, .newOpenings = 0, .pieces = {}}));

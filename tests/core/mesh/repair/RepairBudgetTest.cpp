@@ -18,7 +18,7 @@ using namespace handwheel;
 
 namespace {
 
-// What a repair must be, whatever it could do.
+// Returns the first violation of a condition that every repair must meet; empty: none.
 std::string wrong(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const RepairReport& report) {
   if (!validate(after).empty()) return "the mesh is not valid";
   const std::size_t most = 2 * repairBudget(before.liveFaceCount());
@@ -94,13 +94,13 @@ void RepairBudgetTest::bothBounds() {
   QCOMPARE(repairBudget(248), std::size_t{2'000'000});
   QVERIFY(repairBudget(249) > 2'000'000 && repairBudget(249) < 2'002'000);
   QCOMPARE(repairBudget(1022), std::size_t{10'240'000});  // 1024 · 10 thousand
-  // Of one kind of work half of that, or what is fixed and forty steps a face.
+  // One kind of work gets half of that, or a fixed number and forty steps per face.
   QCOMPARE(repairBudget(1022, 0.5, 10'000'000), std::size_t{5'120'000});
   QCOMPARE(repairBudget(1022, 0.5, 1'000), std::size_t{1'000 + 40 * 1022});
 }
 
-// What is done for a mesh, and for the same one twice as fine: a sheet then has four times the triangles, all else
-// being O(n log n). Of a fan with twice the triangles each meets each other, so that there are four times the pairs.
+// Compares the work for a mesh and for one twice as fine: a sheet then has four times the triangles, and the rest is
+// O(n log n). In a fan with twice the triangles all pairs meet, so there are four times as many.
 void RepairBudgetTest::growsWithTheMesh() {
   QFETCH(bool, isFan);
   QFETCH(std::uint32_t, size);

@@ -14,13 +14,13 @@ inline std::size_t intersections(const HalfEdgeMesh& mesh) {
   return findSelfIntersections(mesh).value().size();
 }
 
-// Input vertices whose position changed, or that no face uses any more though one did.
+// Returns the input vertices whose position changed, or that faces no longer use.
 inline std::set<Vertex> reallyTouched(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
-  const std::set<Coordinates> left = places(after.compact().soup);
+  const std::set<Coordinates> left = allCoordinates(after.compact().soup);
   std::set<Vertex> touched;
   for (Face f = 0; f < before.faceSlots(); ++f)
     for (Vertex v : before.triangle(f))
-      if (!sameBits(before.position(v), after.position(v)) || !left.contains(place(before.position(v))))
+      if (!sameBits(before.position(v), after.position(v)) || !left.contains(coordinates(before.position(v))))
         touched.insert(v);
   return touched;
 }
@@ -30,7 +30,7 @@ inline std::size_t count(const RepairReport& report, LoopOutcome outcome) {
                        [&](const LoopResult& loop) { return loop.outcome == outcome; });
 }
 
-// What every report must say, whatever the mesh.
+// Returns the first inconsistency of a report; empty: none. Holds for every mesh.
 inline std::string inconsistent(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const RepairReport& report) {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(before);
   std::vector<int> seen(loops.size(), 0);

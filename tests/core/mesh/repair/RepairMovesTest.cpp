@@ -9,7 +9,7 @@
 
 using namespace handwheel;
 
-// What a repair moves, and what it says of it.
+// Tests the vertices that a repair moves, and its report of them.
 class RepairMovesTest : public QObject {
   Q_OBJECT
 

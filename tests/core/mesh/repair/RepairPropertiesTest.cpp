@@ -20,8 +20,8 @@ namespace {
 TriangleSoup cutAtRandom(TriangleSoup soup, std::mt19937& random) {
   const auto unit = [&] { return random() / 4294967296.0; };
   if (random() % 2) {
-    const double roughness =
-        0.03 * unit();  // along the ray from the middle, which crosses spheres once: no new crossings
+    // Along the ray from the middle, which crosses spheres once: no new crossings.
+    const double roughness = 0.03 * unit();
     for (Vec3& p : soup.points) p *= 1.0 + roughness * unit();
   }
   for (std::size_t holes = 1 + random() % 5; holes > 0; --holes) {
@@ -49,7 +49,7 @@ TriangleSoup holedBall(std::mt19937& random) {
   return soup;
 }
 
-// Of so many runs of a property, at least a share must have come to what its construction allows.
+// The least share of runs of a property that must reach the expected result.
 struct Share {
   int runs = 0, good = 0;
   void add(bool isGood) {
@@ -73,8 +73,8 @@ TriangleSoup damagedBlocks(std::mt19937& random, std::size_t blocks) {
   return soup;
 }
 
-// What a repair reports of which another one would do more: a search that took too long, and a sheet whose outline was
-// kept open and that looks like a part with a hole now.
+// Returns true if a repair reports that another one could do more: a search that took too long, or a sheet whose
+// outline was kept open and that now looks like a part with a hole.
 bool reportsMoreToDo(const RepairReport& report) {
   const auto isMore = [](const auto& loop) {
     return loop.reason == FillFailure::TooMuchEffort || loop.reason == FillFailure::WasSheetBoundary;
@@ -86,7 +86,7 @@ bool reportsMoreToDo(const RepairReport& report) {
 
 }  // namespace
 
-// What holds of every repair, tried on shapes damaged at random.
+// Tests properties of every repair on randomly damaged shapes.
 class RepairPropertiesTest : public QObject {
   Q_OBJECT
 
@@ -181,7 +181,7 @@ void RepairPropertiesTest::randomHoles() {
 // later round did, moves the sheet across the patch.
 void RepairPropertiesTest::shortEdgeOfAKeptSheet() {
   std::mt19937 random(101639);
-  QCOMPARE(random() % 3, 2u);  // of randomHoles(), the shape
+  QCOMPARE(random() % 3, 2u);  // the shape in randomHoles()
   HalfEdgeMesh mesh = buildMesh(cutAtRandom(test::bumpySphere(3), random)).mesh;
   QCOMPARE(test::intersections(mesh), std::size_t{0});
   RepairOptions options;
@@ -236,7 +236,7 @@ void RepairPropertiesTest::anySoup() {
   }));
 }
 
-// What was repaired is read again as if from a file.
+// The repaired mesh is read again as if from a file.
 void RepairPropertiesTest::againChangesNothing() {
   const std::vector<TriangleSoup> shapes = {test::icosphere(3), test::torus(32, 16), test::bumpySphere(3)};
   Share judged;

@@ -455,7 +455,7 @@ void RepairTest::aTangleLeavesEffortForTheRest() {
 }
 
 void RepairTest::saysWhatWasCutShort() {
-  TriangleSoup wedges;  // that lie in each other, around one edge
+  TriangleSoup wedges;  // overlapping wedges around one edge
   for (int i = 0; i < 60; ++i) {
     const double u = 2 * M_PI * i / 60, v = 2 * M_PI * (i + 15.5) / 60;
     TriangleSoup wedge = test::tetrahedron();

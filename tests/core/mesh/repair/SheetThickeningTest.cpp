@@ -157,8 +157,8 @@ void SheetThickeningTest::annulus() {
   QVERIFY(isNearlyThatShare(test::area(mesh.compact().soup), 2.0 * ring + edges * t));
 }
 
-// Of flat sides, which all go back by the thickness: the tube lies between two regular prisms. Its normals point
-// outwards, so the body grows inwards; turned over, outwards.
+// All flat sides move back by the thickness: the body lies between two regular prisms. The normals of the tube point
+// outwards, so the body grows inwards; reversed, outwards.
 void SheetThickeningTest::tube() {
   for (const std::uint32_t n : {6u, 12u}) {
     const double inner = std::cos(M_PI / n), t = 0.2, height = 2.0;
@@ -220,8 +220,8 @@ void SheetThickeningTest::wavySheet() {
   QVERIFY(isNearlyThatShare(volume(mesh), test::area(soup) * t, 0.05));
 }
 
-// Behind the tip of a needle the way down its axis is nearly along its faces: the body is thinner there by the sine of
-// their slope.
+// Behind the tip of a needle its axis is nearly parallel to its faces: the body is thinner there by the sine of their
+// slope.
 void SheetThickeningTest::tipOfANeedle() {
   const int sides = 8;
   const double height = 10.0, radius = 0.5, t = 0.01;

@@ -35,20 +35,20 @@ Box ballBox(double from) {
   return {Vec3(from, -2, -2), Vec3(2, 2, 2)};
 }
 
-// Of the live faces, each by its corners in order of position.
+// Returns the live faces, each by its corners in order of position.
 std::multiset<std::array<test::Coordinates, 3>> shapes(const HalfEdgeMesh& mesh) {
   std::multiset<std::array<test::Coordinates, 3>> result;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     const auto [p, q, r] = mesh.points(f);
-    std::array<test::Coordinates, 3> corners = {test::place(p), test::place(q), test::place(r)};
+    std::array<test::Coordinates, 3> corners = {test::coordinates(p), test::coordinates(q), test::coordinates(r)};
     std::sort(corners.begin(), corners.end());
     result.insert(corners);
   }
   return result;
 }
 
-// What the whole must hold after a part of it was put back.
+// Returns the expected faces of the whole mesh after a part was written back.
 std::multiset<std::array<test::Coordinates, 3>> expected(const HalfEdgeMesh& before, const Submesh& part,
                                                          const HalfEdgeMesh& changed) {
   auto result = shapes(before);
@@ -129,7 +129,7 @@ void SubmeshTest::changesCountAsInTheWhole() {
   QVERIFY(held);
 }
 
-// Where two fans meet in a point, pairing anew may give each the vertex of the other; then one is moved.
+// If two fans meet in a point, relinking may give each the vertex of the other; then one is moved.
 void SubmeshTest::fansThatExchangeVertices() {
   const HalfEdgeMesh before = buildMesh(test::twoCubesSharingAVertex()).mesh;
   const Submesh part(before, ballBox(-2.0));

@@ -28,7 +28,7 @@ TriangleSoup coneOver(const std::vector<Corner>& polygon) {
   return soup;
 }
 
-// The same, with another line of points around the apex, at this share of the way to the polygon.
+// Returns the same with another ring of points around the apex, at this share of the distance to the polygon.
 TriangleSoup coneWithRing(const std::vector<Corner>& polygon, double ring) {
   TriangleSoup soup = coneOver(polygon);
   const auto n = static_cast<std::uint32_t>(polygon.size());
@@ -62,7 +62,7 @@ double leastMargin(const std::vector<Vec3>& normals, const Vec3& direction) {
   return least;
 }
 
-// Of all directions that are alike far behind one, two or three of the planes.
+// Returns the largest margin of the directions that are equally far behind one, two or three of the planes.
 double largestMargin(const std::vector<Vec3>& normals) {
   std::vector<Vec3> candidates;
   for (const Vec3& a : normals) {

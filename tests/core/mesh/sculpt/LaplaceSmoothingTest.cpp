@@ -17,7 +17,7 @@ class LaplaceSmoothingTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void halfWayToTheNeighbours();
+  void halfwayToTheNeighbours();
   void linearStays_data();
   void linearStays();
   void spheresShrink();
@@ -37,8 +37,8 @@ HalfEdgeMesh flatGrid(std::uint32_t n) {
 
 }  // namespace
 
-// The damped Jacobi step of the umbrella operator: p + (mean - p) / 2, from the old places only.
-void LaplaceSmoothingTest::halfWayToTheNeighbours() {
+// The damped Jacobi step of the umbrella operator: p + (mean - p) / 2, from the old positions only.
+void LaplaceSmoothingTest::halfwayToTheNeighbours() {
   const HalfEdgeMesh before = builtMesh(test::bumpySphere(3));
   HalfEdgeMesh mesh = before;
   const auto done = smoothByLaplace(mesh, FaceSelection::all(mesh), {.passes = 1});

@@ -17,8 +17,7 @@ using namespace handwheel;
 using test::built;
 using test::fan;
 
-// What subdividing makes of a surface as a whole: round, even, of the wanted density, in every size; and what it
-// refuses.
+// Tests subdivided surfaces as a whole: round, even, of the wanted density, in every size; and refusals.
 class LoopSubdivisionQualityTest : public QObject {
   Q_OBJECT
 
@@ -27,8 +26,8 @@ class LoopSubdivisionQualityTest : public QObject {
   void outlineAspectDoubles();
   void densityOfTheSurroundings();
   void refusals();
-  void inEverySizeAndPlace_data();
-  void inEverySizeAndPlace();
+  void inEverySizeAndPosition_data();
+  void inEverySizeAndPosition();
 };
 
 // All faces of a closed surface are split in four; a subdivided cube is all but a sphere in the angles between faces.
@@ -57,7 +56,7 @@ void LoopSubdivisionQualityTest::outlineAspectDoubles() {
   HalfEdgeMesh mesh = built(fan(6));
   FaceSelection patch = FaceSelection::all(mesh);
   double aspect = outlineAspect(mesh, patch);
-  QVERIFY(std::abs(aspect - 2.0 / std::sqrt(3.0)) < 1e-12);  // of an equilateral triangle
+  QVERIFY(std::abs(aspect - 2.0 / std::sqrt(3.0)) < 1e-12);  // aspect of an equilateral triangle
   for (int level = 0; level < 4; ++level) {
     patch = subdivide(mesh, patch).faces;
     const double next = outlineAspect(mesh, patch);
@@ -107,7 +106,7 @@ void LoopSubdivisionQualityTest::refusals() {
   QVERIFY(refuses(far, all, {.numbers = NumberType::Float32}) == SubdivisionFailure::TooFine);
 }
 
-void LoopSubdivisionQualityTest::inEverySizeAndPlace_data() {
+void LoopSubdivisionQualityTest::inEverySizeAndPosition_data() {
   QTest::addColumn<double>("scale");
   QTest::addColumn<double>("shift");
   QTest::newRow("1e-6") << 1e-6 << 0.0;
@@ -115,7 +114,7 @@ void LoopSubdivisionQualityTest::inEverySizeAndPlace_data() {
   QTest::newRow("far away") << 1.0 << 1e7;
 }
 
-void LoopSubdivisionQualityTest::inEverySizeAndPlace() {
+void LoopSubdivisionQualityTest::inEverySizeAndPosition() {
   QFETCH(double, scale);
   QFETCH(double, shift);
   const Vec3 far(shift, -shift, shift);

@@ -36,7 +36,7 @@ class LoopSubdivisionTest : public QObject {
 
 namespace {
 
-// What subdividing must leave alone: faces outside the patch, and vertices one of whose faces is none of it.
+// Returns true if everything outside is unchanged: faces outside the patch, and vertices with such a face.
 bool isSameOutside(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const FaceSelection& patch) {
   for (Face f = 0; f < before.faceSlots(); ++f) {
     if (patch.contains(f) || !before.isLive(f)) continue;

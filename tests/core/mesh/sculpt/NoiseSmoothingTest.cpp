@@ -25,7 +25,7 @@ class NoiseSmoothingTest : public QObject {
   void keepsTheBorder();
   void odd();
   void cancels();
-  void sameInEverySizeAndPlace();
+  void sameInEverySizeAndPosition();
   void ringsAroundABorder();
 };
 
@@ -102,7 +102,8 @@ void NoiseSmoothingTest::cubeKeepsItsEdges() {
   QCOMPARE(validate(mesh), std::string());
   QVERIFY(!anyTurned(rough, mesh));
   const double before = rms(rough, toUnitCube), after = rms(mesh, toUnitCube);
-  // Of the vertices on edges and corners, to where they were before the noise: rounded edges would stand 0.02 inside.
+  // Distance of the vertices on edges and corners from their positions before the noise: rounded edges would be 0.02
+  // inside.
   double inside = 0.0;
   std::size_t n = 0;
   for (Vertex v = 0; v < clean.vertexSlots(); ++v) {
@@ -169,7 +170,7 @@ void NoiseSmoothingTest::cancels() {
   QVERIFY(test::sameMesh(mesh, rough));
 }
 
-void NoiseSmoothingTest::sameInEverySizeAndPlace() {
+void NoiseSmoothingTest::sameInEverySizeAndPosition() {
   const HalfEdgeMesh rough = noisy(buildMesh(test::icosphere(3)).mesh, 0.01);
   HalfEdgeMesh plain = rough;
   smoothNoise(plain, FaceSelection::all(plain));

@@ -66,7 +66,7 @@ HalfEdgeMesh changedAt(HalfEdgeMesh mesh, Change change, Face f) {
   return mesh;
 }
 
-// Whether a face of the patch, or one that shares an edge with it, has another place or other neighbours.
+// Returns true if a face of the patch, or one that shares an edge with it, has moved or has other neighbours.
 bool touches(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const FaceSelection& patch) {
   const auto isPatch = [&](HalfEdge h) { return before.hasOpposite(h) && patch.contains(before.opposite(h) / 3); };
   for (Face f = 0; f < before.faceSlots(); ++f) {
@@ -79,7 +79,7 @@ bool touches(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const FaceSe
   return false;
 }
 
-// Whether a level is the finest one, but for its patch; faces and vertices have one number in both.
+// Returns true if a level equals the finest one outside its patch, with equal numbers of faces and vertices.
 bool isFineOutside(const PatchLevels& levels, std::size_t level) {
   const HalfEdgeMesh& coarse = levels.mesh(level);
   const HalfEdgeMesh& fine = levels.mesh();
@@ -133,7 +133,7 @@ void swell(PatchLevels& levels, std::size_t level, double by) {
   levels.replace(level, std::move(mesh));
 }
 
-// Around a place of a sphere with 1280 faces, so often refined, and moved at each level.
+// Returns levels of a patch of a sphere with 1280 faces, refined the given number of times, and moved at each level.
 PatchLevels onSphere(Face seed, int rings, int times) {
   const HalfEdgeMesh sphere = buildMesh(test::bumpySphere(3)).mesh;
   FaceSelection patch{seed};
@@ -162,7 +162,7 @@ constexpr Change kChanges[] = {Change::Move, Change::Remove, Change::Split, Chan
 
 }  // namespace
 
-// What is sculpted at a coarse level moves the finest as if nothing had been edited elsewhere, bit for bit.
+// Sculpting at a coarse level moves the finest one as if nothing had been edited elsewhere, bit for bit.
 void PatchLevelsFollowTest::detailFollowsAsWithoutTheEdits() {
   PatchLevels levels = onSphere(100, 2, 2), plain = levels;
   for (const Change change : kChanges)
@@ -181,7 +181,7 @@ void PatchLevelsFollowTest::detailFollowsAsWithoutTheEdits() {
     }
   });
   QVERIFY(moved > 500);
-  const auto last = static_cast<Face>(levels.mesh().faceSlots() - 1);  // of the tetrahedron
+  const auto last = static_cast<Face>(levels.mesh().faceSlots() - 1);  // last face of the tetrahedron
   QCOMPARE(levels.faceAt(0, last), last);
   levels.coarsen();
   levels.coarsen();

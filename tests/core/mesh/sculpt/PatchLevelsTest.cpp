@@ -29,13 +29,13 @@ class PatchLevelsTest : public QObject {
   void coarserAgain();
   void everyFaceKnowsItsParent();
   void nothingOutsideMoves();
-  void inEverySizeAndPlace();
+  void inEverySizeAndPosition();
   void patchesWithoutAnInside();
 };
 
 namespace {
 
-// Adds to the places of the vertices of a level that are all within its patch: offset(place).
+// Adds offset(position) to the vertices of a level whose faces are all in its patch.
 template <class Offset>
 HalfEdgeMesh shifted(const PatchLevels& levels, std::size_t level, Offset offset) {
   HalfEdgeMesh mesh = levels.mesh(level);
@@ -141,7 +141,7 @@ void PatchLevelsTest::withoutDetailItIsSubdivision() {
   QVERIFY(largestMove(levels.mesh(), fresh.mesh()) < 1e-14);
 }
 
-// What stands 0.01 out of a flat patch stands so far out of it along its normal when the patch has been tilted.
+// Detail that is 0.01 above a flat patch stays so far above it, along its normal, after the patch is tilted.
 void PatchLevelsTest::detailFollowsAFlatPatch() {
   const HalfEdgeMesh mesh =
       buildMesh(test::grid(9, 9, false, false, [](auto i, auto j) { return Vec3(i - 4.0, j - 4.0, 0); })).mesh;
@@ -202,7 +202,7 @@ void PatchLevelsTest::nothingOutsideMoves() {
   QVERIFY(moved > 1000);
 }
 
-void PatchLevelsTest::inEverySizeAndPlace() {
+void PatchLevelsTest::inEverySizeAndPosition() {
   for (const auto& [scale, shift] : {std::pair(1e-6, 0.0), std::pair(1e6, 0.0), std::pair(1.0, 1e7)}) {
     const HalfEdgeMesh mesh = buildMesh(test::moved(test::icosphere(2), Vec3(shift, shift, -shift), scale)).mesh;
     PatchLevels levels(mesh, grownByRing(mesh, {0, 1, 2}));

@@ -60,7 +60,7 @@ double limitWeightOfSqrt3(std::size_t n) {
 }
 
 // By vertex, of a closed mesh.
-std::vector<Vec3> limitPlaces(const HalfEdgeMesh& mesh, double (*weight)(std::size_t)) {
+std::vector<Vec3> limitPositions(const HalfEdgeMesh& mesh, double (*weight)(std::size_t)) {
   std::vector<Vec3> result(mesh.vertexSlots(), Vec3::Zero());
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     const auto fan = mesh.fan(h);
@@ -75,9 +75,9 @@ std::vector<Vec3> limitPlaces(const HalfEdgeMesh& mesh, double (*weight)(std::si
 bool keepsLimits(SubdivisionScheme scheme, double (*weight)(std::size_t)) {
   for (const TriangleSoup& soup : {test::torus(12, 8), test::icosphere(0), test::bumpySphere(2), test::cube()}) {
     HalfEdgeMesh mesh = surfaceOf(soup);
-    const auto before = limitPlaces(mesh, weight);
+    const auto before = limitPositions(mesh, weight);
     if (!subdivideAll(mesh, {scheme, 2}).isDone()) return false;
-    const auto after = limitPlaces(mesh, weight);
+    const auto after = limitPositions(mesh, weight);
     for (std::size_t v = 0; v < before.size(); ++v)
       if (!((before[v] - after[v]).norm() < 1e-13)) return false;
   }
@@ -164,7 +164,7 @@ void SchemeSubdivisionTest::butterflyHasCubicPrecision() {
   QCOMPARE(inner, 5 * 4 * 2 + 4 * 4);  // edges of the 4 × 4 cells: along x, along y, and diagonals
 }
 
-// Area, volume, openness and the places of all vertices stay.
+// Area, volume, openness and the positions of all vertices stay.
 void SchemeSubdivisionTest::midpointsLeaveTheSurface() {
   for (const TriangleSoup& soup :
        {test::icosphere(2), test::bumpySphere(2), test::disc(12, 3), test::torus(12, 8), test::annulus(16, 3, 1, 2)}) {

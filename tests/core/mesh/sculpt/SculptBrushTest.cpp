@@ -36,7 +36,7 @@ class SculptBrushTest : public QObject {
   void smoothingKeepsAPlateAndASphere();
   void smoothingTakesASpikeAway();
   void anyStroke();
-  void sameInEverySizeAndPlace();
+  void sameInEverySizeAndPosition();
 };
 
 namespace {
@@ -165,12 +165,12 @@ void SculptBrushTest::oddAreas() {
 
 void SculptBrushTest::dragsWithASmoothRim() {
   const HalfEdgeMesh mesh = plate();
-  const Vec3 centre = mesh.position(kMiddle), way(0.3, 0.2, 1.0);
-  const auto moved = goals(mesh, dragged(mesh, brushArea(mesh, faceAt(mesh, centre), centre, kRadius), way));
-  QVERIFY((moved.at(kMiddle) - centre - way).norm() < 1e-15);
+  const Vec3 centre = mesh.position(kMiddle), displacement(0.3, 0.2, 1.0);
+  const auto moved = goals(mesh, dragged(mesh, brushArea(mesh, faceAt(mesh, centre), centre, kRadius), displacement));
+  QVERIFY((moved.at(kMiddle) - centre - displacement).norm() < 1e-15);
   for (const auto& [v, to] : moved) {
     const double share = (mesh.position(v) - centre).norm() / kRadius;
-    QVERIFY((to - mesh.position(v) - std::pow(1.0 - share * share, 2) * way).norm() < 1e-14);
+    QVERIFY((to - mesh.position(v) - std::pow(1.0 - share * share, 2) * displacement).norm() < 1e-14);
   }
 }
 
@@ -274,7 +274,7 @@ void SculptBrushTest::anyStroke() {
   QVERIFY(moved > 0);
 }
 
-void SculptBrushTest::sameInEverySizeAndPlace() {
+void SculptBrushTest::sameInEverySizeAndPosition() {
   const HalfEdgeMesh plain = buildMesh(test::bumpySphere(3)).mesh;
   const Face seed = 17;
   const auto moves = [&](const HalfEdgeMesh& mesh, double scale, int brush) {

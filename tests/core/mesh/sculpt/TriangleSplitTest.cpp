@@ -13,8 +13,8 @@ class TriangleSplitTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // In every case: one part more than points, each half of an outer edge once, in the triangle's sense, each edge
-  // inside once either way, and parts whose areas sum up to that of the triangle.
+  // In every case there is one part more than points, each half of an outer edge occurs once, in the triangle's
+  // orientation, each inner edge once in both directions, and the areas of the parts sum up to that of the triangle.
   void coversTheTriangle_data() {
     QTest::addColumn<int>("points");
     QTest::addColumn<bool>("isFirstShorter");
@@ -47,7 +47,7 @@ class TriangleSplitTest : public QObject {
     for (const auto& [p, q] : edges) QVERIFY(edges.count({p, q}) == 1 && edges.count({q, p}) == 1);
   }
 
-  // Of the two diagonals between a quadrangle's corners, the one that is said to be shorter.
+  // The diagonal of the quadrangle that shorter() selects is used.
   void takesTheShorterDiagonal() {
     for (const bool isFirst : {true, false}) {
       Edges asked;

@@ -20,14 +20,14 @@ class VertexGoalsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void goesAllTheWay();
+  void reachesItsGoal();
   void stopsBeforeAFaceTurnsOver();
   void noFaceTurnsOver();
   void roundsToTheFile();
   void oddGoals();
   void cancelled();
   void facesWithoutAreaHoldNobodyBack();
-  void sameInEverySizeAndPlace();
+  void sameInEverySizeAndPosition();
 };
 
 namespace {
@@ -46,7 +46,7 @@ const Vertex kVertexGoalsMiddle = test::vertexAt(vertexGoalsPlate(), Vec3(2, 2, 
 
 }  // namespace
 
-void VertexGoalsTest::goesAllTheWay() {
+void VertexGoalsTest::reachesItsGoal() {
   HalfEdgeMesh mesh = vertexGoalsPlate();
   const HalfEdgeMesh before = mesh;
   const MovedVertices moved =
@@ -59,7 +59,7 @@ void VertexGoalsTest::goesAllTheWay() {
   QVERIFY(test::sameMesh(mesh, before));
 }
 
-// The ring of the middle reaches from 1 to 3: what would leave it goes a part of the way.
+// The ring of the middle extends from 1 to 3: a vertex that would leave it moves only a part of the distance.
 void VertexGoalsTest::stopsBeforeAFaceTurnsOver() {
   HalfEdgeMesh mesh = vertexGoalsPlate();
   const MovedVertices moved =
@@ -139,7 +139,7 @@ void VertexGoalsTest::facesWithoutAreaHoldNobodyBack() {
   QCOMPARE(validate(mesh), std::string());
 }
 
-void VertexGoalsTest::sameInEverySizeAndPlace() {
+void VertexGoalsTest::sameInEverySizeAndPosition() {
   for (const auto& [scale, shift] : {std::pair(1e-6, 0.0), std::pair(1e6, 0.0), std::pair(1.0, 1e7)}) {
     HalfEdgeMesh mesh = vertexGoalsPlate();
     const Vec3 far(shift, shift, shift);

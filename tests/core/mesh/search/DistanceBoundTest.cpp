@@ -57,7 +57,8 @@ void DistanceBoundTest::peakBetweenSamples() {
   QCOMPARE(liesWithin(a, b, 0.099), Within::No);
 }
 
-// Each way between a sphere's tessellations: the coarse one's inner radius is the farthest, in the middle of a face.
+// Both directions between a sphere's tessellations: the coarse one's inner radius is the farthest, in the middle of a
+// face.
 void DistanceBoundTest::aroundTheTruth() {
   const SurfaceDistance coarse = distanceSurfaceOf(test::icosphere(1));
   QVERIFY(rc::check("Yes above the truth, No below it", [&] {

@@ -18,7 +18,7 @@ class FaceHierarchyTest : public QObject {
   void keepsItsVersion();
   void hidden();
   void oddRays();
-  void placesOnThePlane();
+  void projectionsOnThePlane();
   void pixels();
 };
 
@@ -86,19 +86,19 @@ void FaceHierarchyTest::oddRays() {
   QVERIFY(!(Ray{Vec3::Zero(), Vec3(0, kNan, 1)}).isUsable());
 }
 
-// What lies on one line of sight appears in one place, and places tell lengths across the line of sight.
-void FaceHierarchyTest::placesOnThePlane() {
+// Points on one line of sight have the same projection, and projections preserve lengths across the line of sight.
+void FaceHierarchyTest::projectionsOnThePlane() {
   const Vec3 forward(1, -2, 3), eye(1e7, -5, 2), right = forward.unitOrthogonal();
   const PickRayPlane parallel(std::nullopt, eye, forward), perspective(eye, Vec3::Zero(), forward);
   const Vec3 p = eye + 2.0 * forward.normalized() + 0.5 * right;
-  QVERIFY((*parallel.place(p) - *parallel.place(Vec3(p + 7.0 * forward))).norm() < 1e-8);
-  QVERIFY(std::abs(parallel.place(p)->norm() - 0.5) < 1e-8);
-  QVERIFY(std::abs(perspective.place(p)->norm() - 0.25) < 1e-8);
-  QVERIFY((*perspective.place(p) - *perspective.place(Ray{eye, p - eye})).norm() < 1e-8);
+  QVERIFY((*parallel.projected(p) - *parallel.projected(Vec3(p + 7.0 * forward))).norm() < 1e-8);
+  QVERIFY(std::abs(parallel.projected(p)->norm() - 0.5) < 1e-8);
+  QVERIFY(std::abs(perspective.projected(p)->norm() - 0.25) < 1e-8);
+  QVERIFY((*perspective.projected(p) - *perspective.projected(Ray{eye, p - eye})).norm() < 1e-8);
   QVERIFY(std::abs(perspective.depth(p) - 2.0) < 1e-8);
-  QVERIFY(!perspective.place(Vec3(eye - forward)));
-  QVERIFY(!perspective.place(eye));
-  QVERIFY(parallel.place(Vec3(eye - forward)));
+  QVERIFY(!perspective.projected(Vec3(eye - forward)));
+  QVERIFY(!perspective.projected(eye));
+  QVERIFY(parallel.projected(Vec3(eye - forward)));
 }
 
 void FaceHierarchyTest::pixels() {

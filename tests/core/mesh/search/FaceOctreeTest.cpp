@@ -24,7 +24,7 @@ Box anyGridBox(std::mt19937& random) {
   return Box(low, low + size * extent);
 }
 
-// Whether each box that is in the grid and meets the one asked for is visited, no face twice, and none that is not in.
+// Returns true if each stored box that meets the query box is visited, no face twice, and no face that is not stored.
 bool findsAll(const FaceOctree& grid, const std::vector<Box>& boxes, const std::vector<bool>& isIn, const Box& asked) {
   std::vector<int> visits(boxes.size(), 0);
   const bool ended = grid.forEachNear(asked, [&](Face f) {

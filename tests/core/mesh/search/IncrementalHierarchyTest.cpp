@@ -19,14 +19,14 @@ class IncrementalHierarchyTest : public QObject {
 // After each of many additions the hierarchy visits at least the triangles with a corner in the box, and each once.
 void IncrementalHierarchyTest::againstAll() {
   std::mt19937 random(7);
-  const auto place = [&] { return Vec3(random() % 100, random() % 100, random() % 100); };
+  const auto point = [&] { return Vec3(random() % 100, random() % 100, random() % 100); };
   IncrementalHierarchy growing;
   std::vector<TrianglePoints> all;
   for (int i = 0; i < 1000; ++i) {
-    all.push_back({place(), place(), place()});
+    all.push_back({point(), point(), point()});
     growing.add(all.back());
     if (i % 37 != 0) continue;
-    const Box box = Box(place()).extend(place());
+    const Box box = Box(point()).extend(point());
     std::size_t visited = 0, withCorner = 0, corners = 0, boxes = 0;
     growing.forEachInBox(box, [&](const TrianglePoints& t) {
       ++visited;

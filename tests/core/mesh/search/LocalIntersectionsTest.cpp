@@ -79,7 +79,7 @@ void LocalIntersectionsTest::aSubdividedCrossingIsNotNew() {
   for (const auto& [first, last] : {std::pair<Face, Face>{0, 12}, {12, 24}, {0, 24}}) {
     HalfEdgeMesh fine = before;
     const FaceSelection part = FaceSelection::where(24, [&](Face f) { return f >= first && f < last; });
-    // Loop's places would round the cubes off.
+    // Loop's positions would round the cubes off.
     QVERIFY(subdivide(fine, part).failure == SubdivisionFailure::None);
     for (Vertex v = 0; v < before.vertexSlots(); ++v) fine.setPosition(v, before.position(v));
     const auto change = intersectionsChange(before, fine);

@@ -24,7 +24,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-// By the turns that one takes around p on the way along the polygon.
+// Returns true if the winding number of the polygon around p is odd.
 bool windsOddly(const std::vector<Vec2>& polygon, const Vec2& p) {
   double sum = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -39,13 +39,13 @@ bool windsOddly(const std::vector<Vec2>& polygon, const Vec2& p) {
 void PointInPolygonTesterTest::agreesWithTheWindingNumber() {
   QVERIFY(rc::check([] {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    std::uniform_real_distribution<double> place(-1.0, 1.0);
+    std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
     const double scale = *rc::gen::element(1e-100, 1.0, 1e6);
     std::vector<Vec2> polygon(*rc::gen::inRange<std::size_t>(0, 300));
-    for (Vec2& p : polygon) p = scale * Vec2(place(random), place(random));
+    for (Vec2& p : polygon) p = scale * Vec2(coordinate(random), coordinate(random));
     const PointInPolygonTester rows(polygon);
     for (int i = 0; i < 50; ++i) {
-      const Vec2 p = 1.1 * scale * Vec2(place(random), place(random));
+      const Vec2 p = 1.1 * scale * Vec2(coordinate(random), coordinate(random));
       RC_ASSERT(rows.contains(p) == windsOddly(polygon, p));
     }
   }));

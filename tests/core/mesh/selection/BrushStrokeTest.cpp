@@ -23,7 +23,7 @@ class BrushStrokeTest : public QObject {
   void notThroughAThinWall();
   void aroundTheRimOfAThinWall();
   void aStrokeOverASphereHangsTogether();
-  void anIslandOnTheWay();
+  void anIslandOnThePath();
   void toASurfaceBehind();
   void eachFaceOnce();
   void extremes();
@@ -44,10 +44,10 @@ Ray downAt(double x, double y, double z = 100.0) {
   return {Vec3(x, y, z), -Vec3::UnitZ()};
 }
 
-FaceSelection painted(const std::shared_ptr<const FaceHierarchy>& faces, const std::vector<BrushStroke::Touch>& way) {
+FaceSelection painted(const std::shared_ptr<const FaceHierarchy>& faces, const std::vector<BrushStroke::Touch>& path) {
   BrushStroke stroke(faces);
   FaceSelection result;
-  for (const BrushStroke::Touch& touch : way)
+  for (const BrushStroke::Touch& touch : path)
     for (const Face f : stroke.moveTo(touch)) result.add(f);
   return result;
 }
@@ -71,7 +71,7 @@ void BrushStrokeTest::aDiscOnAPlane() {
   }
 }
 
-// A disc that is moved covers the points within its radius of the way.
+// A moved disc covers the points within its radius of the path.
 void BrushStrokeTest::aStrokeOnAPlane() {
   const auto faces = hierarchyOf(sheet(15));
   QVERIFY(rc::check([&] {
@@ -132,7 +132,7 @@ void BrushStrokeTest::aStrokeOverASphereHangsTogether() {
     const auto a = at(coordinate(), coordinate()), b = at(coordinate(), coordinate());
     if (!faces->firstHit(a.ray) || !faces->firstHit(b.ray)) return;
     const FaceSelection result = painted(faces, {a, b});
-    // Whatever the pointer passed over is painted.
+    // All faces that the pointer passed over are painted.
     for (int i = 0; i <= 1000; ++i) {
       const Vec3 direction = (1000 - i) * a.ray.direction + i * b.ray.direction;
       if (const auto hit = faces->firstHit({eye, direction})) RC_ASSERT(result.contains(hit->face));
@@ -149,7 +149,7 @@ void BrushStrokeTest::aStrokeOverASphereHangsTogether() {
   }));
 }
 
-void BrushStrokeTest::anIslandOnTheWay() {
+void BrushStrokeTest::anIslandOnThePath() {
   TriangleSoup soup = sheet(2);
   test::append(soup, test::moved(sheet(2), Vec3(30.0, 0.0, 5.0)));
   test::append(soup, test::moved(sheet(2), Vec3(98.0, 0.0, 0.0)));
@@ -178,7 +178,7 @@ void BrushStrokeTest::eachFaceOnce() {
   FaceSelection all;
   for (const double x : {1.0, 2.0, 2.0, 9.0, 1.0})
     for (const Face f : stroke.moveTo({downAt(x, 5.0), 1.5})) QVERIFY(all.add(f));
-  QVERIFY(stroke.place() && stroke.place()->point.isApprox(Vec3(1, 5, 0)));
+  QVERIFY(stroke.lastHit() && stroke.lastHit()->point.isApprox(Vec3(1, 5, 0)));
 }
 
 void BrushStrokeTest::extremes() {
@@ -192,7 +192,7 @@ void BrushStrokeTest::extremes() {
   QVERIFY(painted(hierarchyOf({}), {{downAt(0, 0), 1.0}, {downAt(9, 9), 1.0}}).empty());
   // A direction that turns round has no middle.
   QCOMPARE(painted(faces, {{downAt(1.2, 1.7), 0.1}, {{Vec3(1.2, 1.7, -5.0), Vec3::UnitZ()}, 0.1}}).count(), 1u);
-  // A thin needle and a folded face on the way.
+  // A thin needle and a folded face on the path.
   TriangleSoup soup = sheet(4);
   test::addNeedles(soup, 10, 2, {0.5});
   soup.triangles.push_back({3, 3, 4});

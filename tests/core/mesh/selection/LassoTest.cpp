@@ -21,7 +21,7 @@ class LassoTest : public QObject {
   void twoPlates();
   void onlyWholeFaces();
   void notBehindTheEye();
-  void sameInEverySizeAndPlace();
+  void sameInEverySizeAndPosition();
   void degenerateFaces();
   void extremes();
   void endsEarly();
@@ -39,8 +39,8 @@ struct Camera {
     const double depth = perspective ? r.dot(forward) : 1.0;
     return Eigen::Vector2d(r.dot(right) / depth, r.dot(up) / depth);
   }
-  Ray rayAt(const Eigen::Vector2d& place) const {
-    const Vec3 aside = place.x() * right + place.y() * up;
+  Ray rayAt(const Eigen::Vector2d& point) const {
+    const Vec3 aside = point.x() * right + point.y() * up;
     return perspective ? Ray{position, (forward + aside).normalized()} : Ray{position + aside, forward};
   }
 };
@@ -69,7 +69,7 @@ bool encloses(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d
   return std::lround(sum / (2.0 * M_PI)) % 2 != 0;
 }
 
-// Where the line from p along the direction meets the triangle, by Cramer's rule.
+// Tests by Cramer's rule if the line from p along the direction meets the triangle.
 bool isCovered(const Vec3& p, const Vec3& direction, const TrianglePoints& t) {
   Eigen::Matrix3d m;
   m << t[1] - t[0], t[2] - t[0], -direction;
@@ -167,7 +167,7 @@ void LassoTest::notBehindTheEye() {
   QCOMPARE(facesInLasso(faces, lassoOf(flat, square(9.0), true))->count(), std::size_t(256));
 }
 
-void LassoTest::sameInEverySizeAndPlace() {
+void LassoTest::sameInEverySizeAndPosition() {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const double far : {0.0, 1e7}) {
       const Vec3 middle = far * scale * Vec3(1, 1, 1);

@@ -22,7 +22,7 @@ class RegionGrowingTest : public QObject {
   void oneSideOfACube();
   void oneStripOfACylinder();
   void needlesNeitherStopNorCarry();
-  void sameInEverySizeAndPlace();
+  void sameInEverySizeAndPosition();
   void isAnEquivalence();
   void connectedParts();
   void ringsAreThoseOfTheVertices();
@@ -114,7 +114,7 @@ void RegionGrowingTest::needlesNeitherStopNorCarry() {
   }
 }
 
-void RegionGrowingTest::sameInEverySizeAndPlace() {
+void RegionGrowingTest::sameInEverySizeAndPosition() {
   const TriangleSoup soup = cubeOfCells(4);  // its coordinates are exact far away, too
   for (const double scale : {1e-150, 1e-6, 1.0, 1e6, 1e150})
     QCOMPARE(within(buildMesh(test::moved(soup, Vec3::Zero(), scale)).mesh, 9, 1 * kDegree).count(), std::size_t(32));
@@ -122,8 +122,8 @@ void RegionGrowingTest::sameInEverySizeAndPlace() {
     QCOMPARE(within(buildMesh(test::moved(soup, Vec3(far, far, far))).mesh, 9, 1 * kDegree).count(), std::size_t(32));
 }
 
-// Which face of a region one starts from makes no difference: the regions are the classes of faces that flat edges
-// join, found here by union-find and an arc cosine.
+// The result does not depend on the face of a region from which it starts: the regions are the classes of faces that
+// flat edges join, found here by union-find and an arc cosine.
 void RegionGrowingTest::isAnEquivalence() {
   QVERIFY(rc::check([] {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
@@ -157,7 +157,7 @@ void RegionGrowingTest::connectedParts() {
   QCOMPARE(connectedFaces(mesh, std::array<Face, 1>{5})->count(), std::size_t(320));
   QCOMPARE(connectedFaces(mesh, std::array<Face, 1>{320})->count(), std::size_t(96));
   QCOMPARE(connectedFaces(mesh, std::array<Face, 2>{0, 320})->count(), std::size_t(416));
-  // What touches at a vertex or an edge only is another part.
+  // Parts that touch only at a vertex or an edge are separate.
   for (const TriangleSoup& cubes : {test::twoCubesSharingAVertex(), test::twoCubesSharingAnEdge()})
     QCOMPARE(connectedFaces(buildMesh(cubes).mesh, std::array<Face, 1>{3})->count(), std::size_t(12));
 }

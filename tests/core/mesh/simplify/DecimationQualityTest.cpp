@@ -65,7 +65,7 @@ struct Errors {
   double rms = 0.0, largest = 0.0;
 };
 
-// Both ways.
+// Returns the errors in both directions.
 Errors errorsOf(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original) {
   const auto d = deviation(mesh, original, {.samples = 30'000, .bins = 1});
   if (!d) qFatal("no deviation");

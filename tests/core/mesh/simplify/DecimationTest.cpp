@@ -30,7 +30,7 @@ class DecimationTest : public QObject {
   void bordersMayShrink();
   void creasesStay();
   void nothingNewMeets();
-  void sharedPlacesAndSeamsStay();
+  void sharedPositionsAndSeamsStay();
   void degenerateFaces();
   void extremes();
   void cancelled();
@@ -66,11 +66,11 @@ double hausdorff(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   return d->hausdorff();
 }
 
-std::set<test::Coordinates> borderPlaces(const HalfEdgeMesh& mesh) {
-  std::set<test::Coordinates> places;
+std::set<test::Coordinates> borderPositions(const HalfEdgeMesh& mesh) {
+  std::set<test::Coordinates> positions;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
-    if (mesh.isBorder(h)) places.insert(test::place(mesh.position(mesh.from(h))));
-  return places;
+    if (mesh.isBorder(h)) positions.insert(test::coordinates(mesh.position(mesh.from(h))));
+  return positions;
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ void DecimationTest::bordersStay() {
   decimate(mesh, {.faces = 800, .keepBorders = true});
   QVERIFY(mesh.liveFaceCount() <= 800);
   QCOMPARE(validate(mesh), std::string());
-  QCOMPARE(borderPlaces(mesh), borderPlaces(original));
+  QCOMPARE(borderPositions(mesh), borderPositions(original));
   QCOMPARE(test::countBorder(mesh), test::countBorder(original));
 }
 
@@ -159,7 +159,7 @@ void DecimationTest::bordersMayShrink() {
 // A cylinder's rims: all vertices there stay on them, and they stay closed.
 void DecimationTest::creasesStay() {
   const TriangleSoup soup = test::cylinder(48, 24, 1.0, 2.0, true);
-  const std::set<test::Coordinates> before = test::places(soup);
+  const std::set<test::Coordinates> before = test::allCoordinates(soup);
   HalfEdgeMesh mesh = meshOf(soup);
   decimate(mesh, {.faces = 100, .creaseAngle = std::numbers::pi / 4.0});
   QCOMPARE(validate(mesh), std::string());
@@ -170,7 +170,7 @@ void DecimationTest::creasesStay() {
     const auto normal = [](const TrianglePoints& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); };
     if (normal(a).dot(normal(b)) > 0.5) continue;
     const Vec3 &p = mesh.position(mesh.from(h)), &q = mesh.position(mesh.to(h));
-    QVERIFY(before.contains(test::place(p)) && before.contains(test::place(q)));
+    QVERIFY(before.contains(test::coordinates(p)) && before.contains(test::coordinates(q)));
     QVERIFY(p.z() == q.z() && (p.z() == 0.0 || p.z() == 2.0));
     (p.z() == 0.0 ? low : high) += (p - q).norm();
   }
@@ -195,25 +195,25 @@ void DecimationTest::nothingNewMeets() {
   QVERIFY(report.facesAfter < 1500);
 }
 
-void DecimationTest::sharedPlacesAndSeamsStay() {
+void DecimationTest::sharedPositionsAndSeamsStay() {
   for (const TriangleSoup& soup : {test::twoCubesSharingAnEdge(), test::twoCubesSharingAVertex(),
                                    test::boxWithInnerWall(), test::moebiusStrip(30, 6), test::kleinBottle(30, 20)}) {
     HalfEdgeMesh mesh = meshOf(soup);
     const auto seams = test::countSeams(mesh);
     std::map<test::Coordinates, int> before, after;
-    const auto count = [](const HalfEdgeMesh& m, std::map<test::Coordinates, int>& places) {
+    const auto count = [](const HalfEdgeMesh& m, std::map<test::Coordinates, int>& positions) {
       std::set<Vertex> used;
       for (Face f = 0; f < m.faceSlots(); ++f)
         if (m.isProper(f)) used.insert(m.triangle(f).begin(), m.triangle(f).end());
-      for (Vertex v : used) ++places[test::place(m.position(v))];
+      for (Vertex v : used) ++positions[test::coordinates(m.position(v))];
     };
     count(mesh, before);
     decimate(mesh, {});
     count(mesh, after);
     QCOMPARE(validate(mesh), std::string());
     QCOMPARE(test::countSeams(mesh), seams);
-    for (const auto& [place, n] : before)
-      if (n > 1) QCOMPARE(after[place], n);
+    for (const auto& [position, n] : before)
+      if (n > 1) QCOMPARE(after[position], n);
   }
 }
 
@@ -236,7 +236,7 @@ void DecimationTest::extremes() {
   HalfEdgeMesh flat = meshOf({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0)}, {{0, 1, 2}, {0, 2, 3}}});
   decimate(flat, {.error = 1.0});
   QCOMPARE(validate(flat), std::string());
-  // As good far from the origin, in any unit.
+  // The result is equally good far from the origin, in any unit.
   const double plain = [] {
     HalfEdgeMesh mesh = meshOf(test::icosphere(4));
     decimate(mesh, {.faces = 500});

@@ -25,10 +25,10 @@ class QuadricDecimationTest : public QObject {
   void toACount();
   void saysTheDistance();
   void flatFacesGoFirst();
-  void anyPlaceAndUnit();
+  void anyPositionAndUnit();
   void bordersStay();
   void creasesStay();
-  void sharedPlacesAndSeamsStay();
+  void sharedPositionsAndSeamsStay();
   void hubsStay();
   void refused();
   void cancelled();
@@ -66,8 +66,8 @@ TriangleSoup cellCube(std::uint32_t n) {
   return s;
 }
 
-std::set<test::Coordinates> placesOf(const HalfEdgeMesh& mesh) {
-  return test::places(mesh.compact().soup);
+std::set<test::Coordinates> positionsOf(const HalfEdgeMesh& mesh) {
+  return test::allCoordinates(mesh.compact().soup);
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void QuadricDecimationTest::toACount() {
   }
 }
 
-// As a measurement with other samples finds it; nothing where only flat faces are joined.
+// The distance agrees with a measurement with other samples; it is zero if only flat faces are joined.
 void QuadricDecimationTest::saysTheDistance() {
   const HalfEdgeMesh before = meshOfSoup(test::bumpySphere(4));
   for (const DecimationMethod method : {kQuadric, DecimationMethod::Bounded}) {
@@ -118,7 +118,7 @@ void QuadricDecimationTest::flatFacesGoFirst() {
   QVERIFY(std::abs(test::area(mesh.compact().soup) - 864.0) < 1e-9);
 }
 
-void QuadricDecimationTest::anyPlaceAndUnit() {
+void QuadricDecimationTest::anyPositionAndUnit() {
   const auto found = [](double shift, double scale) {
     const HalfEdgeMesh original = meshOfSoup(test::moved(test::icosphere(4), Vec3::Constant(shift), scale));
     HalfEdgeMesh mesh = original;
@@ -141,7 +141,8 @@ void QuadricDecimationTest::bordersStay() {
   const auto rims = [](const HalfEdgeMesh& m) {
     std::set<std::pair<test::Coordinates, test::Coordinates>> edges;
     for (HalfEdge h = 0; h < m.halfEdgeSlots(); ++h)
-      if (m.isBorder(h)) edges.insert({test::place(m.position(m.from(h))), test::place(m.position(m.to(h)))});
+      if (m.isBorder(h))
+        edges.insert({test::coordinates(m.position(m.from(h))), test::coordinates(m.position(m.to(h)))});
     return edges;
   };
   QVERIFY(rims(mesh) == rims(original));
@@ -165,21 +166,21 @@ void QuadricDecimationTest::creasesStay() {
     if (cosine < 0.5) length += (mesh.position(mesh.from(h)) - mesh.position(mesh.to(h))).norm();
   }
   QVERIFY(std::abs(length - 96.0) < 1e-9);
-  const auto places = placesOf(mesh);
-  for (int i = 0; i < 8; ++i) QVERIFY(places.contains({8.0 * (i & 1), 8.0 * ((i >> 1) & 1), 8.0 * ((i >> 2) & 1)}));
+  const auto positions = positionsOf(mesh);
+  for (int i = 0; i < 8; ++i) QVERIFY(positions.contains({8.0 * (i & 1), 8.0 * ((i >> 1) & 1), 8.0 * ((i >> 2) & 1)}));
 }
 
-void QuadricDecimationTest::sharedPlacesAndSeamsStay() {
+void QuadricDecimationTest::sharedPositionsAndSeamsStay() {
   for (const TriangleSoup& soup : {test::twoCubesSharingAnEdge(), test::twoCubesSharingAVertex(),
                                    test::boxWithInnerWall(), test::moebiusStrip(30, 6), test::kleinBottle(30, 20)}) {
     HalfEdgeMesh mesh = meshOfSoup(soup);
     const auto count = [](const HalfEdgeMesh& m) {
-      std::map<test::Coordinates, int> places;
+      std::map<test::Coordinates, int> positions;
       std::set<Vertex> used;
       for (Face f = 0; f < m.faceSlots(); ++f)
         if (m.isProper(f)) used.insert(m.triangle(f).begin(), m.triangle(f).end());
-      for (Vertex v : used) ++places[test::place(m.position(v))];
-      return places;
+      for (Vertex v : used) ++positions[test::coordinates(m.position(v))];
+      return positions;
     };
     const auto seams = test::countSeams(mesh);
     const auto before = count(mesh);
@@ -188,8 +189,8 @@ void QuadricDecimationTest::sharedPlacesAndSeamsStay() {
     const auto after = count(mesh);
     QCOMPARE(validate(mesh), std::string());
     QCOMPARE(test::countSeams(mesh), seams);
-    for (const auto& [place, n] : before)
-      if (n > 1) QCOMPARE(after.at(place), n);
+    for (const auto& [position, n] : before)
+      if (n > 1) QCOMPARE(after.at(position), n);
   }
 }
 
@@ -197,7 +198,7 @@ void QuadricDecimationTest::hubsStay() {
   HalfEdgeMesh wheel = meshOfSoup(test::cylinder(3000, 1, 1.0, 1.0, true));
   decimate(wheel, {.faces = 200, .method = kQuadric});
   QCOMPARE(validate(wheel), std::string());
-  QVERIFY(placesOf(wheel).contains({0.0, 0.0, 0.0}) && placesOf(wheel).contains({0.0, 0.0, 1.0}));
+  QVERIFY(positionsOf(wheel).contains({0.0, 0.0, 0.0}) && positionsOf(wheel).contains({0.0, 0.0, 1.0}));
   QVERIFY2(wheel.liveFaceCount() <= 200, qPrintable(QString::number(wheel.liveFaceCount())));
 }
 

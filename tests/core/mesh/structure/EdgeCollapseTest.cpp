@@ -73,7 +73,7 @@ void EdgeCollapseTest::anEdgeOfASphere() {
   QCOMPARE(test::eulerCharacteristic(mesh), 2l);
 }
 
-// What has no edge to spare: a tetrahedron, a triangle, two back to back.
+// Surfaces without a collapsible edge: a tetrahedron, a triangle, two back to back.
 void EdgeCollapseTest::smallestSurfaces() {
   TriangleSoup pillow{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}, {0, 2, 1}}};
   TriangleSoup one = pillow;

@@ -63,10 +63,10 @@ void FaceComponentsTest::shuffledParts() {
     const HalfEdgeMesh mesh = buildMesh(s).mesh;
     const FaceComponents parts = splitOf(mesh);
     RC_ASSERT(parts.count() == n);
-    std::map<std::uint32_t, int> placeOf;
+    std::map<std::uint32_t, int> slotOf;
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
-      const int place = static_cast<int>(std::round(mesh.points(f)[0].x() / 3.0));
-      RC_ASSERT(placeOf.try_emplace(parts.of(f), place).first->second == place);
+      const int slot = static_cast<int>(std::round(mesh.points(f)[0].x() / 3.0));
+      RC_ASSERT(slotOf.try_emplace(parts.of(f), slot).first->second == slot);
     }
   }));
 }

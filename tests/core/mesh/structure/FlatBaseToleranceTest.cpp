@@ -54,7 +54,7 @@ class FlatBaseToleranceTest : public QObject {
   void leastShare();
 };
 
-// Where the spike reaches too far, the part comes to rest on its top, upside down.
+// If the spike extends too far, the part rests on its top, upside down.
 void FlatBaseToleranceTest::flatness() {
   const auto isUpright = [](double depth) {
     const auto pose = ontoLargestFlatFace(buildMesh(frustumOverSpike(depth)).mesh);

@@ -24,8 +24,8 @@ bool everyTriangleIsThere(const TriangleSoup& soup, const BuiltMesh& built) {
     if (!built.mesh.isLive(f)) return false;
     std::array<test::Coordinates, 3> wanted, is;
     for (std::size_t k = 0; k < 3; ++k) {
-      wanted[k] = test::place(soup.points[soup.triangles[f][k]]);
-      is[k] = test::place(built.mesh.points(f)[k]);
+      wanted[k] = test::coordinates(soup.points[soup.triangles[f][k]]);
+      is[k] = test::coordinates(built.mesh.points(f)[k]);
     }
     if (turned.contains(f)) std::swap(wanted[1], wanted[2]);
     bool found = false;
@@ -91,8 +91,8 @@ void MeshBuilderTest::manifolds() {
     QVERIFY(built.report.splitVertices.empty());
     QCOMPARE(built.report.nonManifoldEdges, std::size_t{0});
     QCOMPARE(built.report.unpairedHalfEdges, std::size_t{0});
-    QCOMPARE(built.report.weldedPoints, s.points.size() - test::places(s).size());
-    QCOMPARE(built.mesh.vertexSlots(), test::places(s).size());
+    QCOMPARE(built.report.weldedPoints, s.points.size() - test::allCoordinates(s).size());
+    QCOMPARE(built.mesh.vertexSlots(), test::allCoordinates(s).size());
     QCOMPARE(test::eulerCharacteristic(built.mesh), euler);
     QCOMPARE(test::countBorder(built.mesh), test::countEdges(s).border);
     QCOMPARE(test::countSeams(built.mesh), std::size_t{0});
@@ -127,8 +127,8 @@ void MeshBuilderTest::nonOrientable() {
   std::map<test::Coordinates, int> seamsAt, bordersAt;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     for (Vertex v : {mesh.from(h), mesh.to(h)}) {
-      seamsAt[test::place(mesh.position(v))] += mesh.isSeam(h);
-      bordersAt[test::place(mesh.position(v))] += mesh.isBorder(h);
+      seamsAt[test::coordinates(mesh.position(v))] += mesh.isSeam(h);
+      bordersAt[test::coordinates(mesh.position(v))] += mesh.isBorder(h);
     }
   }
   std::size_t fans = 0;
@@ -161,7 +161,7 @@ void MeshBuilderTest::touchingCubes() {
   }
 }
 
-// Where a wall meets the box, three faces meet: two are paired, one is left with a seam. Nothing of it is a hole.
+// Three faces meet where a wall meets the box: two are paired, one is left with a seam. There are no holes.
 void MeshBuilderTest::threeFacesAtAnEdge() {
   const TriangleSoup soup = test::boxWithInnerWall();
   QCOMPARE(test::countEdges(soup).nonManifold, std::size_t{4});
@@ -248,7 +248,7 @@ void MeshBuilderTest::soups() {
     RC_ASSERT(test::countBorder(built.mesh) == test::countEdges(soup).border);
     RC_ASSERT(built.report.nonManifoldEdges == test::countEdges(soup).nonManifold);
     RC_ASSERT(built.report.unpairedHalfEdges == test::countSeams(built.mesh));
-    RC_ASSERT(built.mesh.vertexSlots() == test::places(soup).size() + built.report.splitVertices.size());
+    RC_ASSERT(built.mesh.vertexSlots() == test::allCoordinates(soup).size() + built.report.splitVertices.size());
   }));
 }
 

@@ -50,7 +50,7 @@ const HalfEdgeMesh& sphere() {
   return mesh;
 }
 
-// Faces whose corners differ, or the places of them.
+// Returns the faces whose corners or corner positions differ.
 std::set<Face> changedLooks(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   std::set<Face> faces;
   for (Face f = 0; f < std::max(a.faceSlots(), b.faceSlots()); ++f) {
@@ -148,7 +148,7 @@ void MeshDeltaTest::touchedFaces() {
   }));
 }
 
-// What a delta holds depends on how much changed, not on the size of the mesh.
+// The size of a delta depends on the size of the change, not of the mesh.
 void MeshDeltaTest::sizeGrowsWithTheChange() {
   const auto bytesFor = [](const HalfEdgeMesh& mesh, Vertex count) {
     HalfEdgeMesh after = mesh;
@@ -163,7 +163,8 @@ void MeshDeltaTest::sizeGrowsWithTheChange() {
   QVERIFY(of1000 < sizeof(MeshDelta) + 1000 * 128);
 }
 
-// Every hundredth of 1000 vertices moved. In runs of 1: a number and a place each; in longer ones the neighbours too.
+// Every hundredth of 1000 vertices moved. With runs of 1, a number and a position are stored for each; with longer
+// runs, those of the neighbours too.
 void MeshDeltaTest::runs() {
   HalfEdgeMesh after = sphere();
   for (Vertex v = 0; v < 1000; v += 100) after.setPosition(v, Vec3(v, 1, 2));

@@ -136,7 +136,7 @@ void MeshValidatorTest::twoFansAtAVertex() {
 }
 
 void MeshValidatorTest::twoVerticesInAFan() {
-  // One of the two faces at the shared edge moves to another vertex, at the same place, at one end of it.
+  // One of the two faces at the shared edge gets another vertex at the same position at one end.
   HalfEdgeMesh mesh = twoTriangles();
   const HalfEdge h = sharedHalfEdge(mesh);
   const Vec3 p = mesh.position(mesh.from(h));

@@ -36,7 +36,7 @@ std::multiset<std::array<test::Coordinates, 3>> trianglesOf(const HalfEdgeMesh& 
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     const TrianglePoints t = mesh.points(f);
-    std::array<test::Coordinates, 3> p{test::place(t[0]), test::place(t[1]), test::place(t[2])};
+    std::array<test::Coordinates, 3> p{test::coordinates(t[0]), test::coordinates(t[1]), test::coordinates(t[2])};
     std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
     result.insert(p);
   }

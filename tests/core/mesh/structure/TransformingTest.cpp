@@ -109,7 +109,7 @@ void TransformingTest::volumeFollowsTheDeterminant() {
     by.linear() += 0.5 * Eigen::Matrix3d::NullaryExpr([] { return number(1.0); });
     RC_PRE(std::abs(by.linear().determinant()) > 1e-3);
     RC_ASSERT(bool(transform(mesh, by)));
-    // About the middle, so that a far place costs no digits.
+    // Coordinates are relative to the middle, so that a far position loses no digits.
     TriangleSoup soup = soupOf(mesh);
     for (Vec3& p : soup.points) p -= by.translation();
     RC_ASSERT(std::abs(test::volume(soup) - std::abs(by.linear().determinant()) * volume) < 1e-10);

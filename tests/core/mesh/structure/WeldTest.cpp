@@ -70,7 +70,7 @@ void WeldTest::classesOfRandomPoints() {
     std::map<test::Coordinates, std::uint32_t> expected;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto [at, isNew] =
-          expected.try_emplace(test::place(points[i]), static_cast<std::uint32_t>(expected.size()));
+          expected.try_emplace(test::coordinates(points[i]), static_cast<std::uint32_t>(expected.size()));
       RC_ASSERT(classes.classOf[i] == at->second);
       if (isNew) RC_ASSERT(classes.representative.at(at->second) == i);
     }

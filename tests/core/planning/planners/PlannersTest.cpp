@@ -32,7 +32,7 @@ PlanSettings longer() {
 
 }  // namespace
 
-// Every planner keeps what all of them promise.
+// Every planner keeps the common promises.
 class PlannersTest : public QObject {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class PlannersTest : public QObject {
     QCOMPARE(ids.size(), planners().size());
   }
 
-  // Free at very many points, with the clearance, and the ends are what was asked for, bit for bit.
+  // The path is free at very many points, with the clearance, and the ends are the requested ones, bit for bit.
   void pathsAreFree_data() { eachPlanner(); }
   void pathsAreFree() {
     QFETCH(QByteArray, id);
@@ -61,10 +61,10 @@ class PlannersTest : public QObject {
     QVERIFY(result.path.front() == above() && result.path.back() == -above());
     for (std::size_t i = 1; i < result.path.size(); ++i) {
       QVERIFY(scene.isWithinLimits(result.path[i]));
-      const ArmValues way = result.path[i] - result.path[i - 1];
-      const int count = std::max(1, static_cast<int>(way.cwiseAbs().maxCoeff() / 2e-3));
+      const ArmValues difference = result.path[i] - result.path[i - 1];
+      const int count = std::max(1, static_cast<int>(difference.cwiseAbs().maxCoeff() / 2e-3));
       for (int k = 0; k <= count; ++k) {
-        const ArmValues at = result.path[i - 1] + way * (static_cast<double>(k) / count);
+        const ArmValues at = result.path[i - 1] + difference * (static_cast<double>(k) / count);
         QVERIFY(scene.nearestObstacle(at, 1e9).distance >= 10.0);
         QVERIFY(scene.nearest(at, 1e9).distance > 0.0);
       }
@@ -97,7 +97,7 @@ class PlannersTest : public QObject {
     QVERIFY(planPath(scene, above(), above(), longer(), id.constData()).outcome == PlanResult::Outcome::Solved);
   }
 
-  // Where there is no way, each ends after its time, and at once when it is cancelled.
+  // Without a path each planner ends after its time, and at once if it is cancelled.
   void eachEnds_data() { eachPlanner(); }
   void eachEnds() {
     QFETCH(QByteArray, id);

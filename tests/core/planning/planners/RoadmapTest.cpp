@@ -37,7 +37,7 @@ class RoadmapTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What one plan has found the next one uses: nothing is looked at again but the ends, there and back.
+  // The next plan uses the results of the first: nothing is checked again except the ends, in both directions.
   void theSecondPlanLooksAtNothing() {
     const RobotScene scene = sceneWithWall();
     Roadmap roadmap;
@@ -57,7 +57,7 @@ class RoadmapTest : public QObject {
     QCOMPARE(roadmap.milestones(), milestones);
   }
 
-  // Other ends near by: less to look at than for a roadmap of their own, and free all the same.
+  // Other ends near by: fewer checks than for a new roadmap, and free as well.
   void otherEndsUseIt() {
     const RobotScene scene = sceneWithWall();
     Roadmap roadmap;
@@ -91,7 +91,7 @@ class RoadmapTest : public QObject {
     }
   }
 
-  // However many ends are asked for, it never has more milestones than it may.
+  // For any number of different ends, the number of milestones stays within its limit.
   void itsMemoryIsBounded() {
     const RobotScene scene = sceneOf(planarArm({250.0, 250.0}, 10.0));
     Roadmap roadmap(40);

@@ -33,7 +33,7 @@ class SblPlannerTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Past the wall from one side to the other: every point of the path is free, its ends are what was asked for, and
+  // Past the wall from one side to the other: every point of the path is free, its ends are the requested ones, and
   // shortcuts keep that.
   void pastTheWall() {
     const RobotModel robot = planarArm({250.0, 250.0, 200.0}, 10.0);
@@ -76,7 +76,7 @@ class SblPlannerTest : public QObject {
     QVERIFY(start.outcome == PlanResult::Outcome::StartBlocked && start.blocked.owner != kNone);
     QVERIFY(planBySbl(scene, free, inTheWall, patient()).outcome == PlanResult::Outcome::GoalBlocked);
     QVERIFY(planBySbl(scene, free, beyond, patient()).outcome == PlanResult::Outcome::OutOfLimits);
-    // Where the wall begins at the base there is no way, and it ends all the same.
+    // If the wall begins at the base there is no path, and the planner ends nevertheless.
     const RobotScene closed = walledScene(robot, 100.0);
     ArmValues below(3);
     below << -0.3, -0.2, -0.1;

@@ -64,7 +64,7 @@ class MoveItProblemTest : public QObject {
     QVERIFY((problem.obstacles[0].centre - Vec3(1000, 0, 2000)).norm() < 1e-9);
     QVERIFY(problem.obstacles[1].half == Vec3(50, 0, 200));
     QVERIFY(problem.names == (std::vector<std::string>{"ball", "ball"}));
-    // What the matrix allows below its diagonal; it is symmetric.
+    // The pairs that the matrix allows below its diagonal; it is symmetric.
     QVERIFY(problem.allowed == (std::vector<NamePair>{{"l1", "l2"}, {"l1", "ball"}}));
   }
 
@@ -113,7 +113,7 @@ class MoveItProblemTest : public QObject {
              set.error().arguments.at(0).c_str());
   }
 
-  // Of each set of MotionBenchMaker a pair is there as it was; the sets in JSON were made of them, with nine digits
+  // A pair of each set of MotionBenchMaker is stored unchanged; the sets in JSON were made of them, with nine digits
   // behind the point.
   void thePairsAreTheSets() {
     const QString data = qEnvironmentVariable("HANDWHEEL_DATA");
@@ -138,7 +138,8 @@ class MoveItProblemTest : public QObject {
         const CollisionPiece &a = one.obstacles[i], &b = other.obstacles[i];
         QCOMPARE(int(a.kind), int(b.kind));
         QVERIFY((a.half - b.half).norm() < 1e-6);
-        QVERIFY((a.pose.matrix() - b.pose.matrix()).cwiseAbs().maxCoeff() < 1e-5);  // mm: nine digits turn 2 m so far
+        QVERIFY((a.pose.matrix() - b.pose.matrix()).cwiseAbs().maxCoeff() <
+                1e-5);  // mm: effect of nine digits over 2 m
       }
       QVERIFY(!one.allowed.empty());
     }

@@ -19,7 +19,7 @@ std::string repeated(const std::string& what, std::size_t times) {
 
 }  // namespace
 
-// YAML from anybody, as JSON. What is expected follows from YAML 1.2, sections 6 to 8 and 10.3.
+// Tests untrusted YAML as JSON. The expectations follow from YAML 1.2, sections 6 to 8 and 10.3.
 class YamlTextTest : public QObject {
   Q_OBJECT
 

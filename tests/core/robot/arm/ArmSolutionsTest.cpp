@@ -20,7 +20,7 @@ ArmConfiguration configurationOf(const SerialArm& arm, std::initializer_list<dou
 
 }  // namespace
 
-// All ways in which an arm reaches a pose, and how a person tells them apart.
+// Tests all IK solutions for a pose, and their descriptions.
 class ArmSolutionsTest : public QObject {
   Q_OBJECT
 
@@ -29,8 +29,8 @@ class ArmSolutionsTest : public QObject {
     QTest::addColumn<QString>("id");
     for (const char* id : {"irb120", "kr6r900", "ur5", "tx40", "puma560"}) QTest::newRow(id) << QString(id);
   }
-  // Where the arm stands is the first way; each reaches the pose; the limits are those of the joints; no two ways have
-  // the same words.
+  // The present configuration is the first solution; each reaches the pose; the limits are those of the joints; no two
+  // solutions have the same description.
   void reachAndOrder() {
     QFETCH(QString, id);
     const SerialArm arm = libraryArm(id.toStdString());
@@ -38,20 +38,20 @@ class ArmSolutionsTest : public QObject {
       const ArmValues values = anyValuesOf(arm);
       RC_PRE(std::abs(values[2]) > 0.2 && std::abs(values[4]) > 0.2 && std::abs(std::abs(values[4]) - M_PI) > 0.2);
       const Pose tip = arm.tipPose(values);
-      const std::vector<ArmSolution> ways = solutionsFor(arm, tip, values);
-      RC_ASSERT(!ways.empty() && ways.size() <= 8);
-      RC_ASSERT((ways.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
-      RC_ASSERT(ways.front().way < 1e-2);
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        RC_ASSERT(difference(arm.tipPose(ways[i].values), tip, arm.reach()) < 1e-6);
-        RC_ASSERT(ways[i].beyond.has_value() != arm.isWithinLimits(ways[i].values));
-        if (i > 0) RC_ASSERT(ways[i].beyond.has_value() || !ways[i - 1].beyond.has_value());
-        for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!(*ways[i].configuration == *ways[j].configuration));
+      const std::vector<ArmSolution> solutions = solutionsFor(arm, tip, values);
+      RC_ASSERT(!solutions.empty() && solutions.size() <= 8);
+      RC_ASSERT((solutions.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
+      RC_ASSERT(solutions.front().distance < 1e-2);
+      for (std::size_t i = 0; i < solutions.size(); ++i) {
+        RC_ASSERT(difference(arm.tipPose(solutions[i].values), tip, arm.reach()) < 1e-6);
+        RC_ASSERT(solutions[i].beyond.has_value() != arm.isWithinLimits(solutions[i].values));
+        if (i > 0) RC_ASSERT(solutions[i].beyond.has_value() || !solutions[i - 1].beyond.has_value());
+        for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!(*solutions[i].configuration == *solutions[j].configuration));
       }
     }));
   }
 
-  // Which way an arm stands does not change while it turns on its base or about its flange.
+  // The configuration of an arm does not change while it turns on its base or about its flange.
   void stanceTurnsWithTheArm() {
     for (const char* id : {"irb140", "rx160", "ur10", "lrmate200id"}) {
       const SerialArm arm = libraryArm(id);
@@ -81,16 +81,16 @@ class ArmSolutionsTest : public QObject {
     QVERIFY(low.shoulder == Shoulder::Front && !low.isElbowUp);
   }
 
-  // Of an arm of the other form: at 0 it lies along -x of its base, and its links are beside the axis; turned by half a
-  // turn and folded over it reaches the same with the other shoulder.
+  // An arm of the other form: at 0 it lies along -x of its base, and its links are beside the axis; turned by half a
+  // turn and folded over it reaches the same pose with the other shoulder.
   void shouldersOfAParallelArm() {
     const SerialArm arm = libraryArm("ur5");
     ArmValues values(6);
     values << 0.4, -1.0, 1.2, -0.5, 1.1, 0.2;
     int left = 0, right = 0;
-    for (const ArmSolution& way : solutionsFor(arm, arm.tipPose(values), values)) {
-      left += way.configuration->shoulder == Shoulder::Left ? 1 : 0;
-      right += way.configuration->shoulder == Shoulder::Right ? 1 : 0;
+    for (const ArmSolution& solution : solutionsFor(arm, arm.tipPose(values), values)) {
+      left += solution.configuration->shoulder == Shoulder::Left ? 1 : 0;
+      right += solution.configuration->shoulder == Shoulder::Right ? 1 : 0;
     }
     QVERIFY(left > 0);
     QCOMPARE(left, right);
@@ -103,9 +103,9 @@ class ArmSolutionsTest : public QObject {
     QVERIFY(solutionsFor(arm, far, ArmValues::Zero(6)).empty());
   }
 
-  // An arm of three joints: the pose where it can reach it, otherwise the place in all its ways, which are its elbow
-  // up and down, ahead and over its back; and how far each is turned off.
-  void placesOfAShortArm() {
+  // An arm of three joints: the pose if it can reach it, otherwise the position in all its solutions, which are its
+  // elbow up and down, ahead and over its back; and the orientation error of each.
+  void positionsOfAShortArm() {
     const SerialArm arm = armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0},
                                                    {.a = 300.0, .lower = -3.0, .upper = 3.0},
                                                    {.a = 250.0, .lower = -2.5, .upper = 2.5}});
@@ -117,20 +117,20 @@ class ArmSolutionsTest : public QObject {
     QVERIFY((same.front().values - values).norm() < 1e-6 && same.front().turnedOff < 1e-6);
     Pose turned = tip;
     turned.rotate(Eigen::AngleAxisd(0.4, Vec3::UnitX()));  // about the forearm, which it cannot
-    const std::vector<ArmSolution> ways = solutionsFor(arm, turned, values);
-    QCOMPARE(ways.size(), std::size_t{4});
-    for (const ArmSolution& way : ways) {
-      const Pose there = arm.tipPose(way.values);
-      QVERIFY((there.translation() - tip.translation()).norm() < 1e-3 && arm.isWithinLimits(way.values));
+    const std::vector<ArmSolution> solutions = solutionsFor(arm, turned, values);
+    QCOMPARE(solutions.size(), std::size_t{4});
+    for (const ArmSolution& solution : solutions) {
+      const Pose there = arm.tipPose(solution.values);
+      QVERIFY((there.translation() - tip.translation()).norm() < 1e-3 && arm.isWithinLimits(solution.values));
       const double angle = Eigen::AngleAxisd(there.linear().transpose() * turned.linear()).angle();
-      QVERIFY(std::abs(way.turnedOff - angle) < 1e-6);
+      QVERIFY(std::abs(solution.turnedOff - angle) < 1e-6);
     }
-    QVERIFY((ways.front().values - values).norm() < 1e-4 && std::abs(ways.front().turnedOff - 0.4) < 1e-4);
+    QVERIFY((solutions.front().values - values).norm() < 1e-4 && std::abs(solutions.front().turnedOff - 0.4) < 1e-4);
     turned.translation() *= 5.0;
     QVERIFY(solutionsFor(arm, turned, values).empty());
   }
 
-  // Without a closed form: the way that is known is found, and others that are not the same.
+  // Without a closed form: the known solution is found, and others that are different.
   void byIteration() {
     std::vector<DhRow> rows(7, DhRow{.a = 100.0, .alpha = 1.2, .d = 60.0, .lower = -2.5, .upper = 2.5});
     const SerialArm arm = armOf(rows);
@@ -138,13 +138,14 @@ class ArmSolutionsTest : public QObject {
     QVERIFY(rc::check([&] {
       const ArmValues values = anyValuesOf(arm);
       const Pose tip = arm.tipPose(values);
-      const std::vector<ArmSolution> ways = solutionsFor(arm, tip, values);
-      RC_ASSERT(!ways.empty() && ways.size() <= kMostNumericalSolutions);
-      RC_ASSERT((ways.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        RC_ASSERT(arm.isWithinLimits(ways[i].values) && !ways[i].configuration && !ways[i].beyond);
-        RC_ASSERT(difference(arm.tipPose(ways[i].values), tip, arm.reach()) < 1e-6);
-        for (std::size_t j = 0; j < i; ++j) RC_ASSERT((ways[i].values - ways[j].values).cwiseAbs().maxCoeff() > 0.01);
+      const std::vector<ArmSolution> solutions = solutionsFor(arm, tip, values);
+      RC_ASSERT(!solutions.empty() && solutions.size() <= kMostNumericalSolutions);
+      RC_ASSERT((solutions.front().values - values).cwiseAbs().maxCoeff() < 1e-5);
+      for (std::size_t i = 0; i < solutions.size(); ++i) {
+        RC_ASSERT(arm.isWithinLimits(solutions[i].values) && !solutions[i].configuration && !solutions[i].beyond);
+        RC_ASSERT(difference(arm.tipPose(solutions[i].values), tip, arm.reach()) < 1e-6);
+        for (std::size_t j = 0; j < i; ++j)
+          RC_ASSERT((solutions[i].values - solutions[j].values).cwiseAbs().maxCoeff() > 0.01);
       }
     }));
   }

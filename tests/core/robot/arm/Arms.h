@@ -8,7 +8,7 @@
 
 #include <QtTest>
 
-// Arms to test with.
+// Arms for tests.
 namespace handwheel::test {
 
 inline SerialArm libraryArm(std::string_view id) {
@@ -21,7 +21,7 @@ inline double evenlyBetween(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-// Within the limits; where there are none, within ±3.
+// Returns values within the limits; without limits, within ±3.
 inline ArmValues anyValuesOf(const SerialArm& arm) {
   ArmValues values(arm.size());
   for (Eigen::Index i = 0; i < arm.size(); ++i) {
@@ -32,13 +32,13 @@ inline ArmValues anyValuesOf(const SerialArm& arm) {
   return values;
 }
 
-// The largest difference of two poses: lengths in parts of the size, and turns.
+// Returns the largest difference of two poses: lengths relative to the size, and rotations.
 inline double difference(const Pose& a, const Pose& b, double size) {
-  const double place = (a.translation() - b.translation()).norm() / size;
-  return std::max(place, (a.linear() - b.linear()).cwiseAbs().maxCoeff());
+  const double position = (a.translation() - b.translation()).norm() / size;
+  return std::max(position, (a.linear() - b.linear()).cwiseAbs().maxCoeff());
 }
 
-// An arm of so many joints about axes of every direction, some of them slides.
+// Returns an arm of so many joints about axes of every direction, some of them slides.
 inline SerialArm anyArm(int joints) {
   std::vector<DhRow> table;
   for (int i = 0; i < joints; ++i) {

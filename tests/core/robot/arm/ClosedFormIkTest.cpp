@@ -57,8 +57,7 @@ class ClosedFormIkTest : public QObject {
     }));
   }
 
-  // Where the axes of the wrist are in line the joints keep the reference's share, and the pose is reached all the
-  // same.
+  // If the axes of the wrist are in line the joints keep the reference's share, and the pose is reached nevertheless.
   void singularWrist() {
     for (const char* id : {"irb120", "kr6r900", "ur5", "puma560"}) {
       const SerialArm arm = libraryArm(id);
@@ -117,10 +116,10 @@ class ClosedFormIkTest : public QObject {
     QVERIFY(!ClosedFormIk::of(armOf(rows)));
     rows[3].isPrismatic = true;
     QVERIFY(!ClosedFormIk::of(armOf(rows)));
-    QVERIFY(!ClosedFormIk::of(armOf(std::vector<DhRow>(6))));  // of size zero
+    QVERIFY(!ClosedFormIk::of(armOf(std::vector<DhRow>(6))));  // a robot of size zero
   }
 
-  // Whole turns lead into the limits, and as near to the reference as can be.
+  // Whole turns lead into the limits, and as near to the reference as possible.
   void turnsIntoTheLimits() {
     const SerialArm arm = libraryArm("ur5");  // ±360°
     const ArmValues values = ArmValues::Constant(6, 0.5);

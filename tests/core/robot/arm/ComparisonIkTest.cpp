@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kBothMethods = {&solvedByJacobian, &solvedByTaylor};
 
-// Of the Jacobian in metres and rad: 0 where the arm is at a singular place.
+// Returns the least singular value of the Jacobian in metres and rad: 0 if the arm is singular.
 double leastSingularValue(const SerialArm& arm, const ArmValues& values) {
   ArmJacobian jacobian;
   arm.tipPose(values, jacobian);
@@ -24,12 +24,12 @@ double leastSingularValue(const SerialArm& arm, const ArmValues& values) {
 
 }  // namespace
 
-// The inverse kinematics that ours are compared with.
+// Tests the inverse kinematics that ours are compared with.
 class ComparisonIkTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // From nearby, away from singular places, both reach a pose, and more exactly than to the 0.001 rad of the thesis.
+  // From nearby, away from singularities, both reach a pose, and more exactly than to the 0.001 rad of the thesis.
   void reachNearPoses() {
     int compared = 0;
     QVERIFY(rc::check([&] {
@@ -58,7 +58,7 @@ class ComparisonIkTest : public QObject {
     const double away = 0.3;
     const ArmValues start = ArmValues::Zero(1);
     const Pose tip = arm.tipPose(ArmValues::Constant(1, away));
-    // (T')ᵀ (T* - T) / (T')ᵀ T': place (0, 1), columns of the turn (0, 1) and (-1, 0): all give sin δ.
+    // (T')ᵀ (T* - T) / (T')ᵀ T': position (0, 1), columns of the rotation (0, 1) and (-1, 0): all give sin δ.
     const double second = std::sin(away), third = second + std::sin(away - second);
     const NumericalIkResult taylor = solvedByTaylor(arm, tip, start, {.tolerance = 1.01 * (away - third)});
     QCOMPARE(taylor.iterations, 2u);
@@ -70,7 +70,8 @@ class ComparisonIkTest : public QObject {
     QVERIFY(std::abs(jacobian.values[0] - mean) < 1e-12);
   }
 
-  // Out of reach, from a singular place, without numbers or joints: no hang, and nothing is said to be solved.
+  // Out of reach, from a singularity, with values that are not finite, or without joints: no hang, and nothing counts
+  // as solved.
   void extremes() {
     const SerialArm arm = libraryArm("irb120");
     Pose far = Pose::Identity();

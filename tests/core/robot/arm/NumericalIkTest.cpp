@@ -13,7 +13,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// As many starts as it takes, whatever the machine does besides.
+// Returns settings with enough time for all starts, even on a busy machine.
 NumericalIkSettings patient() {
   NumericalIkSettings settings;
   settings.seconds = 60.0;
@@ -73,8 +73,8 @@ class NumericalIkTest : public QObject {
     }));
   }
 
-  // An arm of three joints reaches places, not poses.
-  void placesOnly() {
+  // An arm of three joints reaches positions, not poses.
+  void positionsOnly() {
     const SerialArm arm = armOf(std::vector<DhRow>{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0},
                                                    {.a = 300.0, .lower = -2.0, .upper = 2.0},
                                                    {.a = 250.0, .lower = -2.5, .upper = 2.5}});
@@ -88,9 +88,9 @@ class NumericalIkTest : public QObject {
     }));
   }
 
-  // At the place, and turned as near as it goes: a SCARA that a tilted hand leads turns about its axis as the hand
-  // does, a pointer of two revolute joints ends at the place whatever is asked of its turn.
-  void placeFirst() {
+  // At the position, with the nearest possible orientation: a SCARA led by a tilted hand turns about its axis as the
+  // hand does, a pointer of two revolute joints ends at the position for any orientation.
+  void positionFirst() {
     const SerialArm scara = armOf(std::vector<DhRow>{{.a = 300.0, .d = 400.0, .lower = -2.5, .upper = 2.5},
                                                      {.a = 200.0, .lower = -2.5, .upper = 2.5},
                                                      {.isPrismatic = true, .lower = -150.0, .upper = 0.0},
@@ -104,8 +104,8 @@ class NumericalIkTest : public QObject {
       const Vec3 aside(std::cos(evenlyBetween(-3, 3)), 0.3, 0.0);
       tip.linear() = Eigen::AngleAxisd(tilt, aside.normalized()) * tip.linear();
       RC_ASSERT(std::abs(tilt) < 1e-3 || !solvedNumerically(scara, tip, start, {.mostStarts = 1}).isSolved);
-      const NumericalIkResult found = solvedForPlace(scara, tip, start, {.seconds = 60.0, .mostStarts = 1});
-      // A tilt about an axis across is all that is left where the turn about z is right: no turn about z is nearer.
+      const NumericalIkResult found = solvedForPosition(scara, tip, start, {.seconds = 60.0, .mostStarts = 1});
+      // A tilt about a perpendicular axis is all that is left if the turn about z is right: no turn about z is nearer.
       RC_ASSERT(found.isSolved && found.distance < 2e-2);
       RC_ASSERT(std::abs(found.angle - std::abs(tilt)) < 1e-2 && (found.values - values).norm() < 0.05);
     }));
@@ -113,13 +113,13 @@ class NumericalIkTest : public QObject {
                                                        {.a = 300.0, .lower = -2.0, .upper = 2.0}});
     Pose tip = pointer.tipPose(ArmValues::Constant(2, 0.4));
     tip.rotate(Eigen::AngleAxisd(2.0, Vec3(1, 2, 3).normalized()));
-    const NumericalIkResult found = solvedForPlace(pointer, tip, ArmValues::Constant(2, 0.3), patient());
+    const NumericalIkResult found = solvedForPosition(pointer, tip, ArmValues::Constant(2, 0.3), patient());
     QVERIFY(found.isSolved && found.distance < 2e-2);
     tip.translation() *= 3.0;
-    QVERIFY(!solvedForPlace(pointer, tip, ArmValues::Constant(2, 0.3), {.mostStarts = 3}).isSolved);
+    QVERIFY(!solvedForPosition(pointer, tip, ArmValues::Constant(2, 0.3), {.mostStarts = 3}).isSolved);
   }
 
-  // Nothing that is asked for makes it leave its limits, or give what is no number.
+  // No input makes it leave its limits, or return values that are not finite.
   void extremes() {
     NumericalIkSettings settings;
     settings.mostStarts = 3;
@@ -130,7 +130,7 @@ class NumericalIkTest : public QObject {
     QVERIFY(!beyond.isSolved && beyond.values.allFinite() && arm.isWithinLimits(beyond.values));
     far.translation().x() = std::nan("");
     QVERIFY(!solvedNumerically(arm, far, arm.middle(), settings).isSolved);
-    // Links of length zero: any place but its own is out of reach.
+    // Links of length zero: any position but its own is out of reach.
     const SerialArm point = armOf(std::vector<DhRow>(6));
     const NumericalIkResult still = solvedNumerically(point, Pose::Identity(), ArmValues::Zero(6), settings);
     QVERIFY(still.isSolved);

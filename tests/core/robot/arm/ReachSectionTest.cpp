@@ -27,11 +27,11 @@ ArmValues bent() {
   return values;
 }
 
-double fromShoulder(const Vec3& place) {
-  return (place - Vec3(0.0, 0.0, kHeight)).norm();
+double fromShoulder(const Vec3& position) {
+  return (position - Vec3(0.0, 0.0, kHeight)).norm();
 }
 
-// Twice the area that a closed line goes round, with its sign, in the plane of x and z.
+// Returns twice the signed area inside a closed line, in the plane of x and z.
 double twiceArea(const std::vector<Vec3>& line) {
   double sum = 0.0;
   for (std::size_t i = 1; i < line.size(); ++i) sum += line[i - 1].x() * line[i].z() - line[i].x() * line[i - 1].z();
@@ -40,7 +40,7 @@ double twiceArea(const std::vector<Vec3>& line) {
 
 }  // namespace
 
-// The outline of what an arm reaches, where it is known.
+// Tests outlines of the reach that are known.
 class ReachSectionTest : public QObject {
   Q_OBJECT
 
@@ -52,12 +52,12 @@ class ReachSectionTest : public QObject {
     for (const std::vector<Vec3>& line : lines) {
       QVERIFY(line.size() > 20 && line.front() == line.back());
       const double radius = fromShoulder(line.front()) > 200.0 ? kUpper + kFore : kUpper - kFore;
-      for (const Vec3& place : line) {
-        QVERIFY(std::abs(place.y()) < 1e-9);
-        QVERIFY2(std::abs(fromShoulder(place) - radius) < 2.0, qPrintable(QString::number(fromShoulder(place))));
+      for (const Vec3& position : line) {
+        QVERIFY(std::abs(position.y()) < 1e-9);
+        QVERIFY2(std::abs(fromShoulder(position) - radius) < 2.0, qPrintable(QString::number(fromShoulder(position))));
       }
     }
-    // Both go round the shoulder, what is reached on the same side of them: opposite ways.
+    // Both go round the shoulder, with the reached region on the same side: in opposite directions.
     QVERIFY(twiceArea(lines[0]) * twiceArea(lines[1]) < 0.0);
     const double area = 0.5 * std::abs(twiceArea(lines[0]) + twiceArea(lines[1]));
     const double exact = M_PI * (500.0 * 500.0 - 100.0 * 100.0);
@@ -71,9 +71,9 @@ class ReachSectionTest : public QObject {
     const double inner = std::sqrt(kUpper * kUpper + kFore * kFore + 2.0 * kUpper * kFore * std::cos(1.5));
     double least = 1e9, most = 0.0;
     for (const std::vector<Vec3>& line : lines) {
-      for (const Vec3& place : line) {
-        least = std::min(least, fromShoulder(place));
-        most = std::max(most, fromShoulder(place));
+      for (const Vec3& position : line) {
+        least = std::min(least, fromShoulder(position));
+        most = std::max(most, fromShoulder(position));
       }
     }
     QVERIFY(std::abs(least - inner) < 2.0);
@@ -88,24 +88,24 @@ class ReachSectionTest : public QObject {
     QVERIFY(!lines.empty());
     double most = 0.0;
     for (const std::vector<Vec3>& line : lines) {
-      for (const Vec3& place : line) {
-        QVERIFY(std::abs(place.dot(Vec3(-2.0, 1.0, 0.0))) < 1e-6);
-        most = std::max(most, fromShoulder(place));
+      for (const Vec3& position : line) {
+        QVERIFY(std::abs(position.dot(Vec3(-2.0, 1.0, 0.0))) < 1e-6);
+        most = std::max(most, fromShoulder(position));
       }
     }
     QVERIFY(std::abs(most - 550.0) < 2.0);
   }
 
-  // Every place of the outline of a real arm is reached, and no pose of it is farther out than the outline.
+  // Every point of the outline of a real arm is reached, and no pose of it is farther out than the outline.
   void aRealArm() {
     const SerialArm arm = libraryArm("irb120");
     const auto lines = reachSection(arm, Pose::Identity(), ArmValues::Zero(6), Vec3::UnitX());
     QVERIFY(!lines.empty());
     double highest = 0.0, widest = 0.0;
     for (const std::vector<Vec3>& line : lines) {
-      for (const Vec3& place : line) {
-        highest = std::max(highest, place.z());
-        widest = std::max(widest, std::abs(place.x()));
+      for (const Vec3& position : line) {
+        highest = std::max(highest, position.z());
+        widest = std::max(widest, std::abs(position.x()));
       }
     }
     QVERIFY(rc::check([&] {

@@ -53,7 +53,7 @@ class SerialArmTest : public QObject {
     }
   }
 
-  // The tree of links that the window shows has its flange at the same place, and so has the arm between its links.
+  // The tree of links that the window shows has its flange at the same position, and so has the arm between its links.
   void treeAndChainAgree() {
     QVERIFY(rc::check([] {
       const LibraryRobot& any = *rc::gen::elementOf(robotLibrary());
@@ -71,7 +71,7 @@ class SerialArmTest : public QObject {
     }));
   }
 
-  // Of robots of any form, whose joints have any axes.
+  // Robots of any form, whose joints have any axes.
   void chainsOfTrees() {
     QVERIFY(rc::check([] {
       const RobotModel robot = readOrThrow(anyRobot()).robot;
@@ -98,9 +98,9 @@ class SerialArmTest : public QObject {
         more[i] += kStep;
         less[i] -= kStep;
         const Pose a = arm.tipPose(less), b = arm.tipPose(more);
-        const Vec3 way = (b.translation() - a.translation()) / (2 * kStep);
+        const Vec3 displacement = (b.translation() - a.translation()) / (2 * kStep);
         const Eigen::AngleAxisd turn(Eigen::Matrix3d(b.linear() * a.linear().transpose()));
-        RC_ASSERT((way - jacobian.col(i).head<3>()).norm() < 1e-5 * arm.reach());
+        RC_ASSERT((displacement - jacobian.col(i).head<3>()).norm() < 1e-5 * arm.reach());
         RC_ASSERT((turn.angle() * turn.axis() / (2 * kStep) - jacobian.col(i).tail<3>()).norm() < 1e-5);
       }
     }));

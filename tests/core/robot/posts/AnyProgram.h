@@ -40,15 +40,15 @@ inline ProgramMotion anyMotion(const SerialArm& arm) {
   return motion;
 }
 
-// A speed is what was wanted to half a step of the coarsest language, which counts whole percent and tenths of mm/s;
-// the blend is none, or not larger.
+// A speed must be read back to half a step of the coarsest language, which has whole percent and tenths of mm/s; the
+// blend is none, or not larger.
 inline bool isDoneAs(const ProgramMotion& wanted, const ParsedMotion& read) {
   const double step = wanted.kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
   return read.kind == wanted.kind && read.speed && std::abs(*read.speed - wanted.speed) <= 0.501 * step &&
          read.blend >= 0.0 && read.blend <= wanted.blend + 1e-3;
 }
 
-// A property: what a post writes of any program for this robot is read back as the same motions, with their speeds.
+// Checks that any program that a post writes for this robot is read back as the same motions, with their speeds.
 inline void checkAnyProgram(const PostProcessor& post, const char* robot) {
   RobotProgram program = programOf(robot);
   program.isBaseOfController = *rc::gen::arbitrary<bool>();

@@ -34,13 +34,13 @@ std::string withConfiguration(std::string text, const std::string& configuration
 
 }  // namespace
 
-// Which way of the arm a joint motion to a pose ends in, by Fanuc's CONFIG.
+// Tests the configuration at the end of a joint motion to a pose, by Fanuc's CONFIG.
 class FanucConfigurationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What is written of any joint values within the limits is read as these. Not where the arm can hardly move: there
-  // the rounding of the text tells the ways no longer apart.
+  // Any joint values within the limits are written and read back. Not if the arm can hardly move: there the rounding of
+  // the text makes the solutions ambiguous.
   void anyJoints() {
     const RobotProgram program = programOf("lrmate200id");
     QVERIFY(rc::check("joints of a way", [&] {
@@ -59,14 +59,14 @@ class FanucConfigurationTest : public QObject {
       const auto read = postCalled("fanuc")->read(fanucJointMotion(program, joints), program);
       RC_ASSERT(read.hasValue());
       const ParsedMotion& motion = read->front();
-      RC_ASSERT(motion.kind == ProgramMotion::Kind::Joint && !motion.isWayOpen && motion.joints);
+      RC_ASSERT(motion.kind == ProgramMotion::Kind::Joint && !motion.isConfigurationOpen && motion.joints);
       RC_ASSERT((*motion.joints - joints).cwiseAbs().maxCoeff() < 1e-4);
     }));
   }
 
-  // The other way of the wrist, and a whole turn of axis 6, have a CONFIG of their own. What no way has is refused with
-  // its line; without a CONFIG the way is the nearest one, and that is reported.
-  void otherWays() {
+  // The other solution of the wrist, and a whole turn of axis 6, have a CONFIG of their own. A CONFIG without a
+  // solution is refused with its line; without a CONFIG the solution is the nearest one, and that is reported.
+  void otherConfigurations() {
     const RobotProgram program = programOf("lrmate200id");
     const ArmValues joints = fanucJointsOf({30, 20, 10, 80, 57, 20});
     const std::string text = fanucJointMotion(program, joints);
@@ -91,13 +91,13 @@ class FanucConfigurationTest : public QObject {
     for (const char* const odd : {"", "N U", "N U T", "N U T, 0, 0", "X U T, 0, 0, 0", "N U T, 0, 0, 1e9",
                                   "N U T, 0.5, 0, 0", "N U T, nan, 0, 0"}) {
       const auto open = read(odd);
-      QVERIFY2(open.hasValue() && (*open)[0].isWayOpen && (*open)[0].pose && !(*open)[0].joints, odd);
+      QVERIFY2(open.hasValue() && (*open)[0].isConfigurationOpen && (*open)[0].pose && !(*open)[0].joints, odd);
     }
-    // A line goes on in the way in which it begins.
+    // A line keeps the configuration in which it begins.
     std::string lined = withConfiguration(text, "F U T, 0, 0, 0");
     lined.replace(lined.find(":J P[1] 50%"), 11, ":L P[1] 50mm/sec");
     const auto straight = postCalled("fanuc")->read(lined, program);
-    QVERIFY(straight.hasValue() && (*straight)[0].pose && !(*straight)[0].isWayOpen);
+    QVERIFY(straight.hasValue() && (*straight)[0].pose && !(*straight)[0].isConfigurationOpen);
   }
 };
 

@@ -13,7 +13,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// Motions that end in a line, in a named frame.
+// Returns motions that end in a line, in a named frame.
 RobotProgram framedProgram(const char* robot) {
   RobotProgram program = programOf(robot);
   program.isBaseOfController = true;
@@ -46,7 +46,7 @@ class PostFramesTest : public QObject {
       QTest::newRow(post) << QByteArray(post);
   }
 
-  // Joint values are in no frame: that places are in one is said only where there are lines.
+  // Joint values are in no frame: the frame of positions is mentioned only if there are lines.
   void saidOfLinesOnly() {
     for (const char* post : {"rapid", "krl", "urscript"}) {
       RobotProgram program = framedProgram("irb120");
@@ -74,7 +74,7 @@ class PostFramesTest : public QObject {
     }));
   }
 
-  // Places that are right in a frame that is not: 1 mm beside, and turned by 1°.
+  // Correct positions in a wrong frame: shifted by 1 mm, and turned by 1°.
   void otherFrames_data() { languages_data(); }
   void otherFrames() {
     QFETCH(const QByteArray, post);
@@ -89,7 +89,7 @@ class PostFramesTest : public QObject {
     QVERIFY(turn.hasValue() && turn->angle > 0.999);
   }
 
-  // One frame, one name: that of the cell, in whichever path; a legal one, and no other frame's.
+  // One frame, one name: that of the cell, for any path; a legal one, and no other frame's.
   void nameOfTheFrame() {
     const auto nameIn = [](RobotProgram program, const char* frame, std::vector<std::string> others = {}) {
       program.frameName = frame;
@@ -161,7 +161,7 @@ class PostFramesTest : public QObject {
     }
   }
 
-  // A frame that a person has changed in the file leads elsewhere, by as much.
+  // A frame that a person has changed in the file displaces the robot by as much.
   void changedByHand() {
     RobotProgram program = framedProgram("irb120");
     program.frame = Pose(Eigen::Translation3d(400.0, 50.0, 290.0));
@@ -223,11 +223,11 @@ class PostFramesTest : public QObject {
       const auto refused = read(unread);
       QVERIFY2(!refused.hasValue() && refused.error().code == PostError::StatementUnread, unread);
     }
-    // What is set after a motion would have meant another place before.
+    // A value set after a motion would have meant another position before.
     QVERIFY(read(set, ":PR[4]=LPOS-LPOS ;").error().code == PostError::StatementUnread);
   }
 
-  // Only where the base is the controller's; else the lines are by joint values as without a frame.
+  // Only if the base is the controller's; otherwise the lines are by joint values as without a frame.
   void urScript() {
     RobotProgram program = framedProgram("ur5");
     program.frame = Pose(Eigen::Translation3d(400.0, 0.0, -10.0));

@@ -32,7 +32,7 @@ class PostLanguagesTest : public QObject {
     }));
   }
 
-  // A path may be called as people like: no program is called as a word of its language.
+  // A path may have any name: no program has the name of a word of its language.
   void wordsOfTheLanguageAreNoNames() {
     RobotProgram program = programOf("ur5");
     program.motions.push_back({ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}});
@@ -95,12 +95,12 @@ class PostLanguagesTest : public QObject {
         QVERIFY2(names.insert(name).second, qPrintable(line));
         ++count;
       }
-      QCOMPARE(count, 6);                                    // module, procedure, tool, frame, two places
+      QCOMPARE(count, 6);                                    // module, procedure, tool, frame, two waypoints
       QVERIFY(written.find("PROC test()") == written.npos);  // a word of the language
     }
   }
 
-  // Named places are data that can be touched up. A line by a pose is right only where the base is the controller's.
+  // Named waypoints are data that can be touched up. A line by a pose is right only if the base is the controller's.
   void rapidTargets() {
     RobotProgram program = programOf("irb120");
     program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 0.0, "approach"},
@@ -150,7 +150,7 @@ class PostLanguagesTest : public QObject {
     program.motions = {{ProgramMotion::Kind::Linear, joints, 50.0, 0.0, {}}};
     std::string text = postCalled("krl")->write(program);
     QVERIFY2(text.find("," + status.toStdString() + "}") != text.npos, text.c_str());
-    // A joint motion to the same frame is the way that S and T say, and no other.
+    // A joint motion to the same frame has the configuration of S and T, and no other.
     const auto read = [&](const std::string& bits) {
       std::string ptp = text;
       ptp.replace(ptp.find("LIN {"), 3, "PTP");
@@ -160,7 +160,7 @@ class PostLanguagesTest : public QObject {
     const auto same = read(status.toStdString());
     QVERIFY(same.hasValue());
     QVERIFY((*same)[0].joints && (*(*same)[0].joints - joints).cwiseAbs().maxCoeff() < 1e-5);
-    // By S alone whole turns are as near as they can be to where the robot comes from, which is 0.
+    // By S alone whole turns are as near as possible to the last joint values, which are 0.
     const auto byStatus = read(status.left(8).toStdString());
     QVERIFY(byStatus.hasValue());
     const ArmValues near = *(*byStatus)[0].joints;
@@ -170,7 +170,7 @@ class PostLanguagesTest : public QObject {
     QVERIFY(frame.hasValue() && !(*frame)[0].joints && (*frame)[0].pose);
   }
 
-  // S and T as numbers and in hexadecimal; what no way of the robot has is refused with its line.
+  // S and T as numbers and in hexadecimal; a combination without a solution of the robot is refused with its line.
   void krlStatusRead() {
     const RobotProgram program = programOf("kr6r900");
     const auto read = [&](const std::string& bits) {
@@ -266,7 +266,7 @@ class PostLanguagesTest : public QObject {
     QVERIFY((*read)[1].blend > 0.0);
   }
 
-  // The controller computes where the joints are by its own kinematics, whatever the base of a description is.
+  // The controller computes the pose from the joints by its own kinematics, for any base of a description.
   void urLinesByJoints() {
     RobotProgram program = programOf("ur5");
     program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.5), 0.5, 0.0, "start"},
@@ -280,10 +280,10 @@ class PostLanguagesTest : public QObject {
     QVERIFY(text.find("\n  set_payload") == text.npos);  // in a comment: the load of the installation counts
   }
 
-  // What was not proven is said where a person reads it, and moves nothing.
+  // Unproven properties are stated in comments, which move nothing.
   void whatWasNotProven_data() {
     QTest::addColumn<QByteArray>("post");
-    QTest::addColumn<QByteArray>("sign");  // that its comments begin with
+    QTest::addColumn<QByteArray>("sign");  // sign at the beginning of its comments
     for (const auto& [post, sign] :
          {std::pair("rapid", "!"), std::pair("krl", ";"), std::pair("fanuc", "!"), std::pair("urscript", "#"),
           std::pair("csv", "#"), std::pair("json", "\"remarks\"")})
@@ -296,7 +296,7 @@ class PostLanguagesTest : public QObject {
     program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.1), 0.5, 0.0, {}}};
     program.remarks = {"Outdated: the part a_block_with_a_name_longer_than_pendants_show has moved."};
     const std::string text = postCalled(post.toStdString())->write(program);
-    // All of it, line by line, whatever breaks the lines.
+    // All of the remark, line by line, for any line breaks in it.
     QString said;
     for (const QString& line : QString::fromStdString(text).split('\n')) {
       const qsizetype at = line.indexOf(sign);
@@ -329,7 +329,7 @@ class PostLanguagesTest : public QObject {
     }
   }
 
-  // Only a comment of its own says what is kept, and a length that a path can have.
+  // Only a comment of its own defines the clearance, and only with a value that a path can have.
   void whatIsNoProof() {
     for (const char* const text :
          {"", "Clearance kept: 2 mm.", "TPWrite \"! Clearance kept: 2 mm.\";", "! was: Clearance kept: 2 mm.",
@@ -383,7 +383,7 @@ class PostLanguagesTest : public QObject {
     row("urscript", "", "movel([0,0,0,0,0,0],a=1.2,v=0.05,t=2)", 0.0);
     row("urscript", "", "movel([0,0,0,0,0,0],1.2,0.05,2)", 0.0);
     row("urscript", "", "movep(p[0.1,0.2,0.3,0,0,0],1.2,0.05,0.01)", 50.0);
-    row("urscript", "", "movej([0,0,0,0,0,0],v=1.5707963267948966)", 0.5);  // of 180°/s
+    row("urscript", "", "movej([0,0,0,0,0,0],v=1.5707963267948966)", 0.5);  // relative to 180°/s
     row("urscript", "", "movej([0,0,0,0,0,0])", 0.0);
   }
   void speeds() {

@@ -28,7 +28,7 @@ class PluginPost : public PostProcessor {
 
 }  // namespace
 
-// Posts of plugins stand behind those of the program and do not take their place.
+// Tests that posts of plugins come after those of the program and do not replace them.
 class PostPluginsTest : public QObject {
   Q_OBJECT
 
@@ -51,7 +51,7 @@ class PostPluginsTest : public QObject {
     QCOMPARE(m_asked, 1);
   }
 
-  // Endings as the controllers have them, in capitals or not; .json alone is a path, and no program.
+  // Extensions of the controllers, in capitals or not; .json alone is a path, and no program.
   void postsByTheEndingOfAFile() {
     for (const auto& [file, id] : {std::pair("weld.mod", "rapid"),
                                    {"/cell/WELD.MOD", "rapid"},

@@ -61,7 +61,7 @@ class PostProcessorTest : public QObject {
     }));
   }
 
-  // A program that does not do what the path says is not written: a faster line, a wider zone. A narrower one is right.
+  // A program that differs from the path is not written: a faster line, a wider zone. A narrower one is right.
   void differences() {
     RobotProgram program = programOf("irb120");
     program.motions = {{ProgramMotion::Kind::Joint, ArmValues::Zero(6), 0.5, 0.0, {}},
@@ -85,7 +85,7 @@ class PostProcessorTest : public QObject {
     }
   }
 
-  // As people write them.
+  // Programs in the style of people.
   void programsByHand() {
     const RobotProgram program = programOf("irb120");
     const auto rapid = postCalled("rapid")->read(
@@ -188,7 +188,7 @@ class PostProcessorTest : public QObject {
     }
   }
 
-  // As many motions as a program may have, of an arm of eight joints, with long names, are read again in the format
+  // The largest number of motions of a program, of an arm of eight joints, with long names, is read again in the format
   // that takes most room.
   void aLongProgramOfEightJointsCanBeRead() {
     RobotProgram program = programOf("irb120");
@@ -202,7 +202,7 @@ class PostProcessorTest : public QObject {
     QVERIFY2(read && read->size() == kMeasured, QByteArray::number(quint64(largest.size())));
   }
 
-  // A line that is faster than the controller takes; joint motions are shares, and always below.
+  // A line that is faster than the controller allows; joint motions are shares, and always below.
   void linesTooFast() {
     RobotProgram program = programOf("irb120");
     for (const auto& [id, most] : {std::pair("rapid", 7000.0), std::pair("krl", 3000.0), std::pair("fanuc", 2000.0),

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kPose = "[[300,0,500],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
 constexpr const char* kHome = "CONST jointtarget home:=[[0,10,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];";
 
-// Where a motion that was read brings the tool of the cell, in the base.
+// Returns the pose of the cell's tool after a motion that was read, in the base.
 Pose inBase(const RobotProgram& program, const ParsedMotion& motion) {
   return program.frame * *motion.pose;
 }
@@ -31,7 +31,7 @@ Pose turnedAt(const Vec3& at, double angle) {
 
 }  // namespace
 
-// Programs of controllers as people write them: nothing in them that may move the robot is passed over.
+// Tests programs of controllers in the style of people: no statement that may move the robot is skipped.
 class ProgramReadersTest : public QObject {
   Q_OBJECT
 
@@ -86,22 +86,22 @@ class ProgramReadersTest : public QObject {
       }
       QVERIFY(!postCalled("rapid")->read(doubling + "ENDMODULE\n", program).hasValue());
     }
-    // A few calls, each of which is a long text to look at.
+    // A few calls, each of which has a long text to examine.
     const std::string calculation = "n:=" + std::string(100'000, '1') + ";\n";
     std::string often = "MODULE m\nPROC long()\n" + calculation + "ENDPROC\nPROC main()\n";
     for (int i = 0; i < 10'000; ++i) often += "long;\n";
     QVERIFY(!postCalled("rapid")->read(often + joints(0) + "ENDPROC\nENDMODULE\n", program).hasValue());
   }
 
-  // Where a place is, by the definition of each language: the frame, then the place, then back along the tool that the
-  // program names and forth along that of the cell.
+  // The pose of a waypoint, by the definition of each language: the frame, then the pose, then back along the tool that
+  // the program names and forth along that of the cell.
   void toolsAndFrames() {
     const RobotProgram program = programOf("irb120");
-    const Pose place(Eigen::Translation3d(300, 0, 500));
+    const Pose pose(Eigen::Translation3d(300, 0, 500));
     const Pose tool = turnedAt({0, 0, 100}, 0.5 * M_PI), user = turnedAt({1000, 0, 0}, 0.5 * M_PI),
                object(Eigen::Translation3d(0, 20, 0));
     const auto led = [&](const Pose& frame, const Pose& used) {
-      return Pose(frame * place * used.inverse(Eigen::Isometry) * program.tool);
+      return Pose(frame * pose * used.inverse(Eigen::Isometry) * program.tool);
     };
     const std::string half = "0.70710678118654752";
     const std::string data = "PERS tooldata grip:=[TRUE,[[0,0,100],[" + half + ",0,0," + half +
@@ -307,7 +307,7 @@ class ProgramReadersTest : public QObject {
     }
   }
 
-  // What is in effect when a zone is driven is not what was set first: a branch or the controller may have set another.
+  // The zone in effect may differ from the one that was set first: a branch or the controller may have set another.
   void zonesThatMayChange() {
     for (const char* const between : {"IF $IN[1] THEN\n$APO.CDIS=50\nENDIF", "$APO={CDIS 50.0}", "BAS(#INITMOV,0)"}) {
       const std::string text = std::string("$APO.CDIS=5\n") + between + "\nLIN {X 300,Y 0,Z 500,A 0,B 0,C 0} C_DIS\n";

@@ -19,7 +19,7 @@ ArmValues rapidJointsOf(const QList<double>& degrees) {
   return radiansOf(std::span(degrees.data(), static_cast<std::size_t>(degrees.size())));
 }
 
-// A joint motion to the place of these joint values, with the confdata that the post gives a line to it.
+// Returns a joint motion to the pose of these joint values, with the confdata that the post gives a line to it.
 std::string rapidMoveJ(RobotProgram program, const ArmValues& joints) {
   program.isBaseOfController = true;
   program.motions = {{ProgramMotion::Kind::Linear, joints, 50.0, 0.0, {}}};
@@ -34,7 +34,7 @@ std::string textWith(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-// Which way of the arm a joint motion to a robtarget ends in, by ABB's definition of confdata.
+// Tests the configuration at the end of a joint motion to a robtarget, by ABB's definition of confdata.
 class RapidConfigurationTest : public QObject {
   Q_OBJECT
 
@@ -66,12 +66,12 @@ class RapidConfigurationTest : public QObject {
     QVERIFY2(text.find("," + configuration.toStdString() + ",[9E9") != text.npos, text.c_str());
     const auto read = postCalled("rapid")->read(text, program);
     QVERIFY(read.hasValue());
-    QVERIFY((*read)[0].kind == ProgramMotion::Kind::Joint && !(*read)[0].isWayOpen);
+    QVERIFY((*read)[0].kind == ProgramMotion::Kind::Joint && !(*read)[0].isConfigurationOpen);
     QVERIFY((*read)[0].joints && (*(*read)[0].joints - joints).cwiseAbs().maxCoeff() < 1e-5);
   }
 
-  // What is written of any joint values within the limits is read as these, whatever way they are. Not where the arm
-  // can hardly move: there the rounding of the text tells the ways no longer apart.
+  // Any joint values within the limits are written and read back, in any configuration. Not if the arm can hardly move:
+  // there the rounding of the text makes the solutions ambiguous.
   void anyJoints_data() {
     QTest::addColumn<QByteArray>("robot");
     for (const LibraryRobot& robot : robotLibrary()) QTest::newRow(robot.id) << QByteArray(robot.id);
@@ -94,20 +94,20 @@ class RapidConfigurationTest : public QObject {
       const auto read = postCalled("rapid")->read(rapidMoveJ(program, joints), program);
       RC_ASSERT(read.hasValue());
       const ParsedMotion& motion = read->front();
-      RC_ASSERT(motion.isWayOpen == isUniversal);  // confdata tell the ways of spherical wrists apart
+      RC_ASSERT(motion.isConfigurationOpen == isUniversal);  // confdata distinguish the solutions of spherical wrists
       if (!isUniversal) RC_ASSERT((*motion.joints - joints).cwiseAbs().maxCoeff() < 1e-4);
     }));
   }
 
-  // All ways to one place have confdata of their own, and what no way has is refused with its line.
-  void otherWays() {
+  // All solutions for one pose have confdata of their own, and confdata without a solution are refused with their line.
+  void otherConfigurations() {
     const RobotProgram program = programOf("irb120");
     const ArmValues joints = rapidJointsOf({30, 20, 10, 80, 57, 0});
     const std::string text = rapidMoveJ(program, joints);
     const auto read = [&](const std::string& configuration) {
       return postCalled("rapid")->read(textWith(text, "[0,0,0,0],[9E9", configuration + ",[9E9"), program);
     };
-    // The other way of the wrist: axis 5 to its other side, the axes 4 and 6 by half a turn.
+    // The other solution of the wrist: axis 5 to its other side, the axes 4 and 6 by half a turn.
     const auto flipped = read("[0,-2,2,1]");
     QVERIFY(flipped.hasValue());
     QVERIFY((*(*flipped)[0].joints - rapidJointsOf({30, 20, 10, -100, -57, 180})).cwiseAbs().maxCoeff() < 1e-5);
@@ -123,13 +123,14 @@ class RapidConfigurationTest : public QObject {
     }
   }
 
-  // Without a configuration that counts the way is the nearest to where the arm comes from, and that is reported.
-  void openWays() {
+  // Without a configuration that counts the solution is the nearest to the arm's last configuration, and that is
+  // reported.
+  void openConfigurations() {
     const RobotProgram program = programOf("irb120");
     const std::string text = rapidMoveJ(program, rapidJointsOf({30, 20, 10, 80, 57, 0}));
     const auto isOpen = [&](const std::string& changed) {
       const auto read = postCalled("rapid")->read(changed, program);
-      return read.hasValue() && (*read)[0].isWayOpen && (*read)[0].pose && !(*read)[0].joints;
+      return read.hasValue() && (*read)[0].isConfigurationOpen && (*read)[0].pose && !(*read)[0].joints;
     };
     for (const char* const odd :
          {"[9E9,9E9,9E9,9E9]", "[0,0,0,8]", "[0,0,0,-1]", "[0,0.5,0,0]", "[1E30,0,0,0]", "[0,0,0,9E9]"})
@@ -137,10 +138,10 @@ class RapidConfigurationTest : public QObject {
     QVERIFY(isOpen(textWith(text, "    VelSet", "    ConfJ\\Off;\n    VelSet")));
     QVERIFY(isOpen(textWith(text, "    VelSet", "    confj \\ off;\n    VelSet")));
     QVERIFY(!isOpen(textWith(text, "    VelSet", "    ConfJ\\Off;\n    ConfJ\\On;\n    VelSet")));
-    QVERIFY(!isOpen(textWith(text, "    VelSet", "    ConfL\\Off;\n    VelSet")));  // of lines
-    // A line goes on in the way in which it begins.
+    QVERIFY(!isOpen(textWith(text, "    VelSet", "    ConfL\\Off;\n    VelSet")));  // for lines
+    // A line keeps the configuration in which it begins.
     const auto line = postCalled("rapid")->read(textWith(text, "MoveJ", "MoveL"), program);
-    QVERIFY(line.hasValue() && (*line)[0].pose && !(*line)[0].isWayOpen && !(*line)[0].endsIn);
+    QVERIFY(line.hasValue() && (*line)[0].pose && !(*line)[0].isConfigurationOpen && !(*line)[0].endsIn);
     const std::string heeded = textWith(text, "ConfL\\Off", "ConfL\\On");
     const auto ending = postCalled("rapid")->read(textWith(heeded, "MoveJ", "MoveL"), program);
     QVERIFY(ending.hasValue() && (*ending)[0].pose && (*ending)[0].endsIn == (RapidConfiguration{{0, 0, 0}, 0}));
@@ -169,8 +170,8 @@ class RapidConfigurationTest : public QObject {
     for (const RapidConfiguration& wanted : impossible) QVERIFY2(!found(wanted), wanted.text().c_str());
   }
 
-  // Controllers save places with hundredths of a millimetre and six decimals of the quaternion. With axis 5 near 0 the
-  // angles of the axes 4 and 6 come from this rounding, and such a place is not refused.
+  // Controllers save poses with hundredths of a millimetre and six decimals of the quaternion. With axis 5 near 0 the
+  // angles of the axes 4 and 6 come from this rounding, and such a pose is not refused.
   void rounded_data() {
     QTest::addColumn<QList<double>>("degrees");
     for (const double fifth : {0.0, 0.001, -0.001, 0.01, 0.03, 0.2, 1.0, -1.0, 10.0}) {
@@ -204,7 +205,7 @@ class RapidConfigurationTest : public QObject {
     QVERIFY(Eigen::AngleAxisd(Eigen::Matrix3d(tip.linear().transpose() * reached.linear())).angle() < 5e-4);
     QVERIFY((values.head(3) - joints.head(3)).cwiseAbs().maxCoeff() < 5e-4);
     QVERIFY(std::abs(values[4] - joints[4]) < 5e-4);
-    // Where axis 5 is near 0, axes 4 and 6 turn against each other by the angle that rounding turns the hand, over its
+    // With axis 5 near 0, axes 4 and 6 turn against each other by the angle that rounding turns the hand, over its
     // sine. The hand turns by 1e-4 at most: 0.005 mm at the wrist and 5e-7 in the quaternion.
     const double free = std::min(0.5 * M_PI, 1e-4 / std::abs(std::sin(joints[4])));
     for (const auto& [axis, quarter] : {std::pair(3, wanted.quarters[1]), std::pair(5, wanted.quarters[2])}) {

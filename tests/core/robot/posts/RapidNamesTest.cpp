@@ -43,7 +43,7 @@ class RapidNamesTest : public QObject {
     QVERIFY2(text.find("PROC " + path.toStdString() + "_path()") != text.npos, text.c_str());
   }
 
-  // What only resembles these is kept.
+  // Names that only resemble these are kept.
   void kept() {
     for (const char* const path : {"tool", "tool0a", "v", "z_10", "finest", "moving", "seam", "pose1", "offset"})
       QCOMPARE(nameAmong(path), std::string(path));
@@ -67,7 +67,7 @@ class RapidNamesTest : public QObject {
           QVERIFY2(declared.insert(name + ending).second, (name + ending).c_str());
       }
     }
-    // Others do not change a name that meets none of theirs.
+    // Other paths do not change a name that collides with none of theirs.
     QCOMPARE(nameAmong("Process", {"seam", "Process 2", "process_1"}), std::string("Process"));
   }
 };

@@ -26,7 +26,7 @@ JointValues pair(double a, double b) {
 
 }  // namespace
 
-// Paths as JSON: what is written is read as the same, and what is wrong is named.
+// Tests paths as JSON: a written path is read as the same, and errors are named.
 class PathFileTest : public QObject {
   Q_OBJECT
 
@@ -36,14 +36,14 @@ class PathFileTest : public QObject {
       RobotPath path{"from a to b", {}};
       const int count = *rc::gen::inRange(0, 6);
       for (int i = 0; i < count; ++i) {
-        Waypoint place{.joints = pair(anyNumber(-3, 3), anyNumber(-3, 3)), .name = std::string(1, char('a' + i))};
-        place.isCritical = *rc::gen::arbitrary<bool>();
+        Waypoint waypoint{.joints = pair(anyNumber(-3, 3), anyNumber(-3, 3)), .name = std::string(1, char('a' + i))};
+        waypoint.isCritical = *rc::gen::arbitrary<bool>();
         if (*rc::gen::arbitrary<bool>()) {
-          place.motion = ProgramMotion::Kind::Linear;
-          place.speed = anyNumber(1, 1000);
+          waypoint.motion = ProgramMotion::Kind::Linear;
+          waypoint.speed = anyNumber(1, 1000);
         }
-        place.blend = anyNumber(0, 50);
-        path.places.push_back(place);
+        waypoint.blend = anyNumber(0, 50);
+        path.waypoints.push_back(waypoint);
       }
       if (*rc::gen::arbitrary<bool>()) path.bases["left"] = Pose(Eigen::Translation3d(anyNumber(-900, 900), 0.1, -3.0));
       if (*rc::gen::arbitrary<bool>()) {
@@ -60,7 +60,8 @@ class PathFileTest : public QObject {
     }));
   }
 
-  // What was known of a path is compared with it after a robot came or went: other numbers of joints are not equal.
+  // Former data of a path are compared with it after a robot was added or removed: other numbers of joints are not
+  // equal.
   void ofAnotherNumberOfJoints() {
     Waypoint one{.joints = JointValues::Zero(6)}, two{.joints = JointValues::Zero(12)};
     QVERIFY(!(one == two) && !(two == one) && one == one);
@@ -72,15 +73,15 @@ class PathFileTest : public QObject {
   void waypointsAlone() {
     const auto path = readPath(R"({"waypoints": [[0.1, 0.2], [1, -1]]})", arm(), pair(0, 0));
     QVERIFY(path.hasValue());
-    QCOMPARE(path->places.size(), std::size_t{2});
-    QVERIFY(path->places[1].joints == pair(1, -1));
-    // In another order, and of one joint only: the other stands.
+    QCOMPARE(path->waypoints.size(), std::size_t{2});
+    QVERIFY(path->waypoints[1].joints == pair(1, -1));
+    // In another order, and of one joint only: the other keeps its value.
     const auto other = readPath(R"({"joints": ["j2"], "waypoints": [[0.5]]})", arm(), pair(0.25, 0));
     QVERIFY(other.hasValue());
-    QVERIFY(other->places[0].joints == pair(0.25, 0.5));
+    QVERIFY(other->waypoints[0].joints == pair(0.25, 0.5));
   }
 
-  // What made a path cannot be used: the path is as good without it.
+  // An invalid process is ignored: the path is as good without it.
   void brokenProcess() {
     for (const char* process :
          {"7", "{}", R"({"values": {}})", R"({"values": {}, "part": [1, 2]})", R"({"values": 1, "part": [1]})",
@@ -88,7 +89,7 @@ class PathFileTest : public QObject {
           R"({"values": {}, "part": [-1,0,0,0, 0,1,0,0, 0,0,1,0]})"}) {
       const auto path =
           readPath(R"({"waypoints": [[0, 1]], "process": )" + std::string(process) + "}", arm(), pair(0, 0));
-      QVERIFY2(path.hasValue() && !path->process && path->places.size() == 1, process);
+      QVERIFY2(path.hasValue() && !path->process && path->waypoints.size() == 1, process);
     }
     const auto path =
         readPath(R"({"waypoints": [], "process": {"values": {"a": [1], "b": 2}, "part": [1,0,0,0, 0,1,0,0, 0,0,1,7]}})",
@@ -129,7 +130,7 @@ class PathFileTest : public QObject {
     QCOMPARE(QString::fromLatin1(path.error().code->id), code);
   }
 
-  // What a file has in few digits may be a little beyond a limit: the path is within, for planner and verifier alike.
+  // Rounded values of a file may be slightly beyond a limit: the path is within, for planner and verifier alike.
   void printedDigitsBeyondALimit() {
     QVERIFY(rc::check("within, and no further away than the digits", [] {
       const double over = anyNumber(-0.9e-6, 0.9e-6), under = anyNumber(-0.9e-6, 0.9e-6);
@@ -139,10 +140,10 @@ class PathFileTest : public QObject {
     }));
     QVERIFY(!valuesWithinLimits(arm(), pair(3.0 + 2e-6, 0)).hasValue());
     const auto path = readPath(R"({"waypoints": [[3.0000005, -3.0000005]]})", arm(), pair(0, 0));
-    QVERIFY(path.hasValue() && path->places[0].joints == pair(3, -3));
+    QVERIFY(path.hasValue() && path->waypoints[0].joints == pair(3, -3));
   }
 
-  // A motion of a million turns could be looked at for days.
+  // Checking a motion of a million turns could take days.
   void tooManyTurns() {
     const RobotModel wide = readOrThrow(planarArm({0.5, 0.5}, limit(-1e6, 1e6))).robot;
     QVERIFY(readPath(R"({"waypoints": [[1000, -1000]]})", wide, pair(0, 0)).hasValue());
@@ -150,13 +151,13 @@ class PathFileTest : public QObject {
       const auto path = readPath(text, wide, pair(0, 0));
       QVERIFY(!path.hasValue() && path.error().code == ErrorCode::ValueOutOfRange);
     }
-    // Slides of course go further than 1000 mm.
+    // Slides may go further than 1000 mm.
     const RobotModel slide =
         readOrThrow(robotOf(link("a") + link("b") + joint("j", "prismatic", "a", "b", limit(0, 9)))).robot;
     QVERIFY(valuesWithinLimits(slide, JointValues::Constant(1, 8e3)).hasValue());
   }
 
-  // What a cell lets its joints stand at, a path takes: a row holds those of all robots.
+  // A path accepts any joint values that a cell accepts: a row holds those of all robots.
   void whatJointsMayStandAt() {
     const std::string follower = joint("k", "revolute", "a", "c", limit(-1e6, 1e6) + "<mimic joint='j'/>");
     const std::string three = link("a") + link("b") + link("c");
@@ -176,7 +177,7 @@ class PathFileTest : public QObject {
     QVERIFY(!readUrdf(planarArm({0.5}, limit(1001, 1e6))));
   }
 
-  // As one by one, and of many names alike each once.
+  // The same as one by one, and many equal names.
   void manyNamesAlike() {
     FreeNames names;
     names.add("way 3");

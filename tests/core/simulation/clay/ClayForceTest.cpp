@@ -65,7 +65,7 @@ class ClayForceTest : public QObject {
     }
   }
 
-  // The pressure is the force by what is full, until it is; beside the ball there is none to go by.
+  // The pressure is the force divided by the full force, up to 1; beside the ball there is none to derive it from.
   void pressureIsTheForce() {
     ClayFixture fixture;
     for (int i = 0; i <= 600; ++i) {
@@ -164,7 +164,7 @@ class ClayForceTest : public QObject {
     QVERIFY(fixture.tick({0.0, 0.0, 9.8}).norm() > 0.05);
   }
 
-  void whatIsNoPlace() {
+  void invalidPositions() {
     ClayFixture fixture;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(fixture.tick({nan, 0.0, 0.0}).isZero());

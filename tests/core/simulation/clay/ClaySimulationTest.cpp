@@ -23,9 +23,9 @@ std::shared_ptr<const ClayState> ball() {
   return state;
 }
 
-SimulationInput at(const Vec3& place, double time, std::uint32_t gesture = 1) {
+SimulationInput at(const Vec3& position, double time, std::uint32_t gesture = 1) {
   SimulationInput input;
-  input.tip.position = input.proxy = place;
+  input.tip.position = input.proxy = position;
   input.tip.time = time;
   input.gesture = gesture;
   return input;
@@ -44,7 +44,7 @@ class ClaySimulationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A stroke takes what a ball takes that goes all the way, whatever the steps are.
+  // A stroke removes the same as a ball along its whole path, whatever the steps are.
   void aStrokeIsASweep() {
     ClaySimulation simulation(ball(), carving(1.0), std::make_shared<ClayChannel>());
     const Vec3 from(-7.0, 0.0, 5.5), to(7.0, 0.5, 5.5);
@@ -59,7 +59,7 @@ class ClaySimulationTest : public QObject {
       const Vec3 p(8.0 * std::sin(i), 3.0 * std::sin(2.0 * i + 1.0), 4.0 + 3.0 * std::cos(3.0 * i));
       const double share = std::clamp((p - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
       const double exact = std::min(6.0 - p.norm(), (p - from - share * (to - from)).norm() - 1.0);
-      // The last bit of the way is less than what a dab is made for.
+      // The last bit of the path is shorter than the spacing of dabs.
       if ((p - to).norm() < 1.2 || std::abs(exact) < 0.3 * kVoxel) continue;
       QCOMPARE(sampler.depthAt(p).depth > 0.0, exact > 0.0);
     }
@@ -68,7 +68,7 @@ class ClaySimulationTest : public QObject {
     QCOMPARE(state->surface.triangleCount(), fresh.triangleCount());
   }
 
-  // The same inputs give the same bytes; also when they come in other portions, once all are applied.
+  // The same inputs give the same bytes; also in other portions, once all are applied.
   void isTheSameAgain() {
     const auto run = [](std::size_t portion) {
       ClayBrush brush = carving(0.8);
@@ -95,7 +95,7 @@ class ClaySimulationTest : public QObject {
     QVERIFY(isSame(one, other));
   }
 
-  // A hand that only moves changes nothing, nor do places that are none.
+  // A hand that only moves changes nothing, nor do invalid positions.
   void nothingHappens() {
     const auto begin = ball();
     ClaySimulation simulation(begin, carving(1.0), std::make_shared<ClayChannel>());

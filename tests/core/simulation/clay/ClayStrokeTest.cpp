@@ -84,8 +84,8 @@ class ClayStrokeTest : public QObject {
     QCOMPARE(stroke.dabs()[1].strength, 0.4);
   }
 
-  // What works by itself where it rests does so twenty times a second at most: of 64 places in each of two seconds
-  // every fourth. What moves material along needs a way.
+  // A brush that also acts at rest does so twenty times a second at most: of 64 positions in each of two seconds every
+  // fourth. A brush that moves material needs a displacement.
   void aBrushThatRests() {
     const auto dabsOf = [](ClayAction action) {
       ClayBrush brush;
@@ -102,7 +102,7 @@ class ClayStrokeTest : public QObject {
     QCOMPARE(dabsOf(ClayAction::Move), std::size_t{0});
   }
 
-  // Upright as seen from outside: by z on walls, by y on what lies flat.
+  // Upright as seen from outside: by z on walls, by y on flat surfaces.
   void stampsAreUpright() {
     const auto dabOn = [](const Vec3& normal, double turn) {
       ClayStroke stroke(stampBrush(turn));

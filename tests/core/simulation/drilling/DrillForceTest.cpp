@@ -97,7 +97,7 @@ struct DrillingHand {
 
 }  // namespace
 
-// What a hand feels that drills, from the simulation to the motors.
+// The force on a hand that drills, from the simulation to the motors.
 class DrillForceTest : public QObject {
   Q_OBJECT
 
@@ -121,9 +121,9 @@ class DrillForceTest : public QObject {
     QVERIFY(std::abs(hand.state().energy / exact - 1.0) < 0.01);
   }
 
-  // Deep inside it is the thrust of the whole section at the feed of the hand, against its way, with the torque that
-  // belongs to it. Where the front has come out, a ball of radius r whose centre is h above the face takes the share
-  // (h / r)² of the section: at the face, nothing.
+  // Deep inside it is the thrust of the whole section at the feed of the hand, against its motion, with the torque that
+  // belongs to it. After the breakthrough, a ball of radius r whose centre is h above the face has the share (h / r)²
+  // of the section: at the face, nothing.
   void theForceFallsAtTheBreakthrough() {
     DrillingHand hand;
     const Vec3 start = hand.log->state.position;
@@ -132,7 +132,7 @@ class DrillForceTest : public QObject {
     int ofDeep = 0, ofHalf = 0;
     for (int i = 1; i <= 3200; ++i) {
       const ServoSample sample = hand.run(start - Vec3(0.0, 0.0, 1e-3 * kFeed * i));
-      const double height = kEdge + sample.felt.proxy.z();  // of the tool's centre over the lower face
+      const double height = kEdge + sample.felt.proxy.z();  // height of the tool's centre over the lower face
       const DeviceForce& sent = sample.sent;
       if (height > 1.1 * kDrillRadius && height < 2.0 * kDrillRadius) {
         deep += sent.force.z();
@@ -154,9 +154,9 @@ class DrillForceTest : public QObject {
     QVERIFY2(std::abs(share - 0.25) < 0.07, qPrintable(QString::number(share)));
   }
 
-  // Drawn back it goes freely, but for what a voxel on its way still has of material, and a device without motors for
-  // it is sent no torque.
-  void wayBack() {
+  // Retraction is free, except for remaining material in voxels on its path, and a device without motors for it is sent
+  // no torque.
+  void retraction() {
     DrillingHand hand(0.0);
     const Vec3 start = hand.log->state.position;
     for (int i = 1; i <= 800; ++i) hand.run(start - Vec3(0.0, 0.0, 0.005 * i));

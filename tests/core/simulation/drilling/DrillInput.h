@@ -8,14 +8,14 @@
 
 namespace handwheel::test {
 
-// What tests give a drilling simulation, and see of it.
+// Input of a drilling simulation in tests, and its state.
 inline std::shared_ptr<const DrillState> stateOf(const DrillSimulation& simulation) {
   return std::static_pointer_cast<const DrillState>(simulation.state());
 }
 
-inline SimulationInput handAt(const Vec3& place, double time, std::uint32_t gesture) {
+inline SimulationInput handAt(const Vec3& position, double time, std::uint32_t gesture) {
   SimulationInput input;
-  input.tip.position = input.proxy = place;
+  input.tip.position = input.proxy = position;
   input.tip.time = time;
   input.gesture = gesture;
   return input;

@@ -60,8 +60,8 @@ class DrillSimulationTest : public QObject {
     QVERIFY(std::abs(through->energy / (0.25 * through->removed) - 1.0) < 0.01);
   }
 
-  // In pecks of 3 mm through the ball of 8 mm: out to the start and back as G83 goes, each to its full depth; it takes
-  // what a plain feed takes, and is through as much later as the ways out and back last.
+  // In pecks of 3 mm through the ball of 8 mm: out to the start and back as G83 does, each to its full depth; it
+  // removes the same as a plain feed, and is through later by the duration of the retractions and returns.
   void inPecks() {
     const auto drilled = [](double peck, int steps) {
       DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0, peck},
@@ -79,12 +79,12 @@ class DrillSimulationTest : public QObject {
     QVERIFY2(std::abs(*pecked->breakthrough - *plain->breakthrough - later) < 1.5 / 60.0,
              qPrintable(QString::number(*pecked->breakthrough - *plain->breakthrough)));
     std::vector<double> turns;  // mm, depths where it turns
-    double before = 0.0, way = 1.0;
+    double before = 0.0, direction = 1.0;
     for (std::size_t i = 1; i < pecked->poses.size(); ++i) {
-      const double depth = 5.5 - pecked->poses[i].place().z();
-      if ((depth - before) * way < -1e-9) {
+      const double depth = 5.5 - pecked->poses[i].position().z();
+      if ((depth - before) * direction < -1e-9) {
         turns.push_back(before);
-        way = -way;
+        direction = -direction;
       }
       before = depth;
     }
@@ -96,7 +96,7 @@ class DrillSimulationTest : public QObject {
     QCOMPARE(drilled(1e-12, 30)->removed, drilled(0.0, 30)->removed);
   }
 
-  // Held, nothing is taken while time goes on; then the hole is the same, later.
+  // While the feed is held nothing is removed and time continues; then the hole is the same, later.
   void feedHold() {
     const auto drilled = [](int held) {
       DrillSimulation simulation(drilledBall(), fineDrill(), DrillFeed{Vec3::UnitZ(), 6.0},
@@ -119,23 +119,23 @@ class DrillSimulationTest : public QObject {
     QVERIFY(std::abs(*lengthy->breakthrough - *brief->breakthrough - 1.0) < 1e-5);
   }
 
-  // By the hand: as DrillRun with the same places; a hand that only moves drills nothing. What is kept of it gives the
-  // very same hole.
+  // By the hand: as DrillRun with the same positions; a hand that only moves drills nothing. The record gives the very
+  // same hole.
   void byTheHand() {
     DrillSimulation simulation(drilledBall(), fineDrill(), std::nullopt, std::make_shared<ClayChannel>());
     SparseVolume volume = drilledBall()->volume;
     DrillRun run(volume, fineDrill());
     for (int i = 0; i < 200; ++i) {
-      const Vec3 place(0.1, 0.2, 6.0 - 0.02 * i);
+      const Vec3 position(0.1, 0.2, 6.0 - 0.02 * i);
       const std::uint32_t gesture = i < 20 ? 0 : 1;
-      const SimulationInput input = test::handAt(place, 0.001 * i, gesture);
+      const SimulationInput input = test::handAt(position, 0.001 * i, gesture);
       simulation.step(1.0 / 60.0, {&input, 1});
-      if (gesture != 0) move(run, DrillPose::of(place, Vec3::UnitZ(), 0.001 * (i - 20)));
+      if (gesture != 0) move(run, DrillPose::of(position, Vec3::UnitZ(), 0.001 * (i - 20)));
     }
     QVERIFY(run.removed() > 0.0);
     QVERIFY(std::abs(test::stateOf(simulation)->removed - run.removed()) < 1e-9);
     QVERIFY(std::abs(test::stateOf(simulation)->energy / run.energy() - 1.0) < 1e-6);
-    const double thrust = test::stateOf(simulation)->figures.thrust;  // of means
+    const double thrust = test::stateOf(simulation)->figures.thrust;  // largest of the means
     QVERIFY(thrust > 0.0 && thrust <= run.maxThrust() * (1.0 + 1e-6));
 
     const auto made = test::stateOf(simulation);

@@ -30,7 +30,7 @@ DrillSetup ballOfSixteenVoxels() {
   return setup;
 }
 
-// Fed down from above a place of the top.
+// Feeds down from above a position on the top.
 void feedFor(DrillSimulation& simulation, int steps) {
   const SimulationInput pressed = test::handAt({0.013, -0.021, 2.5}, 0.0, 1);
   simulation.step(kPartStep, {&pressed, 1});
@@ -44,9 +44,9 @@ class PartDrillingTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Fed through a cube, step by step as in a volume of all of it: thrust, torque, what is removed, the breakthrough.
-  // The hole is a cylinder. What is shown of the tiles that were cut is the surface of the whole volume there, to the
-  // last point, and nothing is shown elsewhere.
+  // Feeds through a cube, step by step as in a full volume: thrust, torque, removed volume, the breakthrough. The hole
+  // is a cylinder. The shown tiles that were cut have the surface of the whole volume, to the last point, and nothing
+  // is shown elsewhere.
   void asInTheWholeVolume() {
     const DrillFeed feed{Vec3::UnitZ(), 25.0};
     auto begin = std::make_shared<ClayState>();
@@ -91,7 +91,7 @@ class PartDrillingTest : public QObject {
     QVERIFY((boxOfTile(*b, b->tiles.front()).sizes() - Vec3::Constant(32.0 * kPartVoxel)).norm() < 1e-9);
   }
 
-  // Of a part of 80 mm only what is near the hole is shown and kept.
+  // In a part of 80 mm only the neighbourhood of the hole is shown and kept.
   void onlyNearTheDrill() {
     DrillSimulation simulation(*HybridPart::of(drilledCube(80.0), kPartVoxel), ballOfSixteenVoxels(),
                                DrillFeed{Vec3::UnitZ(), 12.0}, std::make_shared<ClayChannel>());
@@ -121,8 +121,8 @@ class PartDrillingTest : public QObject {
     };
     QVERIFY(at({0.0, 0.0, 60.0})->volume.isEmpty());
     const auto near = at({1.0, 2.0, 0.2});
-    for (const Vec3& place : {Vec3(1.0, 2.0, 0.2), Vec3(1.3, 2.1, -0.4), Vec3(0.2, 1.7, -3.0)})
-      QCOMPARE(VolumeSampler(near->volume).depthAt(place).depth, VolumeSampler(whole).depthAt(place).depth);
+    for (const Vec3& position : {Vec3(1.0, 2.0, 0.2), Vec3(1.3, 2.1, -0.4), Vec3(0.2, 1.7, -3.0)})
+      QCOMPARE(VolumeSampler(near->volume).depthAt(position).depth, VolumeSampler(whole).depthAt(position).depth);
     QVERIFY(VolumeSampler(near->volume).depthAt({1.0, 2.0, -1.0}).depth > 0.0);
     QCOMPARE(near->changedBlocks, std::size_t{0});
     QVERIFY(near->tiles.empty());
@@ -140,10 +140,10 @@ class PartDrillingTest : public QObject {
     HybridPart part = *HybridPart::of(drilledCube(), kPartVoxel);
     DrillRun run(part, ballOfSixteenVoxels());
     for (int i = 0; i < 150; ++i) {
-      const Vec3 place(0.3, -0.2, 2.5 - 0.03 * i);
-      const SimulationInput input = test::handAt(place, 0.001 * i, 1);
+      const Vec3 position(0.3, -0.2, 2.5 - 0.03 * i);
+      const SimulationInput input = test::handAt(position, 0.001 * i, 1);
       simulation.step(kPartStep, {&input, 1});
-      move(run, DrillPose::of(place, Vec3::UnitZ(), 0.001 * i));
+      move(run, DrillPose::of(position, Vec3::UnitZ(), 0.001 * i));
     }
     QVERIFY(run.removed() > 1.0);
     QVERIFY(std::abs(test::stateOf(simulation)->removed - run.removed()) < 1e-9);

@@ -14,7 +14,7 @@
 
 namespace handwheel::test {
 
-// The document of a cell with a built-in robot. It is prepared for planning when that is asked for.
+// The document of a cell with a built-in robot. It is prepared for planning on demand.
 class ArmCell {
  public:
   explicit ArmCell(const char* id = "irb120") : ArmCell(*libraryTable(id)) {}

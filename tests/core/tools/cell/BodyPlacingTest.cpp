@@ -16,7 +16,7 @@ Box boxAbout(const Vec3& middle, double side) {
 
 }  // namespace
 
-// Where bodies stand that are added to a cell.
+// Poses of bodies that are added to a cell.
 class BodyPlacingTest : public QObject {
   Q_OBJECT
 
@@ -31,18 +31,18 @@ class BodyPlacingTest : public QObject {
   // it is.
   void besideAll() {
     const Box own = boxAbout({-40, 70, 5}, 30);
-    const Vec3 alone = wayBeside(own, m_robots, m_cell->content());
+    const Vec3 alone = displacementBeside(own, m_robots, m_cell->content());
     QVERIFY(own.min().x() + alone.x() >= m_robots.max().x() && own.min().x() + alone.x() < m_robots.max().x() + 1.0);
     QCOMPARE(own.center().y() + alone.y(), 0.0);
     QCOMPARE(own.min().z() + alone.z(), 0.0);
     const BodyId body = m_cell->addBox({100, 100, 100}, {3000, 0, 0});
-    const Vec3 behind = wayBeside(own, m_robots, m_cell->content());
+    const Vec3 behind = displacementBeside(own, m_robots, m_cell->content());
     QVERIFY(own.min().x() + behind.x() >= 3050.0 && own.min().x() + behind.x() < 3051.0);
-    QVERIFY(wayBeside(own, m_robots, m_cell->content(), body) == alone);
-    QVERIFY(wayBeside(own, Box(), cellWithoutBodies(*m_cell)).x() == 0.0);
+    QVERIFY(displacementBeside(own, m_robots, m_cell->content(), body) == alone);
+    QVERIFY(displacementBeside(own, Box(), cellWithoutBodies(*m_cell)).x() == 0.0);
   }
 
-  // What only touches is not inside, nor is what the robot is in.
+  // An object that only touches is not inside, nor is one that contains the robot.
   void insideOthers() {
     const auto isInside = [&](const Box& own) { return isInsideOthers(own, m_robots, m_cell->content()); };
     const CellRobot& robot = m_cell->document().robot();
@@ -60,7 +60,7 @@ class BodyPlacingTest : public QObject {
     QVERIFY(!isInside(boxAbout({0, 9000, 20}, 20)));
   }
 
-  // Of one that is turned by 45° about z the bounds of a square are wider by the square root of 2.
+  // The bounds of a square that is turned by 45° about z are wider by the square root of 2.
   void bounds() {
     const BodyId body = m_cell->addBox({20, 20, 6}, {100, 0, 3}, {0, 0, M_PI / 4.0});
     const Box box = boundsOf(*m_cell->document().bodies().withId(body));

@@ -25,7 +25,7 @@ Body ballAt(BodyId id, const Vec3& at, double radius) {
 
 }  // namespace
 
-// Where an arm touches what is beside it. The arm is a bar along x, from -250 to 250 mm, 100 mm wide and high.
+// Contacts of an arm with its surroundings. The arm is a bar along x, from -250 to 250 mm, 100 mm wide and high.
 class CellContactsTest : public QObject {
   Q_OBJECT
 
@@ -54,29 +54,29 @@ class CellContactsTest : public QObject {
     QCOMPARE(found.pairs.size(), std::size_t{1});
     const auto contacts = contactsOf({&found, 1}, 100, {});
     QVERIFY(!contacts.empty());
-    QVERIFY(isNear(contacts.front().place, {100.0, 45.0, 0.0}));
+    QVERIFY(isNear(contacts.front().position, {100.0, 45.0, 0.0}));
     QVERIFY(isNear(contacts.front().normal, -Vec3::UnitY()));
     QVERIFY(std::abs(contacts.front().depth - 10.0) < 1e-3);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       QVERIFY(contacts[i].depth <= 10.0 + 1e-3);
       QVERIFY(std::abs(contacts[i].normal.norm() - 1.0) < 1e-9);
-      for (std::size_t j = 0; j < i; ++j) QVERIFY((contacts[i].place - contacts[j].place).norm() >= 5.0);
+      for (std::size_t j = 0; j < i; ++j) QVERIFY((contacts[i].position - contacts[j].position).norm() >= 5.0);
     }
   }
 
-  // The deepest place of each comes before any other place, and the limit holds.
+  // The deepest contact of each pair comes before any other one, and the limit holds.
   void eachPairFirst() {
     const CellCollision found =
         collisionWith({ballAt(7, {100.0, 90.0, 0.0}, 50.0), ballAt(8, {-100.0, -75.0, 10.0}, 30.0)});
     QCOMPARE(found.pairs.size(), std::size_t{2});
     const auto contacts = contactsOf({&found, 1}, 2, {});
     QCOMPARE(contacts.size(), std::size_t{2});
-    QVERIFY(isNear(contacts[0].place, {100.0, 45.0, 0.0}));
-    QVERIFY(isNear(contacts[1].place, {-100.0, -47.5, 10.0}));
+    QVERIFY(isNear(contacts[0].position, {100.0, 45.0, 0.0}));
+    QVERIFY(isNear(contacts[1].position, {-100.0, -47.5, 10.0}));
     QVERIFY(isNear(contacts[1].normal, Vec3::UnitY()));
     QVERIFY(contactsOf({&found, 1}, 0, {}).empty());
     QVERIFY(contactsOf({}, 100, {}).empty());
-    // Found twice, as by each of two robots, a place is still one.
+    // A contact that is found twice, as by each of two robots, is reported once.
     const std::vector<CellCollision> twice{found, found};
     QCOMPARE(contactsOf(twice, 100, {}).size(), contactsOf({&found, 1}, 100, {}).size());
   }
@@ -89,7 +89,7 @@ class CellContactsTest : public QObject {
     found.movedPose.translation() = Vec3(100.0, 95.0, 0.0);
     const auto contacts = contactsOf({&found, 1}, 100, {});
     QVERIFY(!contacts.empty());
-    QVERIFY(isNear(contacts.front().place, {100.0, 47.5, 0.0}));
+    QVERIFY(isNear(contacts.front().position, {100.0, 47.5, 0.0}));
     QVERIFY(std::abs(contacts.front().depth - 5.0) < 1e-3);
     found.movedPose.translation() = Vec3(100.0, 101.0, 0.0);
     QVERIFY(contactsOf({&found, 1}, 100, {}).empty());
@@ -117,12 +117,12 @@ class CellContactsTest : public QObject {
   // Moved as a whole by 820 mm the robot meets what stood away from it.
   void aRobotThatIsMoved() {
     CellCollision found = collisionWith({ballAt(7, {100.0, 910.0, 0.0}, 50.0)});
-    found.way.translation() = Vec3(0.0, 820.0, 0.0);
-    found.pairs = found.scene->scene.metWhenMoved(found.values, found.way);
+    found.displacement.translation() = Vec3(0.0, 820.0, 0.0);
+    found.pairs = found.scene->scene.metWhenMoved(found.values, found.displacement);
     QCOMPARE(found.pairs.size(), std::size_t{1});
     const auto contacts = contactsOf({&found, 1}, 100, {});
     QVERIFY(!contacts.empty());
-    QVERIFY(isNear(contacts.front().place, {100.0, 865.0, 0.0}));
+    QVERIFY(isNear(contacts.front().position, {100.0, 865.0, 0.0}));
     QVERIFY(isNear(contacts.front().normal, -Vec3::UnitY()));
   }
 

@@ -36,7 +36,7 @@ class CellFixture {
   }
   RobotCellDocument& document() { return m_fixture.document(); }
   CellTool tool(const std::string& part) { return CellTool(document(), selection, m_fixture.picking(part)); }
-  Vec3 place() { return document().bodies().withId(1)->pose.translation(); }
+  Vec3 position() { return document().bodies().withId(1)->pose.translation(); }
   void raise(double z) {
     Body cube = *document().bodies().withId(1);
     cube.pose.translation().z() = z;
@@ -58,7 +58,7 @@ class CellFixture {
   Fixture m_fixture;
 };
 
-// Where the tool shows the cube.
+// Returns the displayed pose of the cube.
 Pose bodyShown(const CellTool& tool) {
   const auto shown = tool.preview().replaced;
   for (const DisplayPart& part : shown ? shown->parts : std::vector<DisplayPart>()) {
@@ -83,7 +83,7 @@ class CellToolTest : public QObject {
     QVERIFY(!tool.preview().replaced);  // it has not moved
   }
 
-  // What the robot carries is a part of it: dragged, it moves the joint, and stays selected.
+  // A body that the robot carries is a part of it: dragged, it moves the joint, and stays selected.
   void aCarriedBodyMovesTheJoint() {
     CellFixture fixture;
     const RobotModel& robot = fixture.document().robot().model;
@@ -103,7 +103,7 @@ class CellToolTest : public QObject {
     QCOMPARE(fixture.document().bodies().withId(1)->pose.matrix(), Pose::Identity().matrix());
   }
 
-  // What collides is marked for what is shown, at the joints and places that are shown.
+  // Collisions are marked at the displayed joints and poses.
   void marksWhatItShows() {
     CellFixture fixture;
     int marked = 0;
@@ -132,28 +132,29 @@ class CellToolTest : public QObject {
     CellTool tool = fixture.tool("body.1");
     tool.pointer(at(Kind::Press, 5, 505));
     for (double x : {10.0, 25.0, 60.0}) QCOMPARE(tool.pointer(at(Kind::Drag, x, 480)), ToolReply::Used);
-    QCOMPARE(fixture.place(), Vec3(0, 500, 0));  // a preview so far
+    QCOMPARE(fixture.position(), Vec3(0, 500, 0));  // a preview so far
     QVERIFY((bodyShown(tool).translation() - Vec3(55, 475, 0)).norm() < 1e-9);
     QCOMPARE(tool.settings().size(), std::size_t{3});
-    for (const Property& place : tool.settings()) QVERIFY(std::isinf(place.least) && std::isinf(place.largest));
+    for (const Property& position : tool.settings())
+      QVERIFY(std::isinf(position.least) && std::isinf(position.largest));
     tool.pointer(at(Kind::Release, 65, 480));
-    QVERIFY((fixture.place() - Vec3(60, 475, 0)).norm() < 1e-9);
+    QVERIFY((fixture.position() - Vec3(60, 475, 0)).norm() < 1e-9);
     QCOMPARE(fixture.steps(), 2);
     fixture.document().history()->undo();
-    QCOMPARE(fixture.place(), Vec3(0, 500, 0));
+    QCOMPARE(fixture.position(), Vec3(0, 500, 0));
   }
 
   // Seen from the side and above, as a table is: the drag goes along the floor.
   void theHeightIsKept() {
     CellFixture fixture;
     fixture.raise(0.1 + 0.2);  // not a multiple of any step
-    const double height = fixture.place().z();
+    const double height = fixture.position().z();
     CellTool tool = fixture.slantedTool(1.0);
     tool.pointer(slanted(Kind::Press, {3, 500, height}, 1.0));
     for (double x : {30.0, 103.0}) tool.pointer(slanted(Kind::Drag, {x, 540, height}, 1.0));
     tool.pointer(slanted(Kind::Release, {103, 540, height}, 1.0));
-    QVERIFY((fixture.place() - Vec3(100, 540, height)).norm() < 1e-6);
-    QCOMPARE(fixture.place().z(), height);
+    QVERIFY((fixture.position() - Vec3(100, 540, height)).norm() < 1e-6);
+    QCOMPARE(fixture.position().z(), height);
   }
 
   void shiftMovesUpAndDown() {
@@ -164,7 +165,7 @@ class CellToolTest : public QObject {
     QVERIFY((bodyShown(tool).translation() - Vec3(0, 500, 40)).norm() < 1e-6);
     tool.pointer(slanted(Kind::Drag, {70, 500, 40}, 0.5));  // without Shift it goes on from there
     tool.pointer(slanted(Kind::Release, {70, 500, 40}, 0.5));
-    QVERIFY((fixture.place() - Vec3(70, 500, 40)).norm() < 1e-6);
+    QVERIFY((fixture.position() - Vec3(70, 500, 40)).norm() < 1e-6);
     QCOMPARE(fixture.steps(), 2);
   }
 
@@ -175,8 +176,8 @@ class CellToolTest : public QObject {
     CellTool tool = fixture.slantedTool(tangent);
     tool.pointer(slanted(Kind::Press, {0, 500, 0}, tangent));
     tool.pointer(slanted(Kind::Release, {30, 500, 25}, tangent));
-    QCOMPARE(Vec3(fixture.place().x(), fixture.place().y(), 0), Vec3(0, 500, 0));
-    QVERIFY(std::abs(fixture.place().z() - 25) < 1e-6);
+    QCOMPARE(Vec3(fixture.position().x(), fixture.position().y(), 0), Vec3(0, 500, 0));
+    QVERIFY(std::abs(fixture.position().z() - 25) < 1e-6);
   }
 
   void placesSnapToAStepThatFitsTheZoom_data() {
@@ -201,8 +202,8 @@ class CellToolTest : public QObject {
       event.ray.origin.y() += 0.1 * step;  // the hand trembles
       tool.pointer(event);
       const bool snaps = !modifiers.control;
-      QVERIFY(std::abs(fixture.place().x() - (snaps ? 30.0 : 30.4) * step) < 1e-9);
-      QVERIFY(std::abs(fixture.place().y() - (snaps ? 500.0 : 500.0 + 0.1 * step)) < 1e-9);
+      QVERIFY(std::abs(fixture.position().x() - (snaps ? 30.0 : 30.4) * step) < 1e-9);
+      QVERIFY(std::abs(fixture.position().y() - (snaps ? 500.0 : 500.0 + 0.1 * step)) < 1e-9);
     }
   }
 
@@ -236,7 +237,7 @@ class CellToolTest : public QObject {
     QVERIFY(!tool.preview().replaced);
     tool.pointer(at(Kind::Release, 50, 500));
     QCOMPARE(fixture.steps(), 1);
-    QCOMPARE(fixture.place(), Vec3(0, 500, 0));
+    QCOMPARE(fixture.position(), Vec3(0, 500, 0));
   }
 
   void theRobotIsMovedAsBefore() {
@@ -260,7 +261,7 @@ class CellToolTest : public QObject {
     tool.documentChanged();
     QVERIFY(fixture.document().bodies().empty() && !fixture.selection.body());
     fixture.document().history()->undo();
-    QCOMPARE(fixture.place(), Vec3(0, 500, 0));
+    QCOMPARE(fixture.position(), Vec3(0, 500, 0));
   }
 
   // The scene has an end.

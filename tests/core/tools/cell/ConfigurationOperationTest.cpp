@@ -71,7 +71,7 @@ class ConfigurationOperationTest : public QObject {
     QVERIFY(problemOfConfigurationValues(chosen).starts_with("solution chooses"));
   }
 
-  // Where the robot stands, or other joint values; a configuration of that name is replaced.
+  // Stores the present joint values, or others; a configuration of that name is replaced.
   void stored() {
     const RobotCellSnapshot cell = m_cell->content();
     const auto once = changedCell(configurationValues({{"add", "A"}}), cell);
@@ -106,11 +106,11 @@ class ConfigurationOperationTest : public QObject {
     cell.plans = std::make_shared<const CellPlans>(plans);
     const auto named = [&](const std::string& name) { return changedCell(configurationValues({{"add", name}}), cell); };
     QVERIFY(named("two\nlines").error().code == BodyError::NameUnusable);
-    QVERIFY(named("T").error().code == CellError::PlaceNameTaken);
+    QVERIFY(named("T").error().code == CellError::WaypointNameTaken);
     QVERIFY(named("T2").hasValue());
   }
 
-  // Of two robots only the one whose joints are stored moves.
+  // With two robots only the one whose joints are stored moves.
   void goneToAndRemoved() {
     auto two =
         withRobotAdded(m_cell->content(), {cellOf(*libraryTable("ur5")), "second", poseOf({0, 3000, 0}, Vec3::Zero())});
@@ -130,7 +130,7 @@ class ConfigurationOperationTest : public QObject {
     QCOMPARE(rest->joints, cell.joints);
     for (const char* const verb : {"go", "remove"}) {
       const auto missing = changedCell(configurationValues({{verb, "C"}}), cell);
-      QVERIFY(!missing && missing.error().code == CellError::PlaceMissing);
+      QVERIFY(!missing && missing.error().code == CellError::WaypointMissing);
       QCOMPARE(missing.error().arguments, std::vector<std::string>{"C"});
     }
   }
@@ -138,7 +138,7 @@ class ConfigurationOperationTest : public QObject {
   void pathsAreRemoved() {
     RobotCellSnapshot cell = m_cell->content();
     CellPlans plans;
-    plans.paths = {{.name = "one", .places = {}}, {.name = "two", .places = {}}};
+    plans.paths = {{.name = "one", .waypoints = {}}, {.name = "two", .waypoints = {}}};
     cell.plans = std::make_shared<const CellPlans>(plans);
     const auto rest = changedCell(configurationValues({{"remove-path", "one"}}), cell);
     QVERIFY(rest && !rest->plans.path("one") && rest->plans.path("two"));
@@ -171,10 +171,10 @@ class ConfigurationOperationTest : public QObject {
     QVERIFY(changed.hasValue());
     QCOMPARE(changed->plans.clearance, 7.5);
     QCOMPARE(changed->plans.tool.translation(), Vec3(1.0, -2.0, 120.0));
-    QCOMPARE(changed->plans.tool.linear(), plans.tool.linear());  // only its place is set
+    QCOMPARE(changed->plans.tool.linear(), plans.tool.linear());  // Only its position is set
   }
 
-  // Each number is another way to have the tool where it is; beyond the last one there is none.
+  // Each number is another solution for the present tool pose; beyond the last one there is none.
   void numberedSolutions() {
     const RobotCellSnapshot cell = m_cell->content();
     const Pose tool = m_cell->tool();
@@ -220,7 +220,7 @@ class ConfigurationOperationTest : public QObject {
     QVERIFY(withSemantics(*cell.plans, read, cell).error().code == ErrorCode::ValueOutOfRange);
   }
 
-  // Of several robots a state is of the one whose joints it names.
+  // In a cell of several robots a state belongs to the one whose joints it names.
   void semanticsOfTheSecondRobot() {
     auto two =
         withRobotAdded(m_cell->content(), {cellOf(*libraryTable("ur5")), "second", poseOf({0, 3000, 0}, Vec3::Zero())});

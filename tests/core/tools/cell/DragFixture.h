@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-// A robot to be dragged.
+// A robot for the tests of dragging.
 namespace handwheel::test {
 
 inline constexpr double kPi = std::numbers::pi;
@@ -59,7 +59,7 @@ class Fixture {
 
   RobotCellDocument& document() { return *m_document; }
 
-  // The rays of the tests look straight down; what they meet is reported beforehand.
+  // Returns a picker that always hits this part: the rays of the tests look straight down.
   JointDragTool::Pick picking(const std::string& part) {
     return [part](const Ray& ray) -> std::optional<RobotCellPick> {
       return RobotCellPick{part, Vec3(ray.origin.x(), ray.origin.y(), 0)};

@@ -14,12 +14,12 @@ using namespace handwheel::test;
 
 namespace {
 
-// Towards a place along a direction.
-PointerEvent press(const Vec3& place, const Vec3& direction) {
+// Presses on a point along a direction.
+PointerEvent press(const Vec3& point, const Vec3& direction) {
   PointerEvent event;
   event.kind = Kind::Press;
   event.button = PointerButton::First;
-  event.ray = {place - 500.0 * direction.normalized(), direction.normalized()};
+  event.ray = {point - 500.0 * direction.normalized(), direction.normalized()};
   return event;
 }
 
@@ -80,7 +80,7 @@ class FaceMateToolTest : public QObject {
   void anotherFace() {
     FaceMateTool tool = make();
     clickBox(tool, {0, 0, -10}, Vec3::UnitZ());
-    clickBox(tool, {0, 15, 0}, -Vec3::UnitY());  // of the same body: in place of the first
+    clickBox(tool, {0, 15, 0}, -Vec3::UnitY());  // Another face of the same body replaces the first
     clickTable(tool, {0, 900, 100});
     QCOMPARE(tool.perform("revert"), ToolReply::Used);
     QVERIFY(!isEnabled(tool, "commit"));
@@ -120,7 +120,7 @@ class FaceMateToolTest : public QObject {
     for (const ToolKey& key : FaceMateTool::keys()) QVERIFY(actionNamed(tool.actions(), key.action));
   }
 
-  // What is typed is shown and kept within its limits: turns of once round at most.
+  // Typed values are previewed and kept within their limits: turns of one revolution at most.
   void settings() {
     FaceMateTool tool = make();
     const auto shown = [&](const char* id) { return std::get<double>(propertyNamed(tool.settings(), id)->value); };
@@ -141,17 +141,17 @@ class FaceMateToolTest : public QObject {
     const DisplayPart base = m_cell->document().kind().display(*m_cell->document().snapshot()).parts.front();
     const TriangleSoup& soup = *base.soup;
     const Triangle& t = soup.triangles.front();
-    const Vec3 place = base.pose * ((soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3.0);
-    m_hit = RobotCellPick{base.name, place};
-    QCOMPARE(tool.pointer(press(place, -Vec3::UnitZ())), ToolReply::Used);
+    const Vec3 point = base.pose * ((soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3.0);
+    m_hit = RobotCellPick{base.name, point};
+    QCOMPARE(tool.pointer(press(point, -Vec3::UnitZ())), ToolReply::Used);
     QVERIFY(m_selection.empty());
     clickBox(tool, {0, 0, -10}, Vec3::UnitZ());
-    m_hit = RobotCellPick{base.name, place};
-    tool.pointer(press(place, -Vec3::UnitZ()));
+    m_hit = RobotCellPick{base.name, point};
+    tool.pointer(press(point, -Vec3::UnitZ()));
     QVERIFY(isEnabled(tool, "commit"));
   }
 
-  // Whatever the faces, one comes to the other: the points meet, the normals are opposed, nothing is bent.
+  // Any face comes to any other: the points meet, the normals are opposed, the motion is rigid.
   void bringingTogetherIsRigid() {
     QVERIFY(rc::check([] {
       const Vec3 normal = anyVector(1.0), onto = anyVector(1.0);
@@ -163,7 +163,7 @@ class FaceMateToolTest : public QObject {
       RC_ASSERT((motion * p - q - offset * m).norm() < 1e-8);
       RC_ASSERT((motion.linear() * n + m).norm() < 1e-8);
     }));
-    // Also where they look the same way already, and opposite ways.
+    // Also if their normals are equal already, or opposed.
     for (const double side : {1.0, -1.0}) {
       const Pose motion = bringingTogether(Vec3::Zero(), Vec3::UnitZ(), Vec3::Zero(), side * Vec3::UnitZ(), 0.0, 0.0);
       QVERIFY(isRigid(motion) && (motion.linear() * Vec3::UnitZ() + side * Vec3::UnitZ()).norm() < 1e-12);
@@ -183,7 +183,7 @@ class FaceMateToolTest : public QObject {
     QVERIFY(!faceAt(part, part.pose * Vec3(3, 2, 5), true));
   }
 
-  // Of very many triangles, too: those of a plane, not of the step beside it.
+  // For very many triangles, too: those of a plane, not of the step beside it.
   void middleOfManyTriangles() {
     constexpr std::uint32_t kCells = 120;
     auto soup = std::make_shared<TriangleSoup>();
@@ -217,14 +217,14 @@ class FaceMateToolTest : public QObject {
     }
     return Pose::Identity();
   }
-  // place, direction: in the frame of the box.
-  void clickBox(FaceMateTool& tool, const Vec3& place, const Vec3& direction) {
-    m_hit = RobotCellPick{"body." + std::to_string(m_box), pose() * place};
-    QCOMPARE(tool.pointer(press(pose() * place, pose().linear() * direction)), ToolReply::Used);
+  // point, direction: in the frame of the box.
+  void clickBox(FaceMateTool& tool, const Vec3& point, const Vec3& direction) {
+    m_hit = RobotCellPick{"body." + std::to_string(m_box), pose() * point};
+    QCOMPARE(tool.pointer(press(pose() * point, pose().linear() * direction)), ToolReply::Used);
   }
-  void clickTable(FaceMateTool& tool, const Vec3& place) {
-    m_hit = RobotCellPick{"body." + std::to_string(m_table), place};
-    QCOMPARE(tool.pointer(press(place, -Vec3::UnitZ())), ToolReply::Used);
+  void clickTable(FaceMateTool& tool, const Vec3& point) {
+    m_hit = RobotCellPick{"body." + std::to_string(m_table), point};
+    QCOMPARE(tool.pointer(press(point, -Vec3::UnitZ())), ToolReply::Used);
   }
 
   std::unique_ptr<ArmCell> m_cell;

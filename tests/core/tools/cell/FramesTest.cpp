@@ -107,8 +107,8 @@ class FramesTest : public QObject {
     m_cell->plan(plans);
     const auto tip = [&] {
       const auto scene = m_cell->scene();
-      const auto place = placeCalled(*scene, m_cell->content(), "T", m_cell->document().joints());
-      return place ? Pose(scene->arm.tipPose(scene->planned(place->joints))) : Pose(Pose::Identity());
+      const auto waypoint = waypointCalled(*scene, m_cell->content(), "T", m_cell->document().joints());
+      return waypoint ? Pose(scene->arm.tipPose(scene->planned(waypoint->joints))) : Pose(Pose::Identity());
     };
     QVERIFY(tip().isApprox(there, 1e-6));
     QVERIFY(m_cell->document().setProperty("body." + std::to_string(box) + ".z", 15.0).hasValue());

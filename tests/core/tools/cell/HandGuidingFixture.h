@@ -41,7 +41,7 @@ class HandGuidingFixture {
   HandGuidingTool tool() {
     HandGuidingServices services;
     services.scene = [this] { return isUnderWay ? nullptr : m_scene; };
-    services.addPlace = [this] { ++places; };
+    services.addWaypoint = [this] { ++added; };
     services.time = [this] { return time; };
     services.trials = &trials;
     services.guide = [this](const std::string& name) {
@@ -54,20 +54,20 @@ class HandGuidingFixture {
   Pose toolPose() { return toolPose(document().joints()); }
   double clearance() { return clearance(document().joints()); }
   double clearance(const JointValues& joints) { return m_scene->scene.nearest(m_scene->planned(joints), 1e3).distance; }
-  const Waypoint& place(std::size_t number) { return document().plans()->path("turn")->places[number]; }
-  Pose poseAt(std::size_t number) { return toolPose(place(number).joints); }
+  const Waypoint& waypoint(std::size_t number) { return document().plans()->path("turn")->waypoints[number]; }
+  Pose poseAt(std::size_t number) { return toolPose(waypoint(number).joints); }
   int steps() { return document().history()->index(); }
-  // A path on which the first joint alone turns.
+  // Adds a path on which only the first joint turns.
   void addTurn(double angle) {
     CellPlans plans = *document().plans();
     RobotPath path{"turn", {{.joints = start()}, {.joints = start()}}};
-    path.places.back().joints[0] += angle;
+    path.waypoints.back().joints[0] += angle;
     plans.paths.push_back(path);
     document().commit("Add a path", document().plansEdit(plans));
   }
 
-  int places = 0;
-  bool isUnderWay = false;  // the cell is being prepared
+  int added = 0;
+  bool isUnderWay = false;  // True if the cell is being prepared
   double time = 0.0, guideComesAt = 0.0;
   std::vector<HandGuidingTrial> trials;
 

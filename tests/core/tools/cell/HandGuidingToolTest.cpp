@@ -24,9 +24,9 @@ void followTurn(HandGuidingFixture& fixture, HandGuidingTool& tool, double angle
     fixture.time += 0.02;
     JointValues joints = HandGuidingFixture::start();
     joints[0] += angle * i / kSteps;
-    Vec3 way = fixture.toolPose(joints).translation() - begin.translation();
-    way.z() += wave * std::sin(M_PI * i / 5.0);
-    tool.pointer(byHand(Kind::Drag, moved(hand.translation() + way)));
+    Vec3 displacement = fixture.toolPose(joints).translation() - begin.translation();
+    displacement.z() += wave * std::sin(M_PI * i / 5.0);
+    tool.pointer(byHand(Kind::Drag, moved(hand.translation() + displacement)));
   }
   tool.pointer(byHand(
       Kind::Release,
@@ -105,7 +105,8 @@ class HandGuidingToolTest : public QObject {
     QVERIFY(fixture.clearance() > 0.0 && fixture.clearance() < 5.0);
   }
 
-  // A device leads from where it is, by its own way times the scale, and turns the tool. Nothing holds it in the open.
+  // A device can start anywhere. It moves the tool by its own displacement times the scale, and turns it. No force acts
+  // in free space.
   void aDeviceMovesAndTurns() {
     HandGuidingFixture fixture;
     HandGuidingTool tool = fixture.tool();
@@ -129,7 +130,7 @@ class HandGuidingToolTest : public QObject {
     QVERIFY(std::abs(turned.angle() - 0.3) < 1e-3 && turned.axis().z() > 0.999);
   }
 
-  // Where the robot is held back, the spring draws the hand back to where it would be.
+  // If the robot is held back, the spring draws the hand back to the reachable pose.
   void aDeviceFeelsTheWall() {
     HandGuidingFixture fixture;
     HandGuidingTool tool = fixture.tool();
@@ -144,8 +145,8 @@ class HandGuidingToolTest : public QObject {
     QVERIFY(tool.forces().empty());
   }
 
-  // The second button of a device adds a place and goes on leading.
-  void aDeviceAddsPlaces() {
+  // The second button of a device adds a waypoint and goes on leading.
+  void aDeviceAddsWaypoints() {
     HandGuidingFixture fixture;
     HandGuidingTool tool = fixture.tool();
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
@@ -154,8 +155,8 @@ class HandGuidingToolTest : public QObject {
     second.button = PointerButton::Second;
     const int steps = fixture.steps();
     tool.pointer(second);
-    QCOMPARE(fixture.places, 1);
-    QCOMPARE(fixture.steps(), steps + 1);  // where the place is
+    QCOMPARE(fixture.added, 1);
+    QCOMPARE(fixture.steps(), steps + 1);  // Joint values of the waypoint
     QVERIFY(tool.isLeading());
   }
 
@@ -184,12 +185,12 @@ class HandGuidingToolTest : public QObject {
     tool.setSetting("way", PropertyValue(1.0));
     tool.pointer(byHand(Kind::Press, moved({0, 0, 0})));
     tool.pointer(byHand(Kind::Release, moved({-10, 0, 0})));
-    const double range = 330.0 / 180.0 * M_PI;  // of the first joint of an IRB 120
+    const double range = 330.0 / 180.0 * M_PI;  // Range of the first joint of an IRB 120
     QVERIFY(std::abs(fixture.document().joints()[0] - (0.2 - 0.1 * 0.5 * range)) < 1e-6);
     QVERIFY((fixture.document().joints().tail(5) - HandGuidingFixture::start().tail(5)).norm() < 1e-12);
   }
 
-  // What changes below the tool ends the move: nothing of it stays.
+  // A change of the document ends the move: nothing of it stays.
   void anUndoInBetween() {
     HandGuidingFixture fixture;
     HandGuidingTool tool = fixture.tool();
@@ -255,7 +256,7 @@ class HandGuidingToolTest : public QObject {
     QCOMPARE(fixture.trials.size(), std::size_t{1});
   }
 
-  // A hand that presses before the way along the path has been found is drawn to it from then on.
+  // A hand that presses before the guide curve has been computed is drawn to it from then on.
   void theGuideComesWhileLeading() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.6);

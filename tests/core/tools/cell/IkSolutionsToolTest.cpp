@@ -42,7 +42,7 @@ class IkSolutionsToolTest : public QObject {
   }
 
   // The tool stays where it is, the joints do not; one step, undone.
-  void anotherWayIsOneStep() {
+  void anotherSolutionIsOneStep() {
     IkSolutionsTool tool = toolFor(*m_cell);
     QVERIFY(rowsOf(tool) >= 2);
     QVERIFY(!isEnabled(tool, "commit"));  // it stands like that
@@ -65,7 +65,7 @@ class IkSolutionsToolTest : public QObject {
     QVERIFY(m_cell->document().joints() == stood);
   }
 
-  // Once around is back at the first; the other way round the last.
+  // The last action of a full round leads back to the first; backwards to the last.
   void allInTurn() {
     IkSolutionsTool tool = toolFor(*m_cell);
     const std::size_t count = rowsOf(tool);
@@ -97,7 +97,7 @@ class IkSolutionsToolTest : public QObject {
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
   }
 
-  // What cannot be is seen and cannot be chosen.
+  // An invalid solution is shown and cannot be chosen.
   void beyondLimits() {
     IkSolutionsTool tool = toolFor(*m_cell);
     const std::vector<CellIkSolution> solutions =
@@ -115,15 +115,15 @@ class IkSolutionsToolTest : public QObject {
     QVERIFY(isAny);  // else this shows nothing
   }
 
-  // What is in the way of one of them stands in its row.
+  // The obstacle of a solution is named in its row.
   void whatCollidesIsSaid() {
     IkSolutionsTool tool = toolFor(*m_cell);
     tool.perform("next");
     const auto shown = tool.preview().replaced;
     QVERIFY(shown);
     // A box where the third link of that solution is, and not of the first.
-    const std::string way = propertyNamed(tool.settings(), "way")->choices[1];
-    QVERIFY(!way.empty());
+    const std::string solution = propertyNamed(tool.settings(), "way")->choices[1];
+    QVERIFY(!solution.empty());
     m_cell->addBox({30, 30, 30}, shown->parts[3].pose.translation());
     tool.documentChanged();
     tool.perform("next");

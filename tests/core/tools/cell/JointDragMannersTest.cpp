@@ -40,18 +40,18 @@ void JointDragMannersTest::clicksChangeNothing() {
 // Out and back; and once around the axis, where there are no limits.
 void JointDragMannersTest::comingBackChangesNothing() {
   Fixture fixture;
-  const std::pair<const char*, std::vector<Vec3>> kWays[] = {
+  const std::pair<const char*, std::vector<Vec3>> kRoutes[] = {
       {"upper/0", {{300.7, 0.3, 0}, {200, 200, 0}, {-50, 200, 0}, {300.7, 0.3, 0}}},
       {"finger/0", {{300.7, 0.3, 0}, {250, 80, 0}, {300.7, 0.3, 0}}},
       {"free/0", {{-700, 0.3, 0}, {-900, 200, 0}, {-1200, 100, 0}, {-1200, -100, 0}, {-900, -200, 0}, {-700, 0.3, 0}}}};
-  for (const auto& [part, way] : kWays) {
+  for (const auto& [part, route] : kRoutes) {
     JointDragTool tool(fixture.document(), fixture.picking(part));
-    tool.pointer(at(Kind::Press, way[0].x(), way[0].y()));
-    for (const Vec3& p : way) {
+    tool.pointer(at(Kind::Press, route[0].x(), route[0].y()));
+    for (const Vec3& p : route) {
       tool.pointer(at(Kind::Drag, p.x(), p.y()));
-      if (&p == &way[1]) QVERIFY(tool.joints() != fixture.document().joints());
+      if (&p == &route[1]) QVERIFY(tool.joints() != fixture.document().joints());
     }
-    tool.pointer(at(Kind::Release, way.back().x(), way.back().y()));
+    tool.pointer(at(Kind::Release, route.back().x(), route.back().y()));
     QVERIFY(!tool.isDragging());
     QCOMPARE(fixture.document().history()->count(), 0);
   }

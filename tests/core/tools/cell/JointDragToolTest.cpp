@@ -54,8 +54,8 @@ void JointDragToolTest::stopsAtTheLimit() {
   Fixture fixture;
   JointDragTool tool(fixture.document(), fixture.picking("upper/0"));
   tool.pointer(at(Kind::Press, 300, 0));
-  const std::pair<double, double> kWay[] = {{1.5, 1.5}, {2.5, 2.0}, {4.0, 2.0}, {5.5, 2.0}, {4.0, 2.0}, {1.0, 1.0}};
-  for (const auto& [pointer, expected] : kWay) {
+  const std::pair<double, double> kTravel[] = {{1.5, 1.5}, {2.5, 2.0}, {4.0, 2.0}, {5.5, 2.0}, {4.0, 2.0}, {1.0, 1.0}};
+  for (const auto& [pointer, expected] : kTravel) {
     tool.pointer(at(Kind::Drag, 300 * std::cos(pointer), 300 * std::sin(pointer)));
     QVERIFY(std::abs(tool.joints()[0] - expected) < 1e-9);
   }
@@ -112,7 +112,7 @@ void JointDragToolTest::continuousJoints() {
   const std::uint32_t dof = 3;
   QCOMPARE(fixture.document().robot().model.jointOfDof(dof).name, std::string("spin"));
   QVERIFY(std::abs(fixture.document().joints()[dof] - (7.5 - 2 * kPi)) < 1e-9);
-  // Where a path has wound it up it stays so.
+  // A joint that a path has wound up stays wound up.
   const JointValues wound =
       fixture.document().joints() + JointValues::Unit(fixture.document().joints().size(), dof) * 4 * kPi;
   fixture.document().commit("Go", fixture.document().jointEdit(wound));

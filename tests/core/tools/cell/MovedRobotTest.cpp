@@ -38,9 +38,9 @@ class MovedRobotTest : public QObject {
       const auto between = [](int least, int most) { return 1.0 * *rc::gen::inRange(least, most); };
       const Pose base =
           poseOf({between(-700, 700), between(0, 1500), between(-200, 200)}, {0.0, 0.0, 0.01 * between(-300, 300)});
-      const Pose way = base * basePose(now.robot->model, now.robot->arms[1]).inverse(Eigen::Isometry);
+      const Pose displacement = base * basePose(now.robot->model, now.robot->arms[1]).inverse(Eigen::Isometry);
       Met shown, real;
-      for (const auto& each : scene.scene.metWhenMoved(scene.planned(now.joints), way)) {
+      for (const auto& each : scene.scene.metWhenMoved(scene.planned(now.joints), displacement)) {
         if (isMoved(scene, each.link)) shown.insert({each.link, each.owner});
       }
       const RobotCellSnapshot there = withRobotMoved(now, 1, base).value();
@@ -55,7 +55,7 @@ class MovedRobotTest : public QObject {
     QVERIFY(hits > 10);  // the draws are not idle
   }
 
-  // Where its time is over it says what it has found.
+  // If its time is over it returns the collisions found so far.
   void ends() {
     ArmCell cell;
     cell.addBox({3000, 3000, 3000}, {0, 0, 0});

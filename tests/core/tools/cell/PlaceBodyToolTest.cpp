@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kPixel = 1.0;  // mm: an arrow is 110 mm long
 
-// Straight down, through a place on the plane z = 0.
+// A pointer event straight down, through a point on the plane z = 0.
 PointerEvent down(Kind kind, double x, double y, Modifiers modifiers = kControl) {
   PointerEvent event = above(kind, x, y, modifiers);
   event.pixel = kPixel;
@@ -38,8 +38,8 @@ PointerEvent ofDevice(Kind kind, const Pose& pose) {
   return event;
 }
 
-Pose moved(const Pose& pose, const Vec3& way) {
-  return Eigen::Translation3d(way) * pose;
+Pose moved(const Pose& pose, const Vec3& displacement) {
+  return Eigen::Translation3d(displacement) * pose;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ class PlaceBodyToolTest : public QObject {
       m_cell->plan(plans);
       m_frame = "F";
       const auto frame = [&] { return *m_cell->document().plans()->frame("F"); };
-      const auto place = [&] { return *poseOfFrame(frame(), m_cell->document().placement()); };
+      const auto framePose = [&] { return *poseOfFrame(frame(), m_cell->document().placement()); };
       const NamedFrame kept = frame();
       const int steps = m_cell->steps();
       PlaceBodyTool tool = make();
@@ -100,21 +100,21 @@ class PlaceBodyToolTest : public QObject {
       QVERIFY(!tool.preview().replaced);  // the cell stays as it is
       tool.pointer(down(Kind::Release, 383, -150));
       QCOMPARE(m_cell->steps(), steps + 1);
-      QVERIFY(place().isApprox(moved(before, {23, 0, 0}), 1e-9));
+      QVERIFY(framePose().isApprox(moved(before, {23, 0, 0}), 1e-9));
       QVERIFY(frame().body == kept.body && frame().link == kept.link);
       m_cell->document().history()->undo();
       QVERIFY(frame() == kept);
-      // As typed, about its own origin.
+      // The typed turn is about its own origin.
       tool.setSetting("turn_z", 0.5);
       QCOMPARE(tool.perform("commit"), ToolReply::Used);
-      QVERIFY(place().isApprox(poseOf({300.0, -200.0, 0.0}, {0.0, 0.0, 0.8}), 1e-9));
+      QVERIFY(framePose().isApprox(poseOf({300.0, -200.0, 0.0}, {0.0, 0.0, 0.8}), 1e-9));
       m_cell->document().history()->undo();
     }
     m_frame = "none of this name";
     QVERIFY(make().handles());  // those of the body
   }
 
-  // Where it would be too far from what carries it to be read again it stays.
+  // A pose that is too far from its carrier to be read again is refused.
   void aFrameTooFar() {
     const BodyId far = m_cell->addBox({20, 20, 20}, {9e6, 0.0, 0.0});
     CellPlans plans;
@@ -149,7 +149,7 @@ class PlaceBodyToolTest : public QObject {
     QVERIFY(turned.axis().isApprox(Vec3::UnitZ(), 1e-9));
   }
 
-  // Without Ctrl a turn is in steps of 5°, and a way in steps that fit the zoom.
+  // Without Ctrl a turn is in steps of 5°, and a displacement in steps that fit the zoom.
   void snapping() {
     PlaceBodyTool tool = make();
     tool.pointer(down(Kind::Hover, 0, 0, kNoModifiers));
@@ -210,7 +210,7 @@ class PlaceBodyToolTest : public QObject {
     QCOMPARE(std::get<double>(propertyNamed(tool.settings(), "move_x")->value), 0.0);
   }
 
-  // What the robot carries is placed where it is seen, and stays on its link.
+  // A body that the robot carries is placed where it is seen, and stays on its link.
   void onTheRobot() {
     const RobotModel& robot = m_cell->document().robot().model;
     m_cell->stand({0.3, 0.4, 0.2, 0.5, 0.8, -0.3});
@@ -267,7 +267,7 @@ class PlaceBodyToolTest : public QObject {
     QVERIFY(pose().linear().isApprox(Eigen::AngleAxisd(4.0, Vec3::UnitZ()) * before.linear(), 1e-9));
   }
 
-  // What the pointer is over is marked, until it leaves; a changed document ends what was begun or typed.
+  // The handle under the pointer is marked, until it leaves; a changed document ends a drag and discards typed numbers.
   void leftAndChanged() {
     PlaceBodyTool tool = make();
     tool.pointer(down(Kind::Hover, -900, -900));
@@ -394,8 +394,8 @@ class PlaceBodyToolTest : public QObject {
   std::unique_ptr<ArmCell> m_cell;
   BodySelection m_selection;
   BodyId m_box = 0;
-  std::optional<std::size_t> m_robot;  // that is selected
-  std::string m_frame;                 // that is selected
+  std::optional<std::size_t> m_robot;  // The selected robot
+  std::string m_frame;                 // The selected frame
   std::string m_picked;
   int m_steps = 0;
 };

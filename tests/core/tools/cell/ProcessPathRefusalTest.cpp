@@ -11,7 +11,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Why there is no path along a curve of a block before the arm.
+// Reasons why there is no path along a curve of a block before the arm.
 class ProcessPathRefusalTest : public QObject {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class ProcessPathRefusalTest : public QObject {
     QCOMPARE(called("box1").error().arguments, std::vector<std::string>{"box1"});
   }
 
-  // The places of a drawn curve are numbers by threes, which the surface leads to.
+  // The points of a drawn curve are numbers by threes, which the surface connects.
   void drawnCurves() {
     OperationValues values = edge();
     values.setValid("along", static_cast<double>(kAlongDrawn));
@@ -68,7 +68,7 @@ class ProcessPathRefusalTest : public QObject {
     QCOMPARE(none.error().arguments, std::vector<std::string>{"box1"});
   }
 
-  // The first point that the arm cannot reach, with its place: a millimetre from the edge, where it is.
+  // The first point that the arm cannot reach, with its position: a millimetre from the edge.
   void outOfReach() {
     m_block = m_cell->addBox({100, 100, 60}, {2000, 0, 230});
     OperationValues values = edge();
@@ -80,7 +80,7 @@ class ProcessPathRefusalTest : public QObject {
     QVERIFY(std::abs(std::stod(error.arguments[2]) - 2000.0) < 100.0);
   }
 
-  // What is in the way at a point is named.
+  // The obstacle at a point is named.
   void blocked() {
     m_cell->addBox({300, 300, 40}, {350, 0, 300});
     const Error error = refusal(edge());
@@ -96,13 +96,13 @@ class ProcessPathRefusalTest : public QObject {
     QVERIFY(!none && none.error().code == ErrorCode::Cancelled);
   }
 
-  // Where it comes from and goes to must be there.
+  // Its start and goal must exist.
   void ends() {
     for (const char* const end : {"from", "to"}) {
       OperationValues values = edge();
       values.setValid(end, std::string("gone"));
       const Error error = refusal(values);
-      QVERIFY2(error.code == CellError::PlaceMissing, end);
+      QVERIFY2(error.code == CellError::WaypointMissing, end);
       QCOMPARE(error.arguments, std::vector<std::string>{"gone"});
     }
   }

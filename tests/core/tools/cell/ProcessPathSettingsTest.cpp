@@ -56,7 +56,7 @@ class ProcessPathSettingsTest : public QObject {
     QCOMPARE(propertyNamed(settings, "to")->choices[3], std::string("home"));
   }
 
-  // What is chosen is shown, whatever the choice.
+  // Any choice is shown as chosen.
   void endsTaken() {
     OperationValues values(processPathOperation());
     for (const double choice : {1.0, 2.0, 3.0, 0.0}) {

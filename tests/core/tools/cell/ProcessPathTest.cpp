@@ -48,12 +48,12 @@ class BlockCell {
   OutdatedReasons outdated(const PlannedPath& planned) {
     return outdatedReasonsOf(document().robot(), document().placement(), planned.path);
   }
-  // Where the tool's centre point is at the places of a path, in the base.
+  // Returns the poses of the tool centre point at the waypoints of a path, in the base frame.
   std::vector<Pose> tools(const PlannedPath& planned) {
     std::vector<Pose> all;
     const auto scene = m_cell.scene();
-    for (const Waypoint& place : planned.path.places)
-      all.push_back(scene->arm.tipPose(scene->planned(place.joints)) * document().plans()->tool);
+    for (const Waypoint& waypoint : planned.path.waypoints)
+      all.push_back(scene->arm.tipPose(scene->planned(waypoint.joints)) * document().plans()->tool);
     return all;
   }
 
@@ -116,7 +116,7 @@ class ProcessPathTest : public QObject {
     QVERIFY(before.hasValue());
     QVERIFY(!cell.outdated(*before).isAny());
     const std::optional<Pose>& base = before->path.process->base;
-    QVERIFY(base && base->isApprox(Pose::Identity()));  // of the first robot, from which all is measured
+    QVERIFY(base && base->isApprox(Pose::Identity()));  // Base of the first robot, which is the root
     cell.moveBlock(Pose(Eigen::Translation3d(10, 0, 0)));
     QVERIFY(!cell.outdated(*before).part.empty());
     const auto after = cell.planned(valuesOf(*before->path.process), before->path.process->part);
@@ -158,9 +158,9 @@ class ProcessPathTest : public QObject {
     PathProcess process{.values = {{"part", std::string("box1")}}, .part = document.bodies().withId(box)->pose};
     process.planned = process.part;
     CellPlans plans = *document.plans();
-    plans.paths.push_back({.name = "unknown", .places = {}, .arm = "left", .process = process});
+    plans.paths.push_back({.name = "unknown", .waypoints = {}, .arm = "left", .process = process});
     process.base = stood;
-    plans.paths.push_back({.name = "known", .places = {}, .arm = "left", .process = process});
+    plans.paths.push_back({.name = "known", .waypoints = {}, .arm = "left", .process = process});
     cell.plan(plans);
     const auto outdated = [&](const char* path) {
       return outdatedReasonsOf(document.robot(), document.placement(), *document.plans()->path(path));
@@ -182,8 +182,9 @@ class ProcessPathTest : public QObject {
     for (const char* path : {"known", "unknown"}) QVERIFY((outdated(path) == OutdatedReasons{.part = "box1"}));
   }
 
-  // Joint 6 turns further than once round: where the robot stands, nearly a turn is behind it. The path comes from
-  // another place, and needs no more than half a turn of that joint from there, as any attitude of the tool does.
+  // Joint 6 turns by more than one revolution: from the present values, nearly a revolution is behind it. The path
+  // comes from another waypoint, and needs no more than half a revolution of that joint from there, as any attitude of
+  // the tool does.
   void whereTheRobotStands_data() {
     QTest::addColumn<bool>("isFree");
     QTest::newRow("held") << false;
@@ -203,10 +204,10 @@ class ProcessPathTest : public QObject {
     cell.stand({0.0, 0.5, 0.3, 0.0, 0.77, -6.1});
     const auto planned = cell.planned(values);
     QVERIFY2(planned.hasValue(), planned.hasValue() ? "" : planned.error().code->id);
-    // The way to it and away from it is free to be planned in any way.
+    // The approach and the retraction may be planned freely.
     const auto onCurve = [](const PlannedPath& path) {
       const auto isCalled = [](const char* name) { return [name](const Waypoint& each) { return each.name == name; }; };
-      const std::vector<Waypoint>& all = path.path.places;
+      const std::vector<Waypoint>& all = path.path.waypoints;
       const auto first = std::find_if(all.begin(), all.end(), isCalled("approach"));
       return std::vector<Waypoint>(first, std::find_if(first, all.end(), isCalled("retract")));
     };
@@ -224,7 +225,7 @@ class ProcessPathTest : public QObject {
     const auto planned = cell.planned(values);
     QVERIFY(planned.hasValue());
     QVERIFY(valuesOf(*planned->path.process) == values);
-    // Of another version of the program: what is not known, or beyond its range, is left out.
+    // A process of another version of the program: unknown values, and those beyond their range, are left out.
     PathProcess other = *planned->path.process;
     other.values["colour"] = std::string("red");
     other.values["tilt"] = 99.0;

@@ -108,7 +108,7 @@ class ProcessPathToolTest : public QObject {
     QCOMPARE(shownLength(tool), 20.0);
   }
 
-  // By clicks, with the way to the pointer shown; the last is removed again.
+  // Drawn by clicks, with the piece to the pointer shown; the last point is removed again.
   void drawnByClicks() {
     ProcessFixture fixture;
     ProcessPathTool tool = fixture.tool();
@@ -123,7 +123,7 @@ class ProcessPathToolTest : public QObject {
     QVERIFY(std::abs(shownLength(tool) - 30.0) < 1e-9);
     tool.perform("removeLast");
     QVERIFY(std::abs(shownLength(tool) - 20.0) < 1e-9);
-    tool.pointer(above(Kind::Hover, -9, 505));  // what is only pointed to is not taken
+    tool.pointer(above(Kind::Hover, -9, 505));  // A point under the pointer alone is not taken
     tool.perform("commit");
     QCOMPARE(fixture.planned.size(), std::size_t{1});
     QCOMPARE(fixture.planned[0].text("through"), std::string("5,495,10;5,505,10"));
@@ -132,7 +132,7 @@ class ProcessPathToolTest : public QObject {
     QCOMPARE(tool.perform("revert"), ToolReply::Finished);
   }
 
-  // In one go: a place every twelve pixels.
+  // Drawn in one stroke: a point every twelve pixels.
   void drawnInOneGo() {
     ProcessFixture fixture;
     ProcessPathTool tool = fixture.tool();
@@ -145,7 +145,7 @@ class ProcessPathToolTest : public QObject {
     QCOMPARE(std::ranges::count(fixture.planned.at(0).text("through"), ';'), 49);  // 0.2 mm: pixels are 0.01, drags 0.1
   }
 
-  // What is drawn on a part that moves away is gone; another kind of curve begins anew.
+  // A curve on a part that moves away is discarded; another kind of curve begins anew.
   void whatChangesBelow() {
     ProcessFixture fixture;
     ProcessPathTool tool = fixture.tool();

@@ -49,7 +49,7 @@ class RobotOperationTest : public QObject {
     QCOMPARE(two.robot->arms[1].name, std::string("left"));
     const Pose base = basePose(two.robot->model, two.robot->arms[1]);
     QVERIFY((base * Vec3(10.0, 0.0, 1.0) - Vec3(100.0, 1510.0, -19.0)).norm() < 1e-6);
-    // Without a name it has that of its description, without a place it is where the first one is.
+    // Without a name it has that of its description, without a pose it is at the first robot.
     const auto plain = changed(robotValues({{"add", "ur5"}}), ArmCell().content());
     QVERIFY(!plain.robot->arms[1].name.empty());
     QVERIFY(basePose(plain.robot->model, plain.robot->arms[1]).isApprox(Pose::Identity(), 1e-9));

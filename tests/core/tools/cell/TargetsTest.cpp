@@ -54,7 +54,7 @@ class TargetsTest : public QObject {
     const JointValues stored = cell.joints;
     cell.joints[0] += 0.5;
     cell = changedBy(operationValues({{"go", std::string("T")}}), cell);
-    QVERIFY((cell.joints - stored).cwiseAbs().maxCoeff() < 1e-6);  // the nearest way
+    QVERIFY((cell.joints - stored).cwiseAbs().maxCoeff() < 1e-6);  // The nearest solution
     cell = changedBy(operationValues({{"remove-target", std::string("T")}}), cell);
     QVERIFY(cell.plans->targets.empty());
   }
@@ -71,30 +71,31 @@ class TargetsTest : public QObject {
     const Pose before = *poseOfTarget(target, {*cell.plans, cell.bodies, robot, cell.joints});
     QVERIFY((before.translation() - Vec3(350.0, 40.0, 300.0)).norm() < 1e-9);
     Body moved = *cell.bodies.withId(box);
-    const Pose way = poseOf({10.0, -5.0, 3.0}, {0.1, 0.2, 0.3});
-    moved.pose = way * moved.pose;
+    const Pose displacement = poseOf({10.0, -5.0, 3.0}, {0.1, 0.2, 0.3});
+    moved.pose = displacement * moved.pose;
     cell.bodies = cell.bodies.with(std::make_shared<const Body>(moved));
-    QVERIFY(poseOfTarget(target, {*cell.plans, cell.bodies, robot, cell.joints})->isApprox(way * before, 1e-12));
+    QVERIFY(
+        poseOfTarget(target, {*cell.plans, cell.bodies, robot, cell.joints})->isApprox(displacement * before, 1e-12));
     const BodyId gone[] = {box};
     m_cell->document().commit("Remove", removeBodiesEdit(m_cell->document().bodies(), gone));
     const auto stray = poseOfTarget(target, {*cell.plans, m_cell->document().bodies(), robot, cell.joints});
     QVERIFY(!stray && stray.error().code == CellError::TargetStray);
   }
 
-  // A box where the nearest way would be: another one is taken, and it is free.
-  void theNearestFreeWay() {
+  // A box blocks the nearest solution: another one is taken, and it is free.
+  void theNearestFreeSolution() {
     const auto scene = m_cell->scene();
     const Pose pose = m_cell->tool();
     const ArmValues stood = scene->planned(m_cell->document().joints());
     CellPlans plans;
     QVERIFY((*nearestFree(*scene, plans, pose, stood) - stood).cwiseAbs().maxCoeff() < 1e-6);
-    // The elbow: the third joint's place.
+    // The elbow: position of the third joint.
     std::array<Pose, 6> joints;
     scene->arm.jointPoses(stood, joints);
     m_cell->addBox({60, 60, 60}, joints[2].translation());
     const auto blocked = m_cell->scene();
     const Result<ArmValues> other = nearestFree(*blocked, plans, pose, stood);
-    if (!other) {  // whichever way: then it says what is in the way
+    if (!other) {  // In either case it names the obstacle
       QVERIFY(other.error().code == CellError::ToolBlocked);
       QCOMPARE(other.error().arguments.back(), std::string("box1"));
     } else {
@@ -107,8 +108,8 @@ class TargetsTest : public QObject {
     QVERIFY(nearestFree(*scene, plans, far, stood).error().code == CellError::ToolOutOfReach);
   }
 
-  // An arm of three joints brings its tool to the place of a target, turned as near to it as it can; what is out of its
-  // reach stays so.
+  // An arm of three joints brings its tool to the position of a target, turned as near to it as possible; a target out
+  // of its reach stays unreachable.
   void anArmOfThreeJoints() {
     const DhTable table{.name = "short",
                         .joints = {{{.alpha = M_PI / 2, .d = 200.0, .lower = -3.0, .upper = 3.0}, "a"},
@@ -124,19 +125,19 @@ class TargetsTest : public QObject {
     const Pose reached = toolPose(*cell.robot, *cell.plans, cell.joints), wanted = plans.targets[0].pose;
     QVERIFY((reached.translation() - wanted.translation()).norm() < 1e-3);
     const auto scene = arm.scene();
-    const auto ways = ikSolutionsTo(*scene, plans, wanted, scene->planned(arm.document().joints()));
-    QVERIFY(!ways.empty());
+    const auto solutions = ikSolutionsTo(*scene, plans, wanted, scene->planned(arm.document().joints()));
+    QVERIFY(!solutions.empty());
     const double off = Eigen::AngleAxisd(reached.linear().transpose() * wanted.linear()).angle();
     QVERIFY(off > 0.1);
-    QVERIFY(std::any_of(ways.begin(), ways.end(),
-                        [&](const CellIkSolution& way) { return std::abs(way.arm.turnedOff - off) < 1e-6; }));
+    QVERIFY(std::any_of(solutions.begin(), solutions.end(),
+                        [&](const CellIkSolution& solution) { return std::abs(solution.arm.turnedOff - off) < 1e-6; }));
     Pose far = wanted;
     far.translation() *= 10.0;
     QVERIFY(nearestFree(*scene, plans, far, ArmValues::Zero(3)).error().code == CellError::ToolOutOfReach);
   }
 
-  // As places of a path; the next one as near as may be to the one before.
-  void placesOfAPath() {
+  // Targets as waypoints of a path; each as near as possible to the one before.
+  void waypointsOfAPath() {
     CellPlans plans;
     plans.targets = {{"A", m_cell->tool()}};
     Pose other = m_cell->tool();
@@ -147,15 +148,15 @@ class TargetsTest : public QObject {
     values.setValid("from", std::string("A"));
     values.setValid("to", std::string("B"));
     const auto scene = m_cell->scene();
-    const auto places = placesOf(values, *scene, m_cell->content());
-    QVERIFY(places.hasValue());
-    QCOMPARE(places->size(), std::size_t{2});
-    QCOMPARE(places->back().name, std::string("B"));
-    const ArmValues at = scene->planned(places->back().joints);
+    const auto waypoints = waypointsOf(values, *scene, m_cell->content());
+    QVERIFY(waypoints.hasValue());
+    QCOMPARE(waypoints->size(), std::size_t{2});
+    QCOMPARE(waypoints->back().name, std::string("B"));
+    const ArmValues at = scene->planned(waypoints->back().joints);
     QVERIFY(scene->arm.tipPose(at).isApprox(other, 1e-6));
-    QVERIFY((at - scene->planned(places->front().joints)).cwiseAbs().maxCoeff() < 0.5);
+    QVERIFY((at - scene->planned(waypoints->front().joints)).cwiseAbs().maxCoeff() < 0.5);
     values.setValid("to", std::string("C"));
-    QVERIFY(placesOf(values, *scene, m_cell->content()).error().code == CellError::PlaceMissing);
+    QVERIFY(waypointsOf(values, *scene, m_cell->content()).error().code == CellError::WaypointMissing);
   }
 
   // A path that was planned to a target is outdated once the tool does not come to that any more: the numbers of the
@@ -179,7 +180,7 @@ class TargetsTest : public QObject {
                                : NamedTarget{"T", frame.inverse(Eigen::Isometry) * there, 0, "F"}};
     m_cell->plan(plans);
     const RobotPath path = plannedTo({{.joints = m_cell->document().joints()}, called("T")});
-    QVERIFY(path.places.back().target && isSamePlace(path.places.back().target->inTool, Pose::Identity()));
+    QVERIFY(path.waypoints.back().target && isSamePose(path.waypoints.back().target->inTool, Pose::Identity()));
     QVERIFY(!outdated(path).isAny());
     const Vec3 by(10.0, -5.0, 3.0);
     if (what == 0) plans.targets[0].pose.pretranslate(frame.linear().transpose() * by);
@@ -192,12 +193,12 @@ class TargetsTest : public QObject {
     if (what == 3) plans.tool.translation().z() = 8.0;
     m_cell->plan(plans);
     QVERIFY((outdated(path) == OutdatedReasons{.targets = {"T"}}));
-    const RobotPath again = plannedTo(path.places);
+    const RobotPath again = plannedTo(path.waypoints);
     QVERIFY(!outdated(again).isAny());
-    const Pose reached = toolPose(m_cell->document().robot(), plans, again.places.back().joints);
+    const Pose reached = toolPose(m_cell->document().robot(), plans, again.waypoints.back().joints);
     if (what < 3) there.pretranslate(by);
     QVERIFY(reached.isApprox(there, 1e-6));
-    QVERIFY(again.places.front().joints == path.places.front().joints);
+    QVERIFY(again.waypoints.front().joints == path.waypoints.front().joints);
     // In files, and by another name of the target.
     const RobotModel& robot = m_cell->document().robot().model;
     const auto read = pathFrom(toJson(robot, path), robot, m_cell->document().joints());
@@ -205,10 +206,10 @@ class TargetsTest : public QObject {
     plans.paths = {path};
     const CellPlans renamed = withTargetRenamed(plans, "T", "U");
     m_cell->plan(renamed);
-    QCOMPARE(renamed.paths[0].places.back().name, std::string("U"));
+    QCOMPARE(renamed.paths[0].waypoints.back().name, std::string("U"));
     QVERIFY((outdated(renamed.paths[0]) == OutdatedReasons{.targets = {"U"}}));
     m_cell->plan(withoutTarget(renamed, "U"));
-    QVERIFY(!m_cell->document().plans()->paths[0].places.back().target);
+    QVERIFY(!m_cell->document().plans()->paths[0].waypoints.back().target);
     QVERIFY(!outdated(renamed.paths[0]).isAny());
   }
 
@@ -231,35 +232,35 @@ class TargetsTest : public QObject {
     plans.configurations[0].joints[0] -= 0.2;
     m_cell->plan(plans);
     QVERIFY((outdated(path) == OutdatedReasons{.configurations = {"home"}}));
-    const RobotPath again = plannedTo(path.places);
+    const RobotPath again = plannedTo(path.waypoints);
     QVERIFY(!outdated(again).isAny());
-    QVERIFY(again.places.front().joints == plans.configurations[0].joints);
-    QVERIFY(again.places.back().joints == path.places.back().joints);
+    QVERIFY(again.waypoints.front().joints == plans.configurations[0].joints);
+    QVERIFY(again.waypoints.back().joints == path.waypoints.back().joints);
     // In files, and by another name.
     const RobotModel& robot = m_cell->document().robot().model;
     const auto read = pathFrom(toJson(robot, path), robot, m_cell->document().joints());
     QVERIFY(read && *read == path);
     path.name = "way";
     path.process = PathProcess{{{"from", std::string("home")}, {"part", std::string("home")}}};
-    plans.paths = {path, {"other", {path.places.back()}}};
+    plans.paths = {path, {"other", {path.waypoints.back()}}};
     QVERIFY((pathsThrough(plans, "home") == std::vector<std::string>{"way"}));
     const CellPlans renamed = withConfigurationRenamed(plans, "home", "base");
     m_cell->plan(renamed);
     const RobotPath& kept = renamed.paths[0];
     QVERIFY(renamed.configuration("base") && !renamed.configuration("home"));
-    QCOMPARE(kept.places.front().name, std::string("base"));
+    QCOMPARE(kept.waypoints.front().name, std::string("base"));
     QVERIFY((outdated(kept) == OutdatedReasons{.configurations = {"base"}}));
     QVERIFY(kept.process->values.at("from") == PathProcess::Value(std::string("base")));
     QVERIFY(kept.process->values.at("part") == PathProcess::Value(std::string("home")));
     QVERIFY(renamed.paths[1] == plans.paths[1]);
   }
 
-  // One name is one place.
+  // A name denotes one waypoint.
   void namesAreUnique() {
     const RobotCellSnapshot cell = changedBy(operationValues({{"add", std::string("home")}}), m_cell->content());
     const auto refused = changedCell(operationValues({{"add-target", std::string("home")}}), cell);
-    QVERIFY(!refused && refused.error().code == CellError::PlaceNameTaken);
-    QCOMPARE(cell.plans->freePlaceName("home"), std::string("home 2"));
+    QVERIFY(!refused && refused.error().code == CellError::WaypointNameTaken);
+    QCOMPARE(cell.plans->freePoseName("home"), std::string("home 2"));
   }
 
   // Its numbers are properties, of the frame that it is in.
@@ -293,19 +294,19 @@ class TargetsTest : public QObject {
     const Status far = document.setProperty("tool.x", 5000.0);
     QVERIFY(!far && far.error().code == CellError::ToolOutOfReach);
     QCOMPARE(far.error().arguments[0], std::string("5000"));
-    // Straight up the sixth of the joints of this arm can turn the tool all the way; behind its foot the first cannot.
+    // Straight up the sixth joint of this arm can turn the tool through a full turn; behind its foot the first cannot.
     QVERIFY(document.setProperty("tool.rz", 0.2).hasValue());
     QVERIFY(std::abs(rollPitchYaw(m_cell->tool()).z() - 0.2) < 1e-6);
   }
 
  private:
-  Waypoint called(const char* place) {
-    const auto found = placeCalled(*m_cell->scene(), m_cell->content(), place, m_cell->document().joints());
+  Waypoint called(const char* waypoint) {
+    const auto found = waypointCalled(*m_cell->scene(), m_cell->content(), waypoint, m_cell->document().joints());
     if (!found) qFatal("refused: %s", found.error().code->id);
     return *found;
   }
-  RobotPath plannedTo(const std::vector<Waypoint>& places) {
-    const auto made = plannedThrough(*m_cell->scene(), *m_cell->document().plans(), places, {});
+  RobotPath plannedTo(const std::vector<Waypoint>& waypoints) {
+    const auto made = plannedThrough(*m_cell->scene(), *m_cell->document().plans(), waypoints, {});
     if (!made) qFatal("not planned: %s", made.error().code->id);
     return made->path;
   }

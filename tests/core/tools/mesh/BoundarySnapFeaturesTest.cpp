@@ -45,7 +45,7 @@ class BoundarySnapFeaturesTest : public QObject {
       }
   }
 
-  // As a curve each rim is one feature all the way round.
+  // Each rim is one closed curve feature.
   void aRimAsACurve() {
     const Tube tube;
     const LoopSnapField scene =

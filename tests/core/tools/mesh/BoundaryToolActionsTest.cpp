@@ -9,7 +9,7 @@
 using namespace handwheel;
 using test::Kind;
 
-// What BoundaryTool does to a whole edge.
+// Tests the actions of BoundaryTool on a whole edge.
 class BoundaryToolActionsTest : public QObject, private test::BoundaryFixture {
   Q_OBJECT
 

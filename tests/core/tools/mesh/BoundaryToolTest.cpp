@@ -9,7 +9,7 @@
 using namespace handwheel;
 using test::Kind;
 
-// What BoundaryTool makes of the pointer.
+// Tests the pointer input of BoundaryTool.
 class BoundaryToolTest : public QObject, private test::BoundaryFixture {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class BoundaryToolTest : public QObject, private test::BoundaryFixture {
 namespace {
 
 bool hasVertexAt(const HalfEdgeMesh& mesh, const Vec3& p) {
-  return test::places(mesh.compact().soup).contains(test::place(p));
+  return test::allCoordinates(mesh.compact().soup).contains(test::coordinates(p));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ void BoundaryToolTest::hoverShowsEdgeAndPoint() {
   QCOMPARE(m_tool->pointer(test::above(Kind::Hover, -1.95, 0.0)), ToolReply::Used);
   QCOMPARE(m_tool->preview().lines.size(), std::size_t(1));
   QVERIFY(m_tool->preview().circle && m_tool->preview().circle->first == Vec3(-2, 0, 0));
-  QVERIFY(m_tool->forces().empty());                      // the snapTargets' affair
+  QVERIFY(m_tool->forces().empty());                      // snap targets make the forces instead
   m_tool->pointer(test::above(Kind::Hover, -1.95, 0.5));  // on the edge, between its points
   QVERIFY(!m_tool->preview().circle && m_tool->preview().lines.size() == 1);
   m_tool->pointer(test::above(Kind::Hover, -3.5, 0.5));
@@ -223,8 +223,8 @@ void BoundaryToolTest::aDevice() {
   event.modifiers = test::kControl;
   m_tool->pointer(event);
   QCOMPARE(oneStep(before), std::string());
-  const Vec3 place = Vec3(-2, 0, 0) + Vec3(-1.7, 0.1, 0.51) - Vec3(-2, 0, 0.01);
-  QVERIFY(hasVertexAt(mesh(), rounded(place, m_document->fileNumbers())));
+  const Vec3 position = Vec3(-2, 0, 0) + Vec3(-1.7, 0.1, 0.51) - Vec3(-2, 0, 0.01);
+  QVERIFY(hasVertexAt(mesh(), rounded(position, m_document->fileNumbers())));
 }
 
 void BoundaryToolTest::nothingOpen() {

@@ -52,7 +52,7 @@ void BridgeEditingTest::oneMore() {
 
 void BridgeEditingTest::oneLess() {
   BridgeEditing editing;
-  QVERIFY(draw(editing, 9, 2, {{12, 18}, {2, 9}}));  // either way round
+  QVERIFY(draw(editing, 9, 2, {{12, 18}, {2, 9}}));  // in both directions
   QVERIFY(editing.own() == Bridges({{12, 18}}));
 }
 

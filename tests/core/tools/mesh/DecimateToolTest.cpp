@@ -66,7 +66,7 @@ void DecimateToolTest::withinADistance() {
   QVERIFY(std::isnan(valueOf(tool, "faces")));  // only what matters is offered
   tool.perform("commit");
   QVERIFY(document->mesh().liveFaceCount() < 2000);
-  for (const test::Coordinates& p : test::places(document->mesh().compact().soup)) {
+  for (const test::Coordinates& p : test::allCoordinates(document->mesh().compact().soup)) {
     QVERIFY(std::abs(std::hypot(p[0], p[1], p[2]) - 1.0) <= 0.02 + 0.005);  // the ball's own chords take 0.004
   }
 }

@@ -12,7 +12,7 @@
 using namespace handwheel;
 using test::Kind;
 
-// How a hole is filled is the user's choice: the method with what belongs to it, and bridges.
+// Tests the user's settings for filling a hole: the method with its options, and bridges.
 class FillHoleSettingsTest : public QObject {
   Q_OBJECT
 

@@ -86,7 +86,7 @@ void FillHoleToolTest::clickShowsAPatch() {
   QVERIFY(test::sameMesh(m_document->mesh(), before));
   QCOMPARE(m_document->history()->count(), 0);
   m_tool->pointer(test::above(Kind::Leave, 0, 0));
-  QCOMPARE(m_tool->preview().lines.size(), std::size_t(1));  // that of the chosen one stays
+  QCOMPARE(m_tool->preview().lines.size(), std::size_t(1));  // the line of the chosen one stays
 }
 
 void FillHoleToolTest::fillsOneAfterTheOther() {
@@ -258,7 +258,7 @@ void FillHoleToolTest::quickerThanThePatch() {
   QCOMPARE(loops().size(), std::size_t(3));
   QVERIFY(m_tool->state() == State::Computing);  // the next hole
   answer();
-  QVERIFY(m_tool->state() == State::Ready);  // which nobody has asked to fill
+  QVERIFY(m_tool->state() == State::Ready);  // no fill was requested
   QCOMPARE(loops().size(), std::size_t(3));
 }
 

@@ -8,7 +8,8 @@
 
 namespace handwheel::test {
 
-// Does at once what a window's workers would do. tool: filled in by the caller before the first request comes.
+// Returns services that immediately do the work of a window's workers. The caller must set tool before the first
+// request.
 inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
   FillServices services;
   services.faces = immediateServices(document).faces;

@@ -64,7 +64,7 @@ void MakeFaceToolTest::threeClicks() {
   QCOMPARE(m_tool->cornerCount(), std::size_t(0));
 }
 
-// It can only be meant the way round that its neighbours have.
+// The face gets the orientation of its neighbours.
 void MakeFaceToolTest::clockwiseIsTurned() {
   for (const auto& [x, y] : {std::pair(-2, -1), std::pair(-1, -2), std::pair(-2, -2)}) click(x, y);
   QCOMPARE(m_document->history()->count(), 1);

@@ -71,7 +71,7 @@ struct MeshDrillFixture {
     const bool isDeep = QTest::qWaitFor([&] { return setting("hole_depth").value_or(0.0) > depth; }, 30'000);
     return event(PointerEvent::Kind::Release, x, y) == ToolReply::Used && isDeep;
   }
-  // What is wrong with the mesh; empty for nothing.
+  // Returns the flaw of the mesh; empty: none.
   std::string flaw() const {
     const TriangleSoup soup = document->mesh().compact().soup;
     if (!test::countEdges(soup).sound()) return "edges";
@@ -115,7 +115,7 @@ class MeshDrillToolTest : public QObject {
     QVERIFY(std::abs(*fixture.setting("removed") / exact - 1.0) < 0.02);
     fixture.document->history()->undo();
     QVERIFY(test::sameMesh(fixture.document->mesh(), before));
-    QVERIFY(!fixture.setting("max_thrust"));  // what is undone is not shown any more
+    QVERIFY(!fixture.setting("max_thrust"));  // values of undone steps are no longer shown
     fixture.document->history()->redo();
     QVERIFY(test::sameMesh(fixture.document->mesh(), after));
   }
@@ -132,8 +132,8 @@ class MeshDrillToolTest : public QObject {
     QCOMPARE(fixture.event(PointerEvent::Kind::Press, -2.2, 1.3), ToolReply::Used);
     QVERIFY(QTest::qWaitFor([&] { return fixture.setting("removed").value_or(0.0) > 1.0; }, 30'000));
     const auto deeper = fixture.tool->hole();
-    QVERIFY((deeper->poses[0].place() - Vec3(-3.0, 1.0, deeper->poses[0].place().z())).norm() < 1e-3);
-    QVERIFY(deeper->poses[0].place().z() < -0.9);
+    QVERIFY((deeper->poses[0].position() - Vec3(-3.0, 1.0, deeper->poses[0].position().z())).norm() < 1e-3);
+    QVERIFY(deeper->poses[0].position().z() < -0.9);
     fixture.runner.perform("revert");
     QCOMPARE(fixture.document->history()->count(), 1);
     const HalfEdgeMesh before = fixture.document->mesh();
@@ -147,7 +147,7 @@ class MeshDrillToolTest : public QObject {
     QVERIFY(test::sameMesh(fixture.document->mesh(), before));
     fixture.document->history()->redo();
     QVERIFY(fixture.drill(5.0, -4.0, 3.0));
-    QVERIFY((fixture.tool->hole()->poses[0].place() - Vec3(5.0, -4.0, 2.0)).norm() < 1e-3);
+    QVERIFY((fixture.tool->hole()->poses[0].position() - Vec3(5.0, -4.0, 2.0)).norm() < 1e-3);
     QCOMPARE(fixture.flaw(), std::string());
     QCOMPARE(fixture.document->history()->count(), 3);
     QVERIFY(test::volume(fixture.document->mesh().compact().soup) < two - 20.0);
@@ -165,7 +165,8 @@ class MeshDrillToolTest : public QObject {
     QVERIFY(shown.voxels && shown.previewMesh);
     const auto* state = dynamic_cast<const DrillState*>(shown.voxels.get());
     QVERIFY(state && state->isExact && !state->tiles.empty());
-    // What both show has the area of a plate with that hole: the tiles' sides fit, but for a share of a voxel.
+    // Both displayed parts together have the area of a plate with that hole: the sides of the tiles fit, except for a
+    // share of a voxel.
     double area = test::area(shown.previewMesh->mesh.compact().soup);
     QVERIFY(area < test::area(before.compact().soup) - 8.0 * 8.0);  // a tile of the top, at least
     for (const auto& [key, piece] : state->surface.pieces()) {
@@ -195,7 +196,7 @@ class MeshDrillToolTest : public QObject {
     QCOMPARE(fixture.says(), std::string("the mesh is being prepared for the drill"));
     QCOMPARE(fixture.event(PointerEvent::Kind::Press, 0.0, 0.0), ToolReply::Used);
     QVERIFY(!fixture.tool->isLive() && fixture.offers.empty());
-    while (!waiting.jobs.empty()) waiting.work()();  // of voxels for other diameters are too late, and dropped
+    while (!waiting.jobs.empty()) waiting.work()();  // jobs of voxels for other diameters are outdated and dropped
     QCOMPARE(fixture.says(), std::string("drill across the surface"));
     QVERIFY(fixture.drill(0.0, 0.0, 1.0));
     QCOMPARE(waiting.changes.size(), std::size_t{1});
@@ -206,7 +207,7 @@ class MeshDrillToolTest : public QObject {
     waiting.changes.front().ended();  // cancelled
     QCOMPARE(fixture.says(), std::string("drill across the surface"));
     QVERIFY(!meshPreviewOf(fixture.tool->preview()).voxels && fixture.offers.empty());
-    // Where the mesh is another by then, it stays as it is, with the reason.
+    // If the mesh has changed meanwhile, it stays as it is, and the reason is given.
     HalfEdgeMesh other = test::meshDocument(test::cube(50.0))->mesh();
     const HalfEdgeMesh before = other;
     const std::size_t faces = before.liveFaceCount();
@@ -236,7 +237,7 @@ class MeshDrillToolTest : public QObject {
     }
   }
 
-  // What cannot be drilled says why, before anything is drilled, and offers a volume.
+  // A mesh that cannot be drilled is refused with a reason before drilling, and a volume is offered.
   void refused_data() {
     QTest::addColumn<int>("shape");
     QTest::addColumn<QString>("reason");

@@ -169,7 +169,7 @@ class MeshOperationsTest : public QObject {
     QVERIFY(holds);
   }
 
-  // What nobody chose is what the algorithms do when nobody chooses.
+  // The defaults of the operations equal the defaults of the algorithms.
   void theDefaultsAreTheirs() {
     QVERIFY(valuesOf(DecimationOptions()) == OperationValues(decimateOperation()));
     QVERIFY(valuesOf(Placement()) == OperationValues(meshOperation("place")));

@@ -35,7 +35,7 @@ class Worker {
       case 3:
         return commit(deleteChange({randomFace(), randomFace(), randomFace()}, "Delete"));
       case 4:
-        return commit(placeChange(randomPlacement()));
+        return commit(placementChange(randomPlacement()));
       case 5:
         return commit(decimateChange({.faces = 9 * mesh().liveFaceCount() / 10, .avoidIntersections = below(2) == 0}));
       case 6:

@@ -45,7 +45,7 @@ class MeshScriptTest : public QObject {
 
  private slots:
   void placing();
-  void standardPlaces();
+  void standardPlacements();
   void deleting();
   void reversing();
   void orienting();
@@ -107,11 +107,11 @@ void MeshScriptTest::orienting() {
   QCOMPARE(forward.check(1), std::string());
 }
 
-void MeshScriptTest::standardPlaces() {
-  for (const char* place : {"flat", "axes", "centre", "corner"}) {
+void MeshScriptTest::standardPlacements() {
+  for (const char* alignment : {"flat", "axes", "centre", "corner"}) {
     Work work(test::moved(test::cylinder(24, 3, 2.0, 7.0, true), {3, -2, 11}));
-    TransformTool(*work.document, work.services()).perform(place);
-    QCOMPARE(work.step(), std::string(place));
+    TransformTool(*work.document, work.services()).perform(alignment);
+    QCOMPARE(work.step(), std::string(alignment));
     QCOMPARE(work.check(), std::string());
   }
 }

@@ -105,7 +105,7 @@ void MeshSelectionTest::stepsBackAndForward() {
   steps.goForward();
   QVERIFY((steps.present() == MeshSelection{{2}, {}}));
   QVERIFY(steps.canGoBack() && steps.canGoForward());
-  steps.change({{4}, {}});  // what was ahead is forgotten
+  steps.change({{4}, {}});  // later steps are discarded
   QVERIFY(!steps.canGoForward());
   steps.goBack();
   QVERIFY((steps.present() == MeshSelection{{2}, {}}));

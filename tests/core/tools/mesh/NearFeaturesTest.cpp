@@ -32,8 +32,8 @@ struct Felt {
     HalfEdgeMesh::Compact all = mesh.compact();
     surface = touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf);
   }
-  NearFeatures near(const SnapTargets& snapTargets, const Vec3& place, double reach) const {
-    return nearFeatures(mesh, surface, snapTargets, place, reach);
+  NearFeatures near(const SnapTargets& snapTargets, const Vec3& position, double reach) const {
+    return nearFeatures(mesh, surface, snapTargets, position, reach);
   }
 };
 
@@ -75,7 +75,7 @@ class NearFeaturesTest : public QObject {
     QCOMPARE(countsOf(cube.near(kOfPoints, Vec3::Zero(), 1.0)), (Counts{7, 9, 0}));
   }
 
-  // Of a flat sheet only where it ends counts.
+  // Only the border of a flat sheet counts.
   void aFlatSheet() {
     const Felt felt(sheet(5));
     const Vec3 middle(2.5, 2.5, 0);
@@ -96,7 +96,7 @@ class NearFeaturesTest : public QObject {
   }
 
   void theMeanSide() {
-    // Of each square two triangles with sides 1, 1 and √2.
+    // Each square has two triangles with sides 1, 1 and √2.
     QVERIFY(std::abs(meanSide(Felt(sheet(3)).mesh) - (2.0 + std::sqrt(2.0)) / 3.0) < 1e-12);
     QCOMPARE(meanSide(HalfEdgeMesh()), 0.0);
   }
@@ -104,8 +104,8 @@ class NearFeaturesTest : public QObject {
   // However many there are, no more are looked at than a tick can carry, and within the reach none is missing.
   void boundedOnLargeMeshes() {
     const Felt felt(sheet(150));
-    for (const Vec3& place : {Vec3(75, 75, 0), Vec3(0, 0, 3), Vec3(149.5, 20.25, -1)}) {
-      const NearFeatures near = felt.near(kOfFaces, place, 1000.0);
+    for (const Vec3& position : {Vec3(75, 75, 0), Vec3(0, 0, 3), Vec3(149.5, 20.25, -1)}) {
+      const NearFeatures near = felt.near(kOfFaces, position, 1000.0);
       QVERIFY(near.reach > 3.0 && near.reach < 1000.0);
       QVERIFY(near.features.items().size() <= 10'000);
       std::set<std::uint32_t> found;
@@ -113,15 +113,16 @@ class NearFeaturesTest : public QObject {
         if (item.feature.kind == SnapKind::Facet) found.insert(item.feature.id);
       for (Face f = 0; f < felt.mesh.faceSlots(); ++f) {
         const TrianglePoints p = felt.mesh.points(f);
-        if ((closestOnTriangle(place, p[0], p[1], p[2]) - place).norm() <= near.reach) QVERIFY(found.count(f) == 1);
+        if ((closestOnTriangle(position, p[0], p[1], p[2]) - position).norm() <= near.reach)
+          QVERIFY(found.count(f) == 1);
       }
     }
-    TriangleSoup fan;  // all in one place
+    TriangleSoup fan;  // all points are equal
     for (int i = 0; i < 3000; ++i) append(fan, moved(tetrahedron(), {0, 0, 0}, 1.0 + 0.001 * i));
     QVERIFY(Felt(fan).near({true, true, true, true, true}, Vec3::Zero(), 1.0).features.items().size() <= 10'000);
   }
 
-  // What is gathered anew as the hand goes on pulls as all of the mesh would.
+  // Features that are gathered anew during the motion pull like those of the whole mesh.
   void theForceIsThatOfTheWholeMesh() {
     const Felt felt(sphereWithoutCap(4));
     SnapFeatures everything;
@@ -161,8 +162,8 @@ class NearFeaturesTest : public QObject {
 
   void extremes() {
     const Felt cube(test::cube(10.0));
-    for (const Vec3& place : {Vec3(kNan, 0, 0), Vec3(0, kInfinity, 0), Vec3(1e300, 0, 0)})
-      QVERIFY(cube.near(kOfPoints, place, 1.0).features.items().empty());
+    for (const Vec3& position : {Vec3(kNan, 0, 0), Vec3(0, kInfinity, 0), Vec3(1e300, 0, 0)})
+      QVERIFY(cube.near(kOfPoints, position, 1.0).features.items().empty());
     for (const double reach : {0.0, -1.0, kNan, kInfinity}) {
       const NearFeatures near = cube.near(kOfPoints, Vec3::Zero(), reach);
       QVERIFY(near.features.items().empty() && near.reach == 0.0);

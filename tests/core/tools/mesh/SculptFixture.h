@@ -14,7 +14,7 @@ namespace handwheel::test {
 
 inline constexpr double kDrag = 0, kSmooth = 1, kInflate = 2, kFlatten = 3;
 
-// A plate of 20 × 20 squares of 1 mm in z = 0, facing up.
+// Returns a plate of 20 × 20 squares of 1 mm. It lies in z = 0 and faces up.
 inline TriangleSoup sheet() {
   return grid(21, 21, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.0); });
 }
@@ -24,7 +24,7 @@ inline Vertex at(double x, double y) {
   return vertexAt(mesh, Vec3(x, y, 0));
 }
 
-// Of the plate, around its middle: 8 × 8 squares.
+// Returns the 8 × 8 squares around the middle of the plate.
 inline FaceSelection middle() {
   FaceSelection patch;
   for (Face x = 6; x < 14; ++x)
@@ -47,12 +47,12 @@ struct SculptFixture {
     tool = made.get();
     runner.start(std::move(made), *document);
   }
-  void stroke(const std::vector<Eigen::Vector2d>& way, Modifiers modifiers = {}) {
-    runner.pointer(above(Kind::Press, way[0].x(), way[0].y(), modifiers));
-    for (const auto& p : way) runner.pointer(above(Kind::Drag, p.x(), p.y(), modifiers));
-    runner.pointer(above(Kind::Release, way.back().x(), way.back().y(), modifiers));
+  void stroke(const std::vector<Eigen::Vector2d>& path, Modifiers modifiers = {}) {
+    runner.pointer(above(Kind::Press, path[0].x(), path[0].y(), modifiers));
+    for (const auto& p : path) runner.pointer(above(Kind::Drag, p.x(), p.y(), modifiers));
+    runner.pointer(above(Kind::Release, path.back().x(), path.back().y(), modifiers));
   }
-  // Takes the middle of the plate up by a device.
+  // Lifts the middle of the plate with a device.
   void lift(double height, double x = 10.0) {
     PointerEvent event = above(Kind::Press, x, 10.0);
     event.device = Pose(Eigen::Translation3d(x, 10.0, 0.0));

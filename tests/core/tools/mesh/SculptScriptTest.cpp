@@ -9,7 +9,7 @@
 
 using namespace handwheel;
 
-// What is sculpted, done once more by its steps: the same bytes, levels included.
+// Tests that replaying the steps of sculpting gives the same bytes, including levels.
 class SculptScriptTest : public QObject {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ void SculptScriptTest::brushes() {
   fixture.runner.setSetting("strength", 0.3);
   fixture.stroke({{9.1, 10.2}, {11.0, 11.5}, {12.3, 10.1}});
   fixture.stroke({{10.0, 10.0}, {8.7, 9.9}}, {true, false, false});   // smooths
-  fixture.stroke({{10.0, 10.0}, {9.1, 10.9}}, {false, true, false});  // the other way
+  fixture.stroke({{10.0, 10.0}, {9.1, 10.9}}, {false, true, false});  // the opposite direction
   QVERIFY(fixture.steps() >= 3);
   QCOMPARE(test::replayed(test::sheet(), *fixture.document), std::string());
 }

@@ -40,12 +40,12 @@ void SculptStrokeTest::findsTheSurfaceWhereItIsNow() {
   for (Vertex v = 0; v < ramp.vertexSlots(); ++v)
     ramp.setPosition(v, ramp.position(v) + Vec3(0, 0, 0.2 * ramp.position(v).x()));
   const Ray aslant{Vec3(0.3, 5.4, 5.0), Vec3(1, 0, -1).normalized()};
-  const auto place = placeOn(ramp, sorted, aslant, 3.0);
-  QVERIFY(place);
-  QVERIFY((place->point - Vec3(5.3 / 1.2, 5.4, 0.2 * 5.3 / 1.2)).norm() < 1e-12);
-  const auto [p, q, r] = ramp.points(place->face);
-  QVERIFY(std::abs((q - p).cross(r - p).normalized().dot(place->point - p)) < 1e-12);
-  const auto same = placeOn(plate(), sorted, down(3.2, 4.7), 3.0);
+  const auto hit = hitOn(ramp, sorted, aslant, 3.0);
+  QVERIFY(hit);
+  QVERIFY((hit->point - Vec3(5.3 / 1.2, 5.4, 0.2 * 5.3 / 1.2)).norm() < 1e-12);
+  const auto [p, q, r] = ramp.points(hit->face);
+  QVERIFY(std::abs((q - p).cross(r - p).normalized().dot(hit->point - p)) < 1e-12);
+  const auto same = hitOn(plate(), sorted, down(3.2, 4.7), 3.0);
   QVERIFY(same && (same->point - Vec3(3.2, 4.7, 0)).norm() < 1e-12);
 }
 
@@ -55,31 +55,31 @@ void SculptStrokeTest::findsTheSurfaceAfterSubdividing() {
   PatchLevels levels(mesh, FaceSelection::all(mesh));
   levels.refine();
   for (double x = 1.07; x < 9.0; x += 0.61) {
-    const auto place = placeOn(levels.mesh(), sorted, down(x, 0.9 * x), 3.0);
-    QVERIFY(place && (place->point - Vec3(x, 0.9 * x, 0)).norm() < 1e-12);
+    const auto hit = hitOn(levels.mesh(), sorted, down(x, 0.9 * x), 3.0);
+    QVERIFY(hit && (hit->point - Vec3(x, 0.9 * x, 0)).norm() < 1e-12);
   }
 }
 
 void SculptStrokeTest::findsNothing() {
   const HalfEdgeMesh mesh = plate();
   const FaceHierarchy sorted(mesh);
-  QVERIFY(!placeOn(mesh, sorted, down(20, 5), 3.0));
-  QVERIFY(!placeOn(mesh, sorted, {Vec3(5, 5, 100), Vec3::Zero()}, 3.0));
+  QVERIFY(!hitOn(mesh, sorted, down(20, 5), 3.0));
+  QVERIFY(!hitOn(mesh, sorted, {Vec3(5, 5, 100), Vec3::Zero()}, 3.0));
   HalfEdgeMesh without = mesh;
   for (Face f = 0; f < mesh.faceSlots(); ++f) without.removeFace(f);
-  QVERIFY(!placeOn(without, sorted, down(5, 5), 3.0));
-  QVERIFY(!placeOn(HalfEdgeMesh(), sorted, down(5, 5), 3.0));
+  QVERIFY(!hitOn(without, sorted, down(5, 5), 3.0));
+  QVERIFY(!hitOn(HalfEdgeMesh(), sorted, down(5, 5), 3.0));
 }
 
-// The place under the pointer stays under it, in the plane across the line of sight.
+// The surface point under the pointer stays under it, in the plane across the line of sight.
 void SculptStrokeTest::dragsAcrossTheView() {
   const HalfEdgeMesh mesh = plate();
   const Vertex middle = test::vertexAt(mesh, Vec3(5, 5, 0));
   const Ray first{Vec3(0, 5, 5), Vec3(1, 0, -1).normalized()};
-  const auto place = placeOn(mesh, FaceHierarchy(mesh), first, 2.0);
+  const auto hit = hitOn(mesh, FaceHierarchy(mesh), first, 2.0);
   SculptStroke::Settings settings;
   settings.radius = 2.5;
-  SculptStroke stroke(PatchLevels(mesh, {}), settings, *place, first);
+  SculptStroke stroke(PatchLevels(mesh, {}), settings, *hit, first);
   stroke.dragTo({Vec3(0, 5.5, 5.5), first.direction});
   const Vec3 moved = stroke.levels().mesh().position(middle);
   QVERIFY((moved - Vec3(5.25, 5.5, 0.25)).norm() < 1e-12);

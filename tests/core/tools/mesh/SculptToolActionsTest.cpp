@@ -138,7 +138,7 @@ void SculptToolActionsTest::anEditElsewhereKeepsTheLevels() {
   QCOMPARE(fixture.check(), std::string());
 }
 
-// Who wants to sculpt the whole surface goes on doing so, whatever has levels.
+// Sculpting the whole surface continues regardless of patches with levels.
 void SculptToolActionsTest::theWholeSurfaceStaysWhole() {
   SculptFixture fixture(middle());
   fixture.runner.perform("subdivide");
@@ -155,7 +155,7 @@ void SculptToolActionsTest::rememberedForTheNextTime() {
   fixture.runner.perform("subdivide");
   fixture.start();
   QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
-  fixture.start({2 * (20 * 10 + 10)});  // of the patch
+  fixture.start({2 * (20 * 10 + 10)});  // a face of the patch
   QCOMPARE(fixture.tool->levels().finest(), std::size_t(1));
   QVERIFY(fixture.tool->levels().patch().count() > 128);
   fixture.start({3});
@@ -183,7 +183,7 @@ void SculptToolActionsTest::rememberedInTheFile() {
   fixture.runner.perform("back");
   fixture.runner.perform("back");
   QCOMPARE(fixture.document->mesh().liveFaceCount(), std::size_t(800));
-  QCOMPARE(fixture.height(), 0.0);  // as it was before it was subdivided
+  QCOMPARE(fixture.height(), 0.0);  // the height before the subdivision
   QCOMPARE(fixture.check(), std::string());
 }
 

@@ -13,7 +13,7 @@
 using namespace handwheel;
 using test::Kind;
 
-// What selecting costs on a million faces. The times are printed, not judged; what is selected is.
+// Measures the time of selecting on a million faces. The times are only printed; the selections are checked.
 class SelectCostTest : public QObject {
   Q_OBJECT
 

@@ -9,8 +9,8 @@
 
 namespace handwheel::test {
 
-// Two plates of 10 × 10 squares over each other, corners on whole numbers, facing up. The upper one has the faces from
-// 200 on.
+// Returns two parallel plates of 10 × 10 squares with integer corners, facing up. The upper one has the faces from 200
+// on.
 inline TriangleSoup plates() {
   const auto plate = [](double z) {
     return grid(11, 11, false, false, [=](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, z); });
@@ -34,14 +34,14 @@ struct SelectFixture {
     tool.pointer(above(Kind::Press, x, y, modifiers));
     tool.pointer(above(Kind::Release, x, y, modifiers));
   }
-  void stroke(const std::vector<Eigen::Vector2d>& way, Modifiers modifiers = {}) {
-    tool.pointer(above(Kind::Press, way[0].x(), way[0].y(), modifiers));
-    for (const auto& p : way) tool.pointer(above(Kind::Drag, p.x(), p.y(), modifiers));
-    tool.pointer(above(Kind::Release, way.back().x(), way.back().y(), modifiers));
+  void stroke(const std::vector<Eigen::Vector2d>& path, Modifiers modifiers = {}) {
+    tool.pointer(above(Kind::Press, path[0].x(), path[0].y(), modifiers));
+    for (const auto& p : path) tool.pointer(above(Kind::Drag, p.x(), p.y(), modifiers));
+    tool.pointer(above(Kind::Release, path.back().x(), path.back().y(), modifiers));
   }
 };
 
-// The two faces of the upper plate's square are upper(x, y) and the next.
+// Returns the first of the two faces of a square of the upper plate; the other is the next number.
 inline Face upper(int x, int y) {
   return static_cast<Face>(200 + 2 * (10 * x + y));
 }

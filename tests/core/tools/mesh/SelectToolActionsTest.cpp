@@ -36,7 +36,7 @@ void SelectToolActionsTest::actionsOnTheSelection() {
   QCOMPARE(fixture.count(), std::size_t(0));
   fixture.click(5.3, 5.7);
   fixture.tool.perform("grow");
-  QCOMPARE(fixture.count(), std::size_t(13));  // all that touch a triangle of a grid cut one way
+  QCOMPARE(fixture.count(), std::size_t(13));  // all faces that touch a triangle of a grid with parallel diagonals
   fixture.tool.perform("shrink");
   QCOMPARE(fixture.faces(), std::vector<Face>{upper(5, 5) + 1});
   fixture.tool.perform("invert");
@@ -153,7 +153,7 @@ void SelectToolActionsTest::lateJobsAreDropped() {
   };
   click(3.2);
   auto first = waiting.work();
-  click(3.2);  // takes its place
+  click(3.2);  // replaces it
   QCOMPARE(waiting.cancelled, 1);
   first();
   QVERIFY(tool->selection().empty());

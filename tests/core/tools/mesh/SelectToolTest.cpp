@@ -201,7 +201,7 @@ void SelectToolTest::hoverShowsWhatAClickWouldSelect() {
   fixture.tool.pointer(above(Kind::Hover, 20, 20));
   QVERIFY(meshPreviewOf(fixture.tool.preview()).highlighted.empty());
   QCOMPARE(fixture.count(), std::size_t(0));
-  SelectFixture large(torus(200, 60), kConnected);  // 24 000 faces: too many to show on the way
+  SelectFixture large(torus(200, 60), kConnected);  // 24 000 faces: too many to show during the gesture
   large.tool.pointer(above(Kind::Hover, 2.0, 0.1));
   QCOMPARE(meshPreviewOf(large.tool.preview()).highlighted.count(), std::size_t(1));
 }
@@ -210,7 +210,7 @@ void SelectToolTest::secondButton() {
   SelectFixture fixture(plates());
   PointerEvent event = above(Kind::Press, 5, 5);
   event.button = PointerButton::Second;
-  QCOMPARE(fixture.tool.pointer(event), ToolReply::Ignored);  // of the mouse: the camera's, or a menu's
+  QCOMPARE(fixture.tool.pointer(event), ToolReply::Ignored);  // events of the mouse: for the camera, or a menu
   event.device = Pose::Identity();
   QCOMPARE(fixture.tool.pointer(event), ToolReply::Finished);
   // Poked with the first, deleted with the second.

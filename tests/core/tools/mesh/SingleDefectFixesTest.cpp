@@ -27,7 +27,7 @@ class OneOfTwo {
   const Defects& defects() const { return m_document->defects(); }
   const HalfEdgeMesh& mesh() const { return m_document->mesh(); }
 
-  // What is wrong with it.
+  // Makes a change and returns its flaw; empty: none.
   std::string make(const MeshChange& change) {
     const HalfEdgeMesh before = mesh();
     const ChangePreview preview = previewOf(change, before);

@@ -65,7 +65,8 @@ struct HandFixture {
   }
 };
 
-// Where a hand that wants to be d from what draws it comes to rest: g (d - x) = 2 k x (ls - x) / ls.
+// Returns the resting distance of a hand that aims at a distance d from the attracting feature: g (d - x) = 2 k x (ls -
+// x) / ls.
 double restingDistance(double d) {
   const double a = 2.0 * kStiffness / kDistance, b = kGrip + 2.0 * kStiffness, c = kGrip * d;
   return (b - std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
@@ -133,7 +134,7 @@ class SnapTargetsTest : public QObject {
     QCOMPARE(fixture.select.faces(), std::vector<Face>{upper(3, 4)});
   }
 
-  // What is gathered anew where the tip is now draws it as before, from the first tick on.
+  // Features gathered anew at the current tip attract it as before, from the first tick on.
   void gatheredAnewNothingLeaps() {
     HandFixture fixture({35, -1, 52});
     fixture.run(1);

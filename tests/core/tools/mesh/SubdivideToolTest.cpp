@@ -53,7 +53,7 @@ void SubdivideToolTest::leavesTheSurfaceUnlessAsked() {
   QVERIFY(schemeSubdivisionOf(OperationValues(subdivideMeshOperation())).scheme == SubdivisionScheme::Midpoint);
 }
 
-// Both schemes cut the corners of a cube of 2, by less than the way to its middle.
+// Both schemes cut the corners of a cube of side 2, by less than the distance to its middle.
 void SubdivideToolTest::saysHowFarTheSurfaceMoves() {
   const auto distanceOf = [](SubdivisionScheme scheme) {
     const auto document = test::meshDocument(test::cube(2.0));

@@ -23,7 +23,7 @@
 using namespace handwheel;
 using test::Kind;
 
-// Whatever comes, in whatever order.
+// Tests tools with random inputs in random order.
 class ToolSessionsTest : public QObject {
   Q_OBJECT
 
@@ -151,7 +151,7 @@ class Session {
     if (!m_mayPointerEdit && m_document->revision() != revision) m_problem = "the pointer changed the document";
   }
 
-  // Where the tools for edges have something to take hold of.
+  // Returns a border point that the tools for edges can grab.
   Vec3 borderPoint() {
     const auto& loops = m_document->defects().loops;
     if (loops.empty()) return m_middle;
@@ -164,7 +164,7 @@ class Session {
     const std::string declared = actions[below(actions.size())].id;
     std::string wanted = declared;
     if (below(2) && !m_mayPointerEdit)
-      wanted = m_select ? "delete" : below(3) ? "commit" : "next";  // what makes edits, more often
+      wanted = m_select ? "delete" : below(3) ? "commit" : "next";  // edits are more frequent
     // Deleting all would end the fun too soon.
     if (wanted == "delete" && m_select && 2 * m_select->selection().faces.count() > m_document->mesh().liveFaceCount())
       return;

@@ -229,7 +229,7 @@ void VolumeRepairToolTest::muchMemoryIsAskedFor() {
   QVERIFY2(begun[1].find("--yes") != std::string::npos, begun[1].c_str());
 }
 
-// As a step that does not say so, too.
+// Holds also for a step without this value.
 void VolumeRepairToolTest::refusalsHaveTheirNumbers() {
   const auto document = test::meshDocument(test::cube(10.0));
   const auto refusal = [&](double voxel) {

@@ -14,11 +14,11 @@ using namespace handwheel::test;
 
 namespace {
 
-// From aside and above, at 45°, to a place.
-PointerEvent aslantTo(Kind kind, const Vec3& place, Modifiers modifiers = kControl) {
+// A pointer event from the side and above, at 45°, to a point.
+PointerEvent aslantTo(Kind kind, const Vec3& point, Modifiers modifiers = kControl) {
   PointerEvent event = above(kind, 0.0, 0.0, modifiers);
   const Vec3 direction = Vec3(1.0, 0.0, -1.0).normalized();
-  event.ray = {place - 1000.0 * direction, direction};
+  event.ray = {point - 1000.0 * direction, direction};
   return event;
 }
 
@@ -125,7 +125,7 @@ class BodyDragToolTest : public QObject {
     const int steps = m_cell->steps();
     QCOMPARE(tool.perform("delete"), ToolReply::Used);
     QVERIFY(m_cell->document().bodies().empty() && m_cell->steps() == steps + 1);
-    // What is gone is not selected, nor dragged on.
+    // A removed body is neither selected nor dragged any further.
     tool.documentChanged();
     QVERIFY(m_selection.empty());
     m_cell->document().history()->undo();

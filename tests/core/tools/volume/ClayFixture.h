@@ -26,7 +26,7 @@ struct ClayFixture {
     tool = started.get();
     runner.start(std::move(started), document);
   }
-  std::optional<double> pressure = {};  // of the pen; none: a mouse
+  std::optional<double> pressure = {};  // pressure of the pen; none: a mouse
 
   ToolReply event(PointerEvent::Kind what, double x, double y, Modifiers modifiers = {}) {
     PointerEvent event;
@@ -43,7 +43,7 @@ struct ClayFixture {
     QCOMPARE(event(PointerEvent::Kind::Release, toX, y, modifiers), ToolReply::Used);
     complete();
   }
-  // As with each frame of the window.
+  // Resumes the tool as each frame of the window does.
   void complete() {
     while (tool->isLive()) {
       QTest::qSleep(2);

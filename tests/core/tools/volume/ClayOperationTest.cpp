@@ -35,19 +35,19 @@ ClayBrush ballBrush(ClayAction action, double radius) {
   return brush;
 }
 
-// From place to place, a second for each way.
-HandStroke strokeOver(const std::vector<Vec3>& places) {
+// Returns a stroke through the positions, with a second for each segment.
+HandStroke strokeOver(const std::vector<Vec3>& positions) {
   HandStroke stroke;
-  for (const Vec3& place : places) stroke.push_back({static_cast<double>(stroke.size()), place});
+  for (const Vec3& position : positions) stroke.push_back({static_cast<double>(stroke.size()), position});
   return stroke;
 }
 
-// What a ball takes that is swept along a way of this length; mm³.
+// Returns the volume of a ball swept along a segment of this length; mm³.
 double sweptVolume(double radius, double length) {
   return M_PI * radius * radius * (4.0 / 3.0 * radius + length);
 }
 
-// What two balls have in common whose middles are so far apart (a lens); mm³.
+// Returns the volume of the intersection of two balls whose centres are so far apart (a lens); mm³.
 double commonVolume(double a, double b, double apart) {
   const double both = a + b - apart;
   return M_PI * both * both * (apart * apart + 2.0 * apart * (a + b) - 3.0 * (a - b) * (a - b)) / (12.0 * apart);
@@ -73,7 +73,7 @@ class ClayOperationTest : public QObject {
     QCOMPARE(limits.least, 1.5 * kFine);
     QCOMPARE(limits.largest, ClayDab::kMostVoxels * kFine);
     VolumeSnapshot nothing;
-    QCOMPARE(usualClayBrush(nothing).radius, 1.5);  // of voxels of 1 mm
+    QCOMPARE(usualClayBrush(nothing).radius, 1.5);  // for voxels of 1 mm
     QCOMPARE(usualClayBrush(nothing).mirror, Vec3(Vec3::Zero()));
   }
 
@@ -91,7 +91,7 @@ class ClayOperationTest : public QObject {
     QCOMPARE(clayActionNames()[static_cast<std::size_t>(ClayAction::Pinch)], "Pinch");
   }
 
-  // What is not said is as the tool begins; what is said counts.
+  // Parameters that are not given have the defaults of the tool; the others count.
   void toolOfParameters() {
     const Part part = clayBall();
     OperationValues values(clayOperation());
@@ -143,8 +143,8 @@ class ClayOperationTest : public QObject {
     QCOMPARE(added->removed, 0.0);
   }
 
-  // Strokes carve a channel as long as they are, however few places the hand is given; they follow one another, and
-  // the time between them does not count.
+  // Strokes carve a channel of their length, even with few positions of the hand; they follow one another, and the time
+  // between them does not count.
   void strokesWithinTheClay() {
     const Part part = clayBall();
     for (const double rate : {1.0, 500.0}) {
@@ -162,7 +162,7 @@ class ClayOperationTest : public QObject {
     }
   }
 
-  // A hand that jumps 80 radii between two places leaves no gap.
+  // A hand that jumps 80 radii between two positions leaves no gap.
   void aJump() {
     HandStroke stroke = strokeOver({{20.0, 0.0, 0.0}, {140.0, 0.0, 0.0}});
     stroke.back().time = 1e-3;
@@ -191,7 +191,7 @@ class ClayOperationTest : public QObject {
     }
   }
 
-  // What is masked is kept from the strokes that follow, and itself changes no clay.
+  // Masked clay is protected from later strokes, and masking changes no clay.
   void masked() {
     const Part part = clayBall();
     const std::vector<HandStroke> touch{strokeOver({{kBall, 0.0, 0.0}})};
@@ -246,7 +246,7 @@ class ClayOperationTest : public QObject {
     QVERIFY(withLayerOnTop(part, part->layers->all().back().name).hasValue());
   }
 
-  // More places of the hand than in some hours at 1 kHz, or a way of more than a million radii, are refused.
+  // More positions of the hand than in some hours at 1 kHz, or a path of more than a million radii, are refused.
   void strokesThatAreTooLong() {
     const Part part = clayBall(4.0, 0.5);
     HandStroke days = strokeOver({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});

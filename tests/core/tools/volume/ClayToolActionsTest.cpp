@@ -83,7 +83,7 @@ class ClayToolActionsTest : public QObject {
     QCOMPARE(claySetting(fixture.tool->settings(), "strength")->label, std::string("Strength"));
   }
 
-  // What is no value of a setting changes nothing; what is beyond its limits becomes the limit.
+  // Invalid values of a setting change nothing; values beyond the limits become the limit.
   void valuesOfSettings() {
     ClayFixture fixture;
     fixture.choose(ClayAction::Smooth);
@@ -167,8 +167,8 @@ class ClayToolActionsTest : public QObject {
     }
   }
 
-  // What a device feels by action: it cuts as it carves, goes freely as it adds and moves, and else rests on the
-  // surface.
+  // The force depends on the action: the device cuts when it carves, moves freely when it adds and moves, and otherwise
+  // rests on the surface.
   void feltAtADevice() {
     ClayFixture fixture;
     for (int i = 0; i <= static_cast<int>(ClayAction::Mask); ++i) {

@@ -51,7 +51,7 @@ class ClayToolTest : public QObject {
     QCOMPARE(std::get<double>(fixture.tool->settings().front().value), static_cast<double>(ClayAction::Carve));
   }
 
-  // What is in the middle of the brush goes with the mouse.
+  // Material at the centre of the brush follows the mouse.
   void moving() {
     ClayFixture fixture;
     fixture.choose(ClayAction::Move);
@@ -124,7 +124,7 @@ class ClayToolTest : public QObject {
     }
   }
 
-  // What is masked stays as it is; the mask is one undo step, and so is each change of it.
+  // Masked clay does not change; the mask is one undo step, and so is each change of it.
   void masked() {
     ClayFixture fixture;
     fixture.choose(ClayAction::Mask);

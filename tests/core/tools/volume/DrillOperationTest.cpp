@@ -42,7 +42,7 @@ class DrillOperationTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What is not said is a ball of 6 mm at 1000 r/min in the first of the materials, that takes all that it meets.
+  // The default is a ball of 6 mm at 1000 r/min in the first of the materials, which removes all material in the head.
   void drillOfParameters() {
     OperationValues values(drillOperation());
     const Result<DrillSetup> usual = drillSetupOf(values);
@@ -117,7 +117,7 @@ class DrillOperationTest : public QObject {
     QCOMPARE(again.material(), done->volume.material());
   }
 
-  // Of a part whose voxels are made where the head goes, the same is taken.
+  // A part whose voxels are made along the path loses the same material.
   void aHoleInAHybridPart() {
     const DrillSetup setup = setupOf("ball:4");
     HybridPart part = *HybridPart::of(plateToDrill(), kVoxelOfPlate);
@@ -129,7 +129,7 @@ class DrillOperationTest : public QObject {
     QVERIFY(!part.cutBlocks().empty());
   }
 
-  // Where bodies overlap voxels near the head are not certain: it goes no further.
+  // Near overlapping bodies, voxels are not certain: drilling stops.
   void uncertainVoxels() {
     TriangleSoup overlapping = plateToDrill();
     test::append(overlapping, test::box({-2.0, -2.0, -2.0}, {4.0, 4.0, 4.0}));

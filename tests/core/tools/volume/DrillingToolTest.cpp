@@ -77,7 +77,7 @@ class DrillingToolTest : public QObject {
     QCOMPARE(fixture.document.volume(), before);
   }
 
-  // What is kept of a hole gives the same volume again, with the same figures; undone, it is gone with it.
+  // The record of a hole reproduces the volume, with the same figures; undo removes both.
   void theHoleIsKept() {
     DrillFixture fixture;
     fixture.runner.setSetting("feed", PropertyValue(20.0));
@@ -157,8 +157,8 @@ class DrillingToolTest : public QObject {
     fixture.runner.perform("revert");
   }
 
-  // Who goes into the forbidden region and takes that back, by undo or before the hole is done, begins another try; the
-  // one that failed stays known. A hole that is gone on with and one that is done again are of the same try.
+  // Undoing a hole in the forbidden region, or dropping it before it is done, begins another try; the failed one stays
+  // known. A continued hole and a redone one belong to the same try.
   void triesOfAnExercise() {
     DrillFixture fixture(R"({"stock": "skull", "entry": [0, 0, 20], "direction": [0, 0, -1], "tolerance": 1,
                          "forbidden": [[0, 0, 0, 15]], "drill": "ball:4", "spindle_speed": 1500, "feed": 20,
@@ -213,7 +213,7 @@ class DrillingToolTest : public QObject {
     fixture.runner.perform("revert");
     QCOMPARE(state().count, 2u);
     QCOMPARE(state().failed.size(), std::size_t{2});
-    // What is handed in while it is drilled is handed in with that hole.
+    // Work that is handed in during drilling includes the present hole.
     fixture.runner.setSetting("feed", PropertyValue(1.0));
     QVERIFY(drillUntil(5.0));
     const std::size_t holes = fixture.document.volume()->holes.size();
@@ -261,8 +261,8 @@ class DrillingToolTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return fixture.setting("removed") > 5.0; }, 20'000));
     fixture.event(PointerEvent::Kind::Release, 3.0, 0.0);
     const auto& beside = fixture.document.volume()->holes.back()->poses;
-    QVERIFY(beside[0].direction().z() > 0.9 && beside[0].place().z() > 15.0);
-    QVERIFY(std::abs(beside[0].place().x() - beside[beside.size() - 1].place().x()) < 1.0);
+    QVERIFY(beside[0].direction().z() > 0.9 && beside[0].position().z() > 15.0);
+    QVERIFY(std::abs(beside[0].position().x() - beside[beside.size() - 1].position().x()) < 1.0);
   }
 
   // A key holds the feed and lets it go on; there is none to hold before. Pecks are a setting.

@@ -31,7 +31,7 @@ double ball(double radius) {
   return 4.0 / 3.0 * M_PI * radius * radius * radius;
 }
 
-// What two balls of a radius have in common whose centres are this far apart.
+// Returns the volume of the intersection of two balls of a radius whose centres are this far apart.
 double lens(double radius, double apart) {
   return M_PI / 12.0 * (4.0 * radius + apart) * (2.0 * radius - apart) * (2.0 * radius - apart);
 }
@@ -188,7 +188,7 @@ class ReshapeToolTest : public QObject {
     QVERIFY(!fixture.isProposed());
   }
 
-  // What is chosen is the body that was shown, though those before it have gone; the first that comes is proposed.
+  // The chosen body stays the displayed one, even if those before it have gone; the first one that appears is proposed.
   void bodiesComeAndGo() {
     Fixture fixture(ballOfVoxels(kRadius, kVoxel), Change::Boolean);
     const auto offer = [&](const char* key, double radius) {
@@ -303,7 +303,7 @@ class ReshapeToolTest : public QObject {
     QCOMPARE(fixture.document->history()->index(), 1);
   }
 
-  // What is predicted is about what comes: on round and on flat surfaces, for all three ways to ask.
+  // The prediction is approximately the result: on round and on flat surfaces, for all three goals.
   void predictedTriangles() {
     for (const bool isRound : {true, false}) {
       const SparseVolume volume =

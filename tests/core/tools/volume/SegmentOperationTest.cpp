@@ -88,14 +88,14 @@ class SegmentOperationTest : public QObject {
     QVERIFY(VolumeSampler(shell->volume).depthAt({6.1, 6.2, 6.0}).depth < 0.0);
   }
 
-  // Where nobody says which values, an image of two is parted between them; where there is none of them, that is said.
+  // Without a range, an image of two values is divided between them; an image without values in the range is reported.
   void withoutARange() {
     const ImageGrid grid{{16, 16, 16}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
     const ImageVolume image = test::imageOf<std::int16_t>(
         grid, [](const Vec3& p) { return p.x() > 7.0 && p.y() > 3.0 && p.z() > 5.0 ? 900 : -300; });
     const Result<Segmented> done = segment(image, valuesWith({}), {});
     QVERIFY(done && done->range.least > -300.0 && done->range.least <= 900.0 && done->range.largest == kOpen);
-    QCOMPARE(done->volume.material(), 8.0 * 12.0 * 10.0);  // of the samples
+    QCOMPARE(done->volume.material(), 8.0 * 12.0 * 10.0);  // volume of the samples
     const Result<Segmented> none = segment(image, valuesWith({{"range", std::string("1000:")}}), {});
     QVERIFY(!none && none.error().code == VolumeErrors::NothingInRange);
   }

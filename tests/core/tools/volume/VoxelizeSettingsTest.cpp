@@ -26,7 +26,7 @@ class VoxelizeSettingsTest : public QObject {
     check(VoxelizeSettings(test::cube(90.0), Purpose::Drilling), 0.255, Reason::Drilling);
     check(VoxelizeSettings(test::cube(10.0), Purpose::Drilling), 10.0 / 256.0, Reason::Extent);
     check(VoxelizeSettings(test::cube(2560.0), Purpose::Drilling), 10.0, Reason::Extent);
-    // What is not to be drilled has the voxels of the repair by volume, whatever its size.
+    // Parts that are not to be drilled have the voxels of the repair by volume, for any size.
     for (const double size : {10.0, 19.0, 90.0, 2560.0})
       check(VoxelizeSettings(test::cube(size)), size / 256.0, Reason::Extent);
     VoxelizeSettings settings(test::cube(90.0), Purpose::Drilling);
@@ -49,7 +49,7 @@ class VoxelizeSettingsTest : public QObject {
     settings.change("voxel", 0.1);
     QVERIFY(settings.bytes() > 3.9 * bytes && settings.seconds() > 2.0 * seconds);
     const double solid = settings.bytes();
-    settings.change("wall", 1.0);  // which has two sides
+    settings.change("wall", 1.0);  // a wall has two sides
     QVERIFY(settings.bytes() > 1.9 * solid);
   }
 
@@ -64,7 +64,7 @@ class VoxelizeSettingsTest : public QObject {
     QCOMPARE(static_cast<int>(settings.method()), static_cast<int>(VoxelMethod::Sign));
     settings.change("method", 1.0);
     QCOMPARE(static_cast<int>(settings.method()), static_cast<int>(VoxelMethod::Density));
-    // Of nothing there is nothing to be said, but a number all the same.
+    // An empty surface has a valid voxel, too.
     QVERIFY(VoxelizeSettings(TriangleSoup()).voxel() > 0.0);
   }
 };

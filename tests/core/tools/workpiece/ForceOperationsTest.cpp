@@ -12,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-// What the options of a line ask for, as they are typed: an empty word sets a flag.
+// Returns the values of options as they are typed: an empty word sets a flag.
 OperationValues typedFor(const Operation& operation,
                          std::initializer_list<std::pair<const char*, const char*>> options) {
   OperationValues values(operation);
@@ -62,7 +62,7 @@ class ForceOperationsTest : public QObject {
     QVERIFY(edgeOf(someCut({{"tool", "hss"}})).material == ToolMaterial::HighSpeedSteel);
   }
 
-  // Who gives no options trains, and drives, as the calculation itself would.
+  // Without options, training and drive use the defaults of the calculation.
   void withoutOptionsItIsTheUsual() {
     const TrainingOptions usual, options = trainingOptionsOf(OperationValues(trainOperation()));
     QVERIFY(options.trainer == usual.trainer && options.hidden == usual.hidden && options.goal == usual.goal);
@@ -108,12 +108,12 @@ class ForceOperationsTest : public QObject {
   void whereTheWorkIsCut() {
     QVERIFY(!slenderWorkOf(someCut({{"diameter", "20"}})));  // for the torque alone
     const auto free = slenderWorkOf(someCut({{"diameter", "20"}, {"length", "150"}}));
-    QVERIFY(free && !free->hasTailstock && free->diameter == 20.0 && free->length == 150.0 && free->place == 150.0);
+    QVERIFY(free && !free->hasTailstock && free->diameter == 20.0 && free->length == 150.0 && free->position == 150.0);
     const auto held = slenderWorkOf(someCut({{"diameter", "20"}, {"length", "150"}, {"tailstock", ""}}));
-    QVERIFY(held && held->hasTailstock && held->length == 150.0 && held->place == 75.0);
+    QVERIFY(held && held->hasTailstock && held->length == 150.0 && held->position == 75.0);
   }
 
-  // What the force cannot be calculated without is named, and what has no meaning without another option.
+  // Values that the force needs are named if missing, and so are options that are meaningless without another.
   void whatIsMissingIsNamed() {
     QVERIFY(problemOfForceValues(someCut()).empty());
     for (const char* const id : {"material", "depth", "feed", "speed"}) {

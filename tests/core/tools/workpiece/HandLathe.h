@@ -18,7 +18,7 @@ namespace handwheel::test {
 inline constexpr auto kCarriageAxis = static_cast<std::size_t>(LatheAxis::Carriage);
 inline constexpr auto kCrossAxis = static_cast<std::size_t>(LatheAxis::Cross);
 
-// A clock that stands still: the simulation goes as fast as a pause between its steps of 2 ms lets it.
+// A clock that stands still: the simulation runs with a pause between its steps of 2 ms.
 class HurriedClock : public ServoClock {
  public:
   explicit HurriedClock(std::chrono::microseconds pause) : m_pause(pause) {}
@@ -29,7 +29,7 @@ class HurriedClock : public ServoClock {
   std::chrono::microseconds m_pause;
 };
 
-// A bar of 50 × 100 mm in the lathe. Its first tool stands 20 mm beside and before it.
+// A bar of 50 × 100 mm in the lathe. Its first tool starts at a distance of 20 mm in X and Z.
 struct HandLathe {
   WorkpieceKind kind;
   std::unique_ptr<Document> made;
@@ -62,7 +62,7 @@ struct HandLathe {
   void send(LatheCommand::Kind what, double value, LatheAxis axis = LatheAxis::Carriage) {
     runner.deliver([&] { tool->command({what, axis, value}); });
   }
-  // Turns a wheel so that its slide comes to a place.
+  // Turns a wheel until its slide is at a travel.
   bool wind(LatheAxis axis, double to) {
     const auto i = static_cast<std::size_t>(axis);
     send(LatheCommand::Kind::Turn, to - slide(i), axis);
@@ -72,7 +72,7 @@ struct HandLathe {
     send(LatheCommand::Kind::Spindle, 1.0);
     return QTest::qWaitFor([&] { return machine().speed == machine().setSpeed; });
   }
-  // 10 mm of the end to a radius, by the automatic feed; the tool stays where it came to.
+  // Turns 10 mm of the end to a radius by the automatic feed; the tool stays at the end of the cut.
   bool cutTo(double radius) {
     if (!wind(LatheAxis::Carriage, 101.0) || !wind(LatheAxis::Cross, radius)) return false;
     send(LatheCommand::Kind::Feed, -0.2);
@@ -85,7 +85,7 @@ struct HandLathe {
     runner.deliver([&] { isEnded = tool->endPass(true); });
     return isEnded;
   }
-  // The edge is pushed into the bar, which does not turn.
+  // Pushes the edge into the bar, which does not turn.
   bool crash() {
     const std::size_t before = tool->collisions().size();
     if (!wind(LatheAxis::Carriage, 60.0)) return false;
@@ -96,7 +96,7 @@ struct HandLathe {
     const auto& recorded = document.workpiece().crashes;
     return recorded ? recorded->size() : 0;
   }
-  // As the window does it for Ctrl+Z.
+  // Does what the window does for Ctrl+Z.
   void undo() {
     if (runner.undo() == ToolReply::Ignored) document.history()->undo();
   }

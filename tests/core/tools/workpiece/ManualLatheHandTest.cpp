@@ -13,7 +13,7 @@ namespace {
 
 using Kind = PointerEvent::Kind;
 
-// The mouse seen along y, so that a place of the view is (x, z) of the half plane of the tool.
+// Sends a mouse event seen along y, so that a position of the view is (x, z) of the half plane of the tool.
 ToolReply mouseAt(HandLathe& lathe, Kind kind, double x, double z, PointerButton button = PointerButton::First) {
   PointerEvent event;
   event.kind = kind;
@@ -41,8 +41,8 @@ void tickOfHand(HandLathe& lathe, double x, double z, bool isHeld) {
   while (!inputs.push({tip, tip.position, gesture})) std::this_thread::yield();
 }
 
-bool comesTo(const HandLathe& lathe, const ProfilePoint& place) {
-  return QTest::qWaitFor([&] { return (lathe.tool->moment()->tip - place).norm() < 1e-6; });
+bool comesTo(const HandLathe& lathe, const ProfilePoint& position) {
+  return QTest::qWaitFor([&] { return (lathe.tool->moment()->tip - position).norm() < 1e-6; });
 }
 
 // 3 mm of the end to a radius, by the automatic feed of 0.2 mm in a turn.
@@ -65,7 +65,7 @@ SnapshotPointer tubeToBore() {
 
 }  // namespace
 
-// A hand at the manual lathe: it drags the tool by the mouse or a device, touches off, and looks at what it has cut.
+// A hand at the manual lathe: it drags the tool by the mouse or a device, touches off, and reads the roughness.
 class ManualLatheHandTest : public QObject {
   Q_OBJECT
 
@@ -95,7 +95,7 @@ class ManualLatheHandTest : public QObject {
     QVERIFY(comesTo(lathe, {40.0, 115.0}));
   }
 
-  // Who lets go of the wheels stops them, however far the mouse has gone.
+  // Releasing the wheels stops the slides, however far the mouse has gone.
   void lettingGoStopsTheSlides() {
     HandLathe lathe(std::chrono::milliseconds(1));
     const double from = lathe.slide(kCarriageAxis);
@@ -109,7 +109,7 @@ class ManualLatheHandTest : public QObject {
     QCOMPARE(lathe.slide(kCarriageAxis), there);
   }
 
-  // The camera gets what does not move the tool.
+  // Events that do not move the tool are left to the camera.
   void whatDoesNotTakeTheTool() {
     HandLathe lathe;
     QCOMPARE(mouseAt(lathe, Kind::Press, 60.0, 80.0, PointerButton::Second), ToolReply::Ignored);
@@ -117,7 +117,7 @@ class ManualLatheHandTest : public QObject {
     QCOMPARE(mouseAt(lathe, Kind::Release, 60.0, 90.0), ToolReply::Ignored);
     QCOMPARE(mouseAt(lathe, Kind::Hover, 60.0, 90.0), ToolReply::Ignored);
     QCOMPARE(handAt(lathe, Kind::Release, 60.0, 90.0), ToolReply::Ignored);
-    PointerEvent along;  // the axis: no place of the plane
+    PointerEvent along;  // the axis: no position in the plane
     along.kind = Kind::Press;
     along.button = PointerButton::First;
     along.ray = {Vec3(10.0, 0.0, 500.0), -Vec3::UnitZ()};
@@ -143,7 +143,7 @@ class ManualLatheHandTest : public QObject {
     tickOfHand(lathe, 23.0, 96.0, false);
     QCOMPARE(handAt(lathe, Kind::Release, 23.0, 96.0), ToolReply::Used);
     QCOMPARE(lathe.document.history()->count(), 1);
-    QVERIFY(std::abs(lathe.radiusAt(98.5) - 23.0) < 0.03);  // the work gives way a little
+    QVERIFY(std::abs(lathe.radiusAt(98.5) - 23.0) < 0.03);  // the work bends a little
     QCOMPARE(lathe.radiusAt(90.0), 25.0);
     QCOMPARE(lathe.document.workpiece().part->passes.size(), std::size_t{1});
   }
@@ -162,8 +162,8 @@ class ManualLatheHandTest : public QObject {
     QCOMPARE(lathe.document.history()->count(), 0);
   }
 
-  // A turner who has measured ⌀49.5 says so at the place where the tool touches: from there on the read-out tells
-  // diameters, and Z from the face. Each is a step of its own.
+  // A turner who has measured ⌀49.5 enters it where the tool touches: from there on the read-out shows diameters, and Z
+  // from the face. Each is a step of its own.
   void touchingOff() {
     HandLathe lathe;
     QVERIFY(!lathe.tool->isTouchedOff()[0] && !lathe.tool->preview().label);
@@ -225,7 +225,7 @@ class ManualLatheHandTest : public QObject {
     QVERIFY(lathe.tool->warnings() == during);
   }
 
-  // What undo would take back is named while it is cut. Where a drill is fitted it may be what cuts.
+  // The pass that undo would remove is named while it is cut. If a drill is fitted, it may be the cutting tool.
   void whatIsUnderWay() {
     HandLathe lathe;
     QVERIFY(lathe.tool->underWay().isEmpty());
@@ -238,7 +238,7 @@ class ManualLatheHandTest : public QObject {
     QCOMPARE(lathe.tool->underWay(), QStringLiteral("Pass 2"));
   }
 
-  // By keys: the spindle starts and stops, and the post turns on, past its last tool to the first.
+  // By keys: the spindle starts and stops, and the post indexes, past its last tool to the first.
   void spindleAndPostByKeys() {
     HandLathe lathe;
     QCOMPARE(lathe.runner.perform("spindle"), ToolReply::Used);

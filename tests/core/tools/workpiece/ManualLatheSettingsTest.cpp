@@ -34,8 +34,8 @@ const std::vector<LatheSettingRow>& numbersOfTheLathe() {
       {"compound_angle", -200.0, -90.0, [](const LatheSetup& l) { return l.compoundAngle; }},
       {"grip", 35.0, 35.0, [](const LatheSetup& l) { return l.chuck.grip; }},
       {"grip", -3.0, 0.0, [](const LatheSetup& l) { return l.chuck.grip; }},
-      {"tailstock", 180.0, 180.0, [](const LatheSetup& l) { return l.tailstock.place; }},
-      {"tailstock", 1e9, 1e4, [](const LatheSetup& l) { return l.tailstock.place; }}};
+      {"tailstock", 180.0, 180.0, [](const LatheSetup& l) { return l.tailstock.position; }},
+      {"tailstock", 1e9, 1e4, [](const LatheSetup& l) { return l.tailstock.position; }}};
   return kRows;
 }
 
@@ -82,13 +82,13 @@ class ManualLatheSettingsTest : public QObject {
     lathe.runner.setSetting("shows_diameter", false);
     QVERIFY(!lathe.tool->setup().showsDiameter && lathe.tool->setup().chuck.gripsInside);
     QCOMPARE(lathe.document.history()->count(), 2);
-    // Chips are a matter of who looks on: no step of the document.
+    // Chips are a matter of display: no step of the document.
     lathe.runner.setSetting("chips", false);
     QVERIFY(shownSetting(*lathe.tool, "chips") == PropertyValue(false));
     QCOMPARE(lathe.document.history()->count(), 2);
   }
 
-  // Of a drill that nobody has mounted it is one of 10 mm; the one that is mounted stays.
+  // Without a mounted drill one of 10 mm is taken; a mounted one stays.
   void theTailstockTakesADrill() {
     HandLathe lathe;
     lathe.runner.setSetting("fitting", 1.0);
@@ -104,7 +104,7 @@ class ManualLatheSettingsTest : public QObject {
     QCOMPARE(lathe.tool->setup().tailstock.drill, std::string("drill-12"));
   }
 
-  // What is no value of a setting, or what it is already, changes nothing and leaves no step.
+  // An invalid or unchanged value of a setting changes nothing and leaves no step.
   void whatIsNoValueChangesNothing() {
     HandLathe lathe;
     const LatheSetup before = lathe.tool->setup();

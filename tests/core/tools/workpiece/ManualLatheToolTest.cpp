@@ -21,7 +21,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.document.history()->count(), 0);
     QVERIFY(lathe.endPass());
     QCOMPARE(lathe.document.history()->count(), 1);
-    QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);  // the work gives way a little
+    QVERIFY(std::abs(lathe.radiusAt(95.0) - 23.0) < 0.02);  // the work bends a little
     QCOMPARE(lathe.radiusAt(40.0), 25.0);
     QVERIFY(!lathe.document.workpiece().crashes);
   }
@@ -38,7 +38,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.machine().wheels, before.wheels);
     QCOMPARE(lathe.machine().tool, before.tool);
     QVERIFY(lathe.machine().speed == 0.0 && lathe.machine().direction == 0 && lathe.machine().feed == 0.0);
-    // What was cut comes back around the tool: it begins beside the bar.
+    // The removed material comes back around the tool: it begins beside the bar.
     lathe.runner.stop();
     lathe.document.history()->undo();
     lathe.start();
@@ -66,8 +66,8 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(triangles() == bar);
   }
 
-  // The spindle goes on and the slides rest; a tool that is in the material that is back is drawn back beside the bar,
-  // 1 mm clear of its 25 mm, where it is along the bed.
+  // The spindle continues and the slides rest; a tool inside the restored material is drawn back beside the bar, 1 mm
+  // clear of its 25 mm, at the same position along the bed.
   void undoTakesBackThePassAndTheTool() {
     HandLathe lathe;
     QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
@@ -90,7 +90,7 @@ class ManualLatheToolTest : public QObject {
     lathe.undo();
     lathe.undo();
     QVERIFY(!lathe.document.workpiece().part);
-    QVERIFY(lathe.machine().slides == clear);  // of all that came back
+    QVERIFY(lathe.machine().slides == clear);  // clear of all material that came back
     QCOMPARE(lathe.tool->returnCount(), 1);
     QVERIFY(lathe.wind(LatheAxis::Carriage, 115.0));  // it can be moved
     QVERIFY(lathe.tool->collisions().empty());
@@ -115,7 +115,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.tool->returnCount(), 1);
   }
 
-  // Where the tool is, known from what one touches off at: a radius of the work for X, a face of it for Z.
+  // The distance of the tool from touching: a radius of the work for X, a face of it for Z.
   void howFarTheToolIsFromTouching() {
     HandLathe lathe;
     const auto tip = [&lathe] { return lathe.tool->moment()->tip; };
@@ -154,7 +154,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.document.history()->count(), 0);
   }
 
-  // Each key has its slide and its way, whatever was turned before: mm along the axis and across it.
+  // Each key has its slide and its direction, whatever was turned before: mm along the axis and across it.
   void keysHaveTheirSlides() {
     struct Move {
       const char* action;
@@ -177,7 +177,7 @@ class ManualLatheToolTest : public QObject {
     }
   }
 
-  // As fast as the machine is, and no further than the key is held; into the work it is a crash.
+  // The traverse has the speed of the machine, only while the key is held; into the work it is a crash.
   void rapidTraverse() {
     HandLathe lathe(std::chrono::milliseconds(1));
     const double from = lathe.slide(kCarriageAxis);
@@ -186,8 +186,8 @@ class ManualLatheToolTest : public QObject {
     const auto before = lathe.tool->moment();
     QVERIFY(QTest::qWaitFor([&] { return lathe.tool->moment()->machine.time > before->machine.time; }));
     const LatheState now = lathe.machine();
-    const double way = before->machine.slides[kCarriageAxis] - now.slides[kCarriageAxis];
-    QVERIFY(std::abs(way - lathe.tool->setup().rapidSpeed * (now.time - before->machine.time)) < 1e-6);
+    const double travel = before->machine.slides[kCarriageAxis] - now.slides[kCarriageAxis];
+    QVERIFY(std::abs(travel - lathe.tool->setup().rapidSpeed * (now.time - before->machine.time)) < 1e-6);
     lathe.runner.deliver([&] { lathe.tool->stopRapids(); });
     QVERIFY(QTest::qWaitFor([&] { return lathe.machine().rapids[kCarriageAxis] == 0; }));
     QVERIFY(lathe.wind(LatheAxis::Carriage, 60.0));
@@ -217,7 +217,7 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(lathe.document.workpiece().crashes->front().cause == CrashCause::SpindleAtRest);
   }
 
-  // Also one after the last pass that is in the document, and though all passes are taken back.
+  // Also a crash after the last pass in the document, and even if all passes are undone.
   void undoTakesNoCrashBack() {
     HandLathe lathe;
     QVERIFY(lathe.spin() && lathe.cutTo(23.0) && lathe.endPass());
@@ -235,7 +235,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(lathe.crashes(), std::size_t{1});
   }
 
-  // Another tool in its place loses neither a crash nor what the automatic feed has cut until then.
+  // Starting another tool loses neither a crash nor what the automatic feed has cut until then.
   void theEndOfTheToolLosesNothing() {
     HandLathe lathe;
     QVERIFY(lathe.crash());
@@ -251,7 +251,7 @@ class ManualLatheToolTest : public QObject {
     QCOMPARE(part.passes.size(), std::size_t{1});
   }
 
-  // Who saves while the feed runs saves what is cut, and it goes on.
+  // Saving while the feed runs saves the cut so far, and the feed continues.
   void savingTakesThePassAlong() {
     HandLathe lathe;
     QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 101.0) && lathe.wind(LatheAxis::Cross, 23.0));
@@ -267,11 +267,11 @@ class ManualLatheToolTest : public QObject {
     lathe.document.settle();
     QCOMPARE(lathe.document.history()->count(), 2);
     lathe.runner.perform("revert");
-    lathe.document.settle();  // nothing is under way
+    lathe.document.settle();  // no gesture is under travel
     QVERIFY(lathe.document.history()->count() <= 3);
   }
 
-  // An autosave has what the passes under way have cut, which go on; its part is that of its passes, bit for bit.
+  // An autosave has the cuts of passes under travel, which continue; its part is that of its passes, bit for bit.
   void anAutosaveHasThePassUnderWay() {
     HandLathe lathe;
     QVERIFY(!lathe.tool->withGesture());
@@ -310,7 +310,7 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(loaded.hasValue() && damage.empty());
     const auto opened = std::static_pointer_cast<const WorkpieceSnapshot>(*loaded);
     QVERIFY(opened->part && !opened->crashes);
-    // The one that was saved goes on, in and out.
+    // The saved pass continues, in and out.
     const double there = lathe.slide(kCrossAxis);
     QVERIFY(QTest::qWaitFor([&] { return lathe.slide(kCrossAxis) < there; }));
     lathe.send(LatheCommand::Kind::Feed, 0.0, LatheAxis::Cross);

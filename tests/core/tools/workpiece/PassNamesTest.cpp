@@ -26,7 +26,7 @@ TurnedPart partWithPasses(TurningPasses passes) {
 
 }  // namespace
 
-// What passes are called in the history.
+// The names of passes in the history.
 class PassNamesTest : public QObject {
   Q_OBJECT
 

@@ -34,7 +34,7 @@ WorkpieceSnapshot barToThread() {
   return workpiece;
 }
 
-// The same, turned to ⌀30 above its middle and bored to ⌀12 there; at its end ⌀28 and ⌀14.
+// The same bar, turned to ⌀30 above its middle and bored to ⌀12 there; at its end ⌀28 and ⌀14.
 WorkpieceSnapshot turnedAndBored() {
   WorkpieceSnapshot workpiece = barToThread();
   TurnedProfile profile(workpiece.stock, 0.05);
@@ -88,8 +88,7 @@ class ThreadOperationTest : public QObject {
     QVERIFY(!grooves.empty() && std::abs(2.0 * grooves.front().deepest() - (12.0 + 1.08253 * 1.5)) < 1e-4);
   }
 
-  // The depth that is asked for counts from the surface that is there: outside the thickest place of the range, in the
-  // bore the narrowest.
+  // The depth counts from the present surface: outside the largest radius of the range, in the bore the least.
   void theDepthCountsFromTheSurface() {
     const auto deepestOf = [](const ThreadAsked& asked) {
       const auto pass = threadPass(turnedAndBored(), askedValues(asked));
@@ -122,7 +121,7 @@ class ThreadOperationTest : public QObject {
     QCOMPARE(whyNoThread(bar, {.pitch = 30.0, .depth = 20.0}), std::string("it is deeper than the part is thick"));
   }
 
-  // Where a part is parted off there is no surface, and a thread there would cut air.
+  // There is no surface in the gap of a part that was parted off, so a thread is refused.
   void aThreadInAGap() {
     WorkpieceSnapshot workpiece = barToThread();
     TurnedProfile profile(workpiece.stock, 0.05);
@@ -133,7 +132,7 @@ class ThreadOperationTest : public QObject {
     QVERIFY(threadPass(workpiece, askedValues({.from = 56.0, .to = 90.0})).hasValue());
   }
 
-  // Values beside what a thread can have are no values of the operation.
+  // Values that no thread can have are not accepted by the operation.
   void limitsOfTheOptions() {
     OperationValues values(threadOperation());
     for (const auto& [id, wrong] : {std::pair("pitch", 0.04), std::pair("pitch", 101.0), std::pair("starts", 0.0),

@@ -17,7 +17,7 @@ using namespace handwheel;
 
 namespace {
 
-// A clock that is as fast as the test says; who waits for it is not held up for long.
+// A clock whose speed the test sets; waiting for it is short.
 class HandClock : public ServoClock {
  public:
   std::int64_t now() noexcept override { return m_now; }
@@ -81,7 +81,7 @@ struct TurningFixture {
     tick(27.0, z, false);
     deviceEvent(PointerEvent::Kind::Release, 27.0, z);
   }
-  // What the simulation has, which is not in the document; 25: nothing.
+  // Returns the least radius in the simulation, which is not in the document; 25: nothing was cut.
   double leastShown() const {
     double least = 25.0;
     for (const DisplayPart& part : tool->preview().replaced->parts) {
@@ -183,13 +183,13 @@ class TurnToolTest : public QObject {
     fixture.event(PointerEvent::Kind::Hover, 26.0, 45.0);
     fixture.event(PointerEvent::Kind::Press, 26.0, 45.0);
     fixture.event(PointerEvent::Kind::Drag, 24.3, 45.0);
-    QVERIFY(isNear(figures(), {46.6, 44.0, -0.5}));  // of the part that the last pass has left
+    QVERIFY(isNear(figures(), {46.6, 44.0, -0.5}));  // figures of the part after the last pass
     QCOMPARE(fixture.runner.perform("revert"), ToolReply::Used);
     fixture.event(PointerEvent::Kind::Hover, 27.0, 110.0);  // beyond its end there is no surface
     QVERIFY(isNear(figures(), {52.0, 109.0}));
     fixture.event(PointerEvent::Kind::Hover, 90.0, 45.0);
     QVERIFY(figures().empty());
-    PointerEvent held;  // of a device the place counts where its tip is shown
+    PointerEvent held;  // for a device, the position is that of its displayed tip
     held.device = Pose(Eigen::Translation3d(20.0, 0.0, 50.0));
     held.proxy = Vec3(26.0, 0.0, 50.0);
     fixture.runner.pointer(held);
@@ -237,7 +237,7 @@ class TurnToolTest : public QObject {
     QVERIFY(std::abs(fixture.document.workpiece().part->profile.inner(900) - 10.0) < 1e-9);
   }
 
-  // The way to cut is that of the settings, and the pass remembers it.
+  // The cutting method is that of the settings, and the pass remembers it.
   void thePassKeepsItsMethod() {
     TurningFixture fixture;
     fixture.runner.setSetting("method", 1.0);
@@ -251,7 +251,7 @@ class TurnToolTest : public QObject {
     QVERIFY(again == fixture.document.workpiece().part->profile);
   }
 
-  // The history says what a pass has done, and that it has parted the bar.
+  // The history tells the result of a pass, and that it has parted the bar.
   void theHistorySaysWhatAPassHasDone() {
     TurningFixture fixture;
     fixture.pass(23.0, 30.0, 60.0);
@@ -266,11 +266,11 @@ class TurnToolTest : public QObject {
     QVERIFY(fixture.document.history()->text(1).contains("2 piece"));
   }
 
-  // The simulation works on its own thread: what it has cut is shown within a few of its steps.
+  // The simulation works on its own thread: its cuts are shown within a few of its steps.
   void whatIsCutIsShownBeforeItIsCommitted() {
     TurningFixture fixture;
     const auto before = fixture.tool->preview().replaced;
-    QVERIFY(before && fixture.tool->preview().replaced == before);  // what is the same costs nothing
+    QVERIFY(before && fixture.tool->preview().replaced == before);  // an unchanged part costs nothing
     fixture.event(PointerEvent::Kind::Press, 27.0, 50.0);
     fixture.event(PointerEvent::Kind::Drag, 20.0, 50.0);
     const auto shownRadius = [&] {
@@ -299,8 +299,8 @@ class TurnToolTest : public QObject {
     QCOMPARE(fixture.document.workpiece().part->profile.radius(500), 25.0);
   }
 
-  // The hand goes on with the button held after the pass was dropped: it cuts nothing until the button is pressed anew,
-  // and the next pass begins where it begins.
+  // The hand continues with the button held after the pass was dropped: it cuts nothing until the button is pressed
+  // again, and the next pass begins there.
   void aDroppedPassOfADeviceIsOver_data() {
     QTest::addColumn<int>("drop");
     QTest::addRow("Esc") << 0;
@@ -381,7 +381,7 @@ class TurnToolTest : public QObject {
     QCOMPARE(fixture.document.workpiece().part->passes.front()->times, (std::vector<double>{0.0, 0.25, 1.5, 1.5}));
   }
 
-  // Where the mouse leaves the view there is no nose to show, but in a pass; a double click is the camera's.
+  // Outside of the view no nose is shown, except in a pass; a double click is the camera's.
   void theMouseLeaves() {
     TurningFixture fixture;
     fixture.event(PointerEvent::Kind::Hover, 27.0, 45.0);

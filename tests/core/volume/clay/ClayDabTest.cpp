@@ -52,7 +52,7 @@ ClayDab dabOf(ClayAction action, const Vec3& centre, double radius) {
   return dab;
 }
 
-// Whether an error is below a limit; says it where it is not.
+// Returns true if an error is below a limit, and prints it otherwise.
 bool isBelow(double error, double limit) {
   if (error < limit) return true;
   qWarning() << error << "is not below" << limit;
@@ -94,15 +94,16 @@ class ClayDabTest : public QObject {
     QCOMPARE(carved.material(), 0.0);
   }
 
-  // A ball that goes a way takes what a capsule would.
+  // A swept ball removes the same material as a capsule.
   void sweptBall() {
     SparseVolume carved = ballOfVoxels(6.0, kClayVoxel);
     ClayDab dab = dabOf(ClayAction::Carve, {4.0, 3.0, 2.0}, 1.5);
-    dab.way = Vec3(5.0, 1.0, -1.0);
+    dab.displacement = Vec3(5.0, 1.0, -1.0);
     QVERIFY(!applyDab(carved, dab).empty());
     const auto less = [&](const Vec3& p) {
-      double nearest = std::numeric_limits<double>::infinity();  // by trying places along the way
-      for (int i = 0; i <= 2000; ++i) nearest = std::min(nearest, (p - dab.centre + i / 2000.0 * dab.way).norm());
+      double nearest = std::numeric_limits<double>::infinity();  // by testing positions along the displacement
+      for (int i = 0; i <= 2000; ++i)
+        nearest = std::min(nearest, (p - dab.centre + i / 2000.0 * dab.displacement).norm());
       return std::min(depthOfBall(p, 6.0), nearest - 1.5);
     };
     QVERIFY(isBelow(worst(carved, less, 26), 0.02));
@@ -132,28 +133,28 @@ class ClayDabTest : public QObject {
     Vec3 centre = Vec3::Zero();
     for (int i = 0; i < 6; ++i) {
       ClayDab dab = dabOf(ClayAction::Move, centre, 9.0);
-      dab.way = Vec3(0.4, -0.25, 0.1);
+      dab.displacement = Vec3(0.4, -0.25, 0.1);
       applyDab(ball, dab);
-      centre += dab.way;
+      centre += dab.displacement;
     }
     QVERIFY(isBelow(worst(
                         ball, [&](const Vec3& p) { return depthOfBall(p - centre, 3.0); }, 36, 1.0),
                     0.3));
   }
 
-  // On a cube, smudged over the middle of its top: where that is even, nothing changes, whatever way the tool goes. A
-  // bump there is drawn out along the way: its middle goes along, its top sinks, and its material stays, to some per
+  // A cube is smudged over the middle of its top: an even surface does not change, for any displacement. A bump there
+  // is drawn out along the displacement: its middle moves along, its top sinks, and its material stays, to some per
   // cent.
   void smudgeMovesABump() {
     SparseVolume even = volumeOfSurface(moved(cube(16.0), Vec3(-8.0, -8.0, -16.0)), kClayVoxel)->volume, bumpy = even;
     const double material = even.material();
-    const auto smudge = [](SparseVolume& volume, const Vec3& way) {
+    const auto smudge = [](SparseVolume& volume, const Vec3& displacement) {
       ClayDab dab = dabOf(ClayAction::Smudge, {-3.0, 0.0, 0.0}, 4.0);
       dab.falloff = 1.0;
-      dab.way = way;
+      dab.displacement = displacement;
       for (int i = 0; i < 30; ++i) {
         applyDab(volume, dab);
-        dab.centre.x() += way.x();
+        dab.centre.x() += displacement.x();
       }
     };
     smudge(even, {0.2, 0.0, 0.3});
@@ -199,7 +200,7 @@ class ClayDabTest : public QObject {
     QVERIFY(isClosedManifold(surfaceOf(bumpy)));
   }
 
-  // A quarter of the way to the middle is 1 / 1.25 of the radius.
+  // A move by a quarter of the distance to the centre is 1 / 1.25 of the radius.
   void attractIsAScaling() {
     SparseVolume ball = ballOfVoxels(5.0, kClayVoxel);
     applyDab(ball, dabOf(ClayAction::Attract, Vec3::Zero(), 12.0));
@@ -239,8 +240,8 @@ class ClayDabTest : public QObject {
   void smoothTakesBumps() {
     SparseVolume ball = ballOfVoxels(8.0, kClayVoxel);
     for (int i = 0; i < 40; ++i) {
-      const Vec3 way(std::sin(3.0 * i), std::cos(5.0 * i), std::sin(7.0 * i + 1.0));
-      applyDab(ball, dabOf(i % 2 ? ClayAction::Add : ClayAction::Carve, 8.0 * way.normalized(), 0.6));
+      const Vec3 displacement(std::sin(3.0 * i), std::cos(5.0 * i), std::sin(7.0 * i + 1.0));
+      applyDab(ball, dabOf(i % 2 ? ClayAction::Add : ClayAction::Carve, 8.0 * displacement.normalized(), 0.6));
     }
     const auto roughness = [&] {
       double sum = 0.0, squares = 0.0;
@@ -258,8 +259,8 @@ class ClayDabTest : public QObject {
     QVERIFY(isBelow(std::abs(ball.material() - material), 0.08 * material));
   }
 
-  // Whatever is done in whatever order, the surface is sound, nothing far from the dab changes, and the blocks that are
-  // said to have changed are those that did.
+  // For any sequence of dabs, the surface is sound, nothing far from the dab changes, and exactly the reported blocks
+  // have changed.
   void anyDabs() {
     QVERIFY(rc::check([] {
       SparseVolume volume = ballOfVoxels(1.5, kClayVoxel);
@@ -271,7 +272,7 @@ class ClayDabTest : public QObject {
         dab.radius = 0.3 + std::abs(number(1.5));
         dab.strength = number(1.0);
         dab.falloff = std::abs(number(1.0));
-        dab.way = Vec3(number(1.0), number(1.0), number(1.0));
+        dab.displacement = Vec3(number(1.0), number(1.0), number(1.0));
         const SparseVolume before = volume;
         const std::vector<VoxelIndex> changed = applyDab(volume, dab);
         std::size_t different = 0;
@@ -283,7 +284,8 @@ class ClayDabTest : public QObject {
               ++different;
               RC_ASSERT(std::find(changed.begin(), changed.end(), block) != changed.end());
               const Vec3 low = volume.centre(8 * block), high = volume.centre(8 * block + VoxelIndex::Constant(7));
-              RC_ASSERT(Box(low, high).exteriorDistance(dab.centre) <= dab.radius + dab.way.norm() + 11.0 * kClayVoxel);
+              RC_ASSERT(Box(low, high).exteriorDistance(dab.centre) <=
+                        dab.radius + dab.displacement.norm() + 11.0 * kClayVoxel);
             }
         RC_ASSERT(different == changed.size());
       }
@@ -299,7 +301,7 @@ class ClayDabTest : public QObject {
     for (int action = 0; action < static_cast<int>(ClayAction::Mask); ++action) {
       SparseVolume one = ballOfVoxels(4.0, kClayVoxel), other = one;
       ClayDab dab = dabOf(static_cast<ClayAction>(action), {3.0, 1.0, 1.5}, 2.0);
-      dab.way = Vec3(0.3, 0.2, -0.1);
+      dab.displacement = Vec3(0.3, 0.2, -0.1);
       dab.direction = Vec3(1.0, 2.0, -2.0) / 3.0;
       applyDab(one, dab);
       applyDab(other, mirrored(dab, Vec3::Zero(), 0));

@@ -41,8 +41,8 @@ SparseVolume carved(SparseVolume volume, const Vec3& centre, double radius) {
   return volume;
 }
 
-double depthOf(const SparseVolume& volume, const Vec3& place) {
-  return VolumeSampler(volume).depthAt(place).depth;
+double depthOf(const SparseVolume& volume, const Vec3& point) {
+  return VolumeSampler(volume).depthAt(point).depth;
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ class ClayLayersTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A block that grows by 4 mm, 16 voxels, which is far beyond the depths that samples tell: at a share of it the face
-  // is at that share of the way.
+  // A block grows by 4 mm, 16 voxels, which is far beyond the stored depths: at a share of the layer the face has moved
+  // by that share of the distance.
   void shareOfAFace() {
     const SparseVolume low = boxOfVoxels(Vec3(12, 12, 4), Vec3::Zero(), kLayerVoxel);
     const SparseVolume high = boxOfVoxels(Vec3(12, 12, 8), Vec3::Zero(), kLayerVoxel);
@@ -117,7 +117,7 @@ class ClayLayersTest : public QObject {
     QVERIFY(isSame(layers.visible(), weak));
   }
 
-  // Of a ball that becomes one of another radius: a ball whose radius is at that share between the two.
+  // A share between two balls is a ball whose radius is at that share between the two.
   void shareOfABall() {
     constexpr double kSmall = 5.0, kLarge = 8.0;
     const SparseVolume small = ballOfVoxels(kSmall, kLayerVoxel), large = ballOfVoxels(kLarge, kLayerVoxel);
@@ -184,7 +184,7 @@ class ClayLayersTest : public QObject {
     QVERIFY(isClosedManifold(surfaceOf(visible)));
   }
 
-  // What is merged is what was visible, in each block, whatever the shares are, and at either end of the stack.
+  // Merging keeps the visible volume in each block, for all shares, and at either end of the stack.
   void merged() {
     for (const double share : {0.0, 0.4, 1.0}) {
       for (std::size_t which = 0; which < 3; ++which) {

@@ -53,7 +53,7 @@ std::vector<ClayDab> dabsAt(const Vec3& centre, double radius) {
     dab.action = static_cast<ClayAction>(action);
     dab.centre = centre;
     dab.radius = radius;
-    dab.way = Vec3(0.3, 0.4, -0.2);
+    dab.displacement = Vec3(0.3, 0.4, -0.2);
     all.push_back(dab);
   }
   return all;
@@ -91,11 +91,11 @@ class ClayMaskTest : public QObject {
     QVERIFY(mask.paint(maskDab({1.0, -0.5, 0.25}, 5.0, 1.0, 0.7)).empty());
   }
 
-  // A way is covered as by a capsule; without a falloff the edge is two voxels wide.
+  // A swept ball covers a capsule; without a falloff the edge is two voxels wide.
   void sweptWithAHardEdge() {
     ClayMask mask(ballOfVoxels(1.0, kEdge));
     ClayDab dab = maskDab({3.0, 0.0, 0.0}, 1.5, 0.0);
-    dab.way = Vec3(6.0, 0.0, 0.0);
+    dab.displacement = Vec3(6.0, 0.0, 0.0);
     mask.paint(dab);
     eachVoxel(24, [&](const VoxelIndex& at) {
       const Vec3 p = kEdge * at.cast<double>();
@@ -105,7 +105,7 @@ class ClayMaskTest : public QObject {
     });
   }
 
-  // What is inverted is the complement, and painting in it frees or protects as before; a mask that was freed
+  // An inverted mask is the complement, and painting in it frees or protects as before; a mask that was freed
   // everywhere is none.
   void invertedIsTheComplement() {
     QVERIFY(rc::check("paint, free, invert", [] {
@@ -143,7 +143,7 @@ class ClayMaskTest : public QObject {
     other.paint(maskDab({40.0, 8.0, 8.0}, 2.0));  // voxel 160: the third region along x
     QVERIFY(mask.isKnownSame(other, {0, 0, 0}));
     QVERIFY(!mask.isKnownSame(other, {2, 0, 0}));
-    QVERIFY(!mask.isKnownSame(other, {1, 0, 0}));  // whose last cells end there
+    QVERIFY(!mask.isKnownSame(other, {1, 0, 0}));  // the last cells of this region end there
     other.invert();
     QVERIFY(!mask.isKnownSame(other, {0, 0, 0}));
   }
@@ -241,7 +241,7 @@ class ClayMaskTest : public QObject {
     }
   }
 
-  // Whatever is masked and shaped, the surface stays closed and meets itself nowhere.
+  // The surface stays closed and free of self-intersections for all masks and strokes.
   void staysClosed() {
     QVERIFY(rc::check("masked strokes", [] {
       SparseVolume volume = ballOfVoxels(3.0, kEdge);

@@ -135,7 +135,7 @@ class ClayStampTest : public QObject {
     }
   }
 
-  // What lies further along the direction than the radius stays: the other side of the plate.
+  // Material beyond the radius along the direction does not change: the other side of the plate.
   void theFarSideStays() {
     SparseVolume volume = plate();
     ClayDab dab = stampDab(ClayAction::Carve, std::make_shared<const ClayStamp>(1, 1, std::vector<float>{1.0f}));
@@ -205,7 +205,7 @@ class ClayStampTest : public QObject {
       for (double x = -0.95; x < 1.0; x += 0.1) {
         const double square = 1.0 - x * x - y * y;
         if (std::abs(square) < 0.05) continue;
-        // The lowest place that is seen from above lies at the rim.
+        // The lowest point that is visible from above lies at the rim.
         const double expected = square > 0.0 ? std::sqrt(square) : 0.0;
         QVERIFY2(std::abs(stamp->at(x, y) - expected) < 0.1,
                  qPrintable(QString("%1 %2: %3").arg(x).arg(y).arg(stamp->at(x, y))));

@@ -25,7 +25,7 @@ class DrillBitTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The distance from a twist drill is that to the nearest of many points of its outline, turned to the place.
+  // The distance from a twist drill is that to the nearest of many points of its outline, rotated to the point.
   void distanceFromTheHead() {
     QVERIFY(rc::check([] {
       const DrillBit tool = *drillBitOf("twist:6");
@@ -47,21 +47,22 @@ class DrillBitTest : public QObject {
     }));
   }
 
-  // A head that has moved is nowhere deeper around a place than the bound for its way, and without a way as deep.
+  // The depth for a moved head is at most the bound for its displacement, and equal to it without a displacement.
   void boundOfMovedHeads() {
     QVERIFY(rc::check([] {
       const DrillHead head(*drillBitOf(*rc::gen::element<std::string>("ball:6", "twist:6", "saw:20:2")));
       const auto drawnVector = [](double most) {
         return Vec3(drawnBetween(-most, most), drawnBetween(-most, most), drawnBetween(-most, most));
       };
-      const Vec3 from = drawnVector(15.0), way = drawnVector(2.0),
+      const Vec3 from = drawnVector(15.0), displacement = drawnVector(2.0),
                  axis = (drawnVector(1.0) + Vec3(0, 0, 3)).normalized();
-      const double along = std::abs(way.dot(axis)), across = (way - way.dot(axis) * axis).norm();
+      const double along = std::abs(displacement.dot(axis)),
+                   across = (displacement - displacement.dot(axis) * axis).norm();
       const auto bound = head.row<8>(from, axis, across, along), still = head.row<8>(from, axis, 0.0, 0.0);
       for (int i = 0; i < 8; ++i) {
-        const Vec3 place = from + i * Vec3::UnitX();
-        RC_ASSERT(head.inside(place - way, axis) <= bound[i] + 1e-12);
-        RC_ASSERT(std::abs(head.inside(place, axis) - still[i]) < 1e-12);
+        const Vec3 point = from + i * Vec3::UnitX();
+        RC_ASSERT(head.inside(point - displacement, axis) <= bound[i] + 1e-12);
+        RC_ASSERT(std::abs(head.inside(point, axis) - still[i]) < 1e-12);
       }
     }));
   }

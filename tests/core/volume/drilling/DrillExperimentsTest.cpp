@@ -22,9 +22,9 @@ struct EvenSteps {
 // While the front half of the ball is in the plate.
 EvenSteps evenSteps(const SteppedHole& hole) {
   const std::vector<double> removed = removedBySteps(hole);
-  const double way = hole.feed / hole.rate;
-  const auto first = static_cast<std::size_t>((0.5 * hole.diameter + 0.6) / way),
-             last = static_cast<std::size_t>((hole.thickness - 0.6) / way);
+  const double travel = hole.feed / hole.rate;
+  const auto first = static_cast<std::size_t>((0.5 * hole.diameter + 0.6) / travel),
+             last = static_cast<std::size_t>((hole.thickness - 0.6) / travel);
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (std::size_t i = first; i < last; ++i, ++count) {
     sum += removed[i];
@@ -140,7 +140,7 @@ class DrillExperimentsTest : public QObject {
     // the correlation with x is √(15/16).
     DrillExperimentResult rule{DrillExperiment::Resolution, 1000.0, {*fine}};
     rule.holes[0].value = SteppedHole().voxel;
-    std::vector<float> slow;  // as if it had been drilled at 1 mm/s
+    std::vector<float> slow;  // thrust as if drilled at 1 mm/s
     for (const float thrust : fine->ourThrust) slow.insert(slow.end(), 10, thrust);
     rule.holes[0].ourThrust = slow;
     const auto checks = shapeChecksOf(rule);
@@ -163,7 +163,7 @@ class DrillExperimentsTest : public QObject {
     QVERIFY(shapeChecksOf(radius).empty());
   }
 
-  // What is stated of certain values is reported of these alone.
+  // Statements about certain values are only checked for these.
   void checksOfOtherValues() {
     DrillExperimentResult feed{DrillExperiment::Feed, 1000.0, {madeHole(7.0, 7.0, 7.0), madeHole(10.0, 10.0, 10.0)}};
     QVERIFY(shapeChecksOf(feed).empty());

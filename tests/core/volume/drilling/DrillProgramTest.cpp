@@ -16,7 +16,7 @@ namespace {
 
 std::vector<double> heights(const DrillProgram& program) {
   std::vector<double> all;
-  for (const DrillProgram::Place& place : program.places) all.push_back(place.tip.z());
+  for (const DrillProgram::Waypoint& waypoint : program.waypoints) all.push_back(waypoint.tip.z());
   return all;
 }
 
@@ -33,11 +33,11 @@ class DrillProgramTest : public QObject {
     QVERIFY(program.hasValue());
     QCOMPARE(*program->spindle, 1200.0);
     QCOMPARE(heights(*program), (std::vector<double>{10, 10, 1, -3, 10, 10, 1, -3, 10}));
-    QVERIFY((program->places[3].tip - Vec3(5.0, 2.0, -3.0)).norm() < 1e-12);
-    QVERIFY((program->places[7].tip - Vec3(9.0, 2.0, -3.0)).norm() < 1e-12);
+    QVERIFY((program->waypoints[3].tip - Vec3(5.0, 2.0, -3.0)).norm() < 1e-12);
+    QVERIFY((program->waypoints[7].tip - Vec3(9.0, 2.0, -3.0)).norm() < 1e-12);
     // 4 mm at 2 mm/s; 13 mm fast.
-    QVERIFY(std::abs(program->places[3].time - program->places[2].time - 2.0) < 1e-12);
-    QVERIFY(std::abs(program->places[4].time - program->places[3].time - 13.0 / DrillProgram::kRapid) < 1e-12);
+    QVERIFY(std::abs(program->waypoints[3].time - program->waypoints[2].time - 2.0) < 1e-12);
+    QVERIFY(std::abs(program->waypoints[4].time - program->waypoints[3].time - 13.0 / DrillProgram::kRapid) < 1e-12);
   }
 
   void dwellsAndHeights() {
@@ -45,7 +45,7 @@ class DrillProgramTest : public QObject {
     const auto program = readDrillProgram("G0 X0 Y0 Z10\nG99 G82 X1 Y0 Z-1 R2 P0.5 F60\nX2\n");
     QVERIFY(program.hasValue());
     QCOMPARE(heights(*program), (std::vector<double>{10, 10, 2, -1, -1, 2, 2, -1, -1, 2}));
-    QVERIFY(std::abs(program->places[4].time - program->places[3].time - 0.5) < 1e-12);
+    QVERIFY(std::abs(program->waypoints[4].time - program->waypoints[3].time - 0.5) < 1e-12);
     // From below R it goes up first.
     const auto below = readDrillProgram("g0x0y0z0\ng81 x3 y0 z-2 r5 f100");
     QCOMPARE(heights(*below), (std::vector<double>{0, 5, 5, -2, 5}));
@@ -62,7 +62,7 @@ class DrillProgramTest : public QObject {
     QCOMPARE(heights(*readDrillProgram("G0 X0 Y0 Z3\nG83 Z-5 R0 Q20 F60")), (std::vector<double>{3, 0, -5, 3}));
   }
 
-  // Whatever the numbers are, a cycle goes as deep as Z and no deeper, and time goes on.
+  // For any numbers, a cycle goes exactly as deep as Z, and time increases.
   void anyCycle() {
     QVERIFY(rc::check([] {
       const auto number = [](int low, int high) { return 0.01 * *rc::gen::inRange(low, high); };
@@ -73,16 +73,16 @@ class DrillProgramTest : public QObject {
       const auto program = readDrillProgram(text);
       RC_ASSERT(program.hasValue());
       double lowest = first, drilled = above;
-      for (std::size_t i = 1; i < program->places.size(); ++i) {
-        const auto& [time, tip] = program->places[i];
-        RC_ASSERT(time > program->places[i - 1].time);
+      for (std::size_t i = 1; i < program->waypoints.size(); ++i) {
+        const auto& [time, tip] = program->waypoints[i];
+        RC_ASSERT(time > program->waypoints[i - 1].time);
         lowest = std::min(lowest, tip.z());
         // New ground is broken by no more than a peck.
         RC_ASSERT(drilled - tip.z() <= peck + 1e-9 || tip.z() >= above - 1e-9 || first < above);
         if (tip.x() == 1.0) drilled = std::min(drilled, tip.z());
       }
       RC_ASSERT(std::abs(lowest - std::min(first, bottom)) < 1e-6);
-      RC_ASSERT(std::abs(program->places.back().tip.z() - std::max(first, above)) < 1e-6);
+      RC_ASSERT(std::abs(program->waypoints.back().tip.z() - std::max(first, above)) < 1e-6);
     }));
   }
 

@@ -31,9 +31,9 @@ std::shared_ptr<const DrillRecord> hole(const char* tool, double to, double besi
   const double from = 2.0, speed = 2.0, rate = 100.0;
   const int count = static_cast<int>(std::lround((from - to) / speed * rate));
   for (int i = 0; i <= (isTakenBack ? 2 * count : count); ++i) {
-    const double way = speed / rate * std::min(i, 2 * count - i);
-    const Vec3 place(beside, 0.0, from + record->setup.tool.reach() - way);
-    record->poses.push_back(DrillPose::of(place, Vec3::UnitZ(), i / rate));
+    const double travel = speed / rate * std::min(i, 2 * count - i);
+    const Vec3 position(beside, 0.0, from + record->setup.tool.reach() - travel);
+    record->poses.push_back(DrillPose::of(position, Vec3::UnitZ(), i / rate));
   }
   return record;
 }
@@ -54,7 +54,7 @@ class DrillReviewTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Contact, breakthrough and plunge are those of the way: from 2 mm above at 2 mm/s through 5 mm.
+  // Contact, breakthrough and plunge are those of the path: from 2 mm above at 2 mm/s through 5 mm.
   void timesAndDepths_data() {
     QTest::addColumn<QString>("tool");
     for (const char* const tool : {"ball:4", "twist:4"}) QTest::addRow("%s", tool) << tool;
@@ -170,7 +170,7 @@ class DrillReviewTest : public QObject {
     QVERIFY(!reviewDrilling(drilledPlate(), {}, holes, Progress(state)).has_value());
   }
 
-  // What is no place and no time becomes one that can be kept.
+  // Invalid positions and times become ones that can be stored.
   void hostilePoses() {
     const double nan = std::nan("");
     QVERIFY(DrillPose::of(Vec3(nan, 1e30, -1e30), Vec3::UnitZ(), nan).micros == 0);
@@ -178,8 +178,8 @@ class DrillReviewTest : public QObject {
     QVERIFY(DrillPose::of(Vec3::Zero(), Vec3::UnitZ(), 1e12).micros == 9'000'000'000'000'000u);
     QVERIFY(!DrillPose::of(Vec3::Zero(), Vec3::Zero(), 0.0).isSound());
     QVERIFY(!DrillPose::of(Vec3::Zero(), Vec3(nan, 0.0, 1.0), 0.0).isSound());
-    const Vec3 place(123.4567891, -987.654321, 0.000001);
-    QVERIFY((DrillPose::of(place, Vec3::UnitX(), 0.0).place() - place).norm() < 1e-6);
+    const Vec3 position(123.4567891, -987.654321, 0.000001);
+    QVERIFY((DrillPose::of(position, Vec3::UnitX(), 0.0).position() - position).norm() < 1e-6);
   }
 
   // A hand trembles, sideways and along the drill: it is through when the tip is, and not when it slips on the surface.
@@ -201,9 +201,9 @@ class DrillReviewTest : public QObject {
     std::normal_distribution<double> trembling;
     double time = 0.0;
     const auto add = [&](double tip, double beside) {
-      const Vec3 place(beside + sideways * trembling(random), sideways * trembling(random),
-                       tip + reach + along * trembling(random));
-      record->poses.push_back(DrillPose::of(place, Vec3::UnitZ(), time));
+      const Vec3 position(beside + sideways * trembling(random), sideways * trembling(random),
+                          tip + reach + along * trembling(random));
+      record->poses.push_back(DrillPose::of(position, Vec3::UnitZ(), time));
       time += 1e-3;
     };
     // Over the surface, a little into it, and out of it again; then through the plate at 2 mm/s.

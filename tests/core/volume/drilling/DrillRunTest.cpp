@@ -166,7 +166,7 @@ class DrillRunTest : public QObject {
       return Drilled(volume, setup, 2.5, to, 10.0).run.removed();
     };
     const double all = removed(std::numeric_limits<double>::infinity(), -3.0);
-    QVERIFY(std::abs(removed(1.0, -3.0) / all - 1.0) < 0.01);  // as much as the way is
+    QVERIFY(std::abs(removed(1.0, -3.0) / all - 1.0) < 0.01);  // proportional to the path
     QVERIFY(removed(0.5, -3.0) < 0.9 * all);
     QVERIFY(std::abs(removed(4.0, -12.0) / (M_PI * 4.0 * 8.0) - 1.0) < 0.01);
   }
@@ -194,7 +194,7 @@ class DrillRunTest : public QObject {
     QVERIFY(std::abs(drillVoxel(2.0, 1000.0, 255.0, 2.0) - 0.255) < 1e-12);
   }
 
-  // At rest, backwards, without a spindle, at 1 m/s, with places that are none: no force that is not finite.
+  // Forces are finite at rest, backwards, without a spindle, at 1 m/s, and at invalid positions.
   void extremes() {
     SparseVolume volume = plate(6.0, 0.25);
     DrillSetup setup;
@@ -234,7 +234,7 @@ class DrillRunTest : public QObject {
     QVERIFY(std::abs(std::atan(tool.radius() / tool.reach()) - 59.0 * M_PI / 180.0) < 1e-3);
   }
 
-  // What ships has one of each shape; nothing impossible is taken, and what is wrong with which drill is said.
+  // The built-in table has one of each shape; invalid tables are refused, with the drill and its problem.
   void tables() {
     std::vector<DrillShape> shapes;
     for (const DrillBitType& type : drillBits()) shapes.push_back(type.tool.shape);

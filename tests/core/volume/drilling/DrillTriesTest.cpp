@@ -71,7 +71,7 @@ class DrillTriesTest : public QObject {
     QCOMPARE(triesOf(&tried, present).failed.size(), std::size_t{1});
   }
 
-  // Of the holes of a try the deepest counts.
+  // The deepest hole of a try counts.
   void deepestOfATry() {
     const TriesHole a = holeOfDepth(1.0), b = holeOfDepth(2.0);
     const std::vector<TriesHole> withA = {a};

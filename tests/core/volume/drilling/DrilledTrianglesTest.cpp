@@ -30,18 +30,18 @@ struct JoinedDrilling {
   double removed = 0.0;  // mm³, by voxels
   double missing = 0.0;  // mm³, by triangles
 
-  // Straight from place to place in so many cycles each, the shank along the axis.
-  JoinedDrilling(const TriangleSoup& soup, double voxel, const char* tool, const std::vector<Vec3>& places,
+  // Drills straight between the positions, in so many cycles each, with the shank along the axis.
+  JoinedDrilling(const TriangleSoup& soup, double voxel, const char* tool, const std::vector<Vec3>& positions,
                  const Vec3& axis = Vec3::UnitZ(), NumberType numbers = NumberType::Float64) {
     constexpr int kCycles = 120;
     DrillRecord hole;
     hole.setup.tool = *drillBitOf(tool);
     HybridPart part = *HybridPart::of(soup, voxel);
     DrillRun run(part, hole.setup);
-    for (std::size_t i = 1; i < places.size(); ++i)
+    for (std::size_t i = 1; i < positions.size(); ++i)
       for (int k = i == 1 ? 0 : 1; k <= kCycles; ++k) {
-        const Vec3 place = places[i - 1] + static_cast<double>(k) / kCycles * (places[i] - places[i - 1]);
-        hole.poses.push_back(DrillPose::of(place, axis, 1e-3 * static_cast<double>(hole.poses.size())));
+        const Vec3 position = positions[i - 1] + static_cast<double>(k) / kCycles * (positions[i] - positions[i - 1]);
+        hole.poses.push_back(DrillPose::of(position, axis, 1e-3 * static_cast<double>(hole.poses.size())));
         move(run, hole.poses[hole.poses.size() - 1]);
       }
     joined = drilledTriangles(soup, part, hole, numbers);
@@ -50,7 +50,7 @@ struct JoinedDrilling {
     missing = test::volume(soup) - test::volume(joined.mesh.compact().soup);
   }
 
-  // What is wrong with the mesh; empty for nothing.
+  // Returns the flaw of the mesh; empty: none.
   std::string flaw() const {
     if (joined.problem != SubtractionProblem::None)
       return "refused for " + std::to_string(static_cast<int>(joined.problem));
@@ -63,12 +63,12 @@ struct JoinedDrilling {
 };
 
 std::array<test::Coordinates, 3> fromTheLeast(const TrianglePoints& p) {
-  std::array<test::Coordinates, 3> corners{test::place(p[0]), test::place(p[1]), test::place(p[2])};
+  std::array<test::Coordinates, 3> corners{test::coordinates(p[0]), test::coordinates(p[1]), test::coordinates(p[2])};
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
-// How many of the first triangles of a result are none of the part's.
+// Returns the number of triangles at the beginning of a result that are not from the part.
 std::size_t strangers(const Subtraction& joined, const TriangleSoup& part) {
   std::set<std::array<test::Coordinates, 3>> all;
   for (const Triangle& t : part.triangles)
@@ -107,7 +107,7 @@ class DrilledTrianglesTest : public QObject {
     QCOMPARE(test::eulerCharacteristic(drilled.joined.mesh), 0L);
     QCOMPARE(drilled.joined.kept, std::size_t{8});
     QCOMPARE(strangers(drilled.joined, plate), std::size_t{0});
-    // What is new is on the plate's faces or on the wall of the hole, within the chord of a cell's diagonal.
+    // New points are on the plate's faces or on the wall of the hole, within the chord of a cell's diagonal.
     const TriangleSoup soup = drilled.joined.mesh.compact().soup;
     for (const Vec3& p : soup.points) {
       const double away = std::abs(std::hypot(p.x() - 0.113, p.y() + 0.271) - 2.0);
@@ -210,7 +210,7 @@ class DrilledTrianglesTest : public QObject {
   // put there. They are not among those that are kept.
   void openPart() {
     TriangleSoup open = flatPlate(20.0, 4.0);
-    const Triangle gone = open.triangles.back();  // of a side
+    const Triangle gone = open.triangles.back();  // triangle of a side
     open.triangles.pop_back();
     for (const std::uint32_t v : gone) QCOMPARE(open.points[v].x(), 10.0);
     const JoinedDrilling drilled(open, 0.25, "ball:4", {{0.1, 0.2, 6.0}, {0.1, 0.2, -9.0}});

@@ -74,7 +74,7 @@ class SkullTest : public QObject {
   void surfaceIsClosed() {
     const SparseVolume skull = skullOfVoxels(1.0);
     QVERIFY(isClosedManifold(surfaceOf(skull)));
-    // A way from the room to the front meets bone at any height and side that orbits and nose have.
+    // A line from the cranial cavity to the front meets bone at all heights and sides of orbits and nose.
     for (double z = -58.0; z <= 0.0; z += 2.0)
       for (double x = -50.0; x <= 50.0; x += 2.0) {
         const Vec3 from(x, 0.0, z);

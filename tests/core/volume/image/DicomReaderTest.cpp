@@ -30,14 +30,14 @@ std::vector<MadeSlice> stack(const std::vector<double>& heights, MadeSlice like 
   return slices;
 }
 
-// Whether each value is that of its place, but for rounding.
+// Returns true if each value is that of its position, except for rounding.
 bool hasValues(const ImageVolume& image, const std::function<double(const Vec3&)>& value, double within = 1.01) {
   const auto& size = image.grid().size;
   std::size_t i = 0;
   for (int z = 0; z < size[2]; ++z)
     for (int y = 0; y < size[1]; ++y)
       for (int x = 0; x < size[0]; ++x, ++i)
-        if (std::abs(image.value(i) - value(image.grid().place(Vec3(x, y, z)))) > within) return false;
+        if (std::abs(image.value(i) - value(image.grid().position(Vec3(x, y, z)))) > within) return false;
   return true;
 }
 
@@ -47,7 +47,7 @@ class DicomReaderTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // In the order of their places, whatever that of the files, and rescaled.
+  // Slices are in the order of their positions, for any order of the files, and rescaled.
   void aSeries() {
     const Result<ImageFile> read = readSlices(stack({6.0, 2.0, 4.0, 8.0, 0.0}));
     QVERIFY(read.hasValue());
@@ -118,7 +118,7 @@ class DicomReaderTest : public QObject {
     QVERIFY(hasValues(read->image, value, 1e-6));
   }
 
-  // The scanner leans: each slice is further along y. Nothing is resampled, and places are right.
+  // The scanner is tilted: each slice is further along y. Nothing is resampled, and positions are correct.
   void tilted() {
     std::vector<MadeSlice> slices = stack({0.0, 2.0, 4.0, 6.0});
     for (MadeSlice& slice : slices) slice.origin.y() = 0.5 * slice.origin.z();
@@ -144,7 +144,7 @@ class DicomReaderTest : public QObject {
     QVERIFY(read.hasValue());
     QVERIFY(hasValues(read->image, MadeSlice().value));
     QVERIFY(hasRemark(*read, ImageRemark::Kind::Uneven));
-    QVERIFY(std::abs(read->image.grid().place({0, 0, read->image.grid().size[2] - 1.0}).z() - 14.1) < 1e-6);
+    QVERIFY(std::abs(read->image.grid().position({0, 0, read->image.grid().size[2] - 1.0}).z() - 14.1) < 1e-6);
   }
 
   void mixed() {
@@ -167,7 +167,7 @@ class DicomReaderTest : public QObject {
     const Result<ImageFile> read = readDicom(files, DicomChoice::Largest, {});
     QVERIFY(read.hasValue());
     QCOMPARE(read->image.grid().size[2], 3);
-    QVERIFY(hasRemark(*read, ImageRemark::Kind::SamePlace) && hasRemark(*read, ImageRemark::Kind::NotReadable));
+    QVERIFY(hasRemark(*read, ImageRemark::Kind::SamePosition) && hasRemark(*read, ImageRemark::Kind::NotReadable));
   }
 
   void oneSlice() {
@@ -188,7 +188,7 @@ class DicomReaderTest : public QObject {
     QVERIFY(!readSlices(stack({0.0, 1.0, 2.0, 3000.0})));
   }
 
-  // Whatever a file does to the library, it ends in an image or an error.
+  // Any file results in an image or an error, whatever it does to the library.
   void damaged() {
     MadeSlice slice;
     slice.syntax = gdcm::TransferSyntax::JPEG2000Lossless;

@@ -55,8 +55,7 @@ inline bool hasRemark(const ImageFile& file, ImageRemark::Kind kind) {
   return false;
 }
 
-// No beginning of a file, and none with a byte changed, may do more than end in an error: the reader is called with
-// each.
+// Calls the reader with truncated files and with files in which one byte is changed. These may only result in errors.
 template <class Read>
 void readDamaged(const std::string& bytes, Read read) {
   for (std::size_t n = 0; n < bytes.size(); n += 1 + n / 64) (void)read(bytes.substr(0, n));

@@ -53,7 +53,7 @@ class ImageHistogramTest : public QObject {
     QCOMPARE(ramp.quantile(1.0), 999.0);
   }
 
-  // Of two peaks it is between them, whatever is more; of one value there is nothing to part.
+  // The threshold is between two peaks of any sizes; a single value cannot be divided.
   void otsu() {
     const ImageGrid grid{{50, 10, 10}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
     const auto threshold = [](const ImageVolume& image) { return otsuThreshold(histogramOf(image)); };

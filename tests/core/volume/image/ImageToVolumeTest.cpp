@@ -130,7 +130,7 @@ class ImageToVolumeTest : public QObject {
     }
   }
 
-  // Where axes and spacing are those of the image, a voxel is a sample.
+  // If axes and spacing are those of the image, each voxel is a sample.
   void voxelsAreSamples() {
     const ImageGrid grid{{30, 20, 10}, Vec3(0.1, -7.7, 1e3), 0.7 * Eigen::Matrix3d::Identity()};
     const auto wave = [](const Vec3& p) { return std::sin(p.x()) + std::cos(p.y()) + std::sin(p.z()); };

@@ -16,7 +16,7 @@ class ImageVolumeTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void valuesAndPlaces() {
+  void valuesAndPositions() {
     const ImageGrid grid{{4, 3, 2}, Vec3(1, 2, 3), Vec3(0.5, 1.0, 2.0).asDiagonal().toDenseMatrix()};
     const ImageVolume image = imageOf<std::int16_t>(grid, [](const Vec3& p) { return 10 * p.x() + p.z(); });
     QVERIFY(image.isWhole());

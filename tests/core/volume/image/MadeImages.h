@@ -8,14 +8,14 @@
 
 namespace handwheel::test {
 
-// An image whose samples are a function of their places, mm.
+// Returns an image whose samples are a function of their positions, mm.
 template <class Sample = float, class Function>
 ImageVolume imageOf(const ImageGrid& grid, Function function) {
   std::vector<Sample> samples;
   for (int z = 0; z < grid.size[2]; ++z)
     for (int y = 0; y < grid.size[1]; ++y)
       for (int x = 0; x < grid.size[0]; ++x)
-        samples.push_back(static_cast<Sample>(function(grid.place(Vec3(x, y, z)))));
+        samples.push_back(static_cast<Sample>(function(grid.position(Vec3(x, y, z)))));
   return {grid, std::move(samples)};
 }
 

@@ -56,7 +56,7 @@ class MetaImageReaderTest : public QObject {
       QCOMPARE(valuesIn(image), kMetaValues);
       QCOMPARE(image.grid().origin, Vec3(1, 2, -3));
       // The first axis of the samples goes along y, the second back along x.
-      QCOMPARE(image.grid().place({1, 2, 0}), Vec3(1 - 1.2, 2.5, -3));
+      QCOMPARE(image.grid().position({1, 2, 0}), Vec3(1 - 1.2, 2.5, -3));
       QVERIFY(file->value().remarks.empty());
     }
   }

@@ -64,7 +64,7 @@ class NiftiReaderTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Without a form places are the spacings; NIfTI looks from the other side along x and y.
+  // Without a form, positions follow from the spacings; NIfTI has the opposite x and y.
   void plainAndPacked() {
     for (const std::endian order : {std::endian::little, std::endian::big}) {
       const std::string bytes = small(order).samples(4, kNiftiSamples).bytes();
@@ -73,7 +73,7 @@ class NiftiReaderTest : public QObject {
         const Result<ImageFile> file = readNifti(each);
         QVERIFY(file.hasValue());
         QCOMPARE(valuesIn(file->image), kNiftiValues);
-        QCOMPARE(file->image.grid().place({1, 1, 0}), Vec3(-0.5, -2.0, 0.0));
+        QCOMPARE(file->image.grid().position({1, 1, 0}), Vec3(-0.5, -2.0, 0.0));
         QVERIFY(file->remarks.empty());
       }
     }
@@ -105,7 +105,7 @@ class NiftiReaderTest : public QObject {
     QCOMPARE(valuesIn(scaledBy(0.5f, 0.25f)->image), (std::vector<double>{0.25, 0.75, -0.75, 1.75, 150.25, -499.75}));
   }
 
-  // The rows of the sform are the map to places; it goes before the qform.
+  // The rows of the sform map to positions; it has priority over the qform.
   void sform() {
     NiftiBytes bytes = small();
     bytes.put<std::int16_t>(252, 1).put<std::int16_t>(254, 1);
@@ -114,7 +114,7 @@ class NiftiReaderTest : public QObject {
       for (std::size_t k = 0; k < 4; ++k) bytes.put(280 + 16 * r + 4 * k, rows[r][k]);
     const Result<ImageFile> file = readNifti(bytes.samples(4, kNiftiSamples).bytes());
     QVERIFY(file.hasValue());
-    QVERIFY((file->image.grid().place({1, 2, 1}) - Vec3(-10.7, -23.7, 34.4)).norm() < 1e-5);
+    QVERIFY((file->image.grid().position({1, 2, 1}) - Vec3(-10.7, -23.7, 34.4)).norm() < 1e-5);
   }
 
   // A quarter turn about z: b = c = 0, d = a = cos 45°. With qfac -1 the third axis is turned round.
@@ -125,7 +125,8 @@ class NiftiReaderTest : public QObject {
       const Result<ImageFile> file = readNifti(bytes.samples(4, kNiftiSamples).bytes());
       QVERIFY(file.hasValue());
       // (x, y, z) there is (-2 j, 0.5 i, ±4 k), and 7 further along x.
-      QVERIFY((file->image.grid().place({1, 1, 1}) - Vec3(-5.0, -0.5, 4.0 * static_cast<double>(qfac))).norm() < 1e-5);
+      QVERIFY((file->image.grid().position({1, 1, 1}) - Vec3(-5.0, -0.5, 4.0 * static_cast<double>(qfac))).norm() <
+              1e-5);
     }
   }
 
@@ -144,7 +145,8 @@ class NiftiReaderTest : public QObject {
     QVERIFY(!readNifti(NiftiBytes().size({30000, 30000, 30000}).samples(4, kNiftiSamples).bytes()));
     QVERIFY(!readNifti(small().put(108, 1e30f).samples(4, kNiftiSamples).bytes()));
     QVERIFY(!readNifti(small().put(108, std::nanf("")).samples(4, kNiftiSamples).bytes()));
-    QVERIFY(!readNifti(small().put<std::int16_t>(254, 1).samples(4, kNiftiSamples).bytes()));  // a map to one place
+    QVERIFY(
+        !readNifti(small().put<std::int16_t>(254, 1).samples(4, kNiftiSamples).bytes()));  // a map to a single position
     QVERIFY(!readNifti("\x1f\x8b\x08"));
     QVERIFY(!readNifti(""));
     std::string pair = small().samples(4, kNiftiSamples).bytes();

@@ -55,12 +55,12 @@ class NrrdReaderTest : public QObject {
       const ImageVolume& image = file->value().image;
       QCOMPARE(valuesIn(image), kValues);
       QCOMPARE(image.grid().origin, Vec3(1, 2, -3));
-      QCOMPARE(image.grid().place({1, 2, 1}), Vec3(1.5, 3.3, -1.5));
+      QCOMPARE(image.grid().position({1, 2, 1}), Vec3(1.5, 3.3, -1.5));
       QVERIFY(image.isWhole() && file->value().remarks.empty());
     }
   }
 
-  // Whatever the type of numbers, and the name of it.
+  // All types of numbers are read, under all of their names.
   void types() {
     const auto check = [](const char* name, const std::string& data, const std::vector<double>& expected) {
       const Result<ImageFile> file = read(std::string("NRRD0001\ndimension: 3\nsizes: 3 1 1\nspacings: 1 1 1\ntype: ") +
@@ -80,7 +80,7 @@ class NrrdReaderTest : public QObject {
     check("double", bytesOfNumbers<double>({1.5, -2.25, 1e6}), {1.5, -2.25, 1e6});
   }
 
-  // From the right, the front and the head is the same place as ours with two signs turned; units count.
+  // Positions from the right, the front and the head are ours with two signs reversed; units count.
   void spaces() {
     const Result<ImageFile> file = read(
         "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 1 1 2\nspace: RAS\nspace directions: ( 1, 0, 0 ) (0,2,0) "

@@ -22,7 +22,7 @@ class RawImageReaderTest : public QObject {
         beside({{"a.raw", data}}));
     QVERIFY(file.hasValue());
     QCOMPARE(valuesIn(file->image), (std::vector<double>{-1000, 1000, 79000, -986}));
-    QCOMPARE(file->image.grid().place({1, 0, 1}), Vec3(3.0, 2.5, 3.0));
+    QCOMPARE(file->image.grid().position({1, 0, 1}), Vec3(3.0, 2.5, 3.0));
     QVERIFY(file->remarks.empty());
   }
 

@@ -26,7 +26,7 @@ class VolumeToImageTest : public QObject {
     for (int z = 0; z < size[2]; ++z)
       for (int y = 0; y < size[1]; ++y)
         for (int x = 0; x < size[0]; ++x, ++i) {
-          const double distance = image->grid().place(Vec3(x, y, z)).norm() - 4.0;
+          const double distance = image->grid().position(Vec3(x, y, z)).norm() - 4.0;
           if (std::abs(distance) < 3.0 * voxel) QVERIFY(std::abs(image->value(i) - distance) < 0.01);
           if (std::abs(distance) >= 4.0 * voxel) QVERIFY(image->value(i) * distance > 0.0);
         }

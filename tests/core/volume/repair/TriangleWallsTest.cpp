@@ -51,7 +51,7 @@ class TriangleWallsTest : public QObject {
         strip.triangles.push_back({first, first + 1, first + kSteps + 2});
         strip.triangles.push_back({first + kSteps + 2, first, first + kSteps + 1});
       }
-    std::swap(strip.triangles[100][0], strip.triangles[100][1]);  // which way one faces does not matter
+    std::swap(strip.triangles[100][0], strip.triangles[100][1]);  // the orientation of a triangle does not matter
     const auto made = volumeOfSurface(wallsOf(strip, kWall), kVoxel);
     QVERIFY(made.hasValue());
     QVERIFY2(made->nearShare > 1.0 - kThinShare, qPrintable(QString::number(made->nearShare)));

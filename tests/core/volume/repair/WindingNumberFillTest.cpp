@@ -53,8 +53,8 @@ class WindingNumberFillTest : public QObject {
              qPrintable(QString("%1 for %2").arg(predicted).arg(found)));
   }
 
-  // Of a hole of a hundred metres, in voxels of a millimetre, membranes alone would take more than there is; this is
-  // found before they are begun.
+  // Membranes over a hole of a hundred metres, in voxels of a millimetre, would need too much memory; this is detected
+  // before they are begun.
   void refused() {
     const Result<SurfaceVolume> made = volumeOfSurface(bowl(50'000.0, 0.0), 1.0);
     QCOMPARE(made.error().code, VolumeErrors::TooLarge);

@@ -15,8 +15,8 @@ class SegmentBrushTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A stroke takes the samples whose distance from the way, tried at many places of it, is within the radius, and no
-  // others; whatever the grid is, and over the border.
+  // A stroke paints exactly the samples whose distance from its line, tested at many points, is within the radius; for
+  // any grid, and over the border.
   void distances_data() {
     QTest::addColumn<Vec3>("from");
     QTest::addColumn<Vec3>("to");
@@ -54,8 +54,8 @@ class SegmentBrushTest : public QObject {
           double distance = 1e9;
           constexpr int kSteps = 400;
           for (int i = 0; i <= kSteps; ++i) {
-            const Vec3 p = grid.place(from + (to - from) * i / kSteps);
-            distance = std::min(distance, (grid.place(at.cast<double>()) - p).norm());
+            const Vec3 p = grid.position(from + (to - from) * i / kSteps);
+            distance = std::min(distance, (grid.position(at.cast<double>()) - p).norm());
           }
           if (std::abs(distance - brush.radius) < 1e-3) continue;  // the tries are apart
           const bool isPainted = distance < brush.radius && (plane < 0 || at[plane] == std::lround(to[plane]));
@@ -63,7 +63,7 @@ class SegmentBrushTest : public QObject {
         }
   }
 
-  // As large as the image and larger: bricks that are wholly within it, too.
+  // The brush is as large as the image and larger, so that it also contains whole bricks.
   void large() {
     const ImageVolume image = noise({70, 60, 50}, 9);
     const Vec3 middle(33.3, 30.1, 24.7);
@@ -79,7 +79,7 @@ class SegmentBrushTest : public QObject {
     }
   }
 
-  // What changes nothing takes no memory.
+  // Strokes that change nothing take no memory.
   void nothingNew() {
     const ImageVolume image = noise({40, 40, 40}, 4);
     Segment all({0.0, 99.0});

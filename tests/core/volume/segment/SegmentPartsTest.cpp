@@ -13,7 +13,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// What is filled from a sample over faces; the oracle of parts and of growing.
+// Returns the region filled from a sample over faces; the oracle of parts and of growing.
 std::vector<char> flooded(const std::vector<char>& flags, const std::array<int, 3>& size, const VoxelIndex& seed) {
   const auto at = [&](const VoxelIndex& i) {
     return static_cast<std::size_t>((i.z() * size[1] + i.y()) * size[0] + i.x());
@@ -76,7 +76,7 @@ class SegmentPartsTest : public QObject {
     QCOMPARE(flagsOf(image, parts.only(0, found)), flags);
   }
 
-  // How many parts a size leaves is what counting them says.
+  // The number of parts of at least a size is compared with counting them.
   void sizes() {
     const ImageVolume image = noise({30, 30, 30}, 3);
     const SegmentParts parts(image, Segment({75.0, 99.0}));

@@ -104,7 +104,7 @@ class SegmentToVolumeTest : public QObject {
     QCOMPARE(facesOf(box, Segment({5.0, 6.0})), 0.0);
   }
 
-  // What is predicted holds to a half for a ball, at every voxel.
+  // The prediction is correct to a half for a ball, at all voxel sizes.
   void prediction() {
     const ImageVolume image = twoBalls();
     const Segment segment({0.0, kNoEnd});

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint32_t kRed = 0x80ff0000;
 
-// The middle of the edge of the picture that a letter is at, in pixels, and the way of the patient that it names.
+// The middle of the picture's edge at a letter, in pixels, and the direction of the patient that it names.
 struct Edge {
   char letter;
   double x, y;
 };
 
-Vec3 wayOf(char letter) {
+Vec3 directionOf(char letter) {
   switch (letter) {
     case 'L':
       return {1, 0, 0};
@@ -44,8 +44,7 @@ class SlicePictureTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The letters are where those parts of the patient are: the way to each edge goes the way that its letter names.
-  // Axes that are exchanged and turned round as scanners store them.
+  // The direction to each edge is the one that its letter names. Axes are permuted and reversed as scanners store them.
   void orientation_data() {
     QTest::addColumn<Vec3>("x");
     QTest::addColumn<Vec3>("y");
@@ -65,17 +64,17 @@ class SlicePictureTest : public QObject {
     for (const SlicePlane plane : kSlicePlanes) {
       const SliceView view = sliceView(grid, plane);
       const double mx = 0.5 * (view.width - 1), my = 0.5 * (view.height - 1);
-      const Vec3 middle = grid.place(view.indexAt(mx, my, 3));
+      const Vec3 middle = grid.position(view.indexAt(mx, my, 3));
       for (const Edge& edge : {Edge{view.atLeft, 0, my}, Edge{view.atRight, 2 * mx, my}, Edge{view.atTop, mx, 0},
                                Edge{view.atBottom, mx, 2 * my}}) {
-        const Vec3 way = (grid.place(view.indexAt(edge.x, edge.y, 3)) - middle).normalized();
-        QVERIFY(way.dot(wayOf(edge.letter)) > 0.9);
+        const Vec3 direction = (grid.position(view.indexAt(edge.x, edge.y, 3)) - middle).normalized();
+        QVERIFY(direction.dot(directionOf(edge.letter)) > 0.9);
       }
       const auto back = view.pictureAt(view.indexAt(3.25, 4.5, 2));
       QCOMPARE(back[0], 3.25);
       QCOMPARE(back[1], 4.5);
-      // Slices go through the third way.
-      const Vec3 through = (grid.place(view.indexAt(0, 0, 1)) - grid.place(view.indexAt(0, 0, 0))).normalized();
+      // Slices follow one another along the third direction.
+      const Vec3 through = (grid.position(view.indexAt(0, 0, 1)) - grid.position(view.indexAt(0, 0, 0))).normalized();
       QVERIFY(std::abs(through[plane == SlicePlane::Axial ? 2 : plane == SlicePlane::Coronal ? 1 : 0]) > 0.9);
     }
   }

@@ -52,7 +52,7 @@ class ScanlineCrossingsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Whatever the triangles are, with cones on its boundaries each edge is passed equally often both ways.
+  // With cones on the boundaries of any triangles, each edge occurs equally often in both directions.
   void boundariesAreClosed() {
     QVERIFY(rc::check([] {
       TriangleSoup soup = anySoup();
@@ -129,10 +129,10 @@ class ScanlineCrossingsTest : public QObject {
     QVERIFY(!rows.isSimple());
     const ScanlineCrossings::Bounding found = rows.boundingBy([](const Vec3&, int whole) { return whole; });
     // Flat faces lie up to a thirtieth of the radius within.
-    for (const auto& [place, triangle] : found.places)
-      QVERIFY(std::min(std::abs((place - Vec3(0.1, 0.2, 0.3)).norm() - 19.7),
-                       std::abs((place - Vec3(50.1, 0.2, 0.3)).norm() - 7.88)) < 0.4);
-    QVERIFY(!found.places.empty());
+    for (const auto& [point, triangle] : found.points)
+      QVERIFY(std::min(std::abs((point - Vec3(0.1, 0.2, 0.3)).norm() - 19.7),
+                       std::abs((point - Vec3(50.1, 0.2, 0.3)).norm() - 7.88)) < 0.4);
+    QVERIFY(!found.points.empty());
     for (std::size_t i = 0; i < balls.triangles.size(); ++i) {
       const bool isWithin = i >= outer && i < outer + (balls.triangles.size() - outer) / 2;
       if (rows.crossed()[i]) QCOMPARE(static_cast<bool>(found.triangles[i]), !isWithin);

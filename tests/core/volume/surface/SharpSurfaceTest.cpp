@@ -28,7 +28,7 @@ bool isSound(const TriangleSoup& surface) {
          selfIntersections(rounded, surface.triangles)->empty();
 }
 
-// The distances of places along the edges of a box from a surface, ascending.
+// Returns the distances of points along the edges of a box from a surface, ascending.
 std::vector<double> distancesOfEdges(const TriangleSoup& box, const TriangleSoup& surface) {
   const TriangleHierarchy found(surface.points, surface.triangles);
   std::vector<double> distances;
@@ -107,7 +107,7 @@ class SharpSurfaceTest : public QObject {
     QVERIFY(sharp.points == marching.points);
   }
 
-  // Whatever the volume is, also samples at random: the surface is closed and manifold, and meets itself nowhere.
+  // The surface of any volume, also of random samples, is closed, manifold and free of self-intersections.
   void anyVolume() {
     std::mt19937 random(2);
     for (int round = 0; round < 8; ++round) {

@@ -122,7 +122,7 @@ class VolumeSurfaceTest : public QObject {
       }
   }
 
-  // What is renewed is what would be made from nothing; what has nothing to do with a change is not touched.
+  // Updated pieces equal newly made ones; pieces that a change does not affect are not touched.
   void updatesAreTheWhole_data() { pieceSizes(); }
   void updatesAreTheWhole() {
     QFETCH(int, cells);
@@ -141,7 +141,7 @@ class VolumeSurfaceTest : public QObject {
     }
     std::size_t kept = 0;
     for (const auto& [key, piece] : before.pieces()) {
-      const auto now = surface.pieces().find(key);  // of small ones some are cut away
+      const auto now = surface.pieces().find(key);  // some small ones are cut away
       kept += now != surface.pieces().end() && now->second == piece;
     }
     QVERIFY(kept > before.pieces().size() / 2 && kept < before.pieces().size());

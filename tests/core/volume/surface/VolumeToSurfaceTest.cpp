@@ -39,7 +39,7 @@ class VolumeToSurfaceTest : public QObject {
         const bool isCrossed = (inside >> corners[0] & 1) != (inside >> corners[1] & 1);
         QCOMPARE(passed.contains(e), isCrossed);
       }
-      // Within the cell no side is passed twice the same way.
+      // Within the cell no side occurs twice in the same direction.
       for (const auto& [side, times] : sides) QCOMPARE(times, 1);
     }
   }

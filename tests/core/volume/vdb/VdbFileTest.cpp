@@ -114,7 +114,7 @@ class VdbFileTest : public QObject {
     QVERIFY(!readVdb(" BDV", {}));
   }
 
-  // Whatever a file does to the library, it ends in a volume or an error.
+  // Any file results in a volume or an error, whatever it does to the library.
   void damaged() {
     const std::string good = fileOf({sphere()});
     for (std::size_t i = 0; i < 16; ++i) {

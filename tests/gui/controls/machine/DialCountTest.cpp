@@ -19,7 +19,7 @@ class DialCountTest : public QObject {
   void theRingDoesNotTurnTheWheel();
 };
 
-// Whatever the sign: turns · divisions + rest is the reading, and the rest is within a turn.
+// For any sign: turns · divisions + rest is the reading, and the rest is within a turn.
 void DialCountTest::turnsAndRestAreTheReading() {
   QVERIFY(rc::check("turns and rest are the reading", [] {
     DialCount count;
@@ -51,7 +51,7 @@ void DialCountTest::stepsComeBack() {
   }));
 }
 
-// The crank stands where the slide is; the ring is set on it.
+// The crank shows the position of the slide; the ring is set on it.
 void DialCountTest::theRingDoesNotTurnTheWheel() {
   DialCount count;
   count.setDivisions(50, 0.1);

@@ -32,15 +32,15 @@ struct DialFixture {
     const double angle = degrees * std::numbers::pi / 180.0;
     return (dial.centre() + QPointF(radius * std::sin(angle), -radius * std::cos(angle))).toPoint();
   }
-  // Clockwise from the top, in steps of 10 degrees.
+  // Drags clockwise from the top, in steps of 10 degrees.
   void drag(int from, int to) {
     QTest::mousePress(&dial, Qt::LeftButton, {}, at(from));
     const int step = to > from ? 10 : -10;
     for (int degrees = from; degrees != to; degrees += step) moveTo(at(degrees + step));
     QTest::mouseRelease(&dial, Qt::LeftButton, {}, at(to));
   }
-  void moveTo(const QPoint& place) {
-    QMouseEvent event(QEvent::MouseMove, place, dial.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, {});
+  void moveTo(const QPoint& point) {
+    QMouseEvent event(QEvent::MouseMove, point, dial.mapToGlobal(point), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(&dial, &event);
   }
   bool turnWheel(int delta, Qt::KeyboardModifiers modifiers = {}) {
@@ -80,7 +80,7 @@ class HandwheelDialTest : public QObject {
   void pictures();
 };
 
-// Two turns and a quarter clockwise are 11.25 mm, whatever the way; to the precision of pixels at a radius of 60.
+// Two turns and a quarter clockwise are 11.25 mm, on any path; to the precision of pixels at a radius of 60.
 void HandwheelDialTest::dragCountsTurns() {
   DialFixture fixture;
   QSignalSpy moved(&fixture.dial, &HandwheelDial::moved);
@@ -165,7 +165,7 @@ void HandwheelDialTest::keys() {
   QCOMPARE(fixture.dial.value(), 15.99);  // exactly: steps are counted, not added up
 }
 
-// As the ring of a slide: what is set to zero is the reading, the slide stays.
+// Like the ring of a slide: setting to zero changes the reading, the slide stays.
 void HandwheelDialTest::zeroRing() {
   DialFixture fixture;
   QSignalSpy zeroed(&fixture.dial, &HandwheelDial::zeroChanged), moved(&fixture.dial, &HandwheelDial::moved);
@@ -273,7 +273,7 @@ void HandwheelDialTest::marksDoNotTouch() {
   }
 }
 
-// Noise of a measured place far below a division does not make the picture tremble.
+// Noise of a measured position far below a division does not make the picture tremble.
 void HandwheelDialTest::anInvisibleChangeIsNotDrawn() {
   DialFixture fixture;
   fixture.dial.setValue(2.0);

@@ -60,7 +60,7 @@ struct ProgramFixture {
     }
     return {};
   }
-  // The columns that are underlined: "5-6".
+  // Returns the underlined columns: "5-6".
   QString underlined(int line) {
     int first = 0, last = 0;
     for (const QTextLayout::FormatRange& range : formats(line)) {
@@ -177,16 +177,16 @@ void ProgramEditorTest::marksInToolTips() {
   ProgramFixture fixture;
   fixture.editor.setMarks({{10, 5, Severity::Error, "G5 is not supported."}, {10, 8, Severity::Note, "X1 is inside."}});
   QTextCursor cursor(fixture.editor.document()->findBlockByNumber(9));
-  const QPoint place = fixture.editor.cursorRect(cursor).center();
-  QHelpEvent help(QEvent::ToolTip, place, fixture.editor.viewport()->mapToGlobal(place));
+  const QPoint point = fixture.editor.cursorRect(cursor).center();
+  QHelpEvent help(QEvent::ToolTip, point, fixture.editor.viewport()->mapToGlobal(point));
   QApplication::sendEvent(fixture.editor.viewport(), &help);
   QCOMPARE(QToolTip::text(), QString("G5 is not supported.\nX1 is inside."));
   QToolTip::hideText();
   auto* margin = fixture.editor.findChild<QWidget*>("programMargin");
-  QHelpEvent beside(QEvent::ToolTip, {4, place.y()}, margin->mapToGlobal(QPoint(4, place.y())));
+  QHelpEvent beside(QEvent::ToolTip, {4, point.y()}, margin->mapToGlobal(QPoint(4, point.y())));
   QApplication::sendEvent(margin, &beside);
   QCOMPARE(QToolTip::text(), QString("G5 is not supported.\nX1 is inside."));
-  QTest::mouseClick(margin, Qt::LeftButton, {}, {4, place.y()});
+  QTest::mouseClick(margin, Qt::LeftButton, {}, {4, point.y()});
   QCOMPARE(fixture.cursorLine(), 10);
 }
 
@@ -207,7 +207,7 @@ void ProgramEditorTest::goesFromMarkToMark() {
   QCOMPARE(fixture.editor.textCursor().positionInBlock(), 8);
 }
 
-// It is scrolled into view, and the cursor of the person stays.
+// The line is scrolled into view, and the user's cursor stays.
 void ProgramEditorTest::executedLine() {
   ProgramFixture fixture(longProgram(1000));
   fixture.editor.goTo(3);
@@ -217,7 +217,7 @@ void ProgramEditorTest::executedLine() {
   QVERIFY(fixture.shownFirst() > 480 && fixture.shownFirst() <= 500);
   const int first = fixture.shownFirst();
   fixture.editor.setCurrentLine(501);
-  QCOMPARE(fixture.shownFirst(), first);  // it is in sight: nothing jumps
+  QCOMPARE(fixture.shownFirst(), first);  // it is visible: nothing jumps
   fixture.editor.setCurrentLine(2);
   QVERIFY(fixture.shownFirst() <= 2);
   fixture.editor.setCurrentLine(100000);

@@ -16,7 +16,7 @@ using Kind = EditorWord::Kind;
 
 namespace {
 
-// "G1|prep X10|…": the words with the first letter of their kind.
+// Returns "G1|prep X10|…": the words with the first letter of their kind.
 QString wordsOf(const QString& line) {
   const std::map<Kind, QString> names{{Kind::Comment, "comment"},       {Kind::Preparatory, "prep"},
                                       {Kind::Machine, "machine"},       {Kind::Axis, "axis"},

@@ -56,7 +56,7 @@ void TimeAxisTest::distance() {
   QCOMPARE(axis.length(), 30.0);
   QCOMPARE(axis.length(0), 20.0);
   QCOMPARE(axis.timeAt(0, 5.0), 2.0);
-  QCOMPARE(axis.timeAt(0, 10.0), 4.0);  // where it came there, before the rest
+  QCOMPARE(axis.timeAt(0, 10.0), 4.0);  // time of arrival, before the rest
   QCOMPARE(axis.timeAt(0, 15.0), 7.0);
   QCOMPARE(axis.timeAt(0, 25.0), 8.0);
   QCOMPARE(axis.positionAt(0, 5.0), 10.0);

@@ -21,7 +21,7 @@ using namespace handwheel::test;
 
 namespace {
 
-// A pass of 10 s with a moderate and a strong event.
+// Returns a pass of 10 s with a moderate and a strong event.
 TimeLineRecording passOf(const QString& name, double duration, double mmPerSecond) {
   TimeLineRecording pass;
   pass.name = name;
@@ -54,7 +54,7 @@ struct TimeFixture {
   Widget* part(const char* name) {
     return panel.findChild<Widget*>(name);
   }
-  QPoint onTrack(double position) const {  // of the only lane
+  QPoint onTrack(double position) const {  // for the only lane
     return {static_cast<int>(std::lround(plot->screenX(position))), track->height() - 8};
   }
   TimeLinePanel panel;
@@ -159,8 +159,8 @@ void TimeLinePanelTest::playsOnItsOwn() {
   QVERIFY(!fixture.panel.isPlaying());
 }
 
-// At 30 Hz or more: its frames are counted beside a clock of 30 Hz in the same loop of events, which a busy machine
-// holds up by as much.
+// Playback is at 30 Hz or more: its frames are counted beside a clock of 30 Hz in the same event loop, which a busy
+// machine delays by as much.
 void TimeLinePanelTest::playsSmoothly() {
   TimeFixture fixture({passOf("pass", 100.0, 2.0)});
   const auto* own = fixture.part<QTimer>("timeTimer");
@@ -293,8 +293,8 @@ void TimeLinePanelTest::twoOverDistance() {
 
 void TimeLinePanelTest::toolTips() {
   TimeFixture fixture({passOf("pass", 10.0, 2.0)});
-  const QPoint place = fixture.onTrack(8.0);
-  QHelpEvent help(QEvent::ToolTip, place, fixture.track->mapToGlobal(place));
+  const QPoint point = fixture.onTrack(8.0);
+  QHelpEvent help(QEvent::ToolTip, point, fixture.track->mapToGlobal(point));
   QApplication::sendEvent(fixture.track, &help);
   QCOMPARE(QToolTip::text(), QString("Collision: tool holder with jaw"));
   QToolTip::hideText();

@@ -11,7 +11,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What stands beside a robot: added, selected, moved, hidden, removed in the window.
+// Bodies beside a robot: added, selected, moved, hidden, removed in the window.
 class CellBodiesWindowTest : public QObject {
   Q_OBJECT
 
@@ -43,14 +43,14 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(driver.settle());
     driver.showAll();
     QCOMPARE(driver.field("body.2.name"), "sphere");
-    const QPoint grip = driver.placeOf("body.1");
+    const QPoint grip = driver.pixelOf("body.1");
     QVERIFY(!grip.isNull());
     QTest::mouseClick(driver.view(), Qt::LeftButton, {}, grip);
     QCOMPARE(driver.field("body.1.name"), "box");
     QVERIFY(driver.field("body.2.name").isEmpty());
 
     auto* undo = driver.find<QAction>("undo");
-    const QString added = undo->text(), place = driver.field("body.1.x") + driver.field("body.1.y");
+    const QString added = undo->text(), position = driver.field("body.1.x") + driver.field("body.1.y");
     QTest::mousePress(driver.view(), Qt::LeftButton, {}, grip);
     driver.move(grip + QPoint(30, 10));
     QTest::keyClick(driver.view(), Qt::Key_Escape);  // takes it back
@@ -61,13 +61,13 @@ class CellBodiesWindowTest : public QObject {
     driver.move(grip + QPoint(40, 20));
     QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, grip + QPoint(40, 20));
     QVERIFY(undo->text().contains("Move box"));
-    QVERIFY(driver.field("body.1.x") + driver.field("body.1.y") != place);
+    QVERIFY(driver.field("body.1.x") + driver.field("body.1.y") != position);
     driver.click("quickActions/undo");
-    QCOMPARE(driver.field("body.1.x") + driver.field("body.1.y"), place);
+    QCOMPARE(driver.field("body.1.x") + driver.field("body.1.y"), position);
     QCOMPARE(undo->text(), added);
   }
 
-  // Where a new shape is put, a body comes back to from inside the robot; not one that the robot carries.
+  // A body inside the robot is moved to the position of new shapes; not one that the robot carries.
   void besideTheOthers() {
     CellWindow driver;
     driver.choose("add-box");
@@ -88,8 +88,8 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(!driver.find<QAction>("placeBeside")->isEnabled());
   }
 
-  // What a file would put into the robot stands beside the others, on the floor, and its message offers the place that
-  // the file says; where that is free it is kept. The ring reaches 10 mm above and below the origin of its file.
+  // A body that its file puts into the robot is placed beside the others, on the floor, and its message offers the pose
+  // of the file; if that is free it is kept. The ring reaches 10 mm above and below the origin of its file.
   void aFileThatIsInsideTheRobot() {
     const QTemporaryDir folder;
     const QString inside = folder.filePath("inside.stl"), apart = folder.filePath("apart.stl");
@@ -156,7 +156,7 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(driver.field("body.1.x").startsWith("0"));
     QVERIFY(release->isEnabled());
     driver.showAll();
-    const QPoint grip = driver.placeOf("body.1");
+    const QPoint grip = driver.pixelOf("body.1");
     QVERIFY(!grip.isNull());
     auto* undo = driver.find<QAction>("undo");
     QTest::mousePress(driver.view(), Qt::LeftButton, {}, grip);
@@ -177,20 +177,20 @@ class CellBodiesWindowTest : public QObject {
     driver.choose("add-box");
     QVERIFY(driver.settle());
     driver.showAll();
-    const QPoint grip = driver.placeOf("body.1");
+    const QPoint grip = driver.pixelOf("body.1");
     QVERIFY(!grip.isNull());
-    const auto place = [&] { return driver.field("body.1.x") + driver.field("body.1.y"); };
-    const QString before = place(), height = driver.field("body.1.z");
+    const auto position = [&] { return driver.field("body.1.x") + driver.field("body.1.y"); };
+    const QString before = position(), height = driver.field("body.1.z");
     auto* label = driver.find<QLabel>("toolReadout");
     QTest::mousePress(driver.view(), Qt::LeftButton, {}, grip);
     driver.move(grip + QPoint(40, 10));
-    QTRY_VERIFY(place() != before);
+    QTRY_VERIFY(position() != before);
     QCOMPARE(driver.field("body.1.z"), height);
     QVERIFY(label->isVisible());
     QVERIFY2(!label->text().contains("10000000"), qPrintable(label->text()));
     QTest::keyClick(driver.view(), Qt::Key_Escape);
     QVERIFY(!label->isVisible());
-    QTRY_COMPARE(place(), before);
+    QTRY_COMPARE(position(), before);
     QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, grip + QPoint(40, 10));
   }
 
@@ -251,13 +251,13 @@ class CellBodiesWindowTest : public QObject {
     driver.choose("add-cylinder");
     QVERIFY(driver.settle());
     driver.showAll();
-    QVERIFY(!driver.placeOf("body.1").isNull());
+    QVERIFY(!driver.pixelOf("body.1").isNull());
     driver.choose("hideBody");
     QVERIFY(driver.settle());
-    QVERIFY(driver.placeOf("body.1").isNull());
+    QVERIFY(driver.pixelOf("body.1").isNull());
     driver.choose("showBodies");
     QVERIFY(driver.settle());
-    QVERIFY(!driver.placeOf("body.1").isNull());
+    QVERIFY(!driver.pixelOf("body.1").isNull());
     driver.view()->setFocus();
     QTest::keyClick(driver.view(), Qt::Key_Delete);
     QVERIFY(driver.settle());
@@ -290,7 +290,7 @@ class CellBodiesWindowTest : public QObject {
     const auto sizeIn = [](const QString& text) {
       return QLocale().toDouble(text.section("measures ", 1).section(' ', 0, 0));
     };
-    const double millimetres = sizeIn(choose("mm:"));  // as it is
+    const double millimetres = sizeIn(choose("mm:"));  // Unscaled
     QVERIFY(millimetres > 0.0);
     const QString inches = choose("in:");
     QVERIFY2(std::abs(sizeIn(inches) - 25.4 * millimetres) < 0.002 * 25.4 * millimetres, qPrintable(inches));

@@ -21,7 +21,7 @@ class CellBodyListTest : public QObject {
     driver.choose("add-sphere");
     QVERIFY(driver.settle());
     driver.showAll();
-    QVERIFY(driver.placeOf("body.1").isNull());
+    QVERIFY(driver.pixelOf("body.1").isNull());
     QCOMPARE(driver.field("body.2.name"), "sphere");
     driver.clickRow(0);
     QCOMPARE(driver.field("body.1.name"), "box");
@@ -40,8 +40,8 @@ class CellBodyListTest : public QObject {
     QVERIFY(driver.settle());
     driver.showAll();
     const auto rows = [&] { return driver.list()->selectionModel()->selectedRows().size(); };
-    const QPoint place = driver.placeOf("body.1"), beside(driver.view()->width() / 2, 4);
-    QVERIFY(!place.isNull());
+    const QPoint pixel = driver.pixelOf("body.1"), beside(driver.view()->width() / 2, 4);
+    QVERIFY(!pixel.isNull());
     QCOMPARE(rows(), 1);
     for (const bool byKey : {true, false}) {
       if (byKey)
@@ -50,10 +50,10 @@ class CellBodyListTest : public QObject {
         QTest::mouseClick(driver.view(), Qt::LeftButton, {}, beside);
       QCOMPARE(rows(), 0);
       QVERIFY(driver.field("body.1.name").isEmpty());
-      QTest::mouseClick(driver.view(), Qt::LeftButton, {}, place);
+      QTest::mouseClick(driver.view(), Qt::LeftButton, {}, pixel);
       QCOMPARE(rows(), 1);
     }
-    const QPoint link = driver.placeOf("base_link/0");
+    const QPoint link = driver.pixelOf("base_link/0");
     if (!link.isNull()) {
       QTest::mouseClick(driver.view(), Qt::LeftButton, {}, link);
       QCOMPARE(rows(), 0);
@@ -146,9 +146,9 @@ class CellBodyListTest : public QObject {
     driver.choose("add-box");
     QVERIFY(driver.settle());
     driver.showAll();
-    const QPoint place = driver.placeOf("body.1");
+    const QPoint pixel = driver.pixelOf("body.1");
     QTest::keyClick(driver.view(), Qt::Key_Escape);
-    QTest::mouseClick(driver.view(), Qt::RightButton, {}, place);
+    QTest::mouseClick(driver.view(), Qt::RightButton, {}, pixel);
     auto* menu = driver.find<QMenu>("bodyMenu");
     QTRY_VERIFY(menu->isVisible());
     QCOMPARE(driver.field("body.1.name"), "box");

@@ -31,7 +31,7 @@ class ContactsWindow : public CellWindow {
 
 }  // namespace
 
-// Where things touch is marked in the view.
+// Contacts are marked in the view.
 class CellContactsWindowTest : public QObject {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class CellContactsWindowTest : public QObject {
     driver.showAll();
     QVERIFY(driver.settle());
     QTRY_VERIFY_WITH_TIMEOUT(driver.marked() > 20, kPatienceMs);
-    const QPoint grip = driver.placeOf("body.1");
+    const QPoint grip = driver.pixelOf("body.1");
     QVERIFY(!grip.isNull());
     const QPoint out(grip.x() < driver.view()->width() / 2 ? driver.view()->width() - 20 : 20, grip.y());
     driver.move(grip);

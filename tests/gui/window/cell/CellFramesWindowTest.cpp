@@ -150,7 +150,7 @@ class CellFramesWindowTest : public QObject {
     QVERIFY(!driver.text("messageText").contains("choose to work in it"));
   }
 
-  // Of two programs in one frame the second one names it only.
+  // With two programs in one frame the second one only names it.
   void aFrameThatIsDeclaredElsewhere() {
     FramesWindow driver;
     QVERIFY(driver.settle());

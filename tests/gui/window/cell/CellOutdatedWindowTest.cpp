@@ -47,7 +47,7 @@ class CellOutdatedWindowTest : public QObject {
     driver.choose("exportProgram");
     QVERIFY(!dialog());
     QVERIFY(driver.text("messageText").contains("outdated") && driver.text("messageText").contains("Target 1"));
-    driver.click("messageOther");  // as it is
+    driver.click("messageOther");  // Written unchanged
     const QTemporaryDir folder;
     QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.mod")));
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.mod was written"), kPatienceMs);
@@ -66,8 +66,8 @@ class CellOutdatedWindowTest : public QObject {
     QVERIFY(std::abs(number("tool.z") - (z - 10.0)) < 1e-2);
   }
 
-  // A stored configuration is set to where the robot stands: the path through it is outdated, until that is undone.
-  // Renamed, its place has the new name; removed, the path that keeps its joint values is named.
+  // A stored configuration is set to the present joint values: the path through it is outdated, until that is undone.
+  // If it is renamed, its waypoint has the new name; if it is removed, the path that keeps its joint values is named.
   void aConfigurationIsSetHere() {
     PlanningWindow driver;
     driver.storeAt("joint.joint_1", "60");

@@ -44,7 +44,7 @@ class TwoPaths : public PlanningWindow {
 
 }  // namespace
 
-// What the list says of the paths of a cell: it stays while something else is done, and is never empty.
+// The status of the paths of a cell in the list: it stays during other actions, and is never empty.
 class CellPathStatusWindowTest : public QObject {
   Q_OBJECT
 
@@ -59,7 +59,7 @@ class CellPathStatusWindowTest : public QObject {
     QCOMPARE(driver.remark(0), first);
     QVERIFY(driver.becomes(1, "free"));
     QCOMPARE(driver.remark(0), first);
-    driver.choose("add-box");  // of a body both hear; the selected one is verified at once
+    driver.choose("add-box");  // The body affects both paths; the selected one is verified at once
     QVERIFY(driver.settle());
     QCOMPARE(driver.remark(0), QString("not verified since the bodies were changed"));
     driver.click("quickActions/undo");
@@ -99,7 +99,7 @@ class CellPathStatusWindowTest : public QObject {
     TwoPaths driver;
     driver.choose("verifyAllPaths");
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("2 paths proven"), kPatienceMs);
-    driver.choose("add-box");  // in the way of both
+    driver.choose("add-box");  // An obstacle for both
     QVERIFY(driver.settle());
     driver.edit("body.1.x", "300");
     driver.edit("body.1.y", "0");
@@ -156,7 +156,8 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.becomes(1, "free"));
   }
 
-  // What planners compare paths by is beside the selected one, as the command line has it; also after opening.
+  // The measures by which planners compare paths are beside the selected one, with the values of the command line; also
+  // after opening.
   void measuresAreShown() {
     QTemporaryDir folder;
     const QString file = folder.filePath("cell.handwheel");
@@ -167,7 +168,7 @@ class CellPathStatusWindowTest : public QObject {
       driver.clickItem(driver.paths()->child(1));
       QVERIFY(driver.settle());
       for (const char* id : kIds) before += driver.shown(id);
-      // Nothing is in the way: joint 1 alone turns by 120 degrees, and nothing is near.
+      // There is no obstacle: joint 1 alone turns by 120 degrees.
       QCOMPARE(before[1], QString("2.094 rad"));
       QVERIFY(before[0].endsWith(" s") && before[2].startsWith("> "));
       bool isNumber = false;
@@ -281,7 +282,7 @@ class CellPathStatusWindowTest : public QObject {
   // A collision in the list leads to where it is deepest: there the time line shows it.
   void collisionsAreLinks() {
     TwoPaths driver;
-    driver.choose("add-box");  // in the way
+    driver.choose("add-box");  // An obstacle
     QVERIFY(driver.settle());
     driver.edit("body.1.x", "300");
     driver.edit("body.1.y", "0");
@@ -298,7 +299,7 @@ class CellPathStatusWindowTest : public QObject {
     QTRY_VERIFY(driver.find<QDockWidget>("pathDock")->isVisible());
     QTRY_VERIFY(driver.text("pathText").contains("collision"));
     QVERIFY(driver.find<TimeLinePanel>("pathTimeLine")->time() > 0.0);
-    emit detail->linkActivated("99");  // of what is not known any more
+    emit detail->linkActivated("99");  // A collision that no longer exists
     QVERIFY(driver.text("pathText").contains("collision"));
     driver.tree()->setCurrentItem(driver.configurations()->child(0));
     QVERIFY(!detail->isVisible());
@@ -321,7 +322,7 @@ class CellPathStatusWindowTest : public QObject {
     driver.tree()->setCurrentItem(driver.configurations()->child(1));
     QVERIFY(rename("right"));
     QTRY_COMPARE(driver.configurations()->child(1)->text(0), QString("right"));
-    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));  // a place has none
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));  // A waypoint has none
     QVERIFY(!driver.find<QAction>("renamePlan")->isEnabled());
   }
 
@@ -333,7 +334,7 @@ class CellPathStatusWindowTest : public QObject {
     driver.storeAt("joint.joint_1", "20");
     QCOMPARE(driver.configurations()->childCount(), 3);
     driver.click("messageAction");
-    QTest::qWait(50);  // what takes the focus does so later
+    QTest::qWait(50);  // Some widgets take the focus later
     auto* editor = driver.tree()->findChild<QLineEdit*>();
     QVERIFY(editor && editor->isVisible());
     // Without a window manager no window is active, but it knows what would get the keys.
@@ -344,7 +345,7 @@ class CellPathStatusWindowTest : public QObject {
     QTRY_COMPARE(driver.configurations()->child(2)->text(0), QString("approach"));
   }
 
-  // What becomes known of a path meanwhile does not end the typing of its name.
+  // New results for a path do not end the editing of its name.
   void isRenamedWhileTheListIsFilled() {
     PlanTree tree;
     CellPlans plans;
@@ -372,8 +373,8 @@ class CellPathStatusWindowTest : public QObject {
     QTRY_COMPARE(names, QStringList("weld"));
   }
 
-  // Of a path that leads beside its part and collides, too, both are said: what helps comes first. Only what was found
-  // of the cell as it is now.
+  // A path that is out of date and collides shows both: the remedy comes first. Only findings for the present cell
+  // count.
   void outdatedAndColliding() {
     RobotPath path{"weld", {{.joints = JointValues::Zero(6)}, {.joints = JointValues::Zero(6)}}};
     PathFindings found{.collisions = 1, .listed = {{1, "flange", "wall", -2.0}}};
@@ -417,7 +418,7 @@ class CellPathStatusWindowTest : public QObject {
     auto* const editor = qobject_cast<QLineEdit*>(tree.indexWidget(tree.currentIndex()));
     QVERIFY(editor);
     QCOMPARE(editor->text(), QString("Configuration 3"));
-    QTest::failOnWarning(QRegularExpression(QStringLiteral("closeEditor")));  // of an editor that is gone
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("closeEditor")));  // For an editor that no longer exists
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("Parked"));
     QTest::keyClick(editor, Qt::Key_Return);
@@ -434,7 +435,7 @@ class CellPathStatusWindowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // What a planner looks for is in menus by subject; no more entries than are seen at a glance.
+  // The actions of planners are in menus by subject; with few entries each.
   void menuIsGrouped() {
     PlanningWindow driver;
     auto* menu = driver.find<QMenu>("kindMenu/cell");

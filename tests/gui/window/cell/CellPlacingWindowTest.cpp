@@ -15,9 +15,9 @@ namespace {
 
 class PlacingWindow : public CellWindow {
  public:
-  QPoint screenOf(const Vec3& place) {
+  QPoint screenOf(const Vec3& point) {
     const CameraNavigation navigation(view()->camera(), Vec2(view()->width(), view()->height()));
-    const Vec2 at = navigation.toScreen(place);
+    const Vec2 at = navigation.toScreen(point);
     return {int(std::lround(at.x())), int(std::lround(at.y()))};
   }
   double number(const char* property) { return field(property).split(' ').front().toDouble(); }
@@ -80,10 +80,10 @@ class CellPlacingWindowTest : public QObject {
     driver.look(StandardView::Top);
     QVERIFY(driver.settle());
     const auto clickOn = [&](const std::string& part) {
-      const QPoint place = driver.placeOf(part);
-      QVERIFY(!place.isNull());
-      driver.move(place);
-      QTest::mouseClick(driver.view(), Qt::LeftButton, {}, place);
+      const QPoint pixel = driver.pixelOf(part);
+      QVERIFY(!pixel.isNull());
+      driver.move(pixel);
+      QTest::mouseClick(driver.view(), Qt::LeftButton, {}, pixel);
     };
     clickOn("body.1");
     auto* commit = driver.find<QAbstractButton>("toolAction/commit");

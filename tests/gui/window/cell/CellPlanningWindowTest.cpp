@@ -16,7 +16,8 @@ using namespace handwheel::test;
 
 namespace {
 
-// The robot above a block, with the tool for paths along curves, and a place in the view where the block is seen.
+// Places the robot above a block, with the tool for paths along curves. Returns a position in the view where the block
+// is seen.
 QPoint beforeABlock(PlanningWindow& driver) {
   driver.edit("joint.joint_2", "28.6");
   driver.edit("joint.joint_3", "45.8");
@@ -29,7 +30,7 @@ QPoint beforeABlock(PlanningWindow& driver) {
   if (!driver.settle()) return {};
   driver.view()->setStandardView(StandardView::Front);
   driver.showAll();
-  return driver.placeOf("body.1");
+  return driver.pixelOf("body.1");
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(driver.paths()->childCount(), 1);
   }
 
-  void placesAreEdited() {
+  void waypointsAreEdited() {
     PlanningWindow driver;
     driver.storeAt("joint.joint_1", "60");
     driver.storeAt("joint.joint_1", "-60");
@@ -79,23 +80,23 @@ class CellPlanningWindowTest : public QObject {
     driver.planPath();
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
     QTreeWidgetItem* path = driver.paths()->child(0);
-    const int places = path->childCount();
-    QVERIFY(places >= 2);
-    // Where the robot stands is inserted behind the first place, moved, set anew and removed.
+    const int count = path->childCount();
+    QVERIFY(count >= 2);
+    // The present configuration is inserted after the first waypoint, moved, set anew and removed.
     driver.edit("joint.joint_1", "10");
     driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
     driver.choose("insertPlace");
-    QCOMPARE(driver.paths()->child(0)->childCount(), places + 1);
+    QCOMPARE(driver.paths()->child(0)->childCount(), count + 1);
     QVERIFY(driver.tree()->currentItem()->text(0).contains("critical"));
     driver.choose("movePlaceUp");
     QVERIFY(driver.paths()->child(0)->child(0)->text(0).contains("critical"));
     driver.choose("removePlan");
-    QCOMPARE(driver.paths()->child(0)->childCount(), places);
+    QCOMPARE(driver.paths()->child(0)->childCount(), count);
     for (int i = 0; i < 3; ++i) driver.click("quickActions/undo");
-    QCOMPARE(driver.paths()->child(0)->childCount(), places);
+    QCOMPARE(driver.paths()->child(0)->childCount(), count);
   }
 
-  // Whatever end is selected, the goal stays the goal.
+  // The goal stays the goal whichever end is selected.
   void insertedBeforeTheGoal() {
     PlanningWindow driver;
     driver.storeAt("joint.joint_1", "60");
@@ -107,16 +108,16 @@ class CellPlanningWindowTest : public QObject {
     const QString goal = path()->child(path()->childCount() - 1)->text(0).section(':', 1);
     QVERIFY(!goal.isEmpty());
     for (const bool isPath : {true, false}) {
-      const int places = path()->childCount();
-      driver.tree()->setCurrentItem(isPath ? path() : path()->child(places - 1));
+      const int count = path()->childCount();
+      driver.tree()->setCurrentItem(isPath ? path() : path()->child(count - 1));
       driver.choose("insertPlace");
-      QCOMPARE(path()->childCount(), places + 1);
-      QCOMPARE(path()->child(places)->text(0).section(':', 1), goal);
-      QVERIFY(driver.tree()->currentItem() == path()->child(places - 1));
+      QCOMPARE(path()->childCount(), count + 1);
+      QCOMPARE(path()->child(count)->text(0).section(':', 1), goal);
+      QVERIFY(driver.tree()->currentItem() == path()->child(count - 1));
     }
   }
 
-  // Places in disorder are visited as they come on the way, in one step that can be undone.
+  // Waypoints in disorder are sorted along the path, in one step that can be undone.
   void aPathIsOptimised() {
     PlanningWindow driver;
     driver.storeAt("joint.joint_1", "60");
@@ -132,8 +133,8 @@ class CellPlanningWindowTest : public QObject {
       driver.choose("insertPlace");
     }
     driver.edit("joint.joint_1", "5");  // at none of them, so that going there is a step
-    const auto turnAt = [&](int place) {
-      driver.tree()->setCurrentItem(driver.paths()->child(0)->child(place));
+    const auto turnAt = [&](int waypoint) {
+      driver.tree()->setCurrentItem(driver.paths()->child(0)->child(waypoint));
       driver.choose("goToConfiguration");
       const QString text = driver.field("joint.joint_1");
       driver.click("quickActions/undo");
@@ -232,7 +233,7 @@ class CellPlanningWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free"), kPatienceMs);
     QCOMPARE(driver.paths()->child(0)->childCount(), 4);  // approach, both ends of the edge, retract
-    // Its process is among its fields: slower, and by another way there, each a step that plans it anew.
+    // Its process is among its fields: slower, and with another approach, each a step that plans it anew.
     driver.choose("jointTool");
     driver.clickItem(driver.paths()->child(0));
     QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
@@ -250,7 +251,7 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
     driver.click("quickActions/undo");
     QCOMPARE(driver.paths()->childCount(), 0);
-    // What is changed by hand stays when it is planned again.
+    // Manual changes stay when it is planned again.
     driver.click("quickActions/redo");
     driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
     driver.choose("removePlan");
@@ -290,12 +291,12 @@ class CellPlanningWindowTest : public QObject {
     QVERIFY(!dialog());
     QVERIFY(driver.text("messageText").contains("outdated"));
     QVERIFY(driver.text("messageText").contains("box"));
-    // What is said of a path goes with it.
+    // The results of a path follow its new name.
     driver.paths()->child(0)->setText(0, "weld");
     QVERIFY(!driver.find<QWidget>("messageOther")->isVisible());
     driver.choose("exportProgram");
     QVERIFY(driver.text("messageText").contains("weld is outdated"));
-    driver.click("messageOther");  // as it is
+    driver.click("messageOther");  // Written unchanged
     QTemporaryDir folder;
     QVERIFY(driver.enterFileName("exportProgramDialog", folder.filePath("way.mod")));
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("way.mod was written"), kPatienceMs);
@@ -310,10 +311,11 @@ class CellPlanningWindowTest : public QObject {
     QTRY_VERIFY(dialog());
   }
 
-  // What meets where the robot is may touch from now on, by a list of the pairs found; one undo step.
+  // The pair that collides at the present configuration may touch from now on, by a list of the pairs found; one undo
+  // step.
   void pairsAreAllowed() {
     PlanningWindow driver;
-    driver.choose("add-box");  // where the arm is
+    driver.choose("add-box");  // At the arm
     QVERIFY(driver.settle());
     driver.edit("body.1.x", "300");
     driver.edit("body.1.y", "0");
@@ -358,7 +360,7 @@ class CellPlanningWindowTest : public QObject {
     const QString before = driver.text("pathText");
     line->advance(0.5);
     QTRY_VERIFY(driver.text("pathText") != before);
-    // What is stored now is what the view shows: between the ends, that is not where the robot stands.
+    // Stored values are those of the view: between the ends, they differ from the document's.
     driver.choose("storeConfiguration");
     const auto first = [&] { return driver.field("joint.joint_1").split(' ').front().toDouble(); };
     QTRY_VERIFY(std::abs(first() - 60.0) > 1.0 && std::abs(first() + 60.0) > 1.0);  // the fields show it, too
@@ -370,8 +372,8 @@ class CellPlanningWindowTest : public QObject {
     QVERIFY(std::abs(first() + 60.0) > 1.0);
   }
 
-  // Who changes a joint while a path is played takes the robot from where it is seen; two steps back it is where it
-  // stood.
+  // A joint that is changed while a path is played starts at the displayed values; two undo steps lead back to the
+  // original ones.
   void aShownPoseIsEdited() {
     PlanningWindow driver;
     beginToPlay(driver);
@@ -387,7 +389,7 @@ class CellPlanningWindowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(angle("joint.joint_1"), -60.0);
     QVERIFY(driver.settle());
-    // Where it is sent it is seen, also where it stands already.
+    // The robot is shown at its destination, also if it is there already.
     driver.choose("pathDockToggle");
     QTRY_COMPARE(angle("joint.joint_1"), 60.0);
     driver.tree()->setCurrentItem(driver.configurations()->child(1));

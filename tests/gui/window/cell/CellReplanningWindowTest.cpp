@@ -17,9 +17,9 @@ using namespace handwheel::test;
 namespace {
 
 // Two configurations, and between them a path if that is wanted.
-class TwoPlaces : public PlanningWindow {
+class TwoWaypoints : public PlanningWindow {
  public:
-  explicit TwoPlaces(bool hasPath) {
+  explicit TwoWaypoints(bool hasPath) {
     storeAt("joint.joint_1", "60");
     storeAt("joint.joint_1", "-60");
     if (!settle()) qFatal("the cell is not prepared");
@@ -77,14 +77,14 @@ class LongTool : public PlanningWindow {
 
 }  // namespace
 
-// What happens when a plan is late, is asked for often, or begins without a cell.
+// Plans that are late, requested often, or begun without a cell.
 class CellReplanningWindowTest : public QObject {
   Q_OBJECT
 
  private slots:
   // The cell changes while a path is planned: it is said, and the plan is made again when it is asked for.
   void aPlanThatComesTooLate() {
-    TwoPlaces driver(false);
+    TwoWaypoints driver(false);
     driver.hold();
     driver.planPath();
     driver.choose("add-box");
@@ -96,9 +96,9 @@ class CellReplanningWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
   }
 
-  // Who cancels the preparation and then asks for something that needs it begins it again.
+  // A request that needs the cell after its preparation was cancelled begins it again.
   void aCancelledPreparation() {
-    TwoPlaces driver(false);
+    TwoWaypoints driver(false);
     driver.hold();
     driver.choose("add-box");
     driver.click("jobCancel");
@@ -111,26 +111,26 @@ class CellReplanningWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
   }
 
-  // What was changed by hand while the path is planned again stays; the plan is another path.
+  // Manual changes while the path is planned again stay; the plan becomes another path.
   void changesByHandStay() {
-    TwoPlaces driver(true);
-    const int places = driver.paths()->child(0)->childCount();
+    TwoWaypoints driver(true);
+    const int count = driver.paths()->child(0)->childCount();
     driver.hold();
     driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
     driver.choose("planPathAgain");
     driver.choose("insertPlace");
     driver.release();
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 2, kPatienceMs);
-    QCOMPARE(driver.paths()->child(0)->childCount(), places + 1);
+    QCOMPARE(driver.paths()->child(0)->childCount(), count + 1);
     QVERIFY(driver.text("messageText").contains("changed while"));
     driver.click("quickActions/undo");
     QCOMPARE(driver.paths()->childCount(), 1);
-    QCOMPARE(driver.paths()->child(0)->childCount(), places + 1);
+    QCOMPARE(driver.paths()->child(0)->childCount(), count + 1);
   }
 
   // Whoever presses again and again waits for one verification.
   void verificationsDoNotPileUp() {
-    TwoPlaces driver(true);
+    TwoWaypoints driver(true);
     driver.tree()->setCurrentItem(driver.paths()->child(0));
     driver.hold();
     for (int i = 0; i < 5; ++i) driver.choose("verifyPath");
@@ -143,7 +143,7 @@ class CellReplanningWindowTest : public QObject {
 
   // By a worker: written as a program, opened again, and free of collisions like before.
   void programsThereAndBack() {
-    TwoPlaces driver(true);
+    TwoWaypoints driver(true);
     QTemporaryDir folder;
     const QString file = folder.filePath("way.mod");
     driver.tree()->setCurrentItem(driver.paths()->child(0));
@@ -162,7 +162,7 @@ class CellReplanningWindowTest : public QObject {
   // The language follows the ending; at first it is that of the robot's controller, in the folder used last, by the
   // name of the path. Another type changes the ending.
   void theLanguageOfTheEnding() {
-    TwoPlaces driver(true);
+    TwoWaypoints driver(true);
     QTemporaryDir folder;
     QSettings().setValue("lastFolder", folder.path());
     driver.tree()->setCurrentItem(driver.paths()->child(0));

@@ -91,7 +91,7 @@ class CellRobotsWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
     QVERIFY(driver.settle());
     driver.view()->setCamera(driver.view()->camera());  // at once where it flies to
-    QVERIFY(!driver.placeOf("ur5_link_2/0").isNull());
+    QVERIFY(!driver.pixelOf("ur5_link_2/0").isNull());
     const auto plan = [&](const char* joint, const char* from, const char* to) {
       driver.edit(joint, from);
       driver.choose("storeConfiguration");
@@ -121,7 +121,7 @@ class CellRobotsWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(remark(1).contains("free"), kPatienceMs);
   }
 
-  // What was selected last has its fields in the panel: a body, the robot in the list, a robot in the view.
+  // The latest selection has its fields in the panel: a body, the robot in the list, a robot in the view.
   void theFieldsOfWhatWasSelectedLast() {
     TwoRobotsWindow driver;
     driver.addBuiltIn();
@@ -134,7 +134,7 @@ class CellRobotsWindowTest : public QObject {
     QVERIFY(isOfRobot() && !isOfBody());
     driver.clickRow(0);
     QVERIFY(isOfBody() && !isOfRobot());
-    const QRect row = driver.tree()->visualItemRect(driver.robot(1));  // which is the current one still
+    const QRect row = driver.tree()->visualItemRect(driver.robot(1));  // Still the current row
     driver.tree()->scrollToItem(driver.robot(1));
     QTest::mouseClick(driver.tree()->viewport(), Qt::LeftButton, {},
                       driver.tree()->visualItemRect(driver.robot(1)).center());
@@ -145,7 +145,7 @@ class CellRobotsWindowTest : public QObject {
     QVERIFY(isOfBody());
     driver.showAll();
     QVERIFY(driver.settle());
-    const QPoint link = driver.placeOf("ur5_link_2/0");
+    const QPoint link = driver.pixelOf("ur5_link_2/0");
     QVERIFY(!link.isNull());
     QTest::mouseClick(driver.view(), Qt::LeftButton, {}, link);
     QTRY_VERIFY(isOfRobot() && !isOfBody());
@@ -196,7 +196,8 @@ class CellRobotsWindowTest : public QObject {
     QCOMPARE(number("robot.ur5.x"), base.x());
   }
 
-  // Where links are dragged the hint says what moves a base; with that tool any link does, and no joint moves.
+  // While links are dragged the hint names the tool that moves a base; with that tool any link does, and no joint
+  // moves.
   void draggedByALink() {
     TwoRobotsWindow driver;
     const auto hint = [&] { return driver.find<HintBar>("hintBar")->accessibleName(); };
@@ -209,7 +210,7 @@ class CellRobotsWindowTest : public QObject {
     driver.view()->setStandardView(StandardView::Top);
     driver.showAll();
     QVERIFY(driver.settle());
-    const QPoint link = driver.placeOf("ur5_link_2/0");
+    const QPoint link = driver.pixelOf("ur5_link_2/0");
     QVERIFY(!link.isNull());
     driver.tree()->setCurrentItem(driver.robot(1));
     const auto number = [&](const char* field) { return driver.field(field).split(' ').front().toDouble(); };

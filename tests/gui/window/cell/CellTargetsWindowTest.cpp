@@ -29,7 +29,7 @@ class TargetsWindow : public CellWindow {
 
 }  // namespace
 
-// Targets in the window, and the ways of the arm to the pose of its tool.
+// Targets in the window, and the solutions of the arm for the pose of its tool.
 class CellTargetsWindowTest : public QObject {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class CellTargetsWindowTest : public QObject {
     QCOMPARE(driver.targets()->childCount(), 1);
   }
 
-  // Of each axis its own colour, and lengths along the axes of the pose.
+  // Each axis has its own colour, and lengths along the axes of the pose.
   void axesAreReported() {
     Pose pose = Pose::Identity();
     pose.linear() = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vec3::UnitZ()).toRotationMatrix();
@@ -122,7 +122,7 @@ class CellTargetsWindowTest : public QObject {
   }
 
   // Chosen from a list, with the mouse alone.
-  void aWayIsChosen() {
+  void aSolutionIsChosen() {
     TargetsWindow driver;
     driver.bend();
     QVERIFY(driver.settle());

@@ -14,7 +14,7 @@
 
 namespace handwheel::test {
 
-// A window with the sample robot and its means to look at bodies.
+// A window with the sample robot and access to its bodies.
 class CellWindow : public WindowDriver {
  public:
   CellWindow() {
@@ -22,19 +22,19 @@ class CellWindow : public WindowDriver {
     if (!settle()) qFatal("the sample does not open");
   }
   Viewport* view() { return find<Viewport>("viewport"); }
-  // At once, where the camera would take its time.
+  // Fits the view at once, without the camera's flight.
   void showAll() {
     view()->fit();
     view()->setCamera(view()->camera());
   }
   QString figures() { return text("figures"); }
 
-  // The text of a field of the selected body in the panel of the cell; none where it is not listed.
+  // Returns the text of a field of the selected body in the panel of the cell; empty if it is not listed.
   QString field(const char* property) {
     const auto* line = lineOf(property);
     return line ? line->text() : QString();
   }
-  // As edit(), but in the panel of the cell, which knows what the view shows.
+  // Edits a property in the panel of the cell, which follows the view.
   void editInPanel(const char* property, const QString& value) {
     auto* line = lineOf(property);
     if (!line) qFatal("%s is not in the panel", property);
@@ -46,15 +46,15 @@ class CellWindow : public WindowDriver {
   QLineEdit* lineOf(const char* property) {
     const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
     for (auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
-      // One that was hidden is about to be deleted; a new one is shown with the next event.
+      // A hidden row is about to be deleted; a new one is shown with the next event.
       const bool isLeaving = row->isHidden() && row->testAttribute(Qt::WA_WState_ExplicitShowHide);
       if (!isLeaving) return row->findChild<QLineEdit*>();
     }
     return nullptr;
   }
 
-  // A place in the view where this part is seen; null where it is not.
-  QPoint placeOf(const std::string& part) {
+  // Returns a position in the view where this part is seen; null if there is none.
+  QPoint pixelOf(const std::string& part) {
     if (!QTest::qWaitFor([this] { return view()->isPickingReady(); }, kPatienceMs)) return {};
     for (int y = 10; y < view()->height(); y += 6) {
       for (int x = 10; x < view()->width(); x += 6) {
@@ -78,17 +78,17 @@ class CellWindow : public WindowDriver {
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(index).center());
   }
 
-  // Drags rows of the list onto another one, as a person does who has pressed on one of them. False: not accepted
-  // there.
+  // Drags rows of the list onto another one, as a user who has pressed on one of them. Returns false if it is not
+  // accepted there.
   bool dropOn(const QModelIndexList& bodies, const QModelIndex& onto) {
     const std::unique_ptr<QMimeData> data(rows().mimeData(bodies));
     list()->scrollTo(onto);
-    const QPoint place = list()->visualRect(onto).center();
-    QDragEnterEvent enter(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    const QPoint pixel = list()->visualRect(onto).center();
+    QDragEnterEvent enter(pixel, Qt::MoveAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(list()->viewport(), &enter);
-    QDragMoveEvent over(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QDragMoveEvent over(pixel, Qt::MoveAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(list()->viewport(), &over);
-    QDropEvent drop(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+    QDropEvent drop(pixel, Qt::MoveAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(list()->viewport(), &drop);
     return enter.isAccepted() && over.isAccepted() && drop.isAccepted();
   }

@@ -52,8 +52,8 @@ class HandGuidingWindowTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A drag is one undo step, and Space makes a place of where the robot is: the first begins a path.
-  void placesAreTaught() {
+  // A drag is one undo step, and Space makes a waypoint of the present configuration: the first begins a path.
+  void waypointsAreTaught() {
     HandGuidingWindow driver;
     const QStringList before = driver.joints();
     QCOMPARE(driver.paths()->childCount(), 1);

@@ -21,7 +21,7 @@ class PlanningWindow : public CellWindow {
     tree()->scrollToItem(item);
     QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualItemRect(item).center());
   }
-  // The text of a field of the panel that is only read; none where it is not listed.
+  // Returns the text of a read-only field of the panel; empty if it is not listed.
   QString shown(const char* property) {
     const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
     const auto* row = find<QDockWidget>("kindDock")->findChild<QWidget*>(name);
@@ -32,7 +32,7 @@ class PlanningWindow : public CellWindow {
     edit(joint, value);
     choose("storeConfiguration");
   }
-  // Between the first configuration and the last.
+  // Plans between the first configuration and the last.
   void planPath() {
     choose("planPath");
     auto* dialog = find<QDialog>("planDialog");

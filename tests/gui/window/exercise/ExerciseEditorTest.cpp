@@ -28,7 +28,7 @@ class ExerciseEditorTest : public QObject {
  private slots:
   void init() { QSettings().clear(); }
 
-  // "h10" becomes the limits that it stands for.
+  // "h10" is replaced by its limits.
   void aToleranceInTheEditor() {
     WindowDriver driver;
     driver.choose("newExercise");
@@ -54,7 +54,7 @@ class ExerciseEditorTest : public QObject {
     menu->actions().first()->trigger();
     driver.edit("criterion.c2.points", "3");
     QTRY_VERIFY2(driver.text("criteria/sum").contains("10.5"), qPrintable(driver.text("criteria/sum")));
-    // Students read the class beside the limits that it stands for.
+    // Students read the class beside its limits.
     driver.choose("studentCopy");
     QVERIFY(driver.settle());
     QString sizes;
@@ -117,7 +117,7 @@ class ExerciseEditorTest : public QObject {
     const auto* const remarks = page->findChild<QLabel*>("propertyRemarks");
     QVERIFY(remarks && remarks->text().isEmpty());
     Document& exercise = driver.window().findChild<DocumentTabs*>()->current()->document;
-    const auto places = [&] {
+    const auto positions = [&] {
       QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // nothing waits to be laid out
       QList<int> heights;
       for (const char* const id : {"at1", "lower", "points", "slack", "hidden"}) {
@@ -131,7 +131,7 @@ class ExerciseEditorTest : public QObject {
     // The panels get their widths some time after the window is shown, and narrow names have more lines.
     for (int same = 0, width = 0; same < 5; same = page->width() == std::exchange(width, page->width()) ? same + 1 : 0)
       QTest::qWait(100);
-    const QList<int> before = places();
+    const QList<int> before = positions();
     QVERIFY(!before.contains(-1));
     for (const QString& text : {bad, good, bad, good}) {
       field->setFocus();
@@ -139,14 +139,14 @@ class ExerciseEditorTest : public QObject {
       QTest::keyClicks(field, text);
       QTest::keyClick(field, Qt::Key_Return);
       QTRY_COMPARE(remarks->text().isEmpty(), text == good);
-      QTRY_COMPARE(places(), before);
+      QTRY_COMPARE(positions(), before);
     }
     for (const char* const limit : {"criterion.d36.lower", "criterion.d36.upper"})
       QVERIFY(exercise.setProperty(limit, std::string()));
     QTRY_VERIFY2(remarks->text().contains("they cannot be scored without a limit"), qPrintable(remarks->text()));
     driver.click("quickActions/undo");
     QTRY_VERIFY(remarks->text().isEmpty());
-    QTRY_COMPARE(places(), before);
+    QTRY_COMPARE(positions(), before);
   }
 
   // The marks of a step are checked in a list, and its hints are rows of another; each change is one undo step.
@@ -221,13 +221,13 @@ class ExerciseEditorTest : public QObject {
     driver.click("quickActions/undo");
     driver.click("quickActions/undo");
     QTRY_COMPARE(steps->count(), 0);
-    // What students see is another document, without an editor.
+    // The student's copy is another document, without an editor.
     driver.choose("studentCopy");
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 2);
     QVERIFY(driver.find<QWidget>("exercisePage")->isVisible());
     QVERIFY(!editor->isVisible());
-    // It is called by its title and what it is, and so is its file: neither is taken for the teacher's.
+    // It is named by its title and its kind, and so is its file: neither is taken for the teacher's.
     QCOMPARE(driver.find<DocumentTabs>("tabRow")->current()->document.name(), QStringLiteral("Bolt, student's copy"));
     driver.choose("saveFile");
     auto* dialog = driver.find<QFileDialog>("saveDialog");
@@ -280,7 +280,7 @@ class ExerciseEditorTest : public QObject {
     QVERIFY(!driver.window().isWindowModified());
   }
 
-  // A teacher who tries the copy begins with a new bar, though the own work is still open.
+  // A teacher who tries the copy begins with a new bar, even if the teacher's own work is still open.
   void theCopyHasWorkOfItsOwn() {
     WindowDriver driver;
     driver.choose("exercise/shaft");
@@ -299,7 +299,7 @@ class ExerciseEditorTest : public QObject {
     QCOMPARE(driver.tabs(), 4);
     const DocumentTab* const tried = tabs->current();
     QVERIFY(tried != own && driver.find<QDockWidget>("lessonDock")->isVisible());
-    // Each goes on with its own.
+    // Each continues with its own work.
     bar->setCurrentIndex(2);
     driver.choose("beginExercise");
     QVERIFY(driver.settle());
@@ -331,14 +331,14 @@ class ExerciseEditorTest : public QObject {
     auto* bar = driver.find<QTabBar>("documentTabBar");
     bar->setCurrentIndex(0);
     QTRY_VERIFY(isInFront("kindDock") && driver.find<QWidget>("exerciseEditor")->isVisible());
-    // So after any other panel.
+    // The same holds after any other panel.
     bar->setCurrentIndex(1);
     driver.find<QDockWidget>("viewDock")->raise();
     QTRY_VERIFY(isInFront("viewDock"));
     bar->setCurrentIndex(0);
     QTRY_VERIFY(isInFront("kindDock"));
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Exercise"));
-    // Also after the panel of the part was closed.
+    // The same holds after the panel of the part was closed.
     bar->setCurrentIndex(1);
     driver.find<QDockWidget>("kindDock")->close();
     QTRY_VERIFY(!isInFront("kindDock"));
@@ -346,7 +346,7 @@ class ExerciseEditorTest : public QObject {
     QTRY_VERIFY(isInFront("kindDock") && driver.find<QWidget>("exerciseEditor")->isVisible());
   }
 
-  // Where the exercise wants all done by hand, no program is run or made, and the panel says why.
+  // If the exercise is to be done by hand, no program is run or made, and the panel gives the reason.
   void programsAreRefused() {
     WindowDriver driver;
     driver.choose("exercise/shaft");

@@ -47,7 +47,7 @@ bool beginTurning(TurningWindow& turning, const char* command) {
 
 }  // namespace
 
-// The ways of a student and of a teacher through the window.
+// The procedures of a student and of a teacher through the window.
 class ExerciseWindowTest : public QObject {
   Q_OBJECT
 
@@ -60,7 +60,7 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Exercise"));
     QVERIFY(!driver.find<QDockWidget>("lessonDock")->isVisible());
-    // Who reads the task knows the sizes.
+    // The task shows the sizes.
     QVERIFY2(labelsOf(driver.find<QWidget>("exercisePage")).contains(QStringLiteral("⌀30 ±0.5: 29.5 … 30.5 mm")),
              qPrintable(labelsOf(driver.find<QWidget>("exercisePage"))));
     QTest::mouseClick(partOfLesson<QPushButton>(driver, "exercisePage", "lesson/begin"), Qt::LeftButton);
@@ -92,7 +92,7 @@ class ExerciseWindowTest : public QObject {
     const auto* const sizes = partOfLesson<QLabel>(driver, "exerciseLesson", "lesson/sizes");
     QTRY_VERIFY(sizes->visibleRegion().boundingRect().height() > sizes->fontMetrics().height());
     QTRY_VERIFY(sizes->visibleRegion().contains(QPoint(2, 2)));  // the first of them is in view
-    // What was measured looks old once the work is another one, and new when it is measured again.
+    // Measured sizes look outdated once the work is changed, and new when it is measured again.
     QVERIFY(sizes->isEnabled());
     QVERIFY(driver.window().findChild<DocumentTabs*>()->current()->document.setProperty("chord", 0.05));
     QTRY_VERIFY(!sizes->isEnabled() && sizes->text().startsWith("The work was changed since"));
@@ -109,7 +109,7 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(sizes->text(), measured);
     QVERIFY(sizes->isEnabled());
-    // What is cut while it is measured is measured, too: ⌀30 up to the shoulder at Z 50, at 0.25 mm per revolution.
+    // Cuts made during a measurement are measured, too: ⌀30 up to the shoulder at Z 50, at 0.25 mm per revolution.
     auto& work = static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
     TurningPass pass;
     pass.noseRadius = 0.8;
@@ -120,7 +120,7 @@ class ExerciseWindowTest : public QObject {
     work.commit("Turn", std::make_unique<TurnedPartEdit>(part));
     QVERIFY(driver.settle());
     QTRY_VERIFY2(sizes->isEnabled() && sizes->text().contains(QStringLiteral("✓ ⌀30 ±0.5")), qPrintable(sizes->text()));
-    // So does a crash, which is no undo step, but not what the lesson keeps itself: its name and its time.
+    // A crash outdates them, too, which is no undo step, but not the data of the lesson itself: its name and its time.
     QTest::keyClicks(partOfLesson<QLineEdit>(driver, "exerciseLesson", "lesson/name"), "A");
     QTest::qWait(1200);  // two ticks of its clock
     QVERIFY(sizes->isEnabled());
@@ -132,7 +132,7 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(!partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn")->isEnabled());
   }
 
-  // The work is a document: saved and opened another day, the lesson goes on with its hints, its time and its name.
+  // The work is a document: saved and opened another day, the lesson continues with its hints, its time and its name.
   void theNextDay() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("work.handwheel");
@@ -155,7 +155,7 @@ class ExerciseWindowTest : public QObject {
       QVERIFY(driver.settle());
       QCOMPARE(driver.tabs(), 2);
       QVERIFY(driver.find<QDockWidget>("lessonDock")->isVisible());
-      // Closed by mistake, it comes back by the menu View; the search finds it by what it is for.
+      // Closed by mistake, it comes back by the menu View; the search finds it by its purpose.
       auto* const toggle = driver.window().findChild<QAction*>("lessonDockToggle");
       QVERIFY(toggle && driver.window().findChild<QMenu*>("viewMenu")->actions().contains(toggle));
       for (const char* word : {"measure", "hand in"}) QVERIFY(toggle->toolTip().contains(QLatin1String(word)));
@@ -258,7 +258,7 @@ class ExerciseWindowTest : public QObject {
     const double marked = rows->index(0, column).data().toString().toDouble();
     QVERIFY2(std::abs(marked - expected) < 0.02, qPrintable(QStringLiteral("%1 for %2 mm").arg(marked).arg(worst)));
 
-    // What was handed in is played beside the work.
+    // A submission is played beside the work.
     driver.find<QTabBar>("documentTabBar")->setCurrentIndex(1);
     QVERIFY(driver.settle());
     driver.choose("replayDockToggle");
@@ -323,8 +323,8 @@ class ExerciseWindowTest : public QObject {
     QVERIFY(exercise.exercise().task == before);
   }
 
-  // A drawing becomes the target where the dialog says it lies in the bar, in one undo step; what is no drawing says so
-  // by its name.
+  // A drawing becomes the target at the position in the bar that the dialog shows, in one undo step; a file that is not
+  // a drawing is refused by its name.
   void theTargetFromADrawing() {
     const QTemporaryDir folder;
     const auto put = [&folder](const char* name, const QByteArray& bytes) {
@@ -336,14 +336,14 @@ class ExerciseWindowTest : public QObject {
                               "<svg xmlns='http://www.w3.org/2000/svg' width='60mm' height='20mm' viewBox='0 0 60 20'>"
                               "<line id='axis' x1='0' y1='20' x2='60' y2='20'/>"
                               "<path d='M0,20 L0,2 L40,2 L40,8 L60,8 L60,20'/></svg>");
-    const QString text = put("notes.dxf", "hello");
+    const QString notes = put("notes.dxf", "hello");
     WindowDriver driver;
     driver.choose("newExercise");
     QVERIFY(driver.settle());
     auto& exercise = static_cast<ExerciseDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
     const TaskPointer before = exercise.exercise().task;
     driver.choose("importExerciseTarget");
-    QVERIFY(driver.enterFileName("exerciseTargetDialog", text));
+    QVERIFY(driver.enterFileName("exerciseTargetDialog", notes));
     QVERIFY(driver.settle());
     QTRY_VERIFY2(driver.text("messageText").contains("notes.dxf"), qPrintable(driver.text("messageText")));
     QVERIFY(exercise.exercise().task == before);
@@ -354,9 +354,9 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(driver.window().findChild<QDialog*>("targetPlaceDialog"));
     auto* dialog = driver.find<QDialog>("targetPlaceDialog");
     QTRY_VERIFY(dialog->isVisible());
-    const auto faceIs = [&](const QString& place) {
+    const auto faceIs = [&](const QString& text) {
       const auto labels = dialog->findChild<QWidget*>("property/target_face")->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) { return each->text() == place; });
+      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) { return each->text() == text; });
     };
     QVERIFY(faceIs("99\u00a0mm"));
     dialog->reject();
@@ -378,12 +378,12 @@ class ExerciseWindowTest : public QObject {
       QTest::keyClick(facing(), Qt::Key_Tab);
     };
     QVERIFY(facing()->text().startsWith(QLatin1Char('1')));
-    // 60 mm do not fit behind 50 mm in a bar of 100; what is said of that goes with it.
+    // 60 mm do not fit behind 50 mm in a bar of 100; the warning about that disappears with it.
     enter("50");
     QTRY_VERIFY_WITH_TIMEOUT(labelsOf(dialog).contains("does not fit"), kPatienceMs);
     enter("2.5");
     QTRY_VERIFY_WITH_TIMEOUT(!labelsOf(dialog).contains("does not fit"), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(faceIs("97.5\u00a0mm"), kPatienceMs);  // nothing in the dialog tells another place
+    QTRY_VERIFY_WITH_TIMEOUT(faceIs("97.5\u00a0mm"), kPatienceMs);  // no text in the dialog shows another position
     QVERIFY(!labelsOf(dialog).contains("behind the free end of the bar"));
     // The end of ⌀24 is at the largest X of the drawing; end for end, that of ⌀36 is the free one, and back.
     QVERIFY2(labelsOf(dialog).contains(QStringLiteral("⌀24 mm is the free one")), qPrintable(labelsOf(dialog)));
@@ -407,7 +407,7 @@ class ExerciseWindowTest : public QObject {
     QTRY_VERIFY(!driver.text("messageText").contains("the other way round"));
     driver.click("quickActions/undo");
     QTRY_VERIFY(exercise.exercise().task == before);
-    QVERIFY(!driver.text("messageText").contains("is the target now"));  // which is not so any more
+    QVERIFY(!driver.text("messageText").contains("is the target now"));  // the message is outdated
   }
 
   // The work becomes the model solution, which says so and can be looked at.
@@ -455,7 +455,7 @@ class ExerciseWindowTest : public QObject {
     QCOMPARE(offered(), QStringLiteral("Work on Shaft with shoulders.handwheel"));
   }
 
-  // Who turns sees what the part is to become, and cannot make another bar of it.
+  // The student sees the target, and cannot change the bar.
   void theTargetBesideTheWork() {
     WindowDriver driver;
     driver.choose("exercise/shaft");

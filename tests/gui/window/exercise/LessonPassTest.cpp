@@ -61,7 +61,7 @@ class LessonPassTest : public QObject {
     QCOMPARE(work.history()->count(), steps);  // it is not in the document yet
     QVERIFY(!sizes->isEnabled());
     const auto isGood = [lesson] { return labelsOf(lesson).contains("3 of 5 steps"); };
-    // What else is recorded by then, as a crash, does not bring the sizes back that the document still has.
+    // Other records of that time, such as a crash, do not restore the sizes that the document still has.
     QVERIFY(window.tools().isUnderWay(work));
     const auto value = std::static_pointer_cast<const WorkpieceSnapshot>(window.tools().valueWithGesture(work));
     QVERIFY(value && value->part->passes.size() > work.workpiece().part->passes.size());

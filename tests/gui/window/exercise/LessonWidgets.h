@@ -8,7 +8,7 @@
 
 namespace handwheel::test {
 
-// A widget of a lesson. There are two: the page of a student's file, and the panel while the work is done.
+// Returns a widget of a lesson. There are two lessons: the page of a student's file, and the panel beside the work.
 template <class Widget>
 Widget* partOfLesson(WindowDriver& driver, const char* lesson, const char* name) {
   auto* widget = driver.find<QWidget>(lesson)->findChild<Widget*>(QString::fromLatin1(name));

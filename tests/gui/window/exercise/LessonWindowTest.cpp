@@ -7,7 +7,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What a student reads of an exercise in the window.
+// The texts of an exercise that a student reads in the window.
 class LessonWindowTest : public QObject {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class LessonWindowTest : public QObject {
     WindowDriver driver;
     driver.choose("openFirstLesson");
     QVERIFY(driver.settle());
-    QString sizes;  // of the page of a student's file, and of the panel beside the work
+    QString sizes;  // sizes on the page of a student's file, and in the panel beside the work
     for (const QLabel* const each : driver.window().findChildren<QLabel*>("lesson/sizes")) sizes += each->text();
     QVERIFY2(sizes.contains(QStringLiteral("From Z -27 mm, To Z -1 mm")), qPrintable(sizes));
     QVERIFY2(sizes.contains(QStringLiteral("between the faces at Z -30 mm and Z 0 mm")), qPrintable(sizes));

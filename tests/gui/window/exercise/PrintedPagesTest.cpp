@@ -14,12 +14,12 @@
 
 using namespace handwheel;
 
-// Where the pages of a printed report begin and end.
+// The page breaks of a printed report.
 class PrintedPagesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Rows 0…9, 12…21 and so on, on pages of 30: two rows and what is between them end at 22, three at 34.
+  // Rows 0…9, 12…21 and so on, on pages of 30: two rows and the gap between them end at 22, three at 34.
   void rowsStayWhole() {
     std::vector<PrintedBlock> rows;
     for (int i = 0; i < 5; ++i) rows.push_back({12.0 * i, 12.0 * i + 10.0});
@@ -49,7 +49,7 @@ class PrintedPagesTest : public QObject {
     QCOMPARE(pages[1].to, 14.0);
   }
 
-  // What is higher than a page fills as many as it needs.
+  // A row that is higher than a page fills as many pages as it needs.
   void whatIsTooHighIsCut() {
     const std::vector<PrintedPage> pages = pagesOf({{0, 25}, {25, 30}}, 10.0);
     QCOMPARE(pages.size(), std::size_t{4});
@@ -110,7 +110,7 @@ class PrintedPagesTest : public QObject {
     QVERIFY(page.pixelColor(last, 130).red() > 200);
   }
 
-  // Of 100 by 50, and of 10 by 5000: the one stays, the other is as high as a page.
+  // Pictures of 100 by 50, and of 10 by 5000: the first is unchanged, the second is as high as a page.
   void onlyWhatIsTooLargeIsMadeSmaller() {
     QImage picture(100, 50, QImage::Format_RGB32), high(10, 5000, QImage::Format_RGB32);
     picture.fill(Qt::red);

@@ -29,7 +29,7 @@ QStringList namesIn(const QAbstractItemView* rows) {
 
 }  // namespace
 
-// What a class has handed in: marked, added to, reported and kept.
+// The submissions of a class: marked, added to, reported and kept.
 class SubmissionsWindowTest : public QObject {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class SubmissionsWindowTest : public QObject {
     QTest::keyClicks(name, "Ada");
     auto* handIn = partOfLesson<QPushButton>(driver, "exerciseLesson", "lesson/handIn");
     QVERIFY(handIn->isEnabled());
-    // Who thinks better of it has handed in nothing.
+    // Cancelling hands in nothing.
     handIn->click();
     auto* dialog = driver.find<QFileDialog>("handInDialog");
     QTRY_VERIFY(dialog->isVisible());
@@ -110,8 +110,8 @@ class SubmissionsWindowTest : public QObject {
     QVERIFY(html.contains("Ada") && html.contains("0 / 15") && html.contains("data:image/png;base64,"));
   }
 
-  // What was marked by other criteria says so; what older versions have marked, whose mark is of the criteria alone,
-  // does not.
+  // Work marked by other criteria is labelled so; work marked by older versions, whose hash covers the criteria alone,
+  // is not.
   void whatWasMarkedByAnotherScheme() {
     WindowDriver driver;
     driver.choose("exercise/shaft");

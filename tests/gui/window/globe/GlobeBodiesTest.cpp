@@ -24,7 +24,7 @@ class GlobeBodiesTest : public QObject {
     process.waitForFinished();
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
   }
-  static Vec3 placeOf(GlobeWindow& globe, BodyId id) {
+  static Vec3 positionOf(GlobeWindow& globe, BodyId id) {
     return globe.document().bodies().withId(id)->pose.translation();
   }
   // The mean of the points of a body that are shown.
@@ -44,7 +44,7 @@ class GlobeBodiesTest : public QObject {
     globe.driver.edit("body.2.x", "1in");
     globe.driver.edit("body.1.z", "-3");
     globe.driver.edit("body.2.name", "Luna");
-    QCOMPARE(placeOf(globe, kMoonBody), Vec3(25.4, 15, 0));
+    QCOMPARE(positionOf(globe, kMoonBody), Vec3(25.4, 15, 0));
     QVERIFY((middleShown(globe, 1) - Vec3(25.4, 15, 0)).norm() < 0.01);
     QVERIFY((middleShown(globe, 0) - Vec3(0, 0, -3)).norm() < 0.04);
     QVERIFY(bodies.withName("Luna") && bodies.withName("Luna")->geometry == shape);
@@ -53,15 +53,15 @@ class GlobeBodiesTest : public QObject {
     QCOMPARE(bodies.withId(kMoonBody)->name, std::string("Luna"));
     for (int i = 0; i < 3; ++i) globe.driver.click("quickActions/undo");
     QCOMPARE(bodies.withId(kMoonBody)->name, std::string("moon"));
-    QCOMPARE(placeOf(globe, kMoonBody), Vec3(0, 15, 0));
-    QCOMPARE(placeOf(globe, kGlobeBody), Vec3(0, 0, 0));
+    QCOMPARE(positionOf(globe, kMoonBody), Vec3(0, 15, 0));
+    QCOMPARE(positionOf(globe, kGlobeBody), Vec3(0, 0, 0));
     QVERIFY(!globe.driver.window().isWindowModified());
     for (int i = 0; i < 3; ++i) globe.driver.click("quickActions/redo");
-    QCOMPARE(placeOf(globe, kMoonBody), Vec3(25.4, 15, 0));
+    QCOMPARE(positionOf(globe, kMoonBody), Vec3(25.4, 15, 0));
     QVERIFY(bodies.withName("Luna"));
   }
 
-  // A gesture on a globe that was moved is where it is now; the places are as they were, saved and opened again.
+  // A gesture on a moved globe acts at its present pose; the poses are unchanged when saved and opened again.
   void aMovedGlobeIsDentedAndSaved() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("moved.handwheel");
@@ -81,7 +81,7 @@ class GlobeBodiesTest : public QObject {
     GlobeWindow second;
     QVERIFY(second.driver.open(path));
     QVERIFY(second.document().surface() == globe.document().surface());
-    QCOMPARE(placeOf(second, kGlobeBody), Vec3(-30, 0, 0));
+    QCOMPARE(positionOf(second, kGlobeBody), Vec3(-30, 0, 0));
     QVERIFY(second.document().bodies().withName("Luna"));
     const auto bytes = [](GlobeWindow& window) {
       const GlobeDocument& document = window.document();
@@ -110,11 +110,12 @@ class GlobeBodiesTest : public QObject {
     QCOMPARE(done.err, QByteArray());
     const auto printed =
         nlohmann::json::parse(run(folder.path(), {"inspect", "--json", "b.handwheel"}).out.toStdString());
-    std::map<std::string, nlohmann::json> places;
-    for (const nlohmann::json& body : printed["document"]["bodies"]) places[body["name"]] = body;
-    QVERIFY2(places.contains("Luna") && places.contains("globe"), printed.dump().c_str());
-    QVERIFY(places["Luna"]["position"] == nlohmann::json({0.0, 25.4, 0.0}));
-    QVERIFY(places["globe"]["position"] == nlohmann::json({3.0, 0.0, 0.0}) && places["globe"]["shape"] == "globe");
+    std::map<std::string, nlohmann::json> bodiesByName;
+    for (const nlohmann::json& body : printed["document"]["bodies"]) bodiesByName[body["name"]] = body;
+    QVERIFY2(bodiesByName.contains("Luna") && bodiesByName.contains("globe"), printed.dump().c_str());
+    QVERIFY(bodiesByName["Luna"]["position"] == nlohmann::json({0.0, 25.4, 0.0}));
+    QVERIFY(bodiesByName["globe"]["position"] == nlohmann::json({3.0, 0.0, 0.0}) &&
+            bodiesByName["globe"]["shape"] == "globe");
     const Said taken = run(folder.path(), {"set", "a.handwheel", "body.2.name=globe", "-o", "c.handwheel"});
     QVERIFY(taken.code != 0 && taken.err.contains("globe"));
     const Said exported = run(folder.path(), {"convert", "b.handwheel", "d.globe"});

@@ -13,7 +13,7 @@ class GlobeDentTest : public QObject {
     return dynamic_cast<const DentTool&>(*globe.tools().runner().tool());
   }
   static GlobeSurface replayed(GlobeWindow& globe, const GlobeSurface& before) {
-    DentSimulation simulation(before, globe.document().place(), std::make_shared<DentChannel>());
+    DentSimulation simulation(before, globe.document().pose(), std::make_shared<DentChannel>());
     replay(simulation, toolOf(globe).lastGesture());
     return static_cast<const DentState&>(*simulation.state()).surface;
   }
@@ -110,7 +110,7 @@ class GlobeDentTest : public QObject {
     QVERIFY(globe.document().surface() == saved);
   }
 
-  // The simulated hand rests below the surface with the button held: it gives way, is felt less, and is seen.
+  // The simulated hand rests below the surface with the button held: the surface yields, is felt less, and is seen.
   void byTheHand() {
     GlobeWindow globe;
     QVERIFY(globe.begin("dentTool", StandardView::Front) && globe.takeHand());

@@ -20,11 +20,11 @@ const Pose kHere = Pose::Identity();
 constexpr double kTick = 0.001;  // s
 
 // A globe and its poles in one scene.
-SceneForces sceneOf(const GlobeSurface& surface, std::shared_ptr<DentChannel> channel = {}, const Pose& place = kHere) {
+SceneForces sceneOf(const GlobeSurface& surface, std::shared_ptr<DentChannel> channel = {}, const Pose& pose = kHere) {
   SnapFeatures poles;
   poles.addPoint(0, {0, 0, kRadius});
   ForceSources sources;
-  sources.push_back(std::make_unique<GlobeForce>(surface, place, kStiffness, std::move(channel)));
+  sources.push_back(std::make_unique<GlobeForce>(surface, pose, kStiffness, std::move(channel)));
   sources.push_back(std::make_unique<SnapForce>(
       kSnapSource, SnapAttraction{SnapField(poles), SnapProfile(SnapShape::Spring, kPole, kReach), SnapMethod::Sum}));
   return SceneForces(std::move(sources));
@@ -82,7 +82,7 @@ class GlobeForceTest : public QObject {
     QVERIFY((feltAt(scene, tipAt({0, 0, 12})).force - Vec3(0, 0, -2.0 * kPole)).norm() < 1e-9);
   }
 
-  // What the loop cannot carry is taken from both by the same share.
+  // Stiffness that the loop cannot carry is taken from both by the same share.
   void isSoftenedTogether() {
     SceneForces scene = sceneOf(GlobeSurface(kRadius));
     const Vec3 position(1.0, 0.5, 8.5);
@@ -121,13 +121,13 @@ class GlobeForceTest : public QObject {
 
   // The hand feels what is left as soon as the simulation has reported it; where the globe is.
   void whatIsLeftIsFelt() {
-    const Pose place = Eigen::Translation3d(30, -40, 50) * Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized());
+    const Pose pose = Eigen::Translation3d(30, -40, 50) * Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized());
     const auto channel = std::make_shared<DentChannel>();
     channel->inputs->setDeviceGesture(1);
     const GlobeSurface round(kRadius);
-    DentSimulation simulation(round, place, channel);
-    SceneForces scene = sceneOf(round, channel, place);
-    const Vec3 inside(8.0, 0, 0), tip = place * inside, out = place.linear() * Vec3::UnitX();
+    DentSimulation simulation(round, pose, channel);
+    SceneForces scene = sceneOf(round, channel, pose);
+    const Vec3 inside(8.0, 0, 0), tip = pose * inside, out = pose.linear() * Vec3::UnitX();
     QVERIFY((feltAt(scene, tipAt(tip, 1)).force - 2.0 * kStiffness * out).norm() < 1e-9);
     for (int i = 0; i < 100; ++i) {
       SimulationInput input;
@@ -135,7 +135,7 @@ class GlobeForceTest : public QObject {
       const ForceOut felt = feltAt(scene, tipAt(tip, 1));
       const double height = surfaceOf(simulation.state()).heightTowards(inside);
       QVERIFY((felt.force - kStiffness * (height - 8.0) * out).norm() < 1e-9);
-      QVERIFY((felt.proxy - place * Vec3(height, 0, 0)).norm() < 1e-9);
+      QVERIFY((felt.proxy - pose * Vec3(height, 0, 0)).norm() < 1e-9);
     }
     QVERIFY(surfaceOf(simulation.state()).heightTowards(inside) < 9.0);
   }

@@ -66,7 +66,7 @@ class GlobeKindTest : public QObject {
     QCOMPARE(without.tabs(), 0);
   }
 
-  // What is wrong with its files is said in its own words.
+  // Errors of its files are described in its own words.
   void hasItsOwnErrors() {
     WindowDriver driver(kindsWithGlobe());
     QVERIFY(driver.open(write("flat.globe", "globe 0\n")));

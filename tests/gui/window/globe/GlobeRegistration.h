@@ -6,10 +6,10 @@
 
 namespace handwheel::test {
 
-// All of a kind of document that the program does not have. sample: a file of it.
+// Returns the registration of a kind of document that the program does not have. sample: a file of it.
 KindRegistration globeRegistration(const QString& sample = {});
 
-// The kinds of the program, and this one.
+// Returns the kinds of the program, and this one.
 std::vector<KindRegistration> kindsWithGlobe(const QString& sample = {});
 
 }  // namespace handwheel::test

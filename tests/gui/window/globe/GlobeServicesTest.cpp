@@ -11,7 +11,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What a kind runs beside the window is in the list of services, and costs nothing while nobody needs it.
+// A background service of a kind is in the list of services, and costs nothing while nobody needs it.
 class GlobeServicesTest : public QObject {
   Q_OBJECT
 
@@ -68,7 +68,7 @@ class GlobeServicesTest : public QObject {
     QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("idle"));
   }
 
-  // What a service did not do in time is reported once, as a share of the time since it was asked last.
+  // Work that a service did not do in time is reported once, as a share of the time since the last query.
   void troublesAreReported() {
     WindowServices services;
     Service dents("slow dents");

@@ -9,7 +9,7 @@ using namespace handwheel::test;
 class GlobeTouchTest : public QObject {
   Q_OBJECT
 
-  // How far a pole attracts, mm in the scene: 5 mm at the device, or what the kind says.
+  // Returns the distance at which a pole attracts, mm in the scene: 5 mm at the device, or the value of the kind.
   static double reachOf(const GlobeWindow& globe) { return std::min(3.0, 5.0 * globe.session.mappingInScene().scale); }
 
  private slots:

@@ -43,7 +43,7 @@ class GlobeViewTest : public QObject {
   }
 
  private slots:
-  // As large as the sphere on which the points lie.
+  // The size is that of the sphere on which the points lie.
   void isDrawn() {
     GlobeWindow globe;
     QVERIFY(globe.begin());
@@ -74,14 +74,14 @@ class GlobeViewTest : public QObject {
   void isHidden() {
     GlobeWindow globe;
     QVERIFY(globe.begin());
-    const QPointF place = globe.pixelOf(globe.layer().points()[frontmost(globe)]);
-    QVERIFY(!globe.view->pickAt(place).isNothing());
+    const QPointF pixel = globe.pixelOf(globe.layer().points()[frontmost(globe)]);
+    QVERIFY(!globe.view->pickAt(pixel).isNothing());
     const int built = globe.view->blocksBuilt();
     globe.driver.choose("toggleDocument");
-    QVERIFY(globe.view->bounds().isEmpty() && globe.view->pickAt(place).isNothing());
+    QVERIFY(globe.view->bounds().isEmpty() && globe.view->pickAt(pixel).isNothing());
     globe.driver.choose("toggleDocument");
     globe.view->grabImage();
-    QVERIFY(!globe.view->pickAt(place).isNothing());
+    QVERIFY(!globe.view->pickAt(pixel).isNothing());
     QCOMPARE(globe.view->blocksBuilt(), built);  // it was kept
   }
 
@@ -108,10 +108,10 @@ class GlobeViewTest : public QObject {
     QVERIFY(pick.layer == &globe.layer() && pick.element == number && pick.isNear);
     // On the screen this one is the farthest from all others.
     const std::uint64_t alone = mostAlone(globe);
-    const QPoint place = globe.pixelOf(globe.layer().points()[alone]).toPoint();
+    const QPoint pixel = globe.pixelOf(globe.layer().points()[alone]).toPoint();
     globe.moveTo({5, 5}, {});
     QTRY_VERIFY(!globe.layer().hovered());
-    globe.moveTo(place, {});
+    globe.moveTo(pixel, {});
     QTRY_COMPARE(globe.layer().hovered().value_or(0), alone);
   }
 };

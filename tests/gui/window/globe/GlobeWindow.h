@@ -16,7 +16,7 @@
 
 namespace handwheel::test {
 
-// A window of the program with one kind of document more.
+// A window of the program with one additional kind of document.
 struct GlobeWindow {
   WindowDriver driver{kindsWithGlobe()};
   HapticSession& session = *driver.window().findChild<HapticSession*>();
@@ -32,7 +32,7 @@ struct GlobeWindow {
   bool look(StandardView side) {
     if (!driver.settle()) return false;
     view->setStandardView(side);
-    const auto isThere = [this] {  // the camera flies
+    const auto isThere = [this] {  // the camera is moving
       const ViewRay ray = view->rayAt(pixelOf(Vec3(1, 2, 3)));
       return view->isPickingReady() && (Vec3(1, 2, 3) - ray.origin).cross(ray.direction).norm() < 1e-6;
     };
@@ -55,11 +55,11 @@ struct GlobeWindow {
     }
     return found->layer();
   }
-  // How far the lowest point of the globe that is shown is from its centre, mm.
+  // Returns the distance of the lowest displayed point of the globe from its centre, mm.
   double lowestShown() {
     double lowest = 1e300;
     for (std::size_t i = 0; i < kGlobePoints; ++i)
-      lowest = std::min(lowest, (layer().points()[i] - document().place().translation()).norm());
+      lowest = std::min(lowest, (layer().points()[i] - document().pose().translation()).norm());
     return lowest;
   }
 
@@ -79,18 +79,18 @@ struct GlobeWindow {
     leadTo({0, 0, 16}, 0);
     return QTest::qWaitFor([this] { return tip().z() > 14.0; }, kPatienceMs);
   }
-  void leadTo(const Vec3& place, std::uint32_t buttons) {
+  void leadTo(const Vec3& position, std::uint32_t buttons) {
     const WorkspaceMapping mapping = session.mappingInScene();
     HandPose pose;
-    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * position) / mapping.scale;
     pose.buttons = buttons;
     session.simulatedHand()->setTarget(pose);
   }
-  // The same of a hand that sees where its tip is, to be said again and again: after a change of the view the tip is
-  // not where the mapping alone would have it.
-  void bringTo(const Vec3& place) {
+  // Like leadTo(), but corrects the tip by its present position, so it must be called repeatedly: after a change of the
+  // view the tip is not at the position of the mapping alone.
+  void bringTo(const Vec3& position) {
     const WorkspaceMapping mapping = session.mappingInScene();
-    const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place - tip());
+    const Vec3 inView = mapping.sceneFromView.linear().transpose() * (position - tip());
     HandPose pose;
     pose.position = session.latest()->device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
     session.simulatedHand()->setTarget(pose);

@@ -86,7 +86,7 @@ struct CapFixture {
     const std::lock_guard lock(mouse->mutex);
     return !mouse->reports.empty();
   }
-  // The cap is let go, the device has read that it was, and the view has come to rest.
+  // Releases the cap and waits until the device has read that, and the view has come to rest.
   CameraState rest() {
     translation = rotation = {};
     {

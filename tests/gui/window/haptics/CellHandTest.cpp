@@ -31,24 +31,25 @@ class HandInCell : public PlanningWindow {
   ~HandInCell() { session.close(); }
 
   // The hand comes to rest there, with these buttons held.
-  bool goTo(const Vec3& place, std::uint32_t buttons = 0) {
+  bool goTo(const Vec3& position, std::uint32_t buttons = 0) {
     const auto isThere = [&] {
-      bringHandTo(session, place, buttons);
+      bringHandTo(session, position, buttons);
       const ServoSample& now = *session.latest();
-      return (now.tip.position - place).norm() < 0.5 && now.tip.velocity.norm() < 5.0 && now.device.buttons == buttons;
+      return (now.tip.position - position).norm() < 0.5 && now.tip.velocity.norm() < 5.0 &&
+             now.device.buttons == buttons;
     };
     if (!QTest::qWaitFor(isThere, kPatienceMs)) return false;
     QTest::qWait(50);  // three events of the device: the tool has seen it there
     return true;
   }
-  Vec3 place(const char* prefix) {
+  Vec3 position(const char* prefix) {
     Vec3 at;
     for (int i = 0; i < 3; ++i) at[i] = field((std::string(prefix) + "xyz"[i]).c_str()).section(' ', 0, 0).toDouble();
     return at;
   }
   // A little before where this part is seen.
   Vec3 before(const std::string& part) {
-    const QPoint pixel = placeOf(part);
+    const QPoint pixel = pixelOf(part);
     if (pixel.isNull()) qFatal("the part is not seen");
     const ViewRay ray = view()->rayAt(QPointF(pixel));
     return view()->pickAlong(ray.origin, ray.direction).point - 8.0 * ray.direction.normalized();
@@ -59,7 +60,7 @@ class HandInCell : public PlanningWindow {
 
 }  // namespace
 
-// A planner's work with the simulated hand in place of a device.
+// A planner's work with the simulated hand instead of a device.
 class CellHandTest : public QObject {
   Q_OBJECT
 
@@ -69,17 +70,17 @@ class CellHandTest : public QObject {
   // The part is placed, the robot led, a path taught by the second button, proven, and written as programs.
   void fromThePartToThePrograms() {
     HandInCell b;
-    const Vec3 stood = b.place("body.1.");
+    const Vec3 stood = b.position("body.1.");
     QTest::keyClick(b.view(), Qt::Key_Escape);  // nothing is selected: no handles at which the hand would hold the box
     b.choose("placeTool");
     QVERIFY(b.settle());
-    const Vec3 grip = b.before("body.1"), way(-40.0, 30.0, 20.0);
+    const Vec3 grip = b.before("body.1"), displacement(-40.0, 30.0, 20.0);
     QVERIFY(b.goTo(grip));
     QVERIFY(b.goTo(grip, kFirstButton));
-    QVERIFY(b.goTo(grip + way, kFirstButton));
-    QVERIFY(b.goTo(grip + way));
+    QVERIFY(b.goTo(grip + displacement, kFirstButton));
+    QVERIFY(b.goTo(grip + displacement));
     QTRY_VERIFY(b.find<QAction>("undo")->text().contains("Move box"));
-    QVERIFY((b.place("body.1.") - stood - way).norm() < 2.0);
+    QVERIFY((b.position("body.1.") - stood - displacement).norm() < 2.0);
     QVERIFY(b.settle());
 
     // The tool goes as the hand does, from wherever the hand takes hold.
@@ -106,7 +107,7 @@ class CellHandTest : public QObject {
       QVERIFY(b.enterFileName("exportProgramDialog", folder.filePath(name)));
       QTRY_VERIFY_WITH_TIMEOUT(b.text("messageText").contains(QString(name) + " was written"), kPatienceMs);
       QVERIFY(QFile::exists(folder.filePath(name)));
-      // Read back it is the same path: both places, 40 mm apart.
+      // Read back it is the same path: both waypoints, 40 mm apart.
       b.choose("importProgram");
       const int paths = b.paths()->childCount();
       QVERIFY(b.enterFileName("importProgramDialog", folder.filePath(name)));
@@ -117,14 +118,14 @@ class CellHandTest : public QObject {
         b.tree()->setCurrentItem(b.paths()->child(paths)->child(i));
         b.choose("goToConfiguration");
         QVERIFY(b.settle());
-        at[i] = b.place("tool.");
+        at[i] = b.position("tool.");
       }
       QVERIFY2((at[1] - at[0] - aside).norm() < 3.0, qPrintable(QString::number((at[1] - at[0] - aside).norm())));
       b.tree()->setCurrentItem(b.paths()->child(0));
     }
   }
 
-  // Near the tool's centre point at a place the hand is drawn to that; what it takes there moves as it does.
+  // Near the tool's centre point at a waypoint the hand is drawn to it; a point that it grips there moves with it.
   void aPlaceIsPulled() {
     HandInCell b;
     b.choose("leadTool");
@@ -135,7 +136,7 @@ class CellHandTest : public QObject {
     QTest::keyClick(b.view(), Qt::Key_Space);
     QVERIFY(b.settle());
     QCOMPARE(b.paths()->child(0)->childCount(), 2);
-    const Vec3 at = b.place("tool."), way(-15.0, 10.0, 25.0);
+    const Vec3 at = b.position("tool."), displacement(-15.0, 10.0, 25.0);
     b.edit("joint.joint_1", "-25");
     QVERIFY(b.settle());
     auto* leads = b.find<QDockWidget>("toolDock")->findChild<QWidget*>("property/way")->findChild<QComboBox*>();
@@ -150,19 +151,19 @@ class CellHandTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(isDrawn(), kPatienceMs);
     QVERIFY(b.goTo(at));
     QVERIFY(b.goTo(at, kFirstButton));
-    QVERIFY(b.goTo(at + way, kFirstButton));
-    QVERIFY(b.goTo(at + way));
+    QVERIFY(b.goTo(at + displacement, kFirstButton));
+    QVERIFY(b.goTo(at + displacement));
     QTRY_VERIFY(b.find<QAction>("undo")->text().contains("Pull place 2 of"));
     b.tree()->setCurrentItem(b.paths()->child(0)->child(1));
     b.choose("goToConfiguration");
     QVERIFY(b.settle());
-    QVERIFY((b.place("tool.") - at - way).norm() < 3.0);
+    QVERIFY((b.position("tool.") - at - displacement).norm() < 3.0);
     b.click("quickActions/undo");
     b.click("quickActions/undo");
     b.tree()->setCurrentItem(b.paths()->child(0)->child(1));
     b.choose("goToConfiguration");
     QVERIFY(b.settle());
-    QVERIFY((b.place("tool.") - at).norm() < 0.1);
+    QVERIFY((b.position("tool.") - at).norm() < 0.1);
   }
 };
 

@@ -66,7 +66,7 @@ struct ClayWindow {
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(view, &leave);
   }
-  void leadTo(const Vec3& place, std::uint32_t buttons) { leadHandTo(session, place, buttons); }
+  void leadTo(const Vec3& position, std::uint32_t buttons) { leadHandTo(session, position, buttons); }
 };
 
 // Takes the handle of a slider and leads it along, by a share of the slider's length.
@@ -81,15 +81,15 @@ void slideBy(QSlider& slider, double share) {
   option.sliderPosition = option.sliderValue = slider.value();
   const QPoint from =
       slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
-  const QPoint way(qRound(share * slider.width()), 0);
+  const QPoint travel(qRound(share * slider.width()), 0);
   QTest::mousePress(&slider, Qt::LeftButton, {}, from);
   for (int i = 1; i <= 10; ++i) {
-    const QPoint at = from + way * i / 10;
+    const QPoint at = from + travel * i / 10;
     QMouseEvent move(QEvent::MouseMove, at, slider.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(&slider, &move);
     QTest::qWait(5);
   }
-  QTest::mouseRelease(&slider, Qt::LeftButton, {}, from + way);
+  QTest::mouseRelease(&slider, Qt::LeftButton, {}, from + travel);
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ class ClayWindowTest : public QObject {
     QCOMPARE(opened.volume()->volume.material(), carved);
   }
 
-  // What is masked is dark and is not carved; it is undone, kept in the file, and cleared.
+  // Masked clay is dark and is not carved; the mask is undone, kept in the file, and cleared.
   void masked() {
     const QTemporaryDir folder;
     ClayWindow clay;
@@ -274,7 +274,7 @@ class ClayWindowTest : public QObject {
     clay.document().history()->undo();
     QCOMPARE(list->count(), 1);
     clay.driver.click("clayLayerRemove");
-    clay.document().settle();  // as saving does, while the volume without the layer is being computed
+    clay.document().settle();  // like saving, while the volume without the layer is being computed
     QCOMPARE(list->count(), 0);
     QCOMPARE(material(), ball);
     clay.document().history()->undo();
@@ -286,7 +286,7 @@ class ClayWindowTest : public QObject {
     clay.driver.click("clayLayerRemove");
     clay.document().settle();
     clay.document().history()->undo();
-    clay.driver.click("clayLayerMerge");  // of the same volume, while what was computed to remove it is still to come
+    clay.driver.click("clayLayerMerge");  // acts on the same volume, before the result of removing it arrives
     QTRY_COMPARE_WITH_TIMEOUT(list->count(), 0, kPatienceMs);
     QCOMPARE(material(), carved);
   }

@@ -14,15 +14,15 @@ double number(double least, double largest) {
   return least + (largest - least) * *rc::gen::inRange(0, 1 << 20) / double(1 << 20);
 }
 
-Vec3 place(double far) {
+Vec3 anyPosition(double far) {
   return {number(-far, far), number(-far, far), number(-far, far)};
 }
 
 CameraState anyCamera() {
   CameraState camera;
-  camera.centre = place(1e3);
+  camera.centre = anyPosition(1e3);
   camera.orientation =
-      Eigen::Quaterniond(Eigen::AngleAxisd(number(0.0, 6.0), (place(1.0) + Vec3(0, 0, 1.5)).normalized()));
+      Eigen::Quaterniond(Eigen::AngleAxisd(number(0.0, 6.0), (anyPosition(1.0) + Vec3(0, 0, 1.5)).normalized()));
   camera.height = number(0.1, 1e4);
   return camera;
 }
@@ -56,8 +56,8 @@ class DeviceMappingTest : public QObject {
     QVERIFY(rc::check([] {
       const CameraState camera = anyCamera();
       Box model;
-      model.extend(Vec3(camera.centre + place(200.0)));
-      model.extend(Vec3(camera.centre + place(200.0)));
+      model.extend(Vec3(camera.centre + anyPosition(200.0)));
+      model.extend(Vec3(camera.centre + anyPosition(200.0)));
       const Vec3 rest = mappingInView({}, falcon(), camera, model).sceneFromView.translation();
       const double depth = (rest - camera.centre).dot(camera.towardsViewer());
       RC_ASSERT(depth >= 0.0 && depth <= 0.5 * camera.height * (1.0 + 1e-9) + 1e-9);
@@ -112,7 +112,7 @@ class DeviceMappingTest : public QObject {
     // Above the work, up is the radius.
     QVERIFY(
         (axesAbout(axis, mapping, {0.0, -30.0, 50.0}) == All{AboutAxis::Along, AboutAxis::Radius, AboutAxis::Across}));
-    // Before and above the work by 37° both ways change the radius: neither is called that, nor across.
+    // Motions in front of and above the work at 37° both change the radius: neither is called radius or across.
     QVERIFY((axesAbout(axis, mapping, {40.0, -30.0, 50.0}) ==
              All{AboutAxis::Along, AboutAxis::Oblique, AboutAxis::Oblique}));
     // The user has exchanged x and y of the device.

@@ -75,7 +75,7 @@ struct HandAtTheExercise : TurningWindow {
 
 }  // namespace
 
-// The whole way of an exercise with the simulated hand at the tool: of the teacher, of a student, and to the marks.
+// A complete exercise with the simulated hand at the tool: by the teacher, by a student, and up to the marks.
 class ExerciseHandTest : public QObject {
   Q_OBJECT
 

@@ -49,10 +49,11 @@ class FeltAgainTest : public QObject {
       const std::size_t until = session.recorder()->ticks() + ticks;
       return QTest::qWaitFor([&] { return session.recorder() && session.recorder()->ticks() > until; }, kPatienceMs);
     };
-    const auto leadTo = [&session](const Vec3& place) {
+    const auto leadTo = [&session](const Vec3& position) {
       const WorkspaceMapping mapping = session.mappingInScene();
       HandPose pose;
-      pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+      pose.position =
+          mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * position) / mapping.scale;
       session.simulatedHand()->setTarget(pose);
     };
     // It begins in contact, of which nothing is known, and is felt again from where the tip was free.

@@ -11,7 +11,7 @@
 
 namespace handwheel::test {
 
-// A ball of this radius about the origin, closed.
+// Radius of a closed ball about the origin.
 inline constexpr double kRadius = 50.0;
 
 inline std::vector<Corners> ballOf(int levels, const Vec3& centre, double radius) {
@@ -25,13 +25,13 @@ inline QString ballIn(const QTemporaryDir& folder) {
   return path;
 }
 
-// The simulated hand goes on to this place, as one does that sees where its tip is: one that stayed where it was when
-// the view changed is not where the mapping alone would have it. Said again and again, as the view may still change;
-// not before the tip has come into the scene.
-inline void bringHandTo(HapticSession& session, const Vec3& place, std::uint32_t buttons = 0) {
+// Moves the simulated hand towards this position, correcting by the present position of the tip: after a change of the
+// view the tip is not at the position of the mapping alone. Must be called repeatedly, as the view may still change;
+// starts only once the tip has come into the scene.
+inline void bringHandTo(HapticSession& session, const Vec3& position, std::uint32_t buttons = 0) {
   const ServoSample& now = *session.latest();
   const WorkspaceMapping mapping = session.mappingInScene();
-  const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place - now.tip.position);
+  const Vec3 inView = mapping.sceneFromView.linear().transpose() * (position - now.tip.position);
   HandPose pose;
   pose.position = now.device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
   pose.buttons = buttons;
@@ -54,43 +54,45 @@ struct HandFixture {
     session.choose("simulated", "hand");
     return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle();
   }
-  // The hand goes to where this place in the scene is for it.
-  void leadTo(const Vec3& place, std::uint32_t buttons = 0) {
+  // Moves the hand to its own position for this point in the scene.
+  void leadTo(const Vec3& position, std::uint32_t buttons = 0) {
     const WorkspaceMapping mapping = session.mappingInScene();
     HandPose pose;
-    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * position) / mapping.scale;
     pose.buttons = buttons;
     session.simulatedHand()->setTarget(pose);
   }
-  void bringTo(const Vec3& place) { bringHandTo(session, place); }
-  // It comes to rest there, touching nothing: one that flies past would go through an open edge, or touch its inside.
-  bool arrives(const Vec3& place, double within) {
+  void bringTo(const Vec3& position) { bringHandTo(session, position); }
+  // Waits until it comes to rest there without contact: a moving hand would go through an open edge, or touch its
+  // inside.
+  bool arrives(const Vec3& position, double within) {
     const auto isThere = [&] {
-      bringTo(place);
-      return (now().tip.position - place).norm() < within && now().tip.velocity.norm() < 10.0 * within &&
+      bringTo(position);
+      return (now().tip.position - position).norm() < within && now().tip.velocity.norm() < 10.0 * within &&
              !now().felt.isContact;
     };
     return QTest::qWaitFor(isThere, kPatienceMs);
   }
   const ServoSample& now() { return *session.latest(); }
   Vec3 towardsViewer() { return driver.find<Viewport>("viewport")->camera().towardsViewer(); }
-  // Where a place appears in the view.
-  QPoint pixelOf(const Vec3& place) {
+  // Returns the pixel at which a position appears in the view.
+  QPoint pixelOf(const Vec3& position) {
     const auto* view = driver.find<Viewport>("viewport");
-    const Vec2 at = CameraNavigation(view->camera(), Vec2(view->width(), view->height())).toScreen(place);
+    const Vec2 at = CameraNavigation(view->camera(), Vec2(view->width(), view->height())).toScreen(position);
     return {static_cast<int>(at.x()), static_cast<int>(at.y())};
   }
   bool waitForContact() {
     return QTest::qWaitFor([this] { return now().felt.isContact && now().felt.force.norm() > 0.0; }, kPatienceMs);
   }
-  // On the ball, this way out of its middle: the tip comes into contact, and then holds the first button.
+  // Presses on the ball, in this direction from its centre: the tip comes into contact, and then holds the first
+  // button.
   bool pressOnBall(const Vec3& out) {
     leadTo(0.97 * kRadius * out);
     if (!waitForContact()) return false;
     leadTo(0.97 * kRadius * out, 1);
     return QTest::qWaitFor([this] { return now().device.buttons == 1u; }, kPatienceMs);
   }
-  // What a test that failed has last felt.
+  // Prints the last haptic state of a failed test.
   void report() {
     const ServoSample& s = now();
     std::ostringstream out;

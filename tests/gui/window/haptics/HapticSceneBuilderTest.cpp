@@ -36,9 +36,9 @@ struct TouchSceneFixture {
     session->choose("simulated", "hand");
     return QTest::qWaitFor([this] { return session->latest() != nullptr; }, kLongestMs);
   }
-  Vec3 inScene(const Vec3& place) const {
+  Vec3 inScene(const Vec3& position) const {
     const WorkspaceMapping mapping = session->mappingInScene();
-    return mapping.sceneFromView * (mapping.scale * (mapping.viewFromDevice() * place));
+    return mapping.sceneFromView * (mapping.scale * (mapping.viewFromDevice() * position));
   }
   // Points that draw from so far.
   void offer(std::initializer_list<Vec3> points, double distance) {
@@ -46,12 +46,12 @@ struct TouchSceneFixture {
     for (const Vec3& point : points) features.addPoint(0, inScene(point));
     scene->setSnap(SnapField(features), distance * session->mappingInScene().scale, false);
   }
-  void lead(const Vec3& place) {
+  void lead(const Vec3& position) {
     HandPose pose;
-    pose.position = place;
+    pose.position = position;
     session->simulatedHand()->setTarget(pose);
   }
-  // Where the tip was at the last tick, and what the scene asked for there.
+  // The tip at the last tick, and the force that the scene requested there.
   Vec3 tip() const { return session->latest()->device.position; }
   Vec3 force() const { return session->mappingInScene().deviceForce(session->latest()->felt.force); }
   bool isSoftened() const { return session->latest()->felt.isSoftened; }
@@ -80,7 +80,7 @@ Vec3 drawn(SnapShape shape, double k, double ls, const Vec3& point, const Vec3& 
 
 }  // namespace
 
-// What the hand feels of what it snaps to is what was chosen in the settings.
+// The feel of snapping follows the settings.
 class HapticSceneBuilderTest : public QObject {
   Q_OBJECT
 
@@ -132,7 +132,7 @@ class HapticSceneBuilderTest : public QObject {
     touch.snapShape = static_cast<SnapShape>(shape);
     touch.snapStiffness = stiffness;
     fixture.session->setTouch(touch);
-    // Where the profiles differ: a spring of 0.3 N/mm against the hand's draws it to about half of that.
+    // The profiles differ here: a spring of 0.3 N/mm against the hand's draws it to about half of that.
     fixture.lead({3.4, 0.0, 0.0});
     const auto isFelt = [&] {
       const Vec3 wanted = drawn(touch.snapShape, stiffness, 4.0, Vec3::Zero(), fixture.tip());
@@ -154,7 +154,8 @@ class HapticSceneBuilderTest : public QObject {
     fixture.offer({left, right}, 4.0);
     fixture.lead({0.5, 1.0, 0.0});
     TouchSettings touch = fixture.session->touch();
-    touch.snapStiffness = 0.05;  // of both together what the loop carries on a busy machine, too
+    touch.snapStiffness =
+        0.05;  // both together must be within the stiffness that the loop carries on a busy machine, too
     fixture.session->setTouch(touch);
     const auto pull = [&](const Vec3& point) {
       return drawn(touch.snapShape, touch.snapStiffness, 4.0, point, fixture.tip());

@@ -36,7 +36,7 @@ class DeafDevice : public ScriptedDevice {
   Status open(Progress) override { return Error{DeviceError::NotResponding, {"a greeting"}, {}, {}}; }
 };
 
-// What is plugged in, as the test has it.
+// The devices that the test plugs in.
 struct Plugged {
   std::mutex mutex;
   std::vector<DeviceInfo> listings;
@@ -171,7 +171,7 @@ class HapticSessionTest : public QObject {
     servo.rate = 2000.0;
     servo.velocityWindow = 0.005;
     fixture.session->setServo(servo);
-    fixture.session->setServo(ServoSettings{});  // of more than one, the last counts
+    fixture.session->setServo(ServoSettings{});  // if there are several, the last counts
     fixture.session->setServo(servo);
     QTRY_COMPARE(fixture.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
     QTRY_VERIFY(fixture.session->latest()->sent.force.x() > 5.5);
@@ -297,7 +297,7 @@ class HapticSessionTest : public QObject {
     camera.height = 200.0;
     fixture.session->setView(camera, {});
     for (const double x : {30.0, -40.0, 50.0}) {
-      camera.centre.x() = x;  // where the tip was is within this view, too
+      camera.centre.x() = x;  // the old position of the tip is within this view, too
       fixture.session->setView(camera, {});
       fixture.session->recentre();
       fixture.session->setView(camera, {});
@@ -344,7 +344,7 @@ class HapticSessionTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(fixture.session->chosen().address, std::string("well/2"), 20000);
     QVERIFY(fixture.waitForOpen());
     QCOMPARE(fixture.session->latest()->device.status, DeviceStatus::Ready);
-    QCOMPARE(fixture.messages.size(), std::size_t(1));  // that it was gone
+    QCOMPARE(fixture.messages.size(), std::size_t(1));  // the message that it was gone
   }
 
   // A driver that lists its device always never shows that it came back: the message opens it.

@@ -86,7 +86,7 @@ class HapticToolsTest : public QObject {
     const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
     writeStl(path, torusWithHole());
     QVERIFY(fixture.begin(path));
-    // Of the edge of its hole, and which way is out there.
+    // A point on the edge of its hole, and the outward direction there.
     const double u = 2.0 * M_PI * 6 / 48, v = 2.0 * M_PI * 5 / 24, r = 30.0 + 10.0 * std::cos(v);
     const Vec3 point(r * std::cos(u), r * std::sin(u), 10.0 * std::sin(v));
     const Vec3 out(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
@@ -142,23 +142,23 @@ class HapticToolsTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && fixture.now().felt.isHeld, kPatienceMs);
   }
 
-  // What a tool takes by a click draws the tip: beside a cube its edge and its corner to measure from, above one of its
-  // sides the side to select.
+  // Features that a click of the tool can pick attract the tip: beside a cube its edge and its corner to measure from,
+  // above one of its sides the side to select.
   void whatAToolTakesDrawsTheTip() {
     HandFixture fixture;
     const QString path = m_folder.filePath(QStringLiteral("cube.stl"));
     writeStl(path, cornersOf(cube(20.0)));
     QVERIFY(fixture.begin(path));
-    // A hand that goes there through the air, and is drawn from there to a place.
-    const auto isDrawn = [&](const Vec3& hand, const Vec3& place) {
+    // Moves a hand there through the air, and checks that it is drawn from there to a position.
+    const auto isDrawn = [&](const Vec3& hand, const Vec3& position) {
       fixture.leadTo(hand + 20.0 * fixture.towardsViewer());
       if (!QTest::qWaitFor([&] { return (fixture.now().tip.position - hand).norm() > 10.0; }, kPatienceMs))
         return false;
       return QTest::qWaitFor(
           [&] {
             fixture.bringTo(hand);
-            return (fixture.now().felt.proxy - place).norm() < 0.2 &&
-                   fixture.now().felt.force.dot(place - hand) > 0.0 && !fixture.now().felt.isContact;
+            return (fixture.now().felt.proxy - position).norm() < 0.2 &&
+                   fixture.now().felt.force.dot(position - hand) > 0.0 && !fixture.now().felt.isContact;
           },
           kPatienceMs);
     };

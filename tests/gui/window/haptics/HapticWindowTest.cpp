@@ -17,7 +17,7 @@ bool isSame(double a, double b) {
 
 }  // namespace
 
-// A haptic device in the window, with the simulated hand in its place.
+// A haptic device in the window, replaced by the simulated hand.
 class HapticWindowTest : public QObject {
   Q_OBJECT
 
@@ -69,17 +69,17 @@ class HapticWindowTest : public QObject {
     HandFixture fixture;
     QVERIFY(fixture.begin(ballIn(m_folder)));
     auto* view = fixture.driver.find<Viewport>("viewport");
-    const Vec3 place = 1.2 * kRadius * fixture.towardsViewer();
-    fixture.leadTo(place);
-    QTRY_VERIFY_WITH_TIMEOUT((fixture.now().tip.position - place).norm() < 1.0, kPatienceMs);
+    const Vec3 position = 1.2 * kRadius * fixture.towardsViewer();
+    fixture.leadTo(position);
+    QTRY_VERIFY_WITH_TIMEOUT((fixture.now().tip.position - position).norm() < 1.0, kPatienceMs);
     const double scale = fixture.session.mappingInScene().scale;
     CameraState camera = view->camera();
-    camera.centre = place;
+    camera.centre = position;
     camera.height /= 2.0;
     view->setCamera(camera);
     // On a busy machine the loop takes over a mapping late; the hand rests, so a wrong one would stay wrong.
     QTRY_VERIFY_WITH_TIMEOUT(isSame(fixture.session.mappingInScene().scale, scale / 2.0), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT((fixture.now().tip.position - place).norm() < 1.0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT((fixture.now().tip.position - position).norm() < 1.0, kPatienceMs);
     camera.centre += 10.0 * camera.height * camera.right();
     view->setCamera(camera);
     QTRY_VERIFY_WITH_TIMEOUT((fixture.now().tip.position - camera.centre).norm() < 1.1 * camera.height, kPatienceMs);
@@ -98,7 +98,7 @@ class HapticWindowTest : public QObject {
                  ? mapping.deviceForce(sample.felt.force).norm() / (depth / mapping.scale)
                  : 0.0;
     };
-    fixture.session.setTouch({0.05, 0.0, 0.0});  // what the loop carries here, too
+    fixture.session.setTouch({0.05, 0.0, 0.0});  // a stiffness that the loop carries here, too
     for (const double height : {150.0, 75.0}) {
       CameraState camera = view->camera();
       camera.height = height;
@@ -110,8 +110,8 @@ class HapticWindowTest : public QObject {
     fixture.session.setTouch({});
   }
 
-  // What is chosen in the Fidelity panel holds for the open device: its loop and what it feels. The stiffness that is
-  // set beside the device is the same.
+  // A choice in the Fidelity panel holds for the open device: its loop and its forces. The stiffness that is set beside
+  // the device is the same.
   void fidelityHoldsForTheOpenDevice() {
     QSettings().remove("fidelity");
     HandFixture fixture;

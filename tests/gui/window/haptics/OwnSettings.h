@@ -12,7 +12,7 @@ namespace handwheel::test {
 class OwnSettings {
  public:
   void use() {
-    qputenv("HANDWHEEL_PLUGINS", m_folder.path().toLocal8Bit());  // a folder without any
+    qputenv("HANDWHEEL_PLUGINS", m_folder.path().toLocal8Bit());  // a folder without plugins
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
     QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
     QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));

@@ -95,7 +95,7 @@ class RecordingWindowTest : public QObject {
     QCOMPARE(fixture.recordings.all().front().ticks.size(), kept.ticks.size());
   }
 
-  // An STL has no place for it: the program asks for another name, and offers its own format.
+  // An STL cannot hold it: the program asks for another name, and offers its own format.
   void aForeignFileIsNotEnough() {
     RecordFixture fixture;
     QVERIFY(fixture.begin());

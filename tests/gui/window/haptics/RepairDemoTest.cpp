@@ -86,7 +86,7 @@ class RepairDemoTest : public QObject {
     QCOMPARE(steps.first(), "&Undo Smooth the boundary");
   }
 
-  // Who turns to another device ends it.
+  // Choosing another device ends it.
   void anotherDeviceEndsIt() {
     ShowFixture fixture;
     fixture.driver.choose("watchRepair");

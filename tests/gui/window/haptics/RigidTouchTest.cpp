@@ -6,7 +6,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// The bodies of a cell under the hand, with the simulated one in place of a device.
+// The bodies of a cell under the hand, with the simulated hand instead of a device.
 class RigidTouchTest : public QObject {
   Q_OBJECT
 
@@ -21,10 +21,10 @@ class RigidTouchTest : public QObject {
     QVERIFY(driver.settle());
     driver.choose("add-box");
     QVERIFY(driver.settle());
-    const auto place = [&](const char* property) {
+    const auto coordinate = [&](const char* property) {
       return driver.find<QWidget>(property)->findChild<QLineEdit*>()->text().toDouble();
     };
-    const Vec3 box(place("property/body.1.x"), place("property/body.1.y"), place("property/body.1.z"));
+    const Vec3 box(coordinate("property/body.1.x"), coordinate("property/body.1.y"), coordinate("property/body.1.z"));
     driver.choose("add-sphere");
     QVERIFY(driver.settle());
     session.choose("simulated", "hand");

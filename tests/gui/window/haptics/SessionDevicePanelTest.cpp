@@ -40,7 +40,7 @@ struct SessionDevicePanelFixture {
     return dock->findChild<Part*>(name);
   }
   QString headline() { return part<QLabel>("deviceHeadline")->text(); }
-  // As the user does: by its name in the list.
+  // Chooses a device like the user: by its name in the list.
   void choose(const QString& name) {
     auto* list = part<QComboBox>("deviceChoice");
     list->setCurrentIndex(list->findText(name));

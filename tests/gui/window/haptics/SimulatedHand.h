@@ -6,11 +6,11 @@
 
 namespace handwheel::test {
 
-// Leads the simulated hand of a session to a place in the scene.
-inline void leadHandTo(HapticSession& session, const Vec3& place, std::uint32_t buttons) {
+// Moves the simulated hand of a session to a position in the scene.
+inline void leadHandTo(HapticSession& session, const Vec3& position, std::uint32_t buttons) {
   const WorkspaceMapping mapping = session.mappingInScene();
   HandPose pose;
-  pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+  pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * position) / mapping.scale;
   pose.buttons = buttons;
   session.simulatedHand()->setTarget(pose);
 }

@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// As writeStl() takes them.
+// Returns the triangles in the form that writeStl() takes.
 inline std::vector<Corners> cornersOf(const TriangleSoup& soup) {
   std::vector<Corners> all;
   for (const Triangle& t : soup.triangles) {

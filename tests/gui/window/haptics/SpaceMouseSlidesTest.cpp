@@ -58,17 +58,17 @@ class SpaceMouseSlidesTest : public QObject {
   void oneSlideAtATime() {
     CapAtTheLathe b;
     QVERIFY(b.beginLathe());
-    QTest::qWait(500);  // what moves the camera has come to rest
+    QTest::qWait(500);  // all camera motion has ended
     const CameraState seen = b.rest();
     QVERIFY(b.pushes({350, 0, 0}, LatheAxis::Carriage, 1));
     QVERIFY(b.pushes({-350, 0, 0}, LatheAxis::Carriage, -1));
     QVERIFY(b.pushes({0, 350, 0}, LatheAxis::Cross, 1));  // towards the user
     QVERIFY(b.pushes({0, -350, 0}, LatheAxis::Cross, -1));
-    // What goes along the other a little is not meant.
+    // A small motion along the other axis is ignored.
     QVERIFY(b.pushes({-350, 150, 0}, LatheAxis::Carriage, -1));
     QVERIFY(b.pushes({150, 350, 0}, LatheAxis::Cross, 1));
     QVERIFY(b.view.camera() == seen);
-    // What is turned about them is nothing to the slides.
+    // Rotation about them does not affect the slides.
     const auto slides = b.machine().slides;
     b.rotation = {0, 0, 350};
     QTest::qWait(300);

@@ -42,7 +42,7 @@ struct TouchPageFixture {
 
 }  // namespace
 
-// How what is touched feels, in the panel of the device; no device is open.
+// The haptic properties of surfaces, in the panel of the device; no device is open.
 class TouchPageTest : public QObject {
   Q_OBJECT
 

@@ -23,7 +23,7 @@ PropertyValue another(const Property& property) {
 
 }  // namespace
 
-// How what is touched feels: kept in the settings, and edited by properties.
+// The haptic properties of surfaces: kept in the settings, and edited by properties.
 class TouchSettingsTest : public QObject {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class TouchSettingsTest : public QObject {
 
   void isRemembered() {
     QVERIFY(loadTouch() == TouchSettings());
-    TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // which is kept elsewhere
+    TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // kept elsewhere
     touch.isSnapping = false;
     touch.snapShape = SnapShape::Gaussian;
     touch.snapMethod = SnapMethod::Sum;

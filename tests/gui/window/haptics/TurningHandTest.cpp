@@ -14,8 +14,8 @@ using namespace handwheel::test;
 
 namespace {
 
-double distanceFromAxis(const Vec3& place) {
-  return std::hypot(place.x(), place.y());
+double distanceFromAxis(const Vec3& point) {
+  return std::hypot(point.x(), point.y());
 }
 
 // The knobs and lamps of the panel "Device", which lead the simulated hand.
@@ -97,7 +97,7 @@ class TurningHandTest : public QObject {
     QVERIFY(turning.driver.settle());
     QTRY_VERIFY_WITH_TIMEOUT(turning.view->isPickingReady(), kPatienceMs);
     if (!isOpenBefore) QVERIFY(takeHand());
-    QTest::qWait(500);  // what moves the camera has come to rest
+    QTest::qWait(500);  // all camera motion has ended
     const Vec3 tip = turning.session.latest()->tip.position, towards = turning.view->camera().towardsViewer();
     QVERIFY(turning.view->pickAlong(tip, towards).isNothing());
   }

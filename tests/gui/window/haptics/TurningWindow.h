@@ -30,12 +30,12 @@ struct TurningWindow {
     if (!driver.settle()) return false;
     return rests() && driver.find<QAction>("turnTool")->isChecked();
   }
-  // Until the view stays as it is: the settings of the tool take room from it, and the camera flies.
+  // Waits until the view is stable: the settings of the tool take space from it, and the camera moves.
   bool rests() {
     for (int i = 0; i < 50; ++i) {
       const ViewRay before = view->rayAt({0, 0});
       const QSize size = view->size();
-      QTest::qWait(350);  // longer than a flight pauses
+      QTest::qWait(350);  // longer than the pauses of a camera flight
       const ViewRay after = view->rayAt({0, 0});
       if (view->size() == size && after.origin == before.origin && after.direction == before.direction) return true;
     }
@@ -49,7 +49,7 @@ struct TurningWindow {
     session.choose("simulated", "hand");
     return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle() && leadOut();
   }
-  // Beside the bar, without the button.
+  // Moves the hand beside the bar, without the button.
   bool leadOut() {
     leadTo({32.0, 0.0, 50.0}, 0);
     const auto isOut = [this] { return std::abs(session.latest()->tip.position.x() - 32.0) < 1.0; };
@@ -59,7 +59,7 @@ struct TurningWindow {
     const TurnedProfile& profile = workpiece().part->profile;
     return profile.radius(static_cast<std::size_t>(std::lround(z / profile.spacing())));
   }
-  // The pixel at which the plane y = 0 is met at this place.
+  // Returns the pixel of this point of the plane y = 0.
   QPoint pixelOf(double x, double z) const {
     QPoint best;
     double nearest = 1e300;
@@ -73,7 +73,7 @@ struct TurningWindow {
     }
     return best;
   }
-  Vec3 placeOf(const QPoint& pixel) const {
+  Vec3 positionOf(const QPoint& pixel) const {
     const ViewRay ray = view->rayAt(pixel);
     return ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
   }
@@ -89,10 +89,10 @@ struct TurningWindow {
     }
     QTest::mouseRelease(view, Qt::LeftButton, {}, to);
   }
-  void leadTo(const Vec3& place, std::uint32_t buttons) {
+  void leadTo(const Vec3& position, std::uint32_t buttons) {
     const WorkspaceMapping mapping = session.mappingInScene();
     HandPose pose;
-    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * position) / mapping.scale;
     pose.buttons = buttons;
     session.simulatedHand()->setTarget(pose);
   }

@@ -22,8 +22,8 @@ class TurningWindowTest : public QObject {
     const QPoint from = turning.pixelOf(22.0, 30.0), to = turning.pixelOf(22.0, 60.0);
     turning.drag(from, to);
     QVERIFY(turning.workpiece().part);
-    const double expected = std::abs(turning.placeOf(from).x()) - 1.0;
-    QVERIFY(std::abs(turning.radiusAt(45.0) - expected) < 0.3);  // a pixel's way on the screen
+    const double expected = std::abs(turning.positionOf(from).x()) - 1.0;
+    QVERIFY(std::abs(turning.radiusAt(45.0) - expected) < 0.3);  // the distance of a pixel on the screen
     QCOMPARE(turning.radiusAt(90.0), 25.0);
     QVERIFY(turning.driver.settle());
     turning.driver.click("quickActions/undo");
@@ -40,7 +40,7 @@ class TurningWindowTest : public QObject {
     QVERIFY(opened.workpiece().part && opened.workpiece().part->profile == profile);
   }
 
-  // What the simulation cuts while the mouse rests is shown without another input.
+  // Material cut by the simulation while the mouse rests is shown without another input.
   void isShownWhileTheMouseRests() {
     std::shared_ptr<const DisplayModel> shown;  // outlives the window, which calls back when it closes
     TurningWindow turning;
@@ -92,14 +92,14 @@ class TurningWindowTest : public QObject {
     QCOMPARE(turning.document().history()->count(), 0);
   }
 
-  // The label at the nose: the numbers of the place, in the unit of the document.
+  // The label at the nose shows its coordinates, in the unit of the document.
   void theNoseHasItsNumbers() {
     TurningWindow turning;
     QVERIFY(turning.begin());
     const auto* label = turning.driver.find<QLabel>("toolLabel");
     const QPoint beside = turning.pixelOf(28.0, 40.0);
     const auto expected = [&](double perUnit, int digits, const char* unit) {
-      const Vec3 nose = turning.placeOf(beside);
+      const Vec3 nose = turning.positionOf(beside);
       const QString format = QStringLiteral("⌀ %1 %4  Z %2 %4  %3 %4");
       const auto number = [&](double mm) { return QLocale().toString(mm / perUnit, 'f', digits); };
       return format.arg(number(2.0 * (nose.x() - 1.0)), number(nose.z() - 1.0), number(0.0), QString::fromLatin1(unit));
@@ -122,7 +122,7 @@ class TurningWindowTest : public QObject {
     QVERIFY(turning.begin());
     const double height = turning.view->camera().height;
     turning.driver.edit("length", "95");
-    QTest::qWait(50);  // what is fitted is fitted by now
+    QTest::qWait(50);  // the view is fitted by now
     QCOMPARE(turning.view->camera().height, height);
     turning.driver.edit("length", "300");
     QVERIFY(turning.driver.settle());
@@ -136,7 +136,7 @@ class TurningWindowTest : public QObject {
     QCOMPARE(turning.view->camera().height, 20.0);
   }
 
-  // What is locked says why.
+  // A locked size shows the reason.
   void lockedSizesSayWhy() {
     TurningWindow turning;
     QVERIFY(turning.begin());

@@ -36,7 +36,7 @@ struct HandOnVolume : HandFixture {
   bool settlesLong() {
     return QTest::qWaitFor([this] { return driver.window().isSettled(); }, 4 * kPatienceMs);
   }
-  // As the dialog proposes it.
+  // Copies with the parameters that the dialog proposes.
   bool copyAsVolume() {
     driver.choose("copyAs/volume");
     if (!driver.settle()) return false;
@@ -44,7 +44,7 @@ struct HandOnVolume : HandFixture {
         driver.find<QDialog>("voxelizeDialog")->findChild<QWidget*>("property/voxel")->findChild<QLineEdit*>();
     voxel->setFocus();
     voxel->selectAll();
-    QTest::keyClicks(voxel, QStringLiteral("0.255"));  // that of drilling at 1 mm/s
+    QTest::keyClicks(voxel, QStringLiteral("0.255"));  // the force of drilling at 1 mm/s
     driver.find<QPushButton>("propertiesAccept")->click();
     return settlesLong() && document();
   }
@@ -68,20 +68,20 @@ struct HandOnVolume : HandFixture {
     }
     return false;
   }
-  // The hand is at a place that is free, with these buttons held.
-  bool goTo(const Vec3& place, std::uint32_t buttons = 0) {
+  // Moves the hand to a free position, with these buttons held.
+  bool goTo(const Vec3& position, std::uint32_t buttons = 0) {
     const auto isThere = [&] {
-      bringHandTo(session, place, buttons);
-      return (now().tip.position - place).norm() < 0.5 && now().tip.velocity.norm() < 5.0 &&
+      bringHandTo(session, position, buttons);
+      return (now().tip.position - position).norm() < 0.5 && now().tip.velocity.norm() < 5.0 &&
              now().device.buttons == buttons;
     };
     return QTest::qWaitFor(isThere, kPatienceMs);
   }
-  // It presses on towards a place until something is so.
+  // Presses on towards a position until a condition holds.
   template <class Condition>
-  bool pressesTo(const Vec3& place, std::uint32_t buttons, Condition isSo) {
+  bool pressesTo(const Vec3& position, std::uint32_t buttons, Condition isSo) {
     const auto look = [&] {
-      bringHandTo(session, place, buttons);
+      bringHandTo(session, position, buttons);
       return isSo();
     };
     return QTest::qWaitFor(look, 4 * kPatienceMs);
@@ -99,7 +99,7 @@ struct HandOnVolume : HandFixture {
     }
     return isOver || pressesTo(to, 1, isSo);
   }
-  bool isFelt(const Vec3& way) { return now().felt.isContact && now().felt.force.dot(way) > 0.05; }
+  bool isFelt(const Vec3& direction) { return now().felt.isContact && now().felt.force.dot(direction) > 0.05; }
 };
 
 }  // namespace

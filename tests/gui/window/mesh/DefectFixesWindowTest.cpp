@@ -81,7 +81,8 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
   }
 
-  // What lies inside both goes, in one step that undoes; bodies that do not intersect are not offered it.
+  // The walls inside both are removed, in one step that can be undone; it is not offered for bodies that do not
+  // intersect.
   void bodiesThatIntersectAreUnited() {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {0.41, 0.27, 0.33}));
@@ -110,7 +111,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY2(driver.text("nextStepDetail").contains("1 body inside another"),
              qPrintable(driver.text("nextStepDetail")));
     QVERIFY(unite->isEnabled());
-    // What it would do is shown while the pointer or the focus is on its button.
+    // Its effect is shown while the pointer or the focus is on its button.
     QCOMPARE(driver.text("fixPreviewStatus"), QString());
     auto* const button = driver.find<QAbstractButton>("nextStep/uniteBodies");
     QFocusEvent enter(QEvent::FocusIn);
@@ -128,7 +129,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(!driver.text("nextStepDetail").contains("inside another"));
   }
 
-  // What opening turns over is done, with undo; neither asks to save.
+  // The reversal on opening is already done, and can be undone; neither asks to save.
   void turnedOnOpening() {
     TriangleSoup soup = icosphere(2);
     for (const std::size_t f : {3, 40, 200}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
@@ -240,7 +241,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(label->height() >= label->heightForWidth(label->width()));
   }
 
-  // Beside the patch of a hole the other ways are previewed with the pointer on their button.
+  // Beside the patch of a hole, the other methods are previewed with the pointer on their button.
   void previewOfABack() {
     WindowDriver driver;
     const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };
@@ -312,7 +313,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY2(last.contains("Thicken sheets by 2.00 mm"), qPrintable(last));
   }
 
-  // Where every patch would cross what stands in the hole, the card offers to cut.
+  // If every patch would cross an object in the hole, the card offers to cut.
   void aRodInTheHole() {
     TriangleSoup soup = sphereWithoutCap(3, 0.5);
     append(soup, moved(cylinder(12, 2, 0.1, 2.0, true), {0.03, 0.02, -0.2}));
@@ -348,7 +349,7 @@ class DefectFixesWindowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
   }
 
-  // A triangle with two sides is closed as it is. Where nothing helps, every way says so.
+  // A triangle with two sides is closed. If nothing helps, every method says so.
   void aPlateWithoutThickness() {
     TriangleSoup soup = cube();
     append(soup, moved(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, {3, 0, 0}));
@@ -391,8 +392,7 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(!driver.find<QAbstractButton>("repairAllButton")->isEnabled());
   }
 
-  // What a repair has found out is known again after undo and redo, and after saving in numbers that keep the
-  // triangles.
+  // The findings of a repair are known again after undo and redo, and after saving in numbers that keep the triangles.
   void whatIsKnownComesBack() {
     TriangleSoup soup = acrossOneAnother();
     TriangleSoup open = cube(1.0, {3.0, 0.0, 0.0});

@@ -54,13 +54,13 @@ class DefectModelTest : public QObject {
     DefectList defectList(*document);
     DefectModel model;
     model.setDefectList(&defectList);
-    const auto [box, outward] = model.placeOf(model.loopIndex(1));
+    const auto [box, outward] = model.viewTargetOf(model.loopIndex(1));
     QCOMPARE(box.min().x(), 3.0);
     QCOMPARE(box.max().y(), 2.0);
     QVERIFY(outward.z() > 0 && outward.x() == 0 && outward.y() == 0);
   }
 
-  // As "handwheel inspect" counts: open edges, not those of the loop that other faces share in the file.
+  // The count is that of "handwheel inspect": open edges, not those of the loop that other faces share in the file.
   void edgesAreOpenOnes() {
     TriangleSoup soup;  // three triangles at one edge: one of them has an edge that only a seam joins
     soup.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}};

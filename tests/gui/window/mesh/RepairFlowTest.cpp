@@ -14,7 +14,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What a designer does: open a scan, look, preview, fill, undo, repair, save.
+// The work of a designer: open a scan, look, preview, fill, undo, repair, save.
 class RepairFlowTest : public QObject {
   Q_OBJECT
 
@@ -117,7 +117,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // A row flies there only when its place is not well seen already.
+  // A row moves the camera only if its defect is not well visible already.
   void aRowThatIsSeenMovesNothing() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHoles("seen.stl")));
@@ -184,7 +184,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.open(fileWithHoles("click.stl")));
     driver.click("nextStep/goOneByOne");
     auto* view = driver.find<Viewport>("viewport");
-    const CameraState there = view->camera();  // where the flight will end
+    const CameraState there = view->camera();  // the camera at the end of the flight
     driver.choose("deselect");
     QTRY_VERIFY(!driver.find<QWidget>("holeSettings")->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(view->isPickingReady(), kPatienceMs);
@@ -299,7 +299,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.find<QAbstractButton>("nextStep/repairAll")->isEnabled());
   }
 
-  // What stands out may be pressed by habit.
+  // A button that stands out may be pressed by habit.
   void noButtonThatStandsOutDeletes() {
     std::vector<Corners> triangles = quadTorus(48, 24, {});
     const Corner a{100, 0, 0}, b{101, 0, 0}, c{100, 1, 0}, d{100, 0, 1};

@@ -30,7 +30,7 @@ using namespace handwheel;
 
 namespace {
 
-// Of which nothing is shown.
+// A document kind that shows nothing.
 class HiddenUi : public KindUi {
  public:
   std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override {
@@ -49,12 +49,13 @@ class HiddenUi : public KindUi {
 
 }  // namespace
 
-// What the jobs on a mesh tell when they fail.
+// The messages of failed jobs on a mesh.
 class RepairJobsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // What, why, and what to do; the document is as it was. Nobody hears of a job that he cancelled himself.
+  // Reports the change, the reason, and the remedy; the document is unchanged. A job that the user cancelled is not
+  // reported.
   void aFailureIsReported() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Queue, pool);
@@ -251,7 +252,7 @@ class RepairJobsTest : public QObject {
     QVERIFY(warnings().isEmpty());
   }
 
-  // What stays has its reason in its row.
+  // A remaining defect has its reason in its row.
   void reasonsForWhatStays() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Queue, pool);

@@ -14,7 +14,8 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What the clipping plane cuts, in figures and in the view: a torus of 48 × 24 about Z, with radii of 30 and 10 mm.
+// The section by the clipping plane, in numbers and in the view: a torus of 48 × 24 about Z, with radii of 30 and 10
+// mm.
 class SectionWindowTest : public QObject {
   Q_OBJECT
 
@@ -39,7 +40,7 @@ class SectionWindowTest : public QObject {
   }
 
  private slots:
-  // Half way up the torus is cut in two rings of 48 corners.
+  // At half its height the torus is cut in two rings of 48 corners.
   void figuresFollowThePlane() {
     WindowDriver driver;
     QVERIFY(driver.open(file()));
@@ -95,7 +96,7 @@ class SectionWindowTest : public QObject {
       return hasShade(picture, cut) && hasShade(picture, line);
     };
     QTRY_VERIFY(isHatched());
-    // Its place is the user's once he moves it; the half section ends with the plane.
+    // Its position is the user's once the user moves it; the half section ends with the plane.
     driver.choose("clipModel");
     QVERIFY(!viewport->clipPlane().on && !half->isChecked());
     driver.choose("halfSection");

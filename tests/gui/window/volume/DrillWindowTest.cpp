@@ -88,14 +88,14 @@ class DrillWindowTest : public QObject {
     return driver.settle() && runner(driver).tool() && runner(driver).tool()->id() == "drill";
   }
 
-  // What the pointer shows that rests on a button of an action.
+  // Returns the tool tip of the pointer over a button of an action.
   static QString restsOn(QWidget& button) {
     QHelpEvent rest(QEvent::ToolTip, button.rect().center(), QPoint(20, 20));
     QCoreApplication::sendEvent(&button, &rest);
     return QToolTip::text();
   }
 
-  // Where the pointer rests on its entry in the menu.
+  // Checks that the tool tip of an entry in the menu shows the reason.
   static void showsTheReason(WindowDriver& driver, const char* name) {
     auto* const action = driver.find<QAction>(name);
     for (QMenu* menu : driver.window().findChildren<QMenu*>()) {
@@ -150,7 +150,7 @@ class DrillWindowTest : public QObject {
     QVERIFY(begin(driver));
     QCOMPARE(driver.tabs(), 2);
     QVERIFY(driver.find<QDockWidget>("drillDock")->isVisible());
-    // Whatever else would change the volume is not offered, for a reason.
+    // All other changes of the volume are disabled, with a reason.
     for (const char* name : {"volumeSmooth", "volumeShell", "volumeBoolean", "clayLayersToggle"}) {
       const QAction* const action = driver.find<QAction>(name);
       QVERIFY2(!action->isEnabled() && action->property(kDisabledReason).toString().contains("drilled"), name);
@@ -259,7 +259,7 @@ class DrillWindowTest : public QObject {
     QVERIFY2(std::abs(gone / exact - 1.0) < 0.01, QByteArray::number(gone / exact));
   }
 
-  // What has holes has no inside: it says so, and offers to make a volume, which it asks about.
+  // A mesh with holes has no inside: the window reports it, and offers to make a volume, with a question.
   void anOpenMesh() {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("open.stl"));

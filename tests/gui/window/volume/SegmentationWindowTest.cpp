@@ -30,7 +30,7 @@ class SegmentationWindowTest : public QObject {
 
   QTemporaryDir m_folder;
 
-  // As a CT: air, and two balls whose values rise by 500 to a mm, up to 1000.
+  // A synthetic CT: air, and two balls whose values rise by 500 per mm, up to 1000.
   static double valueAt(const Vec3& p) {
     const double depth = std::max(kRadius - (p - Vec3(9, 10, 8)).norm(), kSmall - (p - Vec3(20, 10, 8)).norm());
     return std::round(std::clamp(500.0 * depth, -1000.0, 1000.0));
@@ -42,13 +42,13 @@ class SegmentationWindowTest : public QObject {
     for (int z = 0; z < kSize[2]; ++z)
       for (int y = 0; y < kSize[1]; ++y)
         for (int x = 0; x < kSize[0]; ++x)
-          samples.push_back(static_cast<std::int16_t>(valueAt(grid.place(Vec3(x, y, z)))));
+          samples.push_back(static_cast<std::int16_t>(valueAt(grid.position(Vec3(x, y, z)))));
     const QString path = m_folder.filePath(QStringLiteral("balls.nrrd"));
     std::ofstream(path.toStdString(), std::ios::binary) << nrrdOf(ImageVolume(grid, std::move(samples)));
     return path;
   }
 
-  // Of balls, to a share: what is in the segment is counted by samples.
+  // Compares the volume of balls with a tolerance, as a segment is counted by samples.
   static void isVolume(double samples, double expected) {
     const double volume = samples * kSpacing * kSpacing * kSpacing;
     QVERIFY2(std::abs(volume / expected - 1.0) < 0.06,
@@ -75,8 +75,8 @@ class SegmentationWindowTest : public QObject {
     QTest::keyClicks(line, value);
     QTest::keyClick(line, Qt::Key_Return);
   }
-  static void clickInSlice(SliceCanvas& canvas, const Vec3& place) {
-    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.shownAt(place / kSpacing).toPoint());
+  static void clickInSlice(SliceCanvas& canvas, const Vec3& position) {
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.shownAt(position / kSpacing).toPoint());
   }
 
  private slots:
@@ -151,7 +151,7 @@ class SegmentationWindowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // What is under way ends with the document that it is for.
+  // Unfinished work ends with its document.
   void closedMeanwhile() {
     WindowDriver driver;
     QVERIFY(driver.open(scan()));
@@ -168,7 +168,7 @@ class SegmentationWindowTest : public QObject {
     QCOMPARE(document(driver).history()->index(), 0);
   }
 
-  // What was painted is in the file, with the image: closed and opened again, both are there.
+  // The painted segment and the image are in the file: they are restored after closing and opening.
   void savedAndOpened() {
     const QString path = m_folder.filePath(QStringLiteral("painted.handwheel"));
     WindowDriver driver;
@@ -354,7 +354,7 @@ class SegmentationWindowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  // What hangs together with the point stays; beside the segment it says so and changes nothing.
+  // The part connected with the point stays; a point beside the segment is reported and changes nothing.
   void grow() {
     WindowDriver driver;
     QVERIFY(driver.open(scan()));
@@ -384,7 +384,7 @@ class SegmentationWindowTest : public QObject {
     driver.click("segmentKeepParts");
     QVERIFY(driver.settle());
     isVolume(samplesIn(driver), ball(kRadius) + ball(kSmall));
-    // The small ball is a 27th of the large one: it is debris from 70 % of the way on, in the logarithm.
+    // The small ball is a 27th of the large one: it is debris from 70 % of the slider on, in the logarithm.
     auto* const slider = driver.find<QSlider>("segmentDebris");
     slider->setValue(30);
     QVERIFY(driver.text("segmentDebrisText").contains(QStringLiteral("0 of 2")));

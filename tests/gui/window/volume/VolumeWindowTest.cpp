@@ -33,7 +33,7 @@ class VolumeWindowTest : public QObject {
   static bool isEnabled(WindowDriver& driver, const char* name) {
     return driver.window().findChild<QAction*>(QString::fromLatin1(name))->isEnabled();
   }
-  // As the dialog proposes it.
+  // Accepts the proposal of the dialog.
   static void copyAsVolume(WindowDriver& driver) {
     driver.choose("copyAs/volume");
     QVERIFY(driver.settle());
@@ -212,7 +212,7 @@ class VolumeWindowTest : public QObject {
       return static_cast<const VolumeDocument&>(ring->document).volume()->volume.material();
     };
     const double before = material();
-    // What both have is the same ring.
+    // The intersection is the same ring.
     driver.choose("volumeBoolean");
     emit driver.find<QWidget>("property/how")->findChild<QComboBox*>()->activated(2);
     QVERIFY(driver.settle());

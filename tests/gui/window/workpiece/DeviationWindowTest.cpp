@@ -98,8 +98,8 @@ class DeviationWindowTest : public QObject {
     const double height = view->camera().height;
     driver.click("deviationHighest");
     QVERIFY(view->camera().height < 0.5 * height);
-    const Vec3 place = view->camera().centre;
-    const double around = std::hypot(place.x(), place.y()), tube = std::hypot(around - 30.0, place.z());
+    const Vec3 centre = view->camera().centre;
+    const double around = std::hypot(centre.x(), centre.y()), tube = std::hypot(around - 30.0, centre.z());
     QVERIFY2(tube < 11.0, qPrintable(QString::number(tube)));
   }
 
@@ -144,10 +144,10 @@ class DeviationWindowTest : public QObject {
     driver.click("deviationOther");
     QVERIFY(driver.enterFileName("compareDialog", text.fileName()));
     QVERIFY(driver.settle());
-    QVERIFY(driver.text("deviationTitle").contains("whole.stl"));  // what was there stays
+    QVERIFY(driver.text("deviationTitle").contains("whole.stl"));  // the previous result stays
   }
 
-  // What was typed into the field of the range is of no use any more when the mesh changes.
+  // A range that was being typed is dropped when the mesh changes.
   void theMeshChangesWhileARangeIsTyped() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));

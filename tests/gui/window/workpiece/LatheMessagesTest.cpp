@@ -15,7 +15,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What the lathe tells, in a window of 1280 × 800.
+// The messages of the lathe, in a window of 1280 × 800.
 class LatheMessagesTest : public QObject {
   Q_OBJECT
 

@@ -31,7 +31,7 @@ struct LatheWindow : TurningWindow {
     return QTest::qWaitFor([&] { return std::abs(slide(axis) - mm) < within; }, kPatienceMs);
   }
   HandwheelDial& dial(const char* name) { return *driver.find<HandwheelDial>(name); }
-  // Around the centre by whole turns, clockwise for positive ones.
+  // Drags around the centre by whole turns, clockwise for positive ones.
   void crank(HandwheelDial& wheel, double turns) {
     const auto at = [&wheel](double degrees) {
       const double angle = degrees * std::numbers::pi / 180.0;
@@ -46,7 +46,7 @@ struct LatheWindow : TurningWindow {
     }
     QTest::mouseRelease(&wheel, Qt::LeftButton, {}, at(360.0 * turns));
   }
-  // 2 mm off the radius over some millimetres of the end, by keys and the automatic feed.
+  // Cuts 2 mm off the radius over some millimetres of the end, by keys and the automatic feed.
   bool turnEnd() {
     QTest::keyClick(view, Qt::Key_Space);
     for (int i = 0; i < 9; ++i) QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);  // 2 mm each

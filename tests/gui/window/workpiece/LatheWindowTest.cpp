@@ -28,7 +28,7 @@ class LatheWindowTest : public QObject {
  private slots:
   void init() { QSettings().clear(); }
 
-  // As an exercise sets it up.
+  // The setup is that of an exercise.
   void leversOfThePanelAreThoseOfTheLathe() {
     LatheWindow window;
     window.driver.choose("newWorkpiece");
@@ -43,7 +43,7 @@ class LatheWindowTest : public QObject {
     QCOMPARE(window.machine().setSpeed, 800.0);
   }
 
-  // What is not needed is folded away, by mouse or key, gives its room to the view, and stays so.
+  // A section can be folded, by mouse or key, gives its room to the view, and stays folded.
   void sectionsFold() {
     LatheWindow window;
     QVERIFY(window.beginLathe());
@@ -132,7 +132,7 @@ class LatheWindowTest : public QObject {
     QVERIFY(!window.lathe()->preview().label);
     window.driver.find<NumberField>("latheTouchValue")->setValue(46.5);
     window.driver.click("latheTouchX");
-    // In the air it is refused with the reason, unless the turner insists.
+    // Away from any surface it is refused with the reason, unless the turner insists.
     QTRY_VERIFY(window.driver.text("messageText").contains("does not touch"));
     QVERIFY2(window.driver.text("messageText").contains("20.00 mm"), qPrintable(window.driver.text("messageText")));
     QCOMPARE(x->text(), QStringLiteral("X not touched off"));
@@ -154,8 +154,8 @@ class LatheWindowTest : public QObject {
     QTRY_COMPARE(x->text(), QStringLiteral("X not touched off"));
   }
 
-  // The panel names the law that gives the force: not the one that was chosen where that has no data, the power law
-  // outside the range of the network, and what was not compared with the handbook.
+  // The panel names the law in use: the chosen one may have no data, the network gives way to the power law outside its
+  // range, and a law may not have been compared with the handbook.
   void theLawInUse() {
     {
       LatheWindow window;
@@ -197,8 +197,7 @@ class LatheWindowTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window.machine().rapids[0] == 0; }, kPatienceMs));
   }
 
-  // Chosen while the feed runs, it begins with what was cut until then; coming back the slides are where they were, and
-  // rest.
+  // Chosen while the feed runs, it begins with the cut so far; on return the slides are where they were, and rest.
   void anotherToolKeepsTheCut() {
     LatheWindow window;
     QVERIFY(window.beginLathe() && window.turnEnd());
@@ -332,7 +331,7 @@ class LatheWindowTest : public QObject {
     line->setPlaying(true);  // from the end it begins anew
     QTRY_VERIFY(line->time() < 1.0);
     line->setPlaying(false);
-    QCOMPARE(window.driver.text("replayText"), end);  // a worker makes what is shown
+    QCOMPARE(window.driver.text("replayText"), end);  // a worker makes the shown part
     window.driver.release();
     QTRY_VERIFY(window.driver.text("replayText") != end);
     QCOMPARE(window.document().history()->count(), 1);
@@ -400,10 +399,10 @@ class LatheWindowTest : public QObject {
     QCOMPARE(window.workpiece().chord, 0.5);
   }
 
-  // Killed while the feed runs, the program offers what was cut up to the last autosave.
+  // Killed while the feed runs, the program offers the cuts up to the last autosave.
   void aKilledPassComesBack() {
     const QString folder = QString::fromStdString(recoveryFolder().string());
-    QDir(folder).removeRecursively();  // of the tests before
+    QDir(folder).removeRecursively();  // left by previous tests
     QSettings().setValue("autosaveSeconds", 5);
     {
       LatheWindow window;

@@ -19,15 +19,15 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Programs that are written for a target: what the dialog offers, and what is said of them.
+// Programs that are written for a target: the dialog, and the messages about them.
 class ProgramCyclesTest : public QObject {
   Q_OBJECT
 
  private slots:
   void init() { QSettings().clear(); }
 
-  // A bowl of 14 mm with a round bottom, for which there is no drill: written, with a warning of what stays in it. Its
-  // file is offered the name of the document.
+  // A bowl of 14 mm with a round bottom, for which there is no drill: written, with a warning of the remaining
+  // material. Its file is offered the name of the document.
   void aBowlThatIsLeftIsReported() {
     WindowDriver driver;
     driver.choose("newWorkpiece");

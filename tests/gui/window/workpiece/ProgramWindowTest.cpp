@@ -126,7 +126,7 @@ class ProgramWindowTest : public QObject {
     QVERIFY(!window.driver.find<QPushButton>("programCut")->isEnabled());  // it was run on another part
   }
 
-  // What runs while the part is turned is of a part that is no more: it is let go of.
+  // A run in progress while the part is turned belongs to an old part: it is dropped.
   void aRunOnAnOlderPart() {
     ProgramWindow window;
     QVERIFY(window.begin());
@@ -171,7 +171,7 @@ class ProgramWindowTest : public QObject {
     QCOMPARE(window.editor().toPlainText(), QString::fromLatin1(kTurned));
   }
 
-  // What a run shows is marked as such; who leaves it sees the part as it is.
+  // The result of a run is marked as such; leaving it shows the part as it is.
   void aRunIsMarkedAsSimulated() {
     ProgramWindow window;
     QVERIFY(window.begin());
@@ -181,8 +181,8 @@ class ProgramWindowTest : public QObject {
     QVERIFY(banner->isVisible() && window.session().picture().part);
     auto* bar = window.driver.find<MessageBar>("messageBar");
     bar->showMessage({Message::Weight::Info, "It does not cover the banner.", {}, {}, {}, {}});
-    const auto placeOf = [](const QWidget* each) { return QRect(each->mapToGlobal(QPoint()), each->size()); };
-    QTRY_VERIFY(bar->isVisible() && !placeOf(bar).intersects(placeOf(banner)));
+    const auto rectangleOf = [](const QWidget* each) { return QRect(each->mapToGlobal(QPoint()), each->size()); };
+    QTRY_VERIFY(bar->isVisible() && !rectangleOf(bar).intersects(rectangleOf(banner)));
     window.driver.click("messageClose");
     window.driver.click("simulationLeave");
     QVERIFY(window.driver.settle());
@@ -252,7 +252,7 @@ class ProgramWindowTest : public QObject {
     window.driver.click("programStep");
     QVERIFY(window.driver.settle());
     QVERIFY(std::abs(narrowest() - 23.0) < 0.1);
-    // The cursor chooses the place, too.
+    // The cursor selects the position, too.
     window.editor().goTo(2);
     QVERIFY(window.driver.settle());
     QVERIFY((tip() - Vec3(23.0, 0.0, upper + 2.0)).norm() < 1e-9);
@@ -298,8 +298,8 @@ class ProgramWindowTest : public QObject {
     QVERIFY(window.driver.find<QPushButton>("programCut")->isEnabled());
   }
 
-  // With the tools of the post, the holder of the first of which begins 6 mm behind its tip, a plunge of 8 mm is a
-  // collision. Cut for good it is recorded, and undo takes back the groove alone.
+  // With the tools of the post, the first of which has a holder that begins 6 mm behind its tip, a plunge of 8 mm is a
+  // collision. Cut for good it is recorded, and undo removes only the groove.
   void holdersOfTheToolTable() {
     ProgramWindow window;
     QVERIFY(window.begin());
@@ -412,7 +412,7 @@ class ProgramWindowTest : public QObject {
     }
   }
 
-  // What was typed and not saved is asked about: kept, saved or let go as the person says.
+  // Typed text that was not saved is asked about: kept, saved or dropped by the user's choice.
   void unsavedTextIsAskedAbout() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("typed.ngc");
@@ -431,7 +431,7 @@ class ProgramWindowTest : public QObject {
     QCOMPARE(file.readAll(), QByteArray("G0 X60 Z2\nM2\n"));
   }
 
-  // Where there is no workpiece to run it on, opening a program says so, and offers a new bar or one that is open.
+  // If there is no workpiece to run it on, opening a program says so, and offers a new bar or one that is open.
   void aProgramWithoutAWorkpiece() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("part.ngc");
@@ -483,7 +483,7 @@ class ProgramWindowTest : public QObject {
     QVERIFY(file.readAll().endsWith("M30\r\n%\r\n(end)"));
   }
 
-  // What a run says comes and goes below the text; its buttons stay where the mouse is.
+  // The messages of a run come and go below the text; its buttons stay in position.
   void theButtonsStayInTheirPlace() {
     ProgramWindow window;
     QVERIFY(window.begin());

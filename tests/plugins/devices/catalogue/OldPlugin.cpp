@@ -3,7 +3,7 @@
 #include <QObject>
 #include <cstdlib>
 
-// Made for another version of the interface. Any of its code that runs ends the test.
+// A plugin for another version of the interface. Any of its code that runs ends the test.
 class OldPlugin : public QObject {
   Q_OBJECT
   Q_PLUGIN_METADATA(IID "handwheel.device/0" FILE "old.json")

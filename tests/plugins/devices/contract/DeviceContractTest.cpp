@@ -18,7 +18,7 @@ using namespace handwheel;
 
 namespace {
 
-// A Polhem that another process holds, but for the process.
+// Returns a Polhem held by a guard, without the process.
 ContractSubject guardedPolhemSubject() {
   const auto peer = std::make_shared<PolhemEmulator>();
   const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
@@ -28,7 +28,7 @@ ContractSubject guardedPolhemSubject() {
 
 }  // namespace
 
-// What the servo loop may rely on, of every device of every plugin.
+// The guarantees to the servo loop, for every device of every plugin.
 class DeviceContractTest : public QObject {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ class DeviceContractTest : public QObject {
     return state.status == DeviceStatus::Ready || state.status == DeviceStatus::NeedsHoming;
   }
 
-  // As the servo loop calls it, until the state is as wanted. False when it never is.
+  // Calls the device like the servo loop, until the state is as wanted. Returns false if it never is.
   template <class Wanted>
   bool tickUntil(Wanted wanted, const DeviceForce& force = {}) {
     for (int i = 0; i < 5000; ++i) {
@@ -115,7 +115,7 @@ class DeviceContractTest : public QObject {
     for (int i = 0; i < 100; ++i) QVERIFY(isSane(m_device->read()));
   }
 
-  // What drives says which of its readings are new, so that a force is not held on ones that are old.
+  // A device with motors says which of its readings are new, so that a force is not held on ones that are old.
   void motorsComeWithACount() {
     if (!m_subject.motorForce) QSKIP("it has no motors");
     QVERIFY(m_device->open({}).hasValue());
@@ -159,7 +159,7 @@ class DeviceContractTest : public QObject {
     QCOMPARE(m_device->read().status, DeviceStatus::Absent);
   }
 
-  // A force that nobody takes back any more ends all the same.
+  // A force ends also if nobody takes it back.
   void aSilentServoLoopHoldsNoForce() {
     if (!m_subject.motorForce) QSKIP("it has no motors");
     QVERIFY(m_device->open({}).hasValue());

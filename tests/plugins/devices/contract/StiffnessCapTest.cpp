@@ -20,20 +20,20 @@ constexpr double kPeriod = 0.001;  // s: every stiffness below is stated for 1 k
 
 }  // namespace
 
-// The stiffest wall that the loop allows on each device, beside the one that is stated for it.
+// The stiffest wall that the loop allows on each device, compared with the stated one.
 class StiffnessCapTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A program that speaks to the device in each tick, as that for which a stiffness is stated, answers a reading an
-  // exchange later: 1 ms. Ours waits one more for its threads, and 0.2 ms where another process guards the motors. Only
+  // A program that speaks to the device in each tick, like that for which a stiffness is stated, answers a reading an
+  // exchange later: 1 ms. Ours waits one more for its threads, and 0.2 ms if another process guards the motors. Only
   // these may lower the cap: K·(T/2 + t)/(T/2 + t + ours).
   void onlyOurOwnDelaySoftens_data() {
     QTest::addColumn<DeviceCapabilities>("device");
     QTest::addColumn<double>("stated");  // N/mm
     QTest::addColumn<double>("guard");   // s
     QTest::addColumn<double>("cap");     // N/mm
-    // 3000 N/m, 1000 N/m, 1500 N/m, 400 N/m in CHAI3D and its forks of the makers.
+    // 3000 N/m, 1000 N/m, 1500 N/m, 400 N/m in CHAI3D and the manufacturers' forks of it.
     QTest::newRow("falcon") << falcon::Session({}, {}, {}).capabilities() << 3.0 << 0.0002 << 3.0 * 1.5 / 2.7;
     QTest::newRow("haply") << haply::Session({}, {}).capabilities() << 1.0 << 0.0 << 1.0 * 1.5 / 2.5;
     QTest::newRow("polhem") << polhem::Session({}, {}).capabilities() << 1.5 << 0.0002 << 1.5 * 1.5 / 2.7;
@@ -51,11 +51,11 @@ class StiffnessCapTest : public QObject {
     QCOMPARE(device.maxStiffness, stated);
     QCOMPARE(device.nominalRate, 1.0 / kPeriod);
     QCOMPARE(allowed, cap);
-    // In the loop for which it is stated, the wall is as stiff as that, and not more.
+    // In the loop for which it is stated, the wall has this stiffness, and not more.
     QCOMPARE(stiffnessLimit({kPeriod, 0.001, device.inherentDamping}, 0.0), stated);
   }
 
-  // The loop itself comes to that cap as soon as it has measured ticks in time; until then it is more careful.
+  // The loop itself reaches that cap as soon as it has measured ticks in time; until then it is lower.
   void theLoopComesToTheCap_data() { onlyOurOwnDelaySoftens_data(); }
   void theLoopComesToTheCap() {
     QFETCH(DeviceCapabilities, device);

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// The made-up device: answers each force with its place.
+// An emulator of the example device: answers each force with its position.
 struct ExampleEmulator final : Peer {
   void receive(std::span<const std::uint8_t> bytes) override {
     m_partial.insert(m_partial.end(), bytes.begin(), bytes.end());
@@ -21,14 +21,14 @@ struct ExampleEmulator final : Peer {
         sent[axis] = static_cast<std::int16_t>(m_partial[2 * axis] | m_partial[2 * axis + 1] << 8) * 1e-3;
       }
       force = sent;
-      for (const std::int16_t number : place) {
+      for (const std::int16_t number : position) {
         toHost.push_back(static_cast<std::uint8_t>(number & 0xff));
         toHost.push_back(static_cast<std::uint8_t>(number >> 8 & 0xff));
       }
     }
   }
 
-  std::int16_t place[3] = {100, -200, 32767};  // hundredths of a mm
+  std::int16_t position[3] = {100, -200, 32767};  // hundredths of a mm
   std::optional<Vec3> force;
 
  private:

@@ -14,36 +14,36 @@
 
 namespace handwheel {
 
-// An emulator of a Falcon behind its FTDI chip. It has bootloader, firmware, homing, motors, and what is known to go
-// wrong. Written after the description of the protocol, not after the code that it tests. Any thread, under its mutex.
+// An emulator of a Falcon behind its FTDI chip. It has bootloader, firmware, homing, motors, and the known faults.
+// Written after the description of the protocol, not after the code that it tests. Any thread, under its mutex.
 class FalconEmulator {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
   std::mutex mutex;
-  Bytes image = [] {  // what it takes for its firmware
+  Bytes image = [] {  // the firmware that it accepts
     Bytes bytes(7914);
     std::iota(bytes.begin(), bytes.end(), std::uint8_t{1});
     return bytes;
   }();
 
-  // What goes wrong.
-  int spoiltLoads = 0;       // of the next loads, an echo comes back wrong
-  int deafGreetings = 0;     // of the next greetings, no answer
-  bool leadingZero = false;  // before the answer to a greeting
-  int shortEvery = 0;        // of so many answers, one lacks its last two bytes
+  // Faults.
+  int spoiltLoads = 0;       // number of next loads in which an echo comes back wrong
+  int deafGreetings = 0;     // number of next greetings without an answer
+  bool leadingZero = false;  // sends a zero before the answer to a greeting
+  int shortEvery = 0;        // n: each n-th answer lacks its last two bytes
   bool stalled = false;
   bool lateOnce = false;        // the next answer comes when nobody waits for it any more
   std::size_t unpluggedAt = 0;  // byte of a load; 0: never
   bool gone = false;
 
-  // What it is like.
+  // State.
   bool running = false;
-  int packetsToHoming = 0;  // with the homing bit set, until it knows where it is
+  int packetsToHoming = 0;  // packets with the homing bit set until it knows its position
   std::array<int, 3> encoders{};
   std::uint8_t buttons = 0;
 
-  // What has happened to it.
+  // Record of events.
   int loads = 0;
   int packets = 0;
   int largestBeforeHomed = 0;  // torque, counts
@@ -157,7 +157,7 @@ class FalconEmulator {
   Bytes m_loaded;
 };
 
-// Its USB side: transfers in come in packets of 64 bytes, each with two bytes of the chip at its head.
+// The USB side: transfers in come in packets of 64 bytes, each with two bytes of the chip at its head.
 class FakeUsb final : public UsbTransport {
  public:
   FakeUsb(std::shared_ptr<FalconEmulator> falcon, std::shared_ptr<FakeClock> clock)

@@ -18,7 +18,7 @@ Vec3 pointOf(const Counts& counts) {
   return point ? *point : Vec3::Constant(std::nan(""));
 }
 
-// A point that the grip can be moved to: a cylinder within its reach.
+// Returns a point within the reach of the grip: in a cylinder.
 Vec3 anyPoint() {
   const double radius = 1e-6 * *rc::gen::inRange(0, 45'000);
   const double turn = 1e-3 * *rc::gen::inRange(0, 6283);
@@ -26,7 +26,8 @@ Vec3 anyPoint() {
   return {radius * std::cos(turn), radius * std::sin(turn), z};
 }
 
-// How far the ends of a leg's parallelogram are from its length: the loop closure, written with vectors in space.
+// Returns the difference between the ends of a leg's parallelogram and its length: the loop closure, written with
+// vectors in space.
 double loopGap(const Vec3& point, double angle, double azimuth) {
   const Vec3 out(std::cos(azimuth), std::sin(azimuth), 0.0), along(-std::sin(azimuth), std::cos(azimuth), 0.0);
   const Vec3 shaft = 0.0400 * out - 0.02309 * along;
@@ -75,7 +76,7 @@ class FalconKinematicsTest : public QObject {
     QVERIFY((jacobian(pointOf({})) - expected).cwiseAbs().maxCoeff() < 1e-4);
   }
 
-  // By an independent way: each leg, built up in space from shaft to grip, has its length.
+  // By an independent method: each leg, built up in space from shaft to grip, has its length.
   void everyLegCloses() {
     const bool ok = rc::check([] {
       const Vec3 point = anyPoint();
@@ -116,7 +117,7 @@ class FalconKinematicsTest : public QObject {
     QVERIFY(ok);
   }
 
-  // Virtual work: what the motors do along any small move is what the force does.
+  // Virtual work: the work of the motors along any small move is that of the force.
   void torquesDoTheWorkOfTheForce() {
     QVERIFY((torques(Vec3::UnitZ(), pointOf({})) - Vec3::Constant(0.024938)).cwiseAbs().maxCoeff() < 1e-6);
     QCOMPARE(torqueCounts(torques(Vec3::UnitZ(), pointOf({}))), (Counts{-249, -249, -249}));

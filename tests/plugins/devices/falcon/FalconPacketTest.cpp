@@ -20,7 +20,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// An answer with these encoders; status as the device sends it.
+// Returns an answer with these encoders; status as the device sends it.
 std::string answer(const Counts& encoders, int status) {
   std::string packet = text(encode(encoders, 0));
   packet[13] = static_cast<char>('A' + status);
@@ -67,7 +67,7 @@ class FalconPacketTest : public QObject {
     QVERIFY(ok);
   }
 
-  // Packets cut short at any place give no false reading, and at most one whole packet after the cut is lost.
+  // Packets cut short at any byte give no false reading, and at most one whole packet after the cut is lost.
   void aCutPacketIsPassedOver() {
     for (std::size_t kept = 0; kept < kPacketSize; ++kept) {
       AnswerReader reader;

@@ -17,7 +17,7 @@ class FalconSessionTest : public QObject {
   std::shared_ptr<FakeClock> m_clock;
   std::unique_ptr<falcon::Session> m_session;
 
-  // Until it is ready; how many readings that took.
+  // Runs until it is ready; returns the number of readings.
   int untilReady(const DeviceForce& force = {}) {
     for (int i = 1; i <= 1000; ++i) {
       if (m_session->exchange(force).status == DeviceStatus::Ready) return i;
@@ -107,7 +107,7 @@ class FalconSessionTest : public QObject {
     QCOMPARE(m_session->exchange({}).status, DeviceStatus::Absent);
   }
 
-  // Where it is cannot be known before, and its position leaps when it is: no torque until then, whatever is asked.
+  // The position cannot be known before homing, and leaps with it: no torque until then, whatever is asked.
   void noTorqueBeforeItIsHomed() {
     m_falcon->running = true;
     m_falcon->packetsToHoming = 300;
@@ -122,7 +122,7 @@ class FalconSessionTest : public QObject {
     m_session->exchange(push);
     QVERIFY(m_falcon->torques != (std::array<int, 3>{}));
     QVERIFY(!(m_falcon->lights & kHoming));
-    m_falcon->packetsToHoming = 5;  // it forgets
+    m_falcon->packetsToHoming = 5;  // it loses its homing
     m_session->exchange(push);
     QCOMPARE(m_session->exchange(push).status, DeviceStatus::NeedsHoming);
     QCOMPARE(*m_falcon->torques, (std::array<int, 3>{}));
@@ -165,7 +165,7 @@ class FalconSessionTest : public QObject {
     QCOMPARE(ready, 300);
   }
 
-  // Answers do not fall behind the questions for good.
+  // Answers do not lag behind the questions permanently.
   void aLateAnswerIsNotTakenForTheNext() {
     m_falcon->running = true;
     QVERIFY(m_session->open({}).hasValue());
@@ -184,7 +184,7 @@ class FalconSessionTest : public QObject {
     untilReady();
     m_falcon->stalled = true;
     const double start = m_clock->now();
-    QCOMPARE(m_session->exchange({}).status, DeviceStatus::Ready);  // one answer late is none missed
+    QCOMPARE(m_session->exchange({}).status, DeviceStatus::Ready);  // one late answer is not a missed one
     while (m_clock->now() < start + 0.2) m_session->exchange({Vec3(0, 0, 1), Vec3::Zero(), 0.0});
     QCOMPARE(m_session->exchange({}).status, DeviceStatus::Failed);
     m_falcon->stalled = false;

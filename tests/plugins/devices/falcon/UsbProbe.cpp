@@ -7,7 +7,7 @@
 
 using namespace handwheel;
 
-// Says which Falcons libusb finds, and what the first answers to one packet.
+// Prints the Falcons that libusb finds, and the first one's answer to one packet.
 int main() {
   const falcon::Usb usb;
   const std::vector<std::string> found = usb.find();

@@ -6,8 +6,8 @@
 #include <QtTest>
 #include "TestClass.h"
 
-// The plugin's transport with the real libusb, on a Falcon that umockdev pretends is plugged in. It cannot pretend what
-// control requests do, so the way through the bootloader is left to the model of the device.
+// The plugin's transport with the real libusb, on a Falcon that umockdev pretends is plugged in. It cannot imitate
+// control requests, so the bootloader is left to the model of the device.
 class UsbTest : public QObject {
   Q_OBJECT
 

@@ -31,7 +31,7 @@ class Board {
     ::close(m_master);
   }
   QString port() const { return ::ptsname(m_master); }
-  double force() const { return m_force; }  // N, that the motors hold now
+  double force() const { return m_force; }  // N, present force of the motors
   int lines() const { return m_lines; }
   double zeroSince() const { return m_zeroSince; }  // s, by the steady clock
 
@@ -68,7 +68,7 @@ class Board {
 
 }  // namespace
 
-// A program dies or hangs while its device pushes: another process sees to the motors.
+// A program dies or hangs while its device pushes: another process stops the motors.
 class DeadProgramTest : public QObject {
   Q_OBJECT
 
@@ -78,7 +78,7 @@ class DeadProgramTest : public QObject {
 
   bool isPushing() { return std::abs(m_board->force() - 1.0) < 1e-9; }
 
-  // How long the motors went on is printed, not judged: the machine may be busy.
+  // The time that the motors went on is printed, not judged: the machine may be busy.
   void end(int number, const char* what) {
     const double begun = SteadyClock().now();
     ::kill(static_cast<pid_t>(m_program->processId()), number);
@@ -112,7 +112,7 @@ class DeadProgramTest : public QObject {
     QCOMPARE(m_board->force(), 0.0);
   }
 
-  // It comes to itself again, and still wants what it wanted: the hand is no longer where it was.
+  // The program resumes, and still requests its force: the hand has moved.
   void hangingItsMotorsStopAndStayThatWay() {
     end(SIGSTOP, "stopped");
     const int before = m_board->lines();

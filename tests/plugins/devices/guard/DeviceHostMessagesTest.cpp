@@ -65,7 +65,7 @@ std::span<const std::uint8_t> spanOf(const std::string& bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
-// The messages in bytes that come in pieces of at most so many.
+// Returns the messages in bytes that come in pieces of at most so many.
 std::vector<guard::Message> read(guard::Reader& reader, const std::string& bytes, std::size_t piece) {
   std::vector<guard::Message> all;
   for (std::size_t at = 0; at < bytes.size(); at += piece) {
@@ -75,7 +75,7 @@ std::vector<guard::Message> read(guard::Reader& reader, const std::string& bytes
   return all;
 }
 
-// One number of a message, written over at its place.
+// Returns a message with one number overwritten.
 std::string changed(const guard::Message& message, std::size_t at, double value) {
   std::string bytes = bytesOf(message);
   std::memcpy(bytes.data() + at, &value, sizeof(value));
@@ -93,7 +93,7 @@ class DeviceHostMessagesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Orientations are normalised again on the way, so one way and back is compared with another.
+  // Orientations are normalised again in transit, so one transfer is compared with another.
   void comeThroughInPiecesOfAnySize() {
     QVERIFY(rc::check([] {
       std::vector<std::string> sent;
@@ -109,7 +109,7 @@ class DeviceHostMessagesTest : public QObject {
       for (std::size_t i = 0; i < sent.size(); ++i) {
         if (const auto* state = std::get_if<guard::State>(&received[i])) {
           RC_ASSERT(std::abs(state->state.orientation.norm() - 1.0) < 1e-12);
-          RC_ASSERT(bytesOf(received[i]).substr(0, 36) == sent[i].substr(0, 36));  // head, number, place
+          RC_ASSERT(bytesOf(received[i]).substr(0, 36) == sent[i].substr(0, 36));  // head, number, position
         } else {
           RC_ASSERT(bytesOf(received[i]) == sent[i]);
         }
@@ -141,7 +141,7 @@ class DeviceHostMessagesTest : public QObject {
     QCOMPARE(error.subject, std::string("e"));
   }
 
-  // Motors get no number that is none, and the hand is nowhere else than somewhere.
+  // A force or position that is not finite breaks the stream.
   void whatIsNoNumberBreaks() {
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
       for (std::size_t at = 12; at < 12 + 7 * 8; at += 8) QVERIFY(breaks(changed(guard::Force{}, at, bad)));

@@ -14,14 +14,14 @@
 
 namespace handwheel {
 
-// A host for a session on a thread of its own, behind a real socket. That is all of a guard but the process.
+// A host for a session on a thread of its own, behind a real socket. It is a complete guard without the process.
 class HostedSession {
  public:
   using Make = std::function<std::unique_ptr<Session>()>;
   explicit HostedSession(Make make) : m_make(std::move(make)) {}
   ~HostedSession() { end(); }
 
-  // A new host, as a new process would be; the one before has ended.
+  // Starts a new host, as a new process would; the one before has ended.
   std::unique_ptr<ByteStream> start() {
     end();
     int ends[2] = {};
@@ -39,7 +39,7 @@ class HostedSession {
     m_stop = true;
     if (m_thread.joinable()) m_thread.join();
   }
-  // As if the process were asked to go.
+  // Ends the host in the same manner as a request to end the process.
   void stop() { m_stop = true; }
 
  private:
@@ -48,7 +48,7 @@ class HostedSession {
   std::thread m_thread;
 };
 
-// The same device, held by a host.
+// Returns the same device, held by a host.
 inline ContractSubject guardedSubject(const std::shared_ptr<HostedSession>& host, const DeviceCapabilities& kind,
                                       const ContractSubject& of) {
   ContractSubject subject = of;

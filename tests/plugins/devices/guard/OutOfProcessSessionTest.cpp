@@ -13,7 +13,7 @@ using namespace handwheel;
 
 namespace {
 
-// A guard as the program sees it, with what may go wrong.
+// A guard from the program's side, with its faults.
 struct FakeGuard : Peer {
   bool isMute = false;      // does not answer
   bool answersOld = false;  // each answer is that to the force before
@@ -92,11 +92,11 @@ class OutOfProcessSessionTest : public QObject {
  private slots:
   void asksTheDeviceItself() {
     Fixture fixture;
-    QCOMPARE(fixture.session.capabilities().maxForce, 5.0);  // of its kind
+    QCOMPARE(fixture.session.capabilities().maxForce, 5.0);  // value of its kind
     QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Absent);
     QVERIFY(fixture.session.open({}).hasValue());
     QCOMPARE(fixture.session.capabilities().maxForce, 7.5);
-    QVERIFY(fixture.session.capabilities().latency > 0.002);  // the way there and back
+    QVERIFY(fixture.session.capabilities().latency > 0.002);  // both directions
     const DeviceState state = fixture.session.exchange({Vec3(0, 0, 2), Vec3::Zero(), 0.0});
     QCOMPARE(state.status, DeviceStatus::Ready);
     QCOMPARE(state.position, Vec3(1, 2, 3));
@@ -131,14 +131,14 @@ class OutOfProcessSessionTest : public QObject {
     QVERIFY(std::holds_alternative<guard::Close>(busy.process->heard.back()));
   }
 
-  // The watchdog of this side: it waits for each answer 20 ms at most, and gives it up after 100 ms.
+  // The watchdog of this side: it waits for each answer 20 ms at most, and fails after 100 ms.
   void aGuardThatHangsHasFailed() {
     Fixture fixture;
     QVERIFY(fixture.session.open({}).hasValue());
     QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);
     fixture.process->isMute = true;
     const double begun = fixture.clock->now();
-    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);  // what was known last
+    QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);  // the last known state
     QVERIFY(fixture.clock->now() - begun < 0.0201);
     for (int i = 0; i < 6; ++i) fixture.session.exchange({});
     QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Failed);
@@ -146,7 +146,7 @@ class OutOfProcessSessionTest : public QObject {
     QCOMPARE(fixture.session.exchange({}).status, DeviceStatus::Ready);
   }
 
-  // An answer to an older force is not taken for the one to this; it is news all the same.
+  // An answer to an older force is not taken for the one to this; its reading is new all the same.
   void whatComesLateIsNotTakenForTheNext() {
     Fixture fixture;
     QVERIFY(fixture.session.open({}).hasValue());

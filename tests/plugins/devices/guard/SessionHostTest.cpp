@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kTick = 0.001;  // s that the device takes for an exchange
 
-// A device that notes what its motors got, and when.
+// A device that records the forces of its motors, with the times.
 struct Motors : handwheel::Session {
   struct Sent {
     double time;
@@ -56,7 +56,7 @@ struct Motors : handwheel::Session {
   }
 };
 
-// The program as the host sees it: asks for the device, waits until it is open, says its words with pauses between
+// The program from the host's side: requests the device, waits until it is open, sends its messages with pauses between
 // them, and is then gone, or silent.
 class ScriptedProgram : public ByteStream {
  public:
@@ -161,17 +161,17 @@ class SessionHostTest : public QObject {
     QCOMPARE(fixture.motors.sent[4].force.z(), 5.0);
   }
 
-  // However it goes: killed, leaving, speaking nonsense, asked to stop.
+  // For each ending of the program: killed, leaving, sending nonsense, asked to stop.
   void theEndIsZeroForce() {
     for (const char* how : {"gone", "close", "nonsense", "stop"}) {
       SessionHostFixture fixture;
       fixture.program.say(0.001, guard::Force{1, push()});
       fixture.program.say(0.001, guard::Force{2, push()});
-      const std::string way = how;
-      if (way == "close") fixture.program.say(0.001, guard::Close{});
-      if (way == "nonsense") fixture.program.words.push_back({0.001, std::string(20, '\xff')});
-      if (way != "gone") fixture.program.silenceAtTheEnd = 1e9;
-      if (way == "stop") fixture.program.atTheEnd = [&fixture] { fixture.stop = true; };
+      const std::string ending = how;
+      if (ending == "close") fixture.program.say(0.001, guard::Close{});
+      if (ending == "nonsense") fixture.program.words.push_back({0.001, std::string(20, '\xff')});
+      if (ending != "gone") fixture.program.silenceAtTheEnd = 1e9;
+      if (ending == "stop") fixture.program.atTheEnd = [&fixture] { fixture.stop = true; };
       fixture.serve();
       QCOMPARE(fixture.motors.sent[1].force, push().force);
       QVERIFY2(fixture.motors.isClosed && fixture.motors.sent.back().force.isZero(), how);
@@ -202,7 +202,7 @@ class SessionHostTest : public QObject {
     QVERIFY(statuses == expected);
   }
 
-  // Whenever the program says what: 50 ms later nothing is held any more.
+  // For any messages of the program, no force is held 50 ms later.
   void noForceIsOlderThanFiftyMilliseconds() {
     QVERIFY(rc::check([] {
       SessionHostFixture fixture;
@@ -214,7 +214,7 @@ class SessionHostTest : public QObject {
       fixture.serve();
       RC_ASSERT(fixture.motors.isClosed);
       RC_ASSERT(fixture.motors.sent.back().force.isZero());
-      // Between two that push, no more than 50 ms pass without a word: the gap was filled with zeros.
+      // Between two forces, no more than 50 ms pass without a message: the gap was filled with zeros.
       for (std::size_t i = 1; i < fixture.motors.sent.size(); ++i) {
         if (!fixture.motors.sent[i - 1].force.isZero())
           RC_ASSERT(fixture.motors.sent[i].time - fixture.motors.sent[i - 1].time < 0.05);
@@ -255,7 +255,7 @@ class SessionHostTest : public QObject {
   void whoNeverAsksIsLeft() {
     SessionHostFixture fixture;
     fixture.program.words.clear();
-    fixture.program.silenceAtTheEnd = 1e9;  // and never a word
+    fixture.program.silenceAtTheEnd = 1e9;  // without any message
     fixture.serve();
     QVERIFY(fixture.motors.isClosed);
   }

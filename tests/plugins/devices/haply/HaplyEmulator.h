@@ -15,8 +15,8 @@
 
 namespace handwheel {
 
-// An emulator of the Inverse service, as its documentation describes it. It sends one frame for each message, and
-// forces hold for one message. It checks what it is sent, and closes the connection when that is no WebSocket.
+// An emulator of the Inverse service according to its documentation. It sends one frame for each message, and forces
+// hold for one message. It checks what it is sent, and closes the connection when that is no WebSocket.
 struct HaplyEmulator final : Peer {
   nlohmann::json position = {{"x", 0.01}, {"y", -0.02}, {"z", 0.03}};
   bool calibrated = true;
@@ -24,11 +24,11 @@ struct HaplyEmulator final : Peer {
   bool grip = true;
   bool pings = false;
   std::size_t fragment = 0;  // the longest frame of its messages; 0: whole
-  std::string replyInstead;  // when not empty
+  std::string replyInstead;  // used if not empty
   std::string consent = "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n";
   bool answersTheKey = true;
 
-  std::string key;  // of the handshake
+  std::string key;  // key of the handshake
   int messages = 0;
   int pongs = 0;
   bool saidGoodbye = false;

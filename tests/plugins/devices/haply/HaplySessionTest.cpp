@@ -149,7 +149,7 @@ class HaplySessionTest : public QObject {
     const double start = m_clock->now();
     m_session->exchange({});
     m_session->exchange({});
-    QCOMPARE(m_service->messages - before, 1);  // it waits for the answer that it is owed
+    QCOMPARE(m_service->messages - before, 1);  // it waits for the outstanding answer
     while (m_clock->now() < start + 0.3) m_session->exchange({});
     QCOMPARE(m_session->exchange({}).status, DeviceStatus::Failed);
     m_service->stalled = false;
@@ -164,7 +164,7 @@ class HaplySessionTest : public QObject {
     QCOMPARE(m_session->open({}).error().code, DeviceError::NotResponding);
   }
 
-  // RFC 6455, section 4.1: each connection has a key of its own, and only who answers that key is spoken to.
+  // RFC 6455, section 4.1: each connection has a key of its own, and only a server that answers that key is accepted.
   void shakesHandsAsTheStandardWants() {
     QCOMPARE(haply::acceptFor("dGhlIHNhbXBsZSBub25jZQ=="), std::string("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));  // section 1.3
     QVERIFY(m_session->open({}).hasValue());
@@ -185,7 +185,7 @@ class HaplySessionTest : public QObject {
     }
   }
 
-  // Every version that is known names things a little differently; nonsense is nothing.
+  // Every known version has slightly different names; nonsense gives nothing.
   void framesOfAllVersions() {
     const auto read = [](const char* text) { return haply::readFrame(text); };
     const auto old =

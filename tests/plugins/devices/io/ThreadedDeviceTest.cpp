@@ -19,13 +19,13 @@ namespace {
 // Counts what this thread allocates with new.
 thread_local std::size_t allocations = 0;
 
-// A session as slow and as careless with memory as a protocol may be; what it is asked and what it says is in
+// A session as slow and as careless with memory as a protocol may be; its requests and readings are in
 // ThreadedDeviceBoard.
 struct ThreadedDeviceBoard {
   std::atomic<int> exchanges{0};
   std::atomic<double> lastForce{0.0};
   std::atomic<double> largestForce{0.0};
-  std::atomic<double> place{1.0};
+  std::atomic<double> x{1.0};
   std::atomic<bool> gone{false};
   std::atomic<bool> closed{false};
 };
@@ -44,7 +44,7 @@ class SlowSession final : public handwheel::Session {
     ++m_board.exchanges;
     DeviceState state;
     state.status = m_board.gone ? DeviceStatus::Absent : DeviceStatus::Ready;
-    state.position = Vec3(m_board.place, 0, 0);
+    state.position = Vec3(m_board.x, 0, 0);
     return state;
   }
   void close() noexcept override { m_board.closed = true; }
@@ -84,7 +84,7 @@ class ThreadedDeviceTest : public QObject {
 
   void cleanup() { m_device.reset(); }
 
-  // However long the device takes, the servo thread goes on: many ticks to one exchange, and not one allocation.
+  // For a slow device, the servo thread goes on: many ticks to one exchange, and not one allocation.
   void theServoThreadNeitherWaitsNorAllocates() {
     const int exchanges = m_board->exchanges;
     const std::size_t before = allocations;
@@ -104,11 +104,11 @@ class ThreadedDeviceTest : public QObject {
     QTRY_COMPARE(m_board->lastForce, 0.0);
   }
 
-  void aReadingThatIsNoNumberKeepsTheLastPlace() {
+  void aReadingThatIsNoNumberKeepsTheLastPosition() {
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-      m_board->place = 1.0;
+      m_board->x = 1.0;
       QTRY_COMPARE(m_device->read().status, DeviceStatus::Ready);
-      m_board->place = bad;
+      m_board->x = bad;
       QTRY_COMPARE(m_device->read().status, DeviceStatus::Failed);
       QCOMPARE(m_device->read().position.x(), 1.0);
     }

@@ -12,7 +12,7 @@
 
 using namespace handwheel;
 
-// The bridge's own logic, on a stand-in of the maker's library.
+// The bridge's own logic, on a stand-in of the manufacturer's library.
 class HdSessionTest : public QObject {
   Q_OBJECT
 
@@ -73,7 +73,7 @@ class HdSessionTest : public QObject {
     QVERIFY(look([](const HdStandIn& device) { return !device.isRunning; }));
   }
 
-  // The callback goes on although nobody asks any more.
+  // The callback goes on although nobody requests forces any more.
   void aForceDoesNotOutliveWhoAskedForIt() {
     QVERIFY(m_session->open({}).hasValue());
     exchangeUntil(DeviceStatus::Ready);
@@ -85,7 +85,7 @@ class HdSessionTest : public QObject {
     QTRY_VERIFY(look([&](const HdStandIn& device) { return device.frames > frames; }));
   }
 
-  void noForceBeforeItKnowsItsPlace() {
+  void noForceBeforeItKnowsItsPosition() {
     m_device.needsInkwell = true;
     QVERIFY(m_session->open({}).hasValue());
     const DeviceForce push{Vec3(0.0, 1.0, 0.0), Vec3::Zero(), 0.0};
@@ -96,7 +96,8 @@ class HdSessionTest : public QObject {
     QCOMPARE(exchangeUntil(DeviceStatus::Ready, push).status, DeviceStatus::Ready);
   }
 
-  // The maker's example: of the styles that a device knows, one is asked for; AUTO before INKWELL before ENCODER_RESET.
+  // The manufacturer's example: one of the styles that a device knows is requested; AUTO before INKWELL before
+  // ENCODER_RESET.
   void oneStyleOfCalibrationIsAskedFor_data() {
     QTest::addColumn<int>("known");
     QTest::addColumn<unsigned>("asked");
@@ -131,20 +132,20 @@ class HdSessionTest : public QObject {
     QCOMPARE(opened.error().arguments[0], std::string("no device"));
   }
 
-  // The process itself, as the plugin starts it.
+  // The process itself, started like by the plugin.
   void theBridgeIsAProcess() {
     openhaptics::Driver driver(BRIDGE);
     const auto device = driver.make(openhaptics::kDefaultDevice);
-    QVERIFY(device && device->capabilities().maxStiffness == 0.4);  // of its kind
+    QVERIFY(device && device->capabilities().maxStiffness == 0.4);  // value of its kind
     QVERIFY(device->open({}).hasValue());
-    QCOMPARE(device->capabilities().maxStiffness, 0.5);  // of itself
+    QCOMPARE(device->capabilities().maxStiffness, 0.5);  // its own value
     QTRY_COMPARE(device->read().status, DeviceStatus::Ready);
     QVERIFY((device->read().position - Vec3(10.0, -50.0, 0.0)).norm() < 1e-12);
     device->close();
     QCOMPARE(device->read().status, DeviceStatus::Absent);
   }
 
-  // Nothing is offered where nobody has built the bridge.
+  // No device is offered if the bridge was not built.
   void theDriverNeedsTheBridge() {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("openhaptics").toStdString();

@@ -113,7 +113,7 @@ void hdEndFrame(HHD) {
   HdStandIn::only().mutex.unlock();
 }
 
-// Within a frame, but for what never changes.
+// To be called within a frame, except for constant values.
 void hdGetDoublev(HDenum what, HDdouble* values) {
   const HdStandIn& device = HdStandIn::only();
   if (what == HD_CURRENT_POSITION) put(values, device.position);

@@ -10,30 +10,30 @@
 
 namespace handwheel {
 
-// A simulated pen device behind the stand-in of OpenHaptics. It is on an arm, with a servo thread as the maker's
-// library has one. There is one, as there is one library. Any thread, under its mutex.
+// A simulated pen device behind the stand-in of OpenHaptics. It is on an arm, with a servo thread like that of the
+// manufacturer's library. There is one, as there is one library. Any thread, under its mutex.
 struct HdStandIn {
   std::mutex mutex;
-  // What it is like.
+  // State.
   bool isPlugged = true;
-  bool needsInkwell = false;  // it does not know its place until the pen was put in
+  bool needsInkwell = false;  // it does not know its position until the pen was put into the inkwell
   bool isInInkwell = false;
-  int calibrationStyles = 0;         // that it knows, as bits
+  int calibrationStyles = 0;         // calibration styles that it supports, as bits
   Vec3 position{10.0, -20.0, 30.0};  // mm, in its own frame, whose origin is not the middle of its space
   Vec3 least{-160.0, -70.0, -40.0}, most{160.0, 130.0, 100.0};
   int buttons = 0;
   bool saysNonsense = false;
   bool isStalled = false;  // the servo thread stands still
-  // What has happened to it.
-  unsigned askedStyle = 0;  // of calibration; 0: none yet
+  // Record of events.
+  unsigned askedStyle = 0;  // requested calibration style; 0: none yet
   std::string name;
-  std::optional<Vec3> force;  // of the last frame
+  std::optional<Vec3> force;  // force of the last frame
   bool isForceOn = false;
   bool isRunning = false;
   int frames = 0;
 
   static HdStandIn& only();
-  void reset();  // as it comes from the shop
+  void reset();  // restores the initial state
 };
 
 }  // namespace handwheel

@@ -16,12 +16,12 @@ namespace handwheel {
 // An emulator of the board of a Polhem. It has 64 bytes in, 64 bytes out, written with the format that its firmware
 // uses.
 struct PolhemEmulator final : Peer {
-  double place[3] = {-59.276, 13.383, -148.002};
+  double position[3] = {-59.276, 13.383, -148.002};
   double angles[4] = {0.0919, -1.8483, 1.0370, -1.9512};
-  int booting = 0;  // lines that it does not hear yet
+  int booting = 0;  // lines that it does not receive yet
   bool stalled = false;
-  bool lateOnce = false;  // the next answer is kept in late
-  std::size_t loses = 0;  // bytes from the middle of each line
+  bool lateOnce = false;  // the next answer is kept in `late`
+  std::size_t loses = 0;  // bytes lost from the middle of each line
   std::optional<Vec3> force;
   std::string late;
 
@@ -35,8 +35,9 @@ struct PolhemEmulator final : Peer {
 
   std::string line() const {
     char text[128];
-    const int length = std::snprintf(text, sizeof(text), "% 8.3f % 8.3f % 8.3f % 7.4f % 7.4f % 7.4f % 7.4f %d\n",
-                                     place[0], place[1], place[2], angles[0], angles[1], angles[2], angles[3], 0);
+    const int length =
+        std::snprintf(text, sizeof(text), "% 8.3f % 8.3f % 8.3f % 7.4f % 7.4f % 7.4f % 7.4f %d\n", position[0],
+                      position[1], position[2], angles[0], angles[1], angles[2], angles[3], 0);
     std::string padded(text, static_cast<std::size_t>(length));
     padded.resize(63, ' ');
     return padded + '\n';

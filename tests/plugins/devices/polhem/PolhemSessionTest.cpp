@@ -71,7 +71,7 @@ class PolhemSessionTest : public QObject {
     QCOMPARE(PolhemEmulator().line(), line);
   }
 
-  // A line as the maker's own header quotes it.
+  // A line quoted by the manufacturer's own header.
   void aLineAsDocumented() {
     const auto reading = parseLine(" -59.276   13.383 -148.002   0.0919 -1.8483  1.0370 -1.9512 0");
     QVERIFY(reading.has_value());
@@ -90,10 +90,10 @@ class PolhemSessionTest : public QObject {
     QVERIFY((reading.orientation() * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-12);
   }
 
-  // Whatever number of bytes is lost, and wherever: no false reading, and the next line is read.
+  // For any number of lost bytes at any position: no false reading, and the next line is read.
   void aLineThatLostBytesIsPassedOver() {
     PolhemEmulator whole, after;
-    after.place[0] = 77.0;
+    after.position[0] = 77.0;
     const std::string line = whole.line();
     const std::size_t content = line.find('\n') + 1;
     for (std::size_t from = 0; from < content; ++from) {
@@ -159,14 +159,14 @@ class PolhemSessionTest : public QObject {
     m_peer->lateOnce = true;
     m_session->exchange({});
     QVERIFY(!m_peer->late.empty());
-    m_peer->toHost.assign(m_peer->late.begin(), m_peer->late.end());  // here it comes
-    m_peer->place[1] = 42.0;
+    m_peer->toHost.assign(m_peer->late.begin(), m_peer->late.end());  // the late answer arrives
+    m_peer->position[1] = 42.0;
     QCOMPARE(m_session->exchange({}).position.x(), 42.0);
   }
 
   void aStallFailsAndComesBack() {
     QVERIFY(m_session->open({}).hasValue());
-    m_peer->loses = 3;  // every line is cut short, which is as good as none
+    m_peer->loses = 3;  // every line is cut short, which counts as none
     const double start = m_clock->now();
     while (m_clock->now() < start + 0.2) m_session->exchange({});
     QCOMPARE(m_session->exchange({}).status, DeviceStatus::Failed);

@@ -7,7 +7,8 @@
 using namespace handwheel;
 using namespace handwheel::spacemouse;
 
-// Says which devices hidapi finds, and what the first of them tells until a button is pressed: a line for each change.
+// Prints the devices that hidapi finds, and the readings of the first until a button is pressed: a line for each
+// change.
 int main() {
   const Hid hid = hidapi();
   const std::vector<Hid::Entry> entries = hid.find();
@@ -23,12 +24,12 @@ int main() {
     const DeviceState next = session.exchange({});
     if (next.status != DeviceStatus::Ready) break;
     const Eigen::AngleAxisd turn(next.orientation);
-    const Vec3 turned = turn.angle() * turn.axis() + Vec3::Zero();  // which makes a negative zero positive
-    const Vec3 place = next.position + Vec3::Zero();
+    const Vec3 turned = turn.angle() * turn.axis() + Vec3::Zero();  // adding makes a negative zero positive
+    const Vec3 position = next.position + Vec3::Zero();
     if (next.position != state.position || next.buttons != state.buttons ||
         !next.orientation.isApprox(state.orientation)) {
-      std::printf("%.4f %.4f %.4f, %.4f %.4f %.4f, %u\n", place.x(), place.y(), place.z(), turned.x(), turned.y(),
-                  turned.z(), next.buttons);
+      std::printf("%.4f %.4f %.4f, %.4f %.4f %.4f, %u\n", position.x(), position.y(), position.z(), turned.x(),
+                  turned.y(), turned.z(), next.buttons);
     }
     state = next;
   }

@@ -31,7 +31,7 @@ class HidrawTest : public QObject {
         "c0");
   }
 
-  // The device, its interface, the HID device and the node, as the kernel shows them.
+  // Returns the device, its interface, the HID device and the node, in the form that the kernel shows them.
   QByteArray tree() const {
     const QByteArray usb = "/devices/pci0000:00/0000:00:14.0/usb1/1-1";
     const QByteArray interface = usb + "/1-1:1.0", hid = interface + "/0003:256F:C635.0001";

@@ -16,7 +16,7 @@ namespace {
 
 using Report = std::vector<std::uint8_t>;
 
-// Of the reports that mean something, and of one that means nothing here.
+// Ids of the reports that mean something, and of one that means nothing here.
 const Report kNumbers = {1, 2, 3, 4, 0x17, 0x1c, 0x1d};
 
 Report report(std::uint8_t id, const std::vector<int>& numbers) {
@@ -66,7 +66,7 @@ class SpaceMouseReportsTest : public QObject {
     QVERIFY(ok);
   }
 
-  // Whatever comes, at every length: a reading is finite and within full scale, and short motion reports move nothing.
+  // For any bytes of every length: a reading is finite and within full scale, and short motion reports move nothing.
   void anyBytesAreSafe() {
     for (std::size_t length = 0; length <= 64; ++length) {
       const bool ok = rc::check([length] {
@@ -77,7 +77,7 @@ class SpaceMouseReportsTest : public QObject {
         RC_ASSERT(moved == (length >= 7 && (bytes[0] == 1 || bytes[0] == 2)));
         if (!moved) RC_ASSERT(reports.counts().isZero());
         DeviceState state;
-        place(reports.counts(), state);
+        setPose(reports.counts(), state);
         RC_ASSERT(state.position.cwiseAbs().maxCoeff() <= kTravel);
         RC_ASSERT(std::abs(state.orientation.norm() - 1.0) < 1e-12);
         const double angle = Eigen::AngleAxisd(state.orientation).angle();
@@ -91,14 +91,14 @@ class SpaceMouseReportsTest : public QObject {
   // Right, towards the user, down become x right, y up, z towards the user; turning follows the same frame.
   void axesAreTurnedAsOneFrame() {
     DeviceState state;
-    place({{350, 0, 0}, {}}, state);
+    setPose({{350, 0, 0}, {}}, state);
     QVERIFY((state.position - kTravel * Vec3::UnitX()).norm() < 1e-12);
-    place({{0, 350, 0}, {}}, state);
+    setPose({{0, 350, 0}, {}}, state);
     QVERIFY((state.position - kTravel * Vec3::UnitZ()).norm() < 1e-12);
-    place({{0, 0, 350}, {}}, state);
+    setPose({{0, 0, 350}, {}}, state);
     QVERIFY((state.position + kTravel * Vec3::UnitY()).norm() < 1e-12);
-    // Turned about "down" by a quarter of full scale: about -y.
-    place({{}, {0, 0, 175}}, state);
+    // Turned about "down" by half of full scale: about -y.
+    setPose({{}, {0, 0, 175}}, state);
     const Eigen::Quaterniond expected(Eigen::AngleAxisd(0.5 * kFullTilt, -Vec3::UnitY()));
     QVERIFY(state.orientation.isApprox(expected, 1e-12));
     QVERIFY((state.orientation * Vec3::UnitZ() - Vec3(-std::sin(0.5), 0.0, std::cos(0.5))).norm() < 1e-12);
@@ -106,7 +106,7 @@ class SpaceMouseReportsTest : public QObject {
 
   void overshootIsClamped() {
     DeviceState state;
-    place({{360, -32768, 32767}, {32767, 0, 0}}, state);
+    setPose({{360, -32768, 32767}, {32767, 0, 0}}, state);
     QVERIFY((state.position - kTravel * Vec3(1, -1, -1)).norm() < 1e-12);
     QVERIFY(std::abs(Eigen::AngleAxisd(state.orientation).angle() - kFullTilt) < 1e-12);
   }

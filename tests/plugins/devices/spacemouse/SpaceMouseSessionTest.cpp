@@ -126,7 +126,7 @@ class SpaceMouseSessionTest : public QObject {
   }
 
   // The daemon and hidraw show the same device: one of them is listed, never both.
-  void neverBothWays() {
+  void neverBoth() {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("spnav.sock").toStdString();
     spacemouse::Driver driver(oneHid(), {path});
@@ -160,7 +160,7 @@ class SpaceMouseSessionTest : public QObject {
     spacemouse::Driver driver(oneHid(), {path});
     const std::unique_ptr<Device> device = driver.make(path);
     QVERIFY(device != nullptr);
-    ::close(daemon.accept());  // the question whether somebody listens
+    ::close(daemon.accept());  // the check whether somebody listens
     QVERIFY(device->open({}).hasValue());
     const int client = daemon.accept();
     const std::array<std::int32_t, 8> motion = {0, 350, 0, 0, 0, 0, 0, 16};

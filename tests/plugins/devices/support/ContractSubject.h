@@ -10,13 +10,14 @@
 
 namespace handwheel {
 
-// A device under the contract, with the hand on its plug. It stands on an emulated device that is there and well.
+// A device under the contract, with functions that disturb it. It runs on an emulated device that is connected and in
+// order.
 struct ContractSubject {
   std::function<std::unique_ptr<Device>()> make;
   std::function<void()> unplug;
-  std::function<void()> corrupt;  // from now on it answers nonsense
+  std::function<void()> corrupt;  // makes it answer nonsense from now on
   std::function<std::optional<Vec3>()>
-      motorForce;  // N, what its motors hold; nothing before the first command. Null: no motors
+      motorForce;  // N, the force of its motors; nothing before the first command. Null: no motors
 };
 
 }  // namespace handwheel

@@ -22,7 +22,7 @@ class FakeClock final : public Clock {
   double now() noexcept override { return static_cast<double>(m_microseconds.load()) * 1e-6; }
   void sleep(double seconds) noexcept override { m_microseconds += static_cast<long long>(std::ceil(seconds * 1e6)); }
 
-  // Called by the emulated lines for each transfer.
+  // To be called by the emulated lines for each transfer.
   void pace() const {
     if (m_pace == Pace::Real) std::this_thread::sleep_for(std::chrono::microseconds(200));
   }

@@ -18,12 +18,12 @@ namespace handwheel {
 class Peer {
  public:
   virtual ~Peer() = default;
-  // What the host has sent; what is to be read goes into toHost.
+  // Receives bytes from the host; answers go into toHost.
   virtual void receive(std::span<const std::uint8_t> bytes) = 0;
 
   std::mutex mutex;
   std::deque<std::uint8_t> toHost;
-  std::size_t longestRead = 4096;  // a read gives no more at once
+  std::size_t longestRead = 4096;  // largest number of bytes per read
   bool gone = false;
 };
 

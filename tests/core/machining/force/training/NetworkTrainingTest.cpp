@@ -91,7 +91,7 @@ class NetworkTrainingTest : public QObject {
     const double error = problem.error(weights, gradient);
     QVERIFY(std::abs(problem.error(weights) - error) < 1e-15);
     QVERIFY(std::abs(problem.error(weights, hessian, jacobianGradient) - error) < 1e-15);
-    QVERIFY((gradient - 2.0 * jacobianGradient).norm() < 1e-12 * gradient.norm());  // of e² and of e²/2
+    QVERIFY((gradient - 2.0 * jacobianGradient).norm() < 1e-12 * gradient.norm());  // gradients of e² and of e²/2
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(weights.size(), weights.size());
     for (const ForceSample& sample : samples) {
       networkOutput(network.weights, network.scaled(sample.cut), row.data());

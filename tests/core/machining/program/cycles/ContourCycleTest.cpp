@@ -38,14 +38,14 @@ double radiusOfRoundContour(double z) {
   return 9;
 }
 
-// As a tool has it that only climbs.
+// The radius for a tool that only climbs.
 double radiusWithoutPockets(double z) {
   double most = 0.0;
   for (double there = 0.0; there > z; there -= 0.01) most = std::max(most, radiusOfRoundContour(there));
   return std::max(most, radiusOfRoundContour(z));
 }
 
-using PlaceChange = std::function<ProfilePoint(const ProfilePoint&)>;
+using ProgramShift = std::function<ProfilePoint(const ProfilePoint&)>;
 
 ProfilePoint unchanged(const ProfilePoint& p) {
   return p;
@@ -57,9 +57,9 @@ std::string wordsOf(const ProfilePoint& p) {
   return text.str();
 }
 
-// A program of one cycle, whose contour and start are at other places, mirrored or not.
+// A program of one cycle, whose contour and start are displaced, mirrored or not.
 std::string contourProgram(const std::string& cycle, const std::vector<ContourLine>& contour,
-                           const PlaceChange& change = unchanged, bool isMirrored = false) {
+                           const ProgramShift& change = unchanged, bool isMirrored = false) {
   std::ostringstream text;
   text << "F9\no1 sub\nG0" << wordsOf(change({5, 0})) << "\n";
   for (const ContourLine& line : contour) {
@@ -96,7 +96,7 @@ std::vector<double> heightsAlong() {
 
 }  // namespace
 
-// Cycles along a contour, by what they leave: LinuxCNC, "Lathe Roughing Cycles". X is a radius.
+// Cycles along a contour, by the part that they leave: LinuxCNC, "Lathe Roughing Cycles". X is a radius.
 class ContourCycleTest : public QObject {
   Q_OBJECT
 
@@ -110,7 +110,7 @@ class ContourCycleTest : public QObject {
     }
   }
 
-  // G71.1 leaves what lies behind a higher place; G71.2 takes this alone.
+  // G71.1 leaves pockets behind a higher point; G71.2 cuts these alone.
   void leavesPocketsForLater() {
     const auto before = ProgramTrial().movesOf(contourProgram("G71.1 Q1 I2 R0.5", kRoundContour));
     const auto after = ProgramTrial().movesOf(contourProgram("G71.2 Q1 I2 R0.5", kRoundContour));
@@ -147,7 +147,7 @@ class ContourCycleTest : public QObject {
   void otherSidesAreMirrored() {
     QFETCH(QString, cycle);
     QFETCH(int, side);
-    const PlaceChange change = [side](const ProfilePoint& p) -> ProfilePoint {
+    const ProgramShift change = [side](const ProfilePoint& p) -> ProfilePoint {
       if (side == 1) return {p.x(), -p.y()};
       if (side == 2) return {30.0 - p.x(), p.y()};
       return {p.y() + 40.0, p.x() - 40.0};

@@ -21,7 +21,7 @@ TargetProfile withBore(const std::vector<ProfilePoint>& wall) {
   return TargetProfile::make(std::move(all)).value();
 }
 
-// What is wrong, "word: reason".
+// Returns the reason of an error, "word: reason".
 std::string refusedBecause(const Error& error) {
   return error.arguments.at(1) + ": " + error.arguments.at(2);
 }
@@ -44,7 +44,8 @@ class CycleRefusalsTest : public QObject {
     QVERIFY(whyNoDrill(shallow, tools).has_value());
   }
 
-  // Why there is no drill is said of the largest that goes into the bore; of one narrower than all, of the smallest.
+  // The reason for a missing drill is given for the largest that goes into the bore; for a bore narrower than all, for
+  // the smallest.
   void whyThereIsNoDrill() {
     const LatheTools tools = shippedLatheTools();
     const TargetProfile deep = withBore({{14, 0}, {14, -30}, {0, -30}}),

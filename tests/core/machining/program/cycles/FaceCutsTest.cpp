@@ -111,7 +111,7 @@ class FaceCutsTest : public QObject {
     QVERIFY(!facingHeights(*beside, 6.0).empty());
   }
 
-  // What ends at the face, by the bar or because it was faced before, is not faced again.
+  // A part that ends at the face, by the bar or because it was faced before, is not faced again.
   void nothingToFace() {
     QVERIFY(faceCuts({0.0, 0.0}, 20.0, {}).value().empty());
     TurnedProfile bar({40.0, 101.0, 0.0}, kFaceSpacing);

@@ -114,7 +114,7 @@ class RoughAndFinishTest : public QObject {
     QVERIFY(!roughAndFinish(targetOf("shaft"), kBarRadius, settings));
   }
 
-  // A bar as long as the target: what is as thick as the bar at its lower end stays in the chuck. Anything thinner
+  // A bar as long as the target: a section as thick as the bar at its lower end stays in the chuck. Anything thinner
   // needs room for the nose (2 r), the allowance, and 0.01 mm beside the chuck.
   void chuckHoldsTheLowerEnd_data() {
     QTest::addColumn<double>("lowerRadius");
@@ -163,7 +163,7 @@ class RoughAndFinishTest : public QObject {
     QVERIFY(simulation.run({}));
     QCOMPARE(simulation.collisionCount(), std::size_t{0});
     const TurnedProfile& part = simulation.part();
-    const auto radiusAt = [&](double z) {  // of the target's coordinates
+    const auto radiusAt = [&](double z) {  // z in the target's coordinates
       return part.radius(static_cast<std::size_t>(std::lround((z + 100.0 + room) / part.spacing())));
     };
     for (const auto& [z, r] : {std::pair(-15.0, 9.0), {-50.0, 14.0}, {-85.0, lowerRadius}})
@@ -399,7 +399,7 @@ class RoughAndFinishTest : public QObject {
     QVERIFY(simulation.run({}));
     QCOMPARE(simulation.collisionCount(), std::size_t{0});
     for (std::size_t i = 0; i < bar.size(); ++i) {
-      // Where the pass begins and ends the tool comes from above.
+      // At the begin and end of the pass the tool comes from above.
       if (std::abs(bar.z(i) - 90.0) < 1.1 || std::abs(bar.z(i) - 10.0) < 1.1) continue;
       QVERIFY(std::abs(simulation.part().radius(i) - expected.radius(i)) < 2e-3);
     }
@@ -471,7 +471,7 @@ class RoughAndFinishTest : public QObject {
     QVERIFY(!isProgrammable(thread));
   }
 
-  // Of an ideal point: the volume between two cylinders and a cone, by formula.
+  // An ideal point: the volume between two cylinders and a cone, by formula.
   void aPointCutsItsPath() {
     const auto path = runProgram("G21 G8 F100 S100 M3\nG0 X22 Z1\nX15\nG1 Z-20\nX20 Z-40\nG0 X30\n",
                                  setupFor(ProgramDialect::LinuxCnc, 0.0));

@@ -53,8 +53,8 @@ class DrawingTest : public QObject {
     }));
   }
 
-  // Two curves between two places are an outline; of more, as many as a file has room for, the third is refused.
-  void manyArcsBetweenTwoPlaces() {
+  // Two curves between two points are an outline; of as many as a file has room for, the third is refused.
+  void manyArcsBetweenTwoPoints() {
     std::vector<ProfileSegment> arcs;
     for (int i = 0; i < 100'000; ++i) arcs.push_back({{10.0, 0.0}, {10.0, 50.0}, 1e-5 * i});
     const auto target = targetIn(drawn(arcs));

@@ -108,7 +108,7 @@ class SvgReaderTest : public QObject {
     QFETCH(double, rx);
     QFETCH(double, ry);
     const auto all = curves(("<rect x=\"1\" y=\"2\" width=\"20\" height=\"10\" " + corners + "/>").toStdString());
-    double twice = 0.0, lengths = 0.0;  // of the area, by the shoelace formula
+    double twice = 0.0, lengths = 0.0;  // twice the area, by the shoelace formula
     for (std::size_t i = 0; i < all.size(); ++i) {
       QVERIFY((all[i].to - all[(i + 1) % all.size()].from).norm() < 1e-6);
       constexpr int kPieces = 200;

@@ -25,7 +25,7 @@ Autorefinement cut(const TriangleSoup& soup) {
   return autorefine(soup, selfIntersections(soup.points, soup.triangles).value(), NumberType::Float64);
 }
 
-// The soup with its pieces in the place of what was cut.
+// Returns the soup with cut triangles replaced by their pieces.
 TriangleSoup pieces(const TriangleSoup& soup, const Autorefinement& cuts) {
   TriangleSoup result{cuts.points, {}};
   for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
@@ -157,7 +157,7 @@ void AutorefinementTest::randomSoups() {
   }));
 }
 
-// The edges of two closed balls that cross: each still has as many faces one way as the other.
+// Two closed balls cross: each edge still has equally many faces in both directions.
 void AutorefinementTest::closedStaysClosed() {
   for (NumberType numbers : {NumberType::Float64, NumberType::Float32}) {
     TriangleSoup soup = test::icosphere(2);

@@ -37,7 +37,7 @@ const TriangleSoup kPlate = test::box({0, 0, 0}, {4, 4, 1});
 
 }  // namespace
 
-// What lies on each other in one plane and overlaps, joined by the removal of self-intersections.
+// Tests that the removal of self-intersections joins overlapping coplanar surfaces.
 class CoincidentPiecesTest : public QObject {
   Q_OBJECT
 

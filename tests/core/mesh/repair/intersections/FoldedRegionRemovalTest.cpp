@@ -46,7 +46,7 @@ HalfEdgeMesh withDiagonal(const HalfEdgeMesh& mesh, double diagonal) {
   return buildMesh(s).mesh;
 }
 
-// How far the farthestFromSurface vertex of one mesh is from the surface of the other.
+// Returns the largest distance of a vertex of one mesh from the surface of the other.
 double farthestFromSurface(const HalfEdgeMesh& from, const HalfEdgeMesh& to) {
   const SurfaceDistance surface(to);
   double most = 0.0;
@@ -54,7 +54,8 @@ double farthestFromSurface(const HalfEdgeMesh& from, const HalfEdgeMesh& to) {
   return most;
 }
 
-// Whether the folded region above is replaced where the model has this diagonal, and how far that moves the surface.
+// Returns the distance by which replacing the folded region above moves the surface of a model with this diagonal;
+// nothing if it is not replaced.
 std::optional<double> moveIn(const HalfEdgeMesh& folded, double diagonal) {
   const HalfEdgeMesh before = withDiagonal(folded, diagonal);
   HalfEdgeMesh after = before;
@@ -101,7 +102,7 @@ void FoldedRegionRemovalTest::tangleGoes() {
       const bool isFar = std::all_of(was.begin(), was.end(), [](const Vec3& p) { return p.z() < kUpper; });
       if (isFar) QVERIFY(mesh.isLive(f) && mesh.points(f) == was);
     }
-    // As far from the sphere as its own flat triangles are, and twice that for the patch.
+    // The limits are the distance of the flat triangles from the sphere, and twice that for the patch.
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
       if (!mesh.isLive(f)) continue;
       for (const Vec3& p : mesh.points(f)) QVERIFY(std::abs(p.norm() - 1.0) < 0.01);
@@ -150,7 +151,7 @@ void FoldedRegionRemovalTest::bodyStays() {
   QCOMPARE(findShells(mesh).size(), std::size_t{2});
 }
 
-// Where the surface would move by more than is allowed, it stays with its hole.
+// If the surface would move by more than allowed, it stays with its hole.
 void FoldedRegionRemovalTest::farFromTheSurfaceNothingGoes() {
   HalfEdgeMesh mesh = tangledBall();
   const BoundaryLoop loop = upperLoops(mesh).at(0);

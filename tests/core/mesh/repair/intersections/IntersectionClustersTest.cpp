@@ -45,7 +45,7 @@ void IntersectionClustersTest::clusters() {
   QVERIFY(intersectionClusters(pairs) == expected);
 }
 
-// What was not asked for stays as it crosses, bit for bit.
+// Intersections that were not requested stay, bit for bit.
 void IntersectionClustersTest::oneOfTwo() {
   const HalfEdgeMesh before = couples({0.5, 0.25, 0.125});
   const Pairs all = *findSelfIntersections(before);

@@ -35,7 +35,7 @@ TriangleSoup surfaceOf(const Boxes& boxes) {
   return soup;
 }
 
-// Of the union, exactly: by inclusion and exclusion.
+// Returns the exact volume of the union, by inclusion and exclusion.
 double unionVolume(const Boxes& boxes) {
   double volume = 0.0;
   for (unsigned subset = 1; subset < 1u << boxes.size(); ++subset) {
@@ -173,7 +173,7 @@ void OverlapUnionTest::rotated() {
   QVERIFY(mended >= 8);
 }
 
-// A cube and a box at every place of a grid that has walls in common with it.
+// A cube and a box at every position of a grid that has common walls with it.
 void OverlapUnionTest::grids() {
   int tried = 0;
   for (int x = 0; x < 3; ++x) {
@@ -240,7 +240,7 @@ void OverlapUnionTest::windingDoubt() {
     return solidAngle({s.points[3], s.points[4], s.points[5]}, Vec3::Zero());
   };
   const auto removed = [&](double share) {
-    double low = 0.1, high = 0.8;  // where the base is larger than a triangle of a side
+    double low = 0.1, high = 0.8;  // heights at which the base is larger than a triangle of a side
     const double wanted = 2.0 * M_PI * share * tolerance::kWindingDoubt;
     if (lidFrom(low) < wanted || lidFrom(high) > wanted) qFatal("no such height");
     for (int i = 0; i < 100; ++i) (lidFrom(0.5 * (low + high)) > wanted ? low : high) = 0.5 * (low + high);

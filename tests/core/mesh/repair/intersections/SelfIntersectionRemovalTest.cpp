@@ -23,7 +23,7 @@ std::vector<Face> allFaces(const HalfEdgeMesh& mesh) {
   return faces;
 }
 
-// Of the bodies that hang together through edges, smallest first.
+// Returns the volumes of the bodies connected through edges, smallest first.
 std::vector<double> volumes(const HalfEdgeMesh& mesh) {
   std::vector<double> result;
   for (const TriangleSoup& body : test::pieces(buildMesh(mesh.compact().soup).mesh))

@@ -46,8 +46,7 @@ void SharedPlanesTest::oneOfTwo() {
   QVERIFY(found.reach > 0.0);
 }
 
-// Sixteen units in the last place of the largest coordinate, 1.5: of single precision where all have it, else of
-// double.
+// Sixteen ulps of the largest coordinate, 1.5: of single precision if all have it, else of double.
 void SharedPlanesTest::howNear() {
   const double single = 16 * 0x1p-23 * 1.5, twice = 16 * 0x1p-52 * 1.5;
   const auto isShared = [](double height) { return !findSharedPlanes(squares(height), kCrossing).isEmpty(); };
@@ -55,11 +54,11 @@ void SharedPlanesTest::howNear() {
   QVERIFY(!isShared(single + 0x1p-20));
   QVERIFY(isShared(twice * 0.99) && !isShared(0.1 * single + 0x1p-50));
   TriangleSoup fine = squares(twice * 2.0);
-  fine.points[0].x() = 0.1;  // which no float holds
+  fine.points[0].x() = 0.1;  // not representable as a float
   QVERIFY(findSharedPlanes(fine, kCrossing).isEmpty());
 }
 
-// Where walls of one cube lie in those of another a corner lies in three planes, which leave it one place.
+// If walls of one cube lie in those of another, a corner lies in three planes, which determine its position.
 void SharedPlanesTest::threePlanesAtACorner() {
   TriangleSoup soup = test::cube(2.0);
   test::append(soup, test::cube(1.0));

@@ -20,7 +20,7 @@ Subtraction difference(const TriangleSoup& part, const TriangleSoup& tool, Numbe
   return subtractSolid(part, tool, numbers);
 }
 
-// What is wrong with a result beside its shape; empty for nothing.
+// Returns the flaw of a result apart from its shape; empty: none.
 std::string flawOf(const Subtraction& done) {
   if (done.problem != SubtractionProblem::None) return "refused for " + std::to_string(static_cast<int>(done.problem));
   if (!test::countEdges(done.mesh).sound()) return "edges";
@@ -40,7 +40,7 @@ TriangleSoup turnedBy(TriangleSoup soup, double angle, const Vec3& axis) {
 
 // The corners of a triangle, from the least on.
 std::array<test::Coordinates, 3> orderedCorners(const TrianglePoints& p) {
-  std::array<test::Coordinates, 3> corners{test::place(p[0]), test::place(p[1]), test::place(p[2])};
+  std::array<test::Coordinates, 3> corners{test::coordinates(p[0]), test::coordinates(p[1]), test::coordinates(p[2])};
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
@@ -115,8 +115,8 @@ class SolidSubtractionTest : public QObject {
     QCOMPARE(done.kept, std::size_t{4});
   }
 
-  // What either takes from the other is the same, however they lie: it is what they have in common.
-  void eitherWay() {
+  // Both subtractions remove the same volume, that of the common part, in any position.
+  void inBothDirections() {
     const TriangleSoup ball = test::moved(test::icosphere(3), Vec3(7.1, 6.3, 8.2), 4.0);
     for (int i = 0; i < 6; ++i) {
       const TriangleSoup block = turnedBy(kBlock, 0.37 * i + 0.11, Vec3(1.0, 0.3 * i, -0.7));

@@ -27,7 +27,7 @@ TriangleSoup insideOut(TriangleSoup soup) {
   return soup;
 }
 
-// How many cells of a grid of ones lie in one of the boxes, which have whole corners.
+// Returns the number of unit grid cells in the boxes, which have integer corners.
 double cellsIn(const std::vector<Box>& boxes) {
   Box all;
   for (const Box& box : boxes) all.extend(box);
@@ -68,7 +68,7 @@ class SolidUnionTest : public QObject {
     QVERIFY(std::abs(test::volume(united.compact().soup) - cellsIn(boxes)) < 1e-9);
   }
 
-  // Of any boxes with whole corners, however their walls meet, the volume is counted in cells.
+  // The volume of any boxes with integer corners is counted in cells, however their walls meet.
   void anyBoxes() {
     int united = 0;
     QVERIFY(rc::check("the union of boxes holds what they hold", [&] {
@@ -147,7 +147,7 @@ class SolidUnionTest : public QObject {
       QCOMPARE(test::pieces(buildMesh(mesh.compact().soup).mesh).size(), std::size_t{1});
       QVERIFY(std::abs(test::volume(mesh.compact().soup) - 1000.0) < 1e-9);
     }
-    // What is cut off inside when self-intersections are resolved one by one.
+    // The part that is cut off inside if self-intersections are resolved one by one.
     HalfEdgeMesh cut = buildMesh(test::together({kTenCube, test::box({5, 5, 5}, {10, 10, 10})})).mesh;
     const auto pairs = findSelfIntersections(cut);
     QVERIFY(pairs && removeClusterIntersections(cut, *pairs, NumberType::Float64).clusters == 1);

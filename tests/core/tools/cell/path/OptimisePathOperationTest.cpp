@@ -31,14 +31,14 @@ class PlannedRobot {
     scene = *sceneOf(m_cell, m_meshes);
   }
 
-  Waypoint place(const std::array<double, 6>& q, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) const {
+  Waypoint waypoint(const std::array<double, 6>& q, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) const {
     ArmValues values(6);
     std::copy(q.begin(), q.end(), values.data());
     Waypoint made{.joints = scene->whole(values), .motion = motion};
     if (motion == ProgramMotion::Kind::Linear) made.speed = 100.0;
     return made;
   }
-  Pose toolAt(const Waypoint& place) const { return scene->arm.tipPose(scene->planned(place.joints)); }
+  Pose toolAt(const Waypoint& waypoint) const { return scene->arm.tipPose(scene->planned(waypoint.joints)); }
   Result<OptimisedPath> optimised(const RobotPath& path, OptimisationSettings settings = {},
                                   Progress progress = {}) const {
     return optimisedPath(*scene, plans, path, settings, progress);
@@ -61,11 +61,11 @@ double secondsFor(double angle) {
 }
 
 std::vector<Waypoint> criticalOf(const RobotPath& path) {
-  std::vector<Waypoint> places;
-  for (const Waypoint& each : path.places) {
-    if (each.isCritical) places.push_back(each);
+  std::vector<Waypoint> waypoints;
+  for (const Waypoint& each : path.waypoints) {
+    if (each.isCritical) waypoints.push_back(each);
   }
-  return places;
+  return waypoints;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ class OptimisePathOperationTest : public QObject {
     const PlannedRobot robot;
     RobotPath path{"p", {}};
     for (const double turn : {1.2, -0.8, 0.6, 1.0, -0.4, -1.2})
-      path.places.push_back(robot.place({turn, 0.3, 0, 0, 0.5, 0}));
+      path.waypoints.push_back(robot.waypoint({turn, 0.3, 0, 0, 0.5, 0}));
     path.process = PathProcess{{{"lead", 10.0}}};
     const Result<OptimisedPath> found = robot.optimised(path, {.route = {}, .mayReconfigure = false});
     QVERIFY(found);
@@ -99,21 +99,22 @@ class OptimisePathOperationTest : public QObject {
     QVERIFY(kept && !kept->isChanged && kept->planned.path == path);
   }
 
-  // A place that the wrist was turned over for is reached without that; the tool's pose stays.
+  // A waypoint that the wrist was turned over for is reached without that; the tool's pose stays.
   void configurations() {
     const PlannedRobot robot;
     const std::array<double, 6> begin{0.5, 0.2, 0.1, 0.2, 0.5, 0.3}, end{-0.5, 0.2, 0.1, 0.2, 0.5, 0.3};
-    const RobotPath path{
-        "p", {robot.place(begin), robot.place({0.0, 0.2, 0.1, 0.2 - M_PI + 0.6, -0.5, 0.3 + M_PI}), robot.place(end)}};
+    const RobotPath path{"p",
+                         {robot.waypoint(begin), robot.waypoint({0.0, 0.2, 0.1, 0.2 - M_PI + 0.6, -0.5, 0.3 + M_PI}),
+                          robot.waypoint(end)}};
     const Result<OptimisedPath> found = robot.optimised(path);
     QVERIFY(found && found->isChanged);
     QCOMPARE(found->reconfigured, std::size_t{1});
     QVERIFY(found->after < 0.6 * found->before);
-    const std::vector<Waypoint> places = criticalOf(found->planned.path);
-    QCOMPARE(places.size(), std::size_t{3});
-    QVERIFY(places.front() == path.places.front() && places.back() == path.places.back());
-    QVERIFY(robot.toolAt(places[1]).isApprox(robot.toolAt(path.places[1]), 1e-9));
-    QVERIFY(robot.scene->planned(places[1].joints)[4] > 0.0);
+    const std::vector<Waypoint> waypoints = criticalOf(found->planned.path);
+    QCOMPARE(waypoints.size(), std::size_t{3});
+    QVERIFY(waypoints.front() == path.waypoints.front() && waypoints.back() == path.waypoints.back());
+    QVERIFY(robot.toolAt(waypoints[1]).isApprox(robot.toolAt(path.waypoints[1]), 1e-9));
+    QVERIFY(robot.scene->planned(waypoints[1].joints)[4] > 0.0);
     QVERIFY(!robot.optimised(path, {.route = {}, .mayReconfigure = false})->isChanged);
   }
 
@@ -126,24 +127,24 @@ class OptimisePathOperationTest : public QObject {
     const std::array<double, 6> first{0.1, 0.2, 0.1, 0.8, 0.5, 0.3}, second{0.0, 0.2, 0.1, 0.8, 0.5, 0.3};
     const RobotPath path{
         "p",
-        {robot.place({0.5, 0.2, 0.1, 0.2, 0.5, 0.3}), robot.place(over(first)),
-         robot.place(over(second), ProgramMotion::Kind::Linear), robot.place({-0.5, 0.2, 0.1, 0.2, 0.5, 0.3})}};
+        {robot.waypoint({0.5, 0.2, 0.1, 0.2, 0.5, 0.3}), robot.waypoint(over(first)),
+         robot.waypoint(over(second), ProgramMotion::Kind::Linear), robot.waypoint({-0.5, 0.2, 0.1, 0.2, 0.5, 0.3})}};
     const Result<OptimisedPath> found = robot.optimised(path);
     QVERIFY(found && found->isChanged);
     QCOMPARE(found->reconfigured, std::size_t{2});
     QVERIFY(found->after < found->before);
-    const std::vector<Waypoint> places = criticalOf(found->planned.path);
-    QCOMPARE(places.size(), std::size_t{4});
-    QVERIFY(places[2].motion == ProgramMotion::Kind::Linear);
+    const std::vector<Waypoint> waypoints = criticalOf(found->planned.path);
+    QCOMPARE(waypoints.size(), std::size_t{4});
+    QVERIFY(waypoints[2].motion == ProgramMotion::Kind::Linear);
     for (const std::size_t i : {1, 2}) {
-      QVERIFY(robot.toolAt(places[i]).isApprox(robot.toolAt(path.places[i]), 1e-9));
-      QVERIFY(robot.scene->planned(places[i].joints)[4] > 0.0);
+      QVERIFY(robot.toolAt(waypoints[i]).isApprox(robot.toolAt(path.waypoints[i]), 1e-9));
+      QVERIFY(robot.scene->planned(waypoints[i].joints)[4] > 0.0);
     }
     const Result<CheckedPath> checked = checkPath(*robot.scene, robot.plans, found->planned.path, {});
     QVERIFY(checked && checked->isCertified());
   }
 
-  // What is given counts; else the clearance is that of the path, or of the cell.
+  // Given values have precedence; by default the clearance is that of the path, or of the cell.
   void settings() {
     OperationValues values(optimisePathOperation());
     CellPlans plans;
@@ -169,35 +170,36 @@ class OptimisePathOperationTest : public QObject {
   // A path of another robot is none of this one's.
   void anotherRobot() {
     const PlannedRobot robot;
-    const RobotPath path{"p", {robot.place({}), robot.place({0.5})}, "other"};
+    const RobotPath path{"p", {robot.waypoint({}), robot.waypoint({0.5})}, "other"};
     const Result<OptimisedPath> found = robot.optimised(path);
     QVERIFY(!found && found.error().code == CellError::OfOtherArm);
   }
 
-  // A place at the end of a straight line stays behind the one that the line begins at.
+  // A waypoint at the end of a straight line stays behind the one that the line begins at.
   void linesStay() {
     const PlannedRobot robot;
     using enum ProgramMotion::Kind;
-    RobotPath path{"p", {robot.place({1.2, 0.2, 0.2, 0, 0.6, 0})}};
+    RobotPath path{"p", {robot.waypoint({1.2, 0.2, 0.2, 0, 0.6, 0})}};
     for (const double turn : {-0.9, 0.7, -0.2}) {
-      path.places.push_back(robot.place({turn, 0.2, 0.2, 0, 0.6, 0}));
-      path.places.push_back(robot.place({turn, 0.3, 0.2, 0, 0.5, 0}, Linear));
+      path.waypoints.push_back(robot.waypoint({turn, 0.2, 0.2, 0, 0.6, 0}));
+      path.waypoints.push_back(robot.waypoint({turn, 0.3, 0.2, 0, 0.5, 0}, Linear));
     }
-    path.places.push_back(robot.place({-1.2, 0.2, 0.2, 0, 0.6, 0}));
+    path.waypoints.push_back(robot.waypoint({-1.2, 0.2, 0.2, 0, 0.6, 0}));
     const Result<OptimisedPath> found = robot.optimised(path);
     QVERIFY(found && found->isChanged);
     QVERIFY(found->order == (std::vector<std::size_t>{0, 3, 4, 5, 6, 1, 2, 7}));
-    const std::vector<Waypoint> places = criticalOf(found->planned.path);
-    for (const std::size_t line : {2, 4, 6}) QVERIFY(places[line].motion == Linear && places[line - 1].motion == Joint);
+    const std::vector<Waypoint> waypoints = criticalOf(found->planned.path);
+    for (const std::size_t line : {2, 4, 6})
+      QVERIFY(waypoints[line].motion == Linear && waypoints[line - 1].motion == Joint);
     const Result<CheckedPath> checked = checkPath(*robot.scene, robot.plans, found->planned.path, {});
     QVERIFY(checked && checked->isCertified());
   }
 
-  // Around a box: what is returned is proven free, and a path that collides gives way also to one that takes longer.
+  // Around a box: the result is proven free, and a path that collides is replaced even by a slower one.
   void amongObstacles() {
     const PlannedRobot robot(true);
     RobotPath path{"p", {}};
-    for (const double turn : {1.2, -1.0, 0.9, -1.2}) path.places.push_back(robot.place({turn, 0.5, 0, 0, 0, 0}));
+    for (const double turn : {1.2, -1.0, 0.9, -1.2}) path.waypoints.push_back(robot.waypoint({turn, 0.5, 0, 0, 0, 0}));
     const Result<CheckedPath> before = checkPath(*robot.scene, robot.plans, path, {});
     QVERIFY(before && !before->isCertified());
     const Result<OptimisedPath> found = robot.optimised(path);
@@ -206,13 +208,13 @@ class OptimisePathOperationTest : public QObject {
     const Result<CheckedPath> after = checkPath(*robot.scene, robot.plans, found->planned.path, {});
     QVERIFY(after && after->isCertified());
     QVERIFY(std::abs(after->seconds - found->after) < 1e-9);
-    // Only ways between the places change: it is along its curve as before.
+    // Only the motions between the waypoints change: it follows its curve as before.
     path.process = PathProcess{{{"lead", 10.0}}};
     const Result<OptimisedPath> kept =
         robot.optimised(path, {.route = {}, .mayReorder = false, .mayReconfigure = false});
     QVERIFY(kept && kept->isChanged && kept->planned.path.process == path.process);
-    path.places[1] = robot.place({0.0, 0.6, 0, 0, 0, 0});  // in the box
-    QVERIFY(robot.optimised(path).error().code == CellError::PlaceCollides);
+    path.waypoints[1] = robot.waypoint({0.0, 0.6, 0, 0, 0, 0});  // in the box
+    QVERIFY(robot.optimised(path).error().code == CellError::WaypointCollides);
     JobState state;
     state.cancelled = true;
     QVERIFY(robot.optimised(path, {}, Progress(state)).error().code == ErrorCode::Cancelled);
@@ -221,9 +223,10 @@ class OptimisePathOperationTest : public QObject {
   // Without critical configurations, with one and with two, each before and after it was made shorter.
   void comparison() {
     const PlannedRobot robot(true);
-    const std::vector<Waypoint> places{robot.place({1.2, 0.5, 0, 0, 0, 0}), robot.place({0.6, -0.6, -0.6, 0, 0, 0}),
-                                       robot.place({-0.6, -0.6, -0.6, 0, 0, 0}), robot.place({-1.2, 0.5, 0, 0, 0, 0})};
-    const std::vector<ComparedPath> all = comparedPaths(*robot.scene, robot.plans, places, {});
+    const std::vector<Waypoint> waypoints{
+        robot.waypoint({1.2, 0.5, 0, 0, 0, 0}), robot.waypoint({0.6, -0.6, -0.6, 0, 0, 0}),
+        robot.waypoint({-0.6, -0.6, -0.6, 0, 0, 0}), robot.waypoint({-1.2, 0.5, 0, 0, 0, 0})};
+    const std::vector<ComparedPath> all = comparedPaths(*robot.scene, robot.plans, waypoints, {});
     QCOMPARE(all.size(), std::size_t{6});
     for (std::size_t i = 0; i < all.size(); ++i) {
       const ComparedPath& each = all[i];
@@ -232,7 +235,7 @@ class OptimisePathOperationTest : public QObject {
       QVERIFY(each.checked && each.checked->isCertified());
       const std::vector<Waypoint> critical = criticalOf(each.planned->path);
       QCOMPARE(critical.size(), each.critical + 2);
-      for (std::size_t k = 0; k < each.critical; ++k) QVERIFY(critical[k + 1] == places[k + 1]);
+      for (std::size_t k = 0; k < each.critical; ++k) QVERIFY(critical[k + 1] == waypoints[k + 1]);
       if (each.isOptimised) QVERIFY(each.checked->metrics.length <= all[i - 1].checked->metrics.length + 1e-9);
     }
   }

@@ -16,7 +16,7 @@ class PairNamesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // All of the robot's way is blocked by a box around it.
+  // A box around the robot blocks all its motions.
   void foundAndAllowed() {
     ArmCell cell;
     const BodyId box = cell.addBox({2000, 2000, 2000}, {0, 0, 0});
@@ -34,7 +34,7 @@ class PairNamesTest : public QObject {
     QVERIFY(met(cell).empty());
     cell.document().history()->undo();
     QVERIFY(met(cell) == found);
-    // The other way round they are the same pairs.
+    // In reverse order they are the same pairs.
     CellPlans turned;
     for (const auto& [link, body] : found) setAllowed(turned, {body, link}, true);
     cell.plan(turned);
@@ -48,7 +48,7 @@ class PairNamesTest : public QObject {
     QVERIFY(turned.allowed.empty());
   }
 
-  // Of what is not there: no pair, and the number of a body that was removed.
+  // Missing objects: no pair, and the number of a body that was removed.
   void nothingFound() {
     ArmCell cell;
     QVERIFY(!pairNamesOf(*cell.scene(), RobotScene::Nearest{.distance = 1.0}));

@@ -12,7 +12,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// What a verification depends on: all that it would see, and nothing else; undone changes did not happen.
+// The inputs of a verification: all data that affect it, and nothing else; undone changes do not count.
 class PathBasisTest : public QObject {
   Q_OBJECT
 
@@ -21,11 +21,11 @@ class PathBasisTest : public QObject {
     m_cell = std::make_unique<ArmCell>();
     m_box = m_cell->addBox({20, 20, 20}, {600, 300, 0});
     RobotPath path{"way", {{.joints = m_cell->document().joints()}, {.joints = m_cell->document().joints()}}};
-    path.places.back().joints[0] = 0.5;
+    path.waypoints.back().joints[0] = 0.5;
     CellPlans plans = *m_cell->document().plans();
     plans.paths.push_back(path);
     m_cell->plan(plans);
-    m_basis = basisOf(m_cell->content(), *way());
+    m_basis = basisOf(m_cell->content(), *storedPath());
     QCOMPARE(change(), BasisChange::Nothing);
   }
 
@@ -43,26 +43,26 @@ class PathBasisTest : public QObject {
     QFETCH(int, what);
     QFETCH(BasisChange, seen);
     CellPlans plans = *m_cell->document().plans();
-    if (what == 0) plans.paths[0].places[1].blend = 2.0;
+    if (what == 0) plans.paths[0].waypoints[1].blend = 2.0;
     if (what == 1) plans.tool.translation().z() = 10.0;
     if (what == 2) plans.clearance = 3.0;
     if (what == 3) plans.allowed.insert({"a", "b"});
     if (what == 4) plans.paths[0].name = "other";
-    if (what == 5) plans.paths.push_back({"more", plans.paths[0].places});
+    if (what == 5) plans.paths.push_back({"more", plans.paths[0].waypoints});
     m_cell->plan(plans);
     QCOMPARE(change(), seen);
     m_cell->document().history()->undo();
     QCOMPARE(change(), BasisChange::Nothing);
   }
 
-  // Where a target is that a place was planned to, and the frame of that; not how they are called, nor other targets.
+  // The pose of the target of a waypoint, and its frame; not their names, nor other targets.
   void itsTargets() {
     CellPlans plans = *m_cell->document().plans();
     plans.frames = {{"F", poseOf({10, 20, 30}, Vec3::Zero())}};
     plans.targets = {{"T", poseOf({400, 0, 300}, Vec3::Zero()), 0, "F"}, {"U", poseOf({400, 0, 300}, Vec3::Zero())}};
-    plans.paths[0].places[1].target = PlaceTarget{"T"};
+    plans.paths[0].waypoints[1].target = WaypointTarget{"T"};
     m_cell->plan(plans);
-    m_basis = basisOf(m_cell->content(), *way());
+    m_basis = basisOf(m_cell->content(), *storedPath());
     plans.targets[1].pose.translation().x() += 1.0;
     m_cell->plan(withFrameRenamed(plans, "F", "G"));
     QCOMPARE(change(), BasisChange::Nothing);
@@ -76,14 +76,13 @@ class PathBasisTest : public QObject {
     }
   }
 
-  // The joint values of a configuration that a place stands for; not where other robots stood, nor other
-  // configurations.
+  // The joint values of the configuration of a waypoint; not those of other robots, nor other configurations.
   void itsConfigurations() {
     CellPlans plans = *m_cell->document().plans();
     plans.configurations = {{"home", m_cell->document().joints()}, {"other", m_cell->document().joints()}};
-    plans.paths[0].places[0].configuration = "home";
+    plans.paths[0].waypoints[0].configuration = "home";
     m_cell->plan(plans);
-    m_basis = basisOf(m_cell->content(), *way());
+    m_basis = basisOf(m_cell->content(), *storedPath());
     plans.configurations[1].joints[2] += 0.1;
     m_cell->plan(plans);
     QCOMPARE(change(), BasisChange::Nothing);
@@ -98,7 +97,7 @@ class PathBasisTest : public QObject {
     }
   }
 
-  // Where a body stands is seen, how it looks is not; the joints that the path sets may stand anywhere.
+  // The pose of a body counts, its look does not; the joints that the path sets may have any values.
   void bodiesAndJoints() {
     Body body = *m_cell->document().bodies().withId(m_box);
     body.look.colour = {1.0f, 0.0f, 0.0f};
@@ -117,7 +116,7 @@ class PathBasisTest : public QObject {
   void anotherRobot() {
     add("ur5");
     QCOMPARE(change(), BasisChange::Robots);
-    m_basis = basisOf(m_cell->content(), *way());
+    m_basis = basisOf(m_cell->content(), *storedPath());
     JointValues joints = m_cell->document().joints();
     joints[7] += 0.1;
     m_cell->document().commit("Move", m_cell->document().jointEdit(joints));
@@ -146,8 +145,8 @@ class PathBasisTest : public QObject {
   }
 
  private:
-  const RobotPath* way() { return &m_cell->document().plans()->paths.front(); }
-  BasisChange change() { return changeSince(m_basis, m_cell->content(), *way()); }
+  const RobotPath* storedPath() { return &m_cell->document().plans()->paths.front(); }
+  BasisChange change() { return changeSince(m_basis, m_cell->content(), *storedPath()); }
   void change(const Body& body) {
     m_cell->document().commit("Change", std::move(changeBodyEdit(m_cell->document().bodies(), body)).value());
   }

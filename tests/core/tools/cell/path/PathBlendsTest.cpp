@@ -61,7 +61,7 @@ class BlendFixture {
 
 }  // namespace
 
-// Which zones of blends are free.
+// The free zones of blends.
 class PathBlendsTest : public QObject {
   Q_OBJECT
 
@@ -104,7 +104,8 @@ class PathBlendsTest : public QObject {
     QVERIFY(fixture.blends(path)[1] > 0.5);
   }
 
-  // A ball so near to the flange at the place that the way across the zone may meet it: the zone is as small as that.
+  // A ball so near to the flange at the waypoint that a motion across the zone may collide: the zone shrinks
+  // accordingly.
   void besideABall() {
     const JointValues a = jointValues({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = jointValues({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
                       c = jointValues({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
@@ -128,21 +129,21 @@ class PathBlendsTest : public QObject {
   // Blends that were wanted and not certified are counted, but at the ends, where the robot stops in any case.
   void stoppedBlendsAreCounted() {
     RobotPath path{"p", std::vector<Waypoint>(5, Waypoint{.joints = JointValues::Zero(6), .blend = 1.0})};
-    path.places[3].blend = 0.0;
+    path.waypoints[3].blend = 0.0;
     CheckedPath checked;
     checked.blends = {0.0, 0.0, 0.7, 0.0, 0.0};
     QCOMPARE(stoppedBlends(path, checked), std::size_t{1});
     const std::vector<SmallerBlend> smaller = smallerBlends(path, checked);
     QCOMPARE(smaller.size(), std::size_t{1});
-    QVERIFY(smaller[0].place == 2 && smaller[0].wanted == 1.0 && smaller[0].kept == 0.7);
+    QVERIFY(smaller[0].waypoint == 2 && smaller[0].wanted == 1.0 && smaller[0].kept == 0.7);
     checked.blends[1] = 1.0;
     QCOMPARE(stoppedBlends(path, checked), std::size_t{0});
-    path.places.clear();
+    path.waypoints.clear();
     QCOMPARE(stoppedBlends(path, checked), std::size_t{0});
   }
 
-  // Whatever the corner: where the tool goes from a place of the one motion to one of the other within the zone,
-  // nothing is met.
+  // For any corner: if the tool goes from a point of one motion to a point of the other within the zone, nothing
+  // collides.
   void anyCorner() {
     int zones = 0;
     QVERIFY(rc::check("free", [&zones] {
@@ -153,10 +154,10 @@ class PathBlendsTest : public QObject {
                                          number(0.4, 1.2), number(-1.0, 1.0)});
       const BlendFixture open;
       const Pose tip = open.scene().arm.tipPose(open.scene().planned(b));
-      const Vec3 way(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
-      if (way.norm() < 0.1) return;
+      const Vec3 direction(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
+      if (direction.norm() < 0.1) return;
       const BlendFixture fixture(
-          std::pair{Vec3(tip.translation() + (50.0 + number(2.0, 100.0)) * way.normalized()), 20.0});
+          std::pair{Vec3(tip.translation() + (50.0 + number(2.0, 100.0)) * direction.normalized()), 20.0});
       const JointValues a = fixture.moved(b, {number(-40.0, 40.0), number(-40.0, 40.0), number(10.0, 40.0)});
       const JointValues c = fixture.moved(b, {number(-40.0, 40.0), number(10.0, 40.0), number(-40.0, 40.0)});
       const bool isLine = *rc::gen::arbitrary<bool>();

@@ -15,14 +15,14 @@ using namespace handwheel::test;
 
 namespace {
 
-// The first joint turns from place to place, which are an eighth of a radian apart: exact in binary.
-RobotPath turningPath(std::size_t places) {
+// The first joint turns between waypoints that are an eighth of a radian apart: exact in binary.
+RobotPath turningPath(std::size_t count) {
   RobotPath path{"turn", {}};
-  for (std::size_t i = 0; i < places; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     JointValues joints = JointValues::Zero(6);
     joints[0] = 0.125 * static_cast<double>(i) - 0.5;
     joints[4] = 0.75;
-    path.places.push_back({.joints = joints, .blend = 4.0});
+    path.waypoints.push_back({.joints = joints, .blend = 4.0});
   }
   return path;
 }
@@ -33,7 +33,7 @@ bool hasRemark(const RobotProgram& program, const std::string& remark) {
 
 }  // namespace
 
-// What is said of a path before it is given away.
+// Remarks on a path before it is exported.
 class PathCheckTest : public QObject {
   Q_OBJECT
 
@@ -73,28 +73,29 @@ class PathCheckTest : public QObject {
     QVERIFY(std::abs(turned - 0.25) < 1e-9);
   }
 
-  // A line that the arm cannot follow ends the way there.
+  // A line that the arm cannot follow ends the path there.
   void aLineThatStops() {
     ArmCell cell;
     RobotPath path = turningPath(2);
-    path.places[1].joints[0] = 2.5;
-    path.places[1].motion = ProgramMotion::Kind::Linear;
-    path.places.push_back(turningPath(1).places[0]);
-    const ResolvedPath way = resolved(*cell.scene(), {}, path);
-    QVERIFY(way.stopsAt && *way.stopsAt == 1);
-    QVERIFY(way.reached > 0.0 && way.reached < 1.0);
-    QVERIFY(std::all_of(way.placeOf.begin(), way.placeOf.end(), [](std::size_t place) { return place == 1; }));
-    QCOMPARE(way.joints.size(), way.placeOf.size() + 1);
+    path.waypoints[1].joints[0] = 2.5;
+    path.waypoints[1].motion = ProgramMotion::Kind::Linear;
+    path.waypoints.push_back(turningPath(1).waypoints[0]);
+    const ResolvedPath resolvedPath = resolved(*cell.scene(), {}, path);
+    QVERIFY(resolvedPath.stopsAt && *resolvedPath.stopsAt == 1);
+    QVERIFY(resolvedPath.reached > 0.0 && resolvedPath.reached < 1.0);
+    QVERIFY(std::all_of(resolvedPath.waypointOf.begin(), resolvedPath.waypointOf.end(),
+                        [](std::size_t waypoint) { return waypoint == 1; }));
+    QCOMPARE(resolvedPath.joints.size(), resolvedPath.waypointOf.size() + 1);
     const auto checked = checkPath(*cell.scene(), {}, path, {});
     QVERIFY(checked && !checked->isCertified());
   }
 
-  // The first place of a program is come to by a joint motion, wherever the robot is; blends are those that are proven.
+  // The first waypoint of a program is reached by a joint motion, wherever the robot is; blends are the proven ones.
   void motionsOfTheProgram() {
     ArmCell cell;
     RobotPath path = turningPath(3);
-    path.places[0].motion = path.places[2].motion = ProgramMotion::Kind::Linear;
-    path.places[1].name = "middle";
+    path.waypoints[0].motion = path.waypoints[2].motion = ProgramMotion::Kind::Linear;
+    path.waypoints[1].name = "middle";
     CheckedPath checked;
     checked.blends = {0.0, 1.5, 0.0};
     checked.clearance = 2.0;
@@ -107,7 +108,7 @@ class PathCheckTest : public QObject {
     QVERIFY(program.motions[2].kind == ProgramMotion::Kind::Linear);
     QCOMPARE(program.motions[1].blend, 1.5);
     QCOMPARE(program.motions[1].name, std::string("middle"));
-    QVERIFY(program.motions[1].joints == path.places[1].joints);
+    QVERIFY(program.motions[1].joints == path.waypoints[1].joints);
   }
 
   // Blends that are smaller than requested, or none: each of the first twenty is reported, and how many there are more.
@@ -124,11 +125,11 @@ class PathCheckTest : public QObject {
     const RobotPath wide = turningPath(27);
     checked.blends.assign(27, 1.0);
     const RobotProgram many = programOf(*cell.scene(), {}, wide, checked);
-    QVERIFY(hasRemark(many, "Smaller blends at 5 more places."));  // of 25 between the ends
+    QVERIFY(hasRemark(many, "Smaller blends at 5 more places."));  // 25 are between the ends
     QCOMPARE(many.remarks.size(), std::size_t{21});
   }
 
-  // What was left out of the proof, or has changed since.
+  // Pairs that were excluded from the proof, or changes since.
   void remarksOnTheProof() {
     ArmCell cell;
     CellScene scene = *cell.scene();

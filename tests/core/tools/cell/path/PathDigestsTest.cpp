@@ -55,10 +55,10 @@ class PathDigestsTest : public QObject {
     document.commit("Add", std::move(addBodyEdit(document.bodies(), meshBody(0.1))).value());
     CellPlans plans = *document.plans();
     RobotPath path{"way", {{.joints = document.joints()}, {.joints = document.joints()}}};
-    path.places.back().joints[0] = 1.0 / 7.0;
-    path.places.back().target = PlaceTarget{"T", poseOf({0.0, 1.0 / 3.0, 0.0}, {0.1, 0.2, 0.3})};
+    path.waypoints.back().joints[0] = 1.0 / 7.0;
+    path.waypoints.back().target = WaypointTarget{"T", poseOf({0.0, 1.0 / 3.0, 0.0}, {0.1, 0.2, 0.3})};
     plans.targets = {{"T", poseOf({300.1, 0.0, 400.0}, {0.1, 0.2, 0.3})}};
-    path.places.front().configuration = "home";
+    path.waypoints.front().configuration = "home";
     plans.configurations = {{"home", document.joints()}};
     plans.configurations.front().joints[0] = 1.0 / 3.0;
     plans.paths.push_back(path);
@@ -79,13 +79,13 @@ class PathDigestsTest : public QObject {
   void seesEveryChange() {
     const Cell before = now();
     const BasisDigests then = digestsOf(before);
-    const PathBasis basis = basisOf(*before, way(*before));
+    const PathBasis basis = basisOf(*before, pathOf(*before));
     const bool isSeen = rc::check("any change of an input invalidates a proof", [&] {
       const int what = *rc::gen::inRange(0, kChanges);
       const bool up = *rc::gen::arbitrary<bool>();
       auto changed = std::make_shared<RobotCellSnapshot>(*before);
       const bool counts = change(*changed, what, up);
-      const BasisChange expected = changeSince(basis, *changed, way(*changed));
+      const BasisChange expected = changeSince(basis, *changed, pathOf(*changed));
       RC_ASSERT((expected != BasisChange::Nothing) == counts);
       RC_ASSERT(changeBetween(then, digestsOf(changed)) == expected);
       RC_ASSERT(changeBetween(then, digestsOf(throughAFile(*changed))) == expected);
@@ -93,7 +93,7 @@ class PathDigestsTest : public QObject {
     QVERIFY(isSeen);
   }
 
-  // What was found is read as it was written; what contradicts itself, and that of paths that are gone, is not.
+  // Findings are read as they were written; contradictory ones, and those of removed paths, are not.
   void findings() {
     PathProof proof{{.isCertified = true, .clearance = 0.7, .leastClearance = 1.0 / 3.0, .seconds = 2.1},
                     "2026-11-24T10:00:00Z",
@@ -131,7 +131,7 @@ class PathDigestsTest : public QObject {
     moved->pose.translation().x() += 1.0;
     document.commit("Move", std::make_unique<BodyEdit>(std::vector<BodyEdit::Change>{{m_box, std::move(moved)}}));
     QCOMPARE(changedSince().get<std::string>(), std::string("bodies"));
-    QVERIFY(described()["verified"]["certified"].get<bool>());  // as it was found then
+    QVERIFY(described()["verified"]["certified"].get<bool>());  // Result at that time
     document.history()->undo();
     QVERIFY(changedSince().is_null());
     CellPlans plans = *document.plans();
@@ -139,7 +139,7 @@ class PathDigestsTest : public QObject {
     m_cell->plan(plans);
     QCOMPARE(changedSince().get<std::string>(), std::string("clearance"));
     plans.clearance = 0.7;
-    plans.paths.front().places.back().joints[0] = 0.2;
+    plans.paths.front().waypoints.back().joints[0] = 0.2;
     m_cell->plan(plans);
     QCOMPARE(changedSince().get<std::string>(), std::string("path"));
   }
@@ -160,8 +160,8 @@ class PathDigestsTest : public QObject {
   static constexpr int kChanges = 19;
 
   Cell now() { return std::static_pointer_cast<const RobotCellSnapshot>(m_cell->document().snapshot()); }
-  static const RobotPath& way(const RobotCellSnapshot& cell) { return cell.plans->paths.front(); }
-  static BasisDigests digestsOf(const Cell& cell) { return PathDigests(cell).of(way(*cell)); }
+  static const RobotPath& pathOf(const RobotCellSnapshot& cell) { return cell.plans->paths.front(); }
+  static BasisDigests digestsOf(const Cell& cell) { return PathDigests(cell).of(pathOf(*cell)); }
 
   static Body meshBody(double corner) {
     TriangleSoup soup{{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, corner}},
@@ -169,11 +169,11 @@ class PathDigestsTest : public QObject {
     return {.name = "nozzle", .carrier = "flange", .geometry = std::make_shared<const MeshGeometry>(std::move(soup))};
   }
 
-  // Whether it counts.
+  // Returns true if the change counts.
   bool change(RobotCellSnapshot& cell, int what, bool up) const {
     CellPlans plans = *cell.plans;
     Body box = *cell.bodies.withId(m_box);
-    Waypoint& place = plans.paths.front().places.back();
+    Waypoint& waypoint = plans.paths.front().waypoints.back();
     const auto isBodies = what >= 5 && what <= 9;
     switch (what) {
       case 0:
@@ -186,11 +186,11 @@ class PathDigestsTest : public QObject {
         plans.allowed.insert({"a", up ? "c" : ""});
         break;
       case 3:
-        place.joints[0] = beside(place.joints[0], up);
+        waypoint.joints[0] = beside(waypoint.joints[0], up);
         break;
       case 4:
-        place.motion = ProgramMotion::Kind::Linear;
-        place.speed = up ? 250.0 : 249.0;
+        waypoint.motion = ProgramMotion::Kind::Linear;
+        waypoint.speed = up ? 250.0 : 249.0;
         break;
       case 5:
         box.pose.translation().z() = beside(box.pose.translation().z(), up);
@@ -211,10 +211,10 @@ class PathDigestsTest : public QObject {
         box.visible = !up;
         break;
       case 10:
-        cell.joints[7] = beside(cell.joints[7], up);  // of the second robot
+        cell.joints[7] = beside(cell.joints[7], up);  // A joint of the second robot
         break;
       case 11:
-        cell.joints[1] += 0.01;  // of the first, which the path sets
+        cell.joints[1] += 0.01;  // A joint of the first robot, which the path sets
         break;
       case 12: {
         auto moved = withRobotMoved(cell, 1, poseOf({0, 1500, up ? 0.001 : -0.001}, Vec3::Zero()));
@@ -225,9 +225,9 @@ class PathDigestsTest : public QObject {
         plans.paths.front().name = "another";
         break;
       case 14:
-        place.blend = 1.0;
+        waypoint.blend = 1.0;
         break;
-      case 16:  // of its own, also as that of the cell
+      case 16:  // Its own clearance, also that of the cell
         plans.paths.front().clearance = up ? beside(plans.clearance, up) : plans.clearance;
         break;
       case 15: {

@@ -35,18 +35,18 @@ class ForgetfulPost : public PostProcessor {
   std::vector<ParsedMotion> m_motions;
 };
 
-Waypoint exportedPlace(std::initializer_list<double> list, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) {
-  Waypoint place{.joints = JointValues(static_cast<Eigen::Index>(list.size())), .motion = motion};
-  std::copy(list.begin(), list.end(), place.joints.begin());
-  if (motion == ProgramMotion::Kind::Linear) place.speed = 100.0;
-  return place;
+Waypoint exportedWaypoint(std::initializer_list<double> list, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) {
+  Waypoint waypoint{.joints = JointValues(static_cast<Eigen::Index>(list.size())), .motion = motion};
+  std::copy(list.begin(), list.end(), waypoint.joints.begin());
+  if (motion == ProgramMotion::Kind::Linear) waypoint.speed = 100.0;
+  return waypoint;
 }
 
 // A joint motion, and a line of 15 mm.
 RobotPath seam() {
   return {"seam",
-          {exportedPlace({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), exportedPlace({0.4, 0.3, 0.1, 0.0, 0.8, 0.0}),
-           exportedPlace({0.43, 0.3, 0.1, 0.0, 0.8, 0.0}, ProgramMotion::Kind::Linear)}};
+          {exportedWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), exportedWaypoint({0.4, 0.3, 0.1, 0.0, 0.8, 0.0}),
+           exportedWaypoint({0.43, 0.3, 0.1, 0.0, 0.8, 0.0}, ProgramMotion::Kind::Linear)}};
 }
 
 }  // namespace
@@ -71,16 +71,16 @@ class PathExportTest : public QObject {
     QVERIFY2(written.hasValue(), written ? "" : written.error().code->id);
     QCOMPARE(written->check.motions, std::size_t{3});
     QVERIFY(written->check.distance <= 1e-3 && written->check.angle <= 1e-3);
-    // Of the controllers that move robots of one maker only ABB's are for this robot.
+    // Among the controllers for robots of one maker only ABB's are for this robot.
     const bool isForOthers = *language.maker() && post != "rapid";
     QCOMPARE(QString::fromStdString(written->otherRobot), isForOthers ? "ABB IRB 120-3/0.6" : "");
     QCOMPARE(textIn(name).contains("Warning: this is"), isForOthers);
     const auto read = pathFromFile(*m_cell->scene(), m_cell->content(), name.toStdString());
     QVERIFY2(read.hasValue(), read ? "" : read.error().code->id);
-    QCOMPARE(read->path.places.size(), std::size_t{3});
+    QCOMPARE(read->path.waypoints.size(), std::size_t{3});
     for (std::size_t i = 0; i < 3; ++i) {
-      QVERIFY((read->path.places[i].joints - seam().places[i].joints).cwiseAbs().maxCoeff() < 1e-4);
-      QVERIFY(read->path.places[i].motion == seam().places[i].motion);
+      QVERIFY((read->path.waypoints[i].joints - seam().waypoints[i].joints).cwiseAbs().maxCoeff() < 1e-4);
+      QVERIFY(read->path.waypoints[i].motion == seam().waypoints[i].motion);
     }
   }
 
@@ -97,12 +97,12 @@ class PathExportTest : public QObject {
     QCOMPARE(error.arguments[3], std::string("box1"));
   }
 
-  // A line right through the robot's first axis ends somewhere on its way.
+  // A line right through the robot's first axis ends somewhere along its length.
   void cannotBeFollowed() {
     RobotPath path = seam();
-    path.places.back() = exportedPlace({0.4 - M_PI, 0.3, 0.1, 0.0, 0.8, 0.0}, ProgramMotion::Kind::Linear);
+    path.waypoints.back() = exportedWaypoint({0.4 - M_PI, 0.3, 0.1, 0.0, 0.8, 0.0}, ProgramMotion::Kind::Linear);
     const CheckedPath stopped = checked(path);
-    QVERIFY(stopped.way.stopsAt && *stopped.way.stopsAt == 2);
+    QVERIFY(stopped.resolved.stopsAt && *stopped.resolved.stopsAt == 2);
     const Error error = refusal(path, stopped);
     QVERIFY(error.code == CellError::LineUnreachable);
     QCOMPARE(error.arguments[0], std::string("3"));
@@ -110,7 +110,7 @@ class PathExportTest : public QObject {
     QVERIFY(percent > 0.0 && percent < 100.0);
   }
 
-  // What does not hold any more is refused, or written with a remark when that is asked for.
+  // An outdated path is refused, or written with a remark on request.
   void outdated() {
     const struct {
       OutdatedReasons outdated;
@@ -122,7 +122,10 @@ class PathExportTest : public QObject {
         {{.isBaseOther = true}, CellError::PathBaseMoved, {"seam"}, "# Outdated: the base of the robot has moved"},
         {{.isToolOther = true}, CellError::PathToolChanged, {"seam"}, "# Outdated: the tool centre point was changed"},
         {{.targets = {"b", "c"}}, CellError::PathTargetMoved, {"seam", "b"}, "# Outdated: the tool does not come to"},
-        {{.configurations = {"home"}}, CellError::PathPlaceChanged, {"seam", "home"}, "# Outdated: home was changed"}};
+        {{.configurations = {"home"}},
+         CellError::PathWaypointChanged,
+         {"seam", "home"},
+         "# Outdated: home was changed"}};
     for (const auto& each : all) {
       CheckedPath known = checked(seam());
       known.outdated = each.outdated;
@@ -135,13 +138,14 @@ class PathExportTest : public QObject {
     }
   }
 
-  // What the controller cannot do, and a program that does not read back as the path.
+  // Motions that the controller cannot do, and a program that does not read back as the path.
   void programsThatDoNotFit() {
     RobotPath fast = seam();
-    fast.places.back().speed = 9e3;
+    fast.waypoints.back().speed = 9e3;
     QVERIFY(refusal(fast, checked(fast), postCalled("rapid")).code == PostError::TooFast);
     std::vector<ParsedMotion> motions;
-    for (const Waypoint& place : seam().places) motions.push_back({.kind = place.motion, .joints = place.joints});
+    for (const Waypoint& waypoint : seam().waypoints)
+      motions.push_back({.kind = waypoint.motion, .joints = waypoint.joints});
     const ForgetfulPost right(motions);
     QVERIFY(writtenBy(right, seam(), file("right")).hasValue());
     motions[1].joints = *motions[1].joints + ArmValues::Constant(6, 1e-4);  // some hundredths of a millimetre
@@ -154,15 +158,15 @@ class PathExportTest : public QObject {
     QVERIFY(writtenBy(right, seam(), file("no folder/seam")).error().code == ErrorCode::WriteFailed);
   }
 
-  // Lines go by the frame that is chosen; joint motions do not, but tables have the pose of each place.
+  // Lines are relative to the chosen frame; joint motions are not, but tables have the pose of each waypoint.
   void frames() {
     CellPlans plans;
     plans.frames = {{"jig", poseOf({300, 100, 0}, {0.0, 0.0, 0.5})}, {"other", Pose::Identity()}};
     plans.workFrame = "jig";
-    plans.paths = {seam(), {.name = "other", .places = {}}};
+    plans.paths = {seam(), {.name = "other", .waypoints = {}}};
     m_cell->plan(plans);
     RobotPath plain = seam();
-    plain.places.pop_back();
+    plain.waypoints.pop_back();
     const auto frameOf = [&](const char* post, const RobotPath& path) {
       const auto written = writtenBy(*postCalled(post), path, file("frames"));
       return written ? written->frame : std::string("not written");
@@ -177,7 +181,7 @@ class PathExportTest : public QObject {
 
   // Motions that no program of this robot can have, with the line they are in.
   void motionsThatCannotBe() {
-    const ParsedMotion start{.joints = seam().places[0].joints, .line = 3};
+    const ParsedMotion start{.joints = seam().waypoints[0].joints, .line = 3};
     ParsedMotion bad{.joints = ArmValues::Zero(5), .line = 7};
     const auto errorOf = [&](const ParsedMotion& motion) {
       const auto read = opened({start, motion});
@@ -202,15 +206,16 @@ class PathExportTest : public QObject {
 
   // A program is of this robot, whatever was known of it; its first motion is none of a line.
   void whatIsMadeOfMotions() {
-    ParsedMotion line{.kind = ProgramMotion::Kind::Linear, .joints = seam().places[0].joints, .blend = -3.0, .line = 1};
+    ParsedMotion line{
+        .kind = ProgramMotion::Kind::Linear, .joints = seam().waypoints[0].joints, .blend = -3.0, .line = 1};
     line.name = "first\nplace";  // no name that a cell can have
     const auto read = opened({line, line});
-    QVERIFY(read && read->path.places.size() == 2);
-    QVERIFY(read->path.places[0].motion == ProgramMotion::Kind::Joint);
-    QVERIFY(read->path.places[1].motion == ProgramMotion::Kind::Linear);
-    QCOMPARE(read->path.places[1].speed, 250.0);
-    QCOMPARE(read->path.places[1].blend, 0.0);
-    QVERIFY(read->path.places[0].name.empty());
+    QVERIFY(read && read->path.waypoints.size() == 2);
+    QVERIFY(read->path.waypoints[0].motion == ProgramMotion::Kind::Joint);
+    QVERIFY(read->path.waypoints[1].motion == ProgramMotion::Kind::Linear);
+    QCOMPARE(read->path.waypoints[1].speed, 250.0);
+    QCOMPARE(read->path.waypoints[1].blend, 0.0);
+    QVERIFY(read->path.waypoints[0].name.empty());
   }
 
   // A path file, for a robot of another name; errors tell the file.
@@ -224,7 +229,7 @@ class PathExportTest : public QObject {
     output.close();
     const auto read = pathFromFile(*m_cell->scene(), m_cell->content(), name.toStdString());
     QVERIFY2(read.hasValue(), read ? "" : read.error().code->id);
-    QVERIFY(read->path.places == path.places && read->path.arm == m_cell->content().plans->arm);
+    QVERIFY(read->path.waypoints == path.waypoints && read->path.arm == m_cell->content().plans->arm);
     for (const char* const missing : {"none.path", "none.mod"}) {
       const auto none = pathFromFile(*m_cell->scene(), m_cell->content(), file(missing).toStdString());
       QVERIFY(!none && none.error().code == ErrorCode::FileMissing);
@@ -255,7 +260,7 @@ class PathExportTest : public QObject {
                                    const CheckedPath& known, OutdatedPath outdated) {
     return writeProgram(*m_cell->scene(), *m_cell->content().plans, path, known, post, name.toStdString(), outdated);
   }
-  // Why a path is not written; then there is no file.
+  // Returns the reason why a path is not written; then there is no file.
   Error refusal(const RobotPath& path, const CheckedPath& known, const PostProcessor* post = postCalled("csv")) {
     const auto written = writtenBy(*post, path, file("refused"), known, OutdatedPath::Refuse);
     return written || QFile::exists(file("refused")) ? Error{} : written.error();

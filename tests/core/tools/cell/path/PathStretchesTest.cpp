@@ -22,15 +22,15 @@ CheckedPath checkedLine() {
   for (const double first : {0.0, 0.1, 0.2, 0.4, 0.8}) {
     ArmValues values = ArmValues::Zero(6);
     values[0] = first;
-    checked.way.joints.push_back(values);
+    checked.resolved.joints.push_back(values);
   }
-  checked.way.placeOf = {1, 1, 1, 2};
+  checked.resolved.waypointOf = {1, 1, 1, 2};
   checked.verification.certified.assign(4, false);
   return checked;
 }
 
-bool isStretchAt(const PathStretch& stretch, std::size_t place, double from, double to, double distance) {
-  return stretch.place == place && std::abs(stretch.from - from) < 1e-9 && std::abs(stretch.to - to) < 1e-9 &&
+bool isStretchAt(const PathStretch& stretch, std::size_t waypoint, double from, double to, double distance) {
+  return stretch.waypoint == waypoint && std::abs(stretch.from - from) < 1e-9 && std::abs(stretch.to - to) < 1e-9 &&
          stretch.deepest.distance == distance;
 }
 
@@ -54,8 +54,8 @@ class PathStretchesTest : public QObject {
     QCOMPARE(all.size(), std::size_t{3});
     QVERIFY(isStretchAt(all[0], 1, 0.125, 0.75, -3.0));
     QVERIFY(isStretchAt(all[1], 1, 0.375, 0.5, 2.0));
-    QVERIFY(isStretchAt(all[2], 2, 0.0, 1.0, -1.0));  // on the way to another place
-    // Where it is nearest: of the first in the middle of its second motion.
+    QVERIFY(isStretchAt(all[2], 2, 0.0, 1.0, -1.0));  // On the motion to another waypoint
+    // The nearest position: for the first one, in the middle of its second motion.
     QCOMPARE(all[0].motion, std::size_t{1});
     QCOMPARE(all[0].deepestAt, 0.5);
     QCOMPARE(all[1].motion, std::size_t{1});
@@ -70,7 +70,8 @@ class PathStretchesTest : public QObject {
     QCOMPARE(found.listed[1].distance, 2.0);
   }
 
-  // What ends before a motion does, or begins later in the next one, is apart; so is what pauses for a motion.
+  // A collision that ends before a motion does, or begins later in the next one, is separate; so is one that pauses for
+  // a motion.
   void apart() {
     ArmCell cell;
     CheckedPath checked = checkedLine();
@@ -86,12 +87,12 @@ class PathStretchesTest : public QObject {
   void nothingMoves() {
     ArmCell cell;
     CheckedPath checked = checkedLine();
-    checked.way.joints.resize(1);
-    checked.way.placeOf.clear();
+    checked.resolved.joints.resize(1);
+    checked.resolved.waypointOf.clear();
     checked.verification.collisions = {{0, 0.0, 1.0, metBy(-1.0), 0.0}};
     QCOMPARE(stretchesOf(checked, *cell.scene()).size(), std::size_t{1});
-    checked.way.joints.assign(3, ArmValues::Zero(6));
-    checked.way.placeOf = {1, 1};
+    checked.resolved.joints.assign(3, ArmValues::Zero(6));
+    checked.resolved.waypointOf = {1, 1};
     checked.verification.collisions = {{0, 0.0, 1.0, metBy(-1.0), 0.0}, {1, 0.0, 1.0, metBy(-2.0), 0.0}};
     const std::vector<PathStretch> all = stretchesOf(checked, *cell.scene());
     QCOMPARE(all.size(), std::size_t{1});

@@ -30,7 +30,7 @@ JointValues turnedTo(double first, double second) {
 
 }  // namespace
 
-// Plans a path through several places, once and again.
+// Plans a path through several waypoints, once and again.
 class PlanOperationTest : public QObject {
   Q_OBJECT
 
@@ -40,73 +40,74 @@ class PlanOperationTest : public QObject {
     m_cell = std::make_unique<ArmCell>();
     m_cell->addBox({100, 200, 800}, {450, 0, 400});
     m_cell->addBox({200, 100, 800}, {0, 450, 400});
-    const std::vector<Waypoint> places{{.joints = turnedTo(-1.2, 0.5)},
-                                       {.joints = turnedTo(0.7, 0.5)},
-                                       {.joints = turnedTo(0.75, 0.3)},
-                                       {.joints = turnedTo(2.3, 0.5)}};
-    m_path = planned(places).path;
-    QVERIFY(m_path.places.size() > places.size());
-    QCOMPARE(criticals(m_path), places.size());
+    const std::vector<Waypoint> waypoints{{.joints = turnedTo(-1.2, 0.5)},
+                                          {.joints = turnedTo(0.7, 0.5)},
+                                          {.joints = turnedTo(0.75, 0.3)},
+                                          {.joints = turnedTo(2.3, 0.5)}};
+    m_path = planned(waypoints).path;
+    QVERIFY(m_path.waypoints.size() > waypoints.size());
+    QCOMPARE(criticals(m_path), waypoints.size());
   }
 
   // Nothing has changed: all is proven and kept, and no planner looks at anything else.
   void nothingToPlan() {
-    const PlannedPath again = planned(m_path.places);
+    const PlannedPath again = planned(m_path.waypoints);
     QCOMPARE(again.keptLegs, std::size_t{3});
-    QVERIFY(again.path.places == m_path.places);
+    QVERIFY(again.path.waypoints == m_path.waypoints);
   }
 
-  // Only the legs beside a place that was changed are planned; the others stay bit for bit.
-  void besideAChangedPlace() {
-    std::vector<Waypoint> places = m_path.places;
-    const std::size_t third = placeOf(m_path, 2);
-    places[third].joints = turnedTo(0.72, 0.2);
-    const PlannedPath again = planned(places);
+  // Only the legs beside a changed waypoint are planned; the others stay bit for bit.
+  void besideAChangedWaypoint() {
+    std::vector<Waypoint> waypoints = m_path.waypoints;
+    const std::size_t third = indexOf(m_path, 2);
+    waypoints[third].joints = turnedTo(0.72, 0.2);
+    const PlannedPath again = planned(waypoints);
     QCOMPARE(again.keptLegs, std::size_t{1});
-    const std::size_t second = placeOf(m_path, 1);
-    for (std::size_t i = 0; i <= second; ++i) QVERIFY(again.path.places[i] == m_path.places[i]);
+    const std::size_t second = indexOf(m_path, 1);
+    for (std::size_t i = 0; i <= second; ++i) QVERIFY(again.path.waypoints[i] == m_path.waypoints[i]);
     QVERIFY(isFree(again.path));
-    QCOMPARE(planned(again.path.places).keptLegs, std::size_t{3});  // from now on
+    QCOMPARE(planned(again.path.waypoints).keptLegs, std::size_t{3});  // from now on
   }
 
-  // A place that is inserted or removed makes other legs.
+  // An inserted or removed waypoint makes other legs.
   void insertedAndRemoved() {
-    std::vector<Waypoint> places = m_path.places;
-    places.insert(places.begin() + static_cast<std::ptrdiff_t>(placeOf(m_path, 1)) + 1, {.joints = turnedTo(0.8, 0.1)});
-    const PlannedPath more = planned(places);
+    std::vector<Waypoint> waypoints = m_path.waypoints;
+    waypoints.insert(waypoints.begin() + static_cast<std::ptrdiff_t>(indexOf(m_path, 1)) + 1,
+                     {.joints = turnedTo(0.8, 0.1)});
+    const PlannedPath more = planned(waypoints);
     QCOMPARE(more.keptLegs, std::size_t{2});
     QCOMPARE(criticals(more.path), std::size_t{5});
-    places = m_path.places;
-    places.erase(places.begin() + static_cast<std::ptrdiff_t>(placeOf(m_path, 1)));
-    const PlannedPath less = planned(places);
+    waypoints = m_path.waypoints;
+    waypoints.erase(waypoints.begin() + static_cast<std::ptrdiff_t>(indexOf(m_path, 1)));
+    const PlannedPath less = planned(waypoints);
     QCOMPARE(less.keptLegs, std::size_t{1});
     QCOMPARE(criticals(less.path), std::size_t{3});
     QVERIFY(isFree(less.path));
   }
 
-  // What is in the way of a leg has it planned anew; the clearance counts, too.
+  // A leg with an obstacle is planned anew; the clearance counts, too.
   void notProvenAnyMore() {
-    m_cell->addBox({60, 60, 60}, toolAt(m_path.places[1].joints));
-    QVERIFY(m_path.places.size() > 2 && !m_path.places[1].isCritical);
-    const PlannedPath again = planned(m_path.places);
+    m_cell->addBox({60, 60, 60}, toolAt(m_path.waypoints[1].joints));
+    QVERIFY(m_path.waypoints.size() > 2 && !m_path.waypoints[1].isCritical);
+    const PlannedPath again = planned(m_path.waypoints);
     QCOMPARE(again.keptLegs, std::size_t{2});
     QVERIFY(isFree(again.path));
   }
 
   // A straight line of the tool is looked at again always; made a joint motion, it is planned.
   void anotherMotion() {
-    std::vector<Waypoint> places = m_path.places;
-    places[placeOf(m_path, 2)].motion = ProgramMotion::Kind::Linear;
-    places[placeOf(m_path, 2)].speed = 100.0;
-    const PlannedPath straight = planned(places);
+    std::vector<Waypoint> waypoints = m_path.waypoints;
+    waypoints[indexOf(m_path, 2)].motion = ProgramMotion::Kind::Linear;
+    waypoints[indexOf(m_path, 2)].speed = 100.0;
+    const PlannedPath straight = planned(waypoints);
     QCOMPARE(straight.keptLegs, std::size_t{2});
-    QCOMPARE(planned(straight.path.places).keptLegs, std::size_t{2});
+    QCOMPARE(planned(straight.path.waypoints).keptLegs, std::size_t{2});
   }
 
   // A path keeps the clearance that it was planned with, where that is not the cell's.
   void clearanceIsKept() {
     QVERIFY(!m_path.clearance);
-    const PlannedPath further = planned(m_path.places, 12.0);
+    const PlannedPath further = planned(m_path.waypoints, 12.0);
     QVERIFY(further.path.clearance == 12.0);
     const CellPlans plans = *m_cell->content().plans;
     const auto checked =
@@ -118,26 +119,27 @@ class PlanOperationTest : public QObject {
     CellPlans asFar = plans;
     asFar.clearance = 12.0;
     m_cell->plan(asFar);
-    QVERIFY(!planned(m_path.places, 12.0).path.clearance);
+    QVERIFY(!planned(m_path.waypoints, 12.0).path.clearance);
   }
 
-  // What is nearer than the clearance, but does not meet, is too near, by so many mm; inside a box it collides.
+  // An object nearer than the clearance that does not collide is too close, by its distance in mm; inside a box it
+  // collides.
   void tooNearIsNoCollision() {
     const auto scene = m_cell->scene();
     const JointValues begin = turnedTo(-1.2, 0.5);
     const double distance = scene->scene.nearestObstacle(scene->planned(begin), 2000.0).distance;
     QVERIFY(distance > 1.0 && distance < 1000.0);
-    const std::vector<Waypoint> places{{.joints = begin}, {.joints = turnedTo(0.7, 0.5)}};
+    const std::vector<Waypoint> waypoints{{.joints = begin}, {.joints = turnedTo(0.7, 0.5)}};
     RouteSettings settings;
     settings.plan.check.clearance = distance + 1.0;
-    const auto near = plannedThrough(*scene, *m_cell->content().plans, places, settings);
-    QVERIFY(!near && near.error().code == CellError::PlaceTooNear);
+    const auto near = plannedThrough(*scene, *m_cell->content().plans, waypoints, settings);
+    QVERIFY(!near && near.error().code == CellError::WaypointTooNear);
     QCOMPARE(near.error().arguments.size(), std::size_t{4});
     QVERIFY(std::abs(std::stod(near.error().arguments[3]) - distance) <= 5e-3 * distance);  // three digits
     const std::vector<Waypoint> inside{{.joints = begin}, {.joints = turnedTo(0.0, 0.6)}};
     settings.plan.check.clearance = 0.0;
     const auto met = plannedThrough(*scene, *m_cell->content().plans, inside, settings);
-    QVERIFY(!met && met.error().code == CellError::PlaceCollides);
+    QVERIFY(!met && met.error().code == CellError::WaypointCollides);
   }
 
   // A robot of the library has simplified shapes: a new path of it keeps a clearance, unless the cell has one; along a
@@ -159,24 +161,24 @@ class PlanOperationTest : public QObject {
     QCOMPARE(defaultClearance(own.document().robot(), CellPlans()), 0.0);
   }
 
-  // Which legs were planned is in the file, too.
+  // The file also marks the legs that were planned.
   void writtenAndRead() {
     const RobotModel& robot = m_cell->document().robot().model;
     const auto read = pathFrom(toJson(robot, m_path), robot, m_cell->document().joints());
     QVERIFY(read.hasValue());
-    QCOMPARE(planned(read->places).keptLegs, std::size_t{3});
+    QCOMPARE(planned(read->waypoints).keptLegs, std::size_t{3});
     nlohmann::json without = toJson(robot, m_path);
-    for (nlohmann::json& place : without["places"]) place.erase("planned");
-    QCOMPARE(planned(pathFrom(without, robot, m_cell->document().joints())->places).keptLegs, std::size_t{0});
+    for (nlohmann::json& waypoint : without["places"]) waypoint.erase("planned");
+    QCOMPARE(planned(pathFrom(without, robot, m_cell->document().joints())->waypoints).keptLegs, std::size_t{0});
   }
 
  private:
-  PlannedPath planned(const std::vector<Waypoint>& places, double clearance = 0.0) {
+  PlannedPath planned(const std::vector<Waypoint>& waypoints, double clearance = 0.0) {
     const auto scene = m_cell->scene();
     RouteSettings settings;
     settings.plan.seconds = 60.0;
     settings.plan.check.clearance = clearance;
-    Result<PlannedPath> made = plannedThrough(*scene, *m_cell->content().plans, places, settings);
+    Result<PlannedPath> made = plannedThrough(*scene, *m_cell->content().plans, waypoints, settings);
     if (!made) qFatal("not planned: %s", made.error().code->id);
     return std::move(made).value();
   }
@@ -189,14 +191,14 @@ class PlanOperationTest : public QObject {
     return scene->arm.tipPose(scene->planned(joints)).translation();
   }
   static std::size_t criticals(const RobotPath& path) {
-    return static_cast<std::size_t>(
-        std::count_if(path.places.begin(), path.places.end(), [](const Waypoint& each) { return each.isCritical; }));
+    return static_cast<std::size_t>(std::count_if(path.waypoints.begin(), path.waypoints.end(),
+                                                  [](const Waypoint& each) { return each.isCritical; }));
   }
-  // Where the critical place of this number is among all.
-  static std::size_t placeOf(const RobotPath& path, std::size_t critical) {
+  // Returns the index of the critical waypoint with this number among all.
+  static std::size_t indexOf(const RobotPath& path, std::size_t critical) {
     std::size_t at = 0;
-    for (std::size_t found = 0; at < path.places.size(); ++at) {
-      if (path.places[at].isCritical && found++ == critical) break;
+    for (std::size_t found = 0; at < path.waypoints.size(); ++at) {
+      if (path.waypoints[at].isCritical && found++ == critical) break;
     }
     return at;
   }

@@ -47,16 +47,16 @@ class ProgramFramesTest : public QObject {
       QTest::newRow(post) << QByteArray(post);
   }
 
-  // Written and opened: the frame of the cell by its name, and the same places.
+  // Written and opened: the frame of the cell by its name, and the same waypoints.
   void languages() {
     QFETCH(const QByteArray, post);
     ArmCell cell;
     const auto read = opened(cell, post, written(cell, post, "fixture 1", fixture()));
     QVERIFY(read.hasValue());
-    QCOMPARE(read->path.places.size(), std::size_t{2});
+    QCOMPARE(read->path.waypoints.size(), std::size_t{2});
     for (int i = 0; i < 2; ++i) {
       const ArmValues wanted = ArmValues::Constant(6, i == 0 ? 0.5 : 0.55);
-      const ArmValues found = cell.scene()->planned(read->path.places[i].joints);
+      const ArmValues found = cell.scene()->planned(read->path.waypoints[i].joints);
       QVERIFY((found - wanted).cwiseAbs().maxCoeff() < 1e-4);
     }
     QCOMPARE(read->frames.size(), std::size_t{1});
@@ -85,7 +85,7 @@ class ProgramFramesTest : public QObject {
     QVERIFY(read.hasValue());
     QCOMPARE(read->frames.size(), std::size_t{1});
     QVERIFY(isAt(read->frames[0].pose, fixture()));
-    const ArmValues found = cell.scene()->planned(read->path.places[1].joints);
+    const ArmValues found = cell.scene()->planned(read->path.waypoints[1].joints);
     QVERIFY((found - ArmValues::Constant(6, 0.55)).cwiseAbs().maxCoeff() < 1e-4);
   }
 

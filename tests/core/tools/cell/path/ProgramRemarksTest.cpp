@@ -23,7 +23,7 @@ Pose toolOfLength(double length) {
 
 }  // namespace
 
-// What is reported of programs that are opened as paths.
+// Remarks on programs that are opened as paths.
 class ProgramRemarksTest : public QObject {
   Q_OBJECT
 
@@ -126,23 +126,23 @@ class ProgramRemarksTest : public QObject {
     model.order.push_back(joint);
     const auto same = read(text);
     QVERIFY(same.hasValue());
-    QCOMPARE(same->path.places.size(), std::size_t{3});
+    QCOMPARE(same->path.waypoints.size(), std::size_t{3});
     for (std::size_t i = 0; i < 3; ++i)
-      QVERIFY((same->path.places[i].joints - wanted->path.places[i].joints).cwiseAbs().maxCoeff() < 1e-5);
+      QVERIFY((same->path.waypoints[i].joints - wanted->path.waypoints[i].joints).cwiseAbs().maxCoeff() < 1e-5);
     // Its frame is in the cell where the program has it: half a turn about z.
     QCOMPARE(same->frames.size(), std::size_t{1});
     QVERIFY((same->frames[0].pose.translation() - Vec3(-100, -200, 0)).norm() < 1e-6);
   }
 
   // Places that a program names keep their names as far as its language has them, and have them in the next program.
-  void namesOfPlaces_data() {
+  void namesOfWaypoints_data() {
     QTest::addColumn<QByteArray>("post");
     QTest::addColumn<QByteArray>("second");
     for (const auto& [post, second] : {std::pair("rapid", "seam_end"), std::pair("fanuc", "seam_end"),
                                        std::pair("csv", "seam_end"), std::pair("json", "seam end")})
       QTest::newRow(post) << QByteArray(post) << QByteArray(second);
   }
-  void namesOfPlaces() {
+  void namesOfWaypoints() {
     QFETCH(const QByteArray, post);
     QFETCH(const QByteArray, second);
     ArmCell cell;
@@ -156,19 +156,19 @@ class ProgramRemarksTest : public QObject {
                        {ProgramMotion::Kind::Joint, ArmValues::Constant(6, 0.6), 0.5, 0.0, {}}};
     const auto read = opened(cell, post.constData(), postCalled(post.toStdString())->write(program));
     QVERIFY(read.hasValue());
-    QCOMPARE(read->path.places.size(), std::size_t{3});
-    QCOMPARE(read->path.places[0].name, std::string("start"));
-    QCOMPARE(read->path.places[1].name, second.toStdString());
-    QCOMPARE(read->path.places[2].name, std::string());
+    QCOMPARE(read->path.waypoints.size(), std::size_t{3});
+    QCOMPARE(read->path.waypoints[0].name, std::string("start"));
+    QCOMPARE(read->path.waypoints[1].name, second.toStdString());
+    QCOMPARE(read->path.waypoints[2].name, std::string());
   }
 
   // Names that a person gave, in the spelling of the declaration or of the motion; what cells cannot have as a name is
   // none.
-  void otherNamesOfPlaces() {
+  void otherNamesOfWaypoints() {
     ArmCell cell;
     const auto nameIn = [&](const char* post, const std::string& text) {
       const auto read = opened(cell, post, text);
-      return read && !read->path.places.empty() ? read->path.places[0].name : std::string("not read");
+      return read && !read->path.waypoints.empty() ? read->path.waypoints[0].name : std::string("not read");
     };
     const std::string declared = std::string("CONST jointtarget p10:=[[10,0,0,0,30,0]") + kNowhere + ";\n";
     QCOMPARE(nameIn("rapid", declared + "MoveAbsJ p10,v100,fine,tool0;\n"), std::string("p10"));
@@ -185,9 +185,9 @@ class ProgramRemarksTest : public QObject {
     QVERIFY(huge.size() <= 60 && huge.starts_with("xxx"));
   }
 
-  // A joint motion to a pose: in the way that its configuration names, whatever is nearer; without one in the nearest,
-  // and its line is reported, once.
-  void ways() {
+  // A joint motion to a pose: in the configuration that it names, even if another is nearer; without one in the
+  // nearest, and its line is reported, once.
+  void openConfigurationsOfPrograms() {
     ArmCell cell;
     const SerialArm arm = cell.scene()->armFromBase();
     ArmValues near(6), far(6);
@@ -209,43 +209,43 @@ class ProgramRemarksTest : public QObject {
     };
     const auto endsAt = [&](const std::string& configuration, const ArmValues& wanted) {
       const auto read = opened(cell, "rapid", program(configuration));
-      return read.hasValue() && read->path.places.size() == 2 &&
-             (cell.scene()->planned(read->path.places[1].joints) - wanted).cwiseAbs().maxCoeff() < 1e-5;
+      return read.hasValue() && read->path.waypoints.size() == 2 &&
+             (cell.scene()->planned(read->path.waypoints[1].joints) - wanted).cwiseAbs().maxCoeff() < 1e-5;
     };
     QVERIFY(endsAt("[0,0,0,0]", near));
     QVERIFY(endsAt("[0,-2,2,1]", far));
     QVERIFY(endsAt("[9E9,9E9,9E9,9E9]", near));
     QVERIFY(!opened(cell, "rapid", program("[0,0,0,1]")).hasValue());
-    // A line comes in the way in which it begins. Where its configuration names another one, a controller stops.
+    // A line keeps the configuration in which it begins. If its own configuration is another one, a controller stops.
     const auto line = [&](const std::string& configuration, const std::string& before = {}) {
       std::string text = program(configuration);
       text.replace(text.find("MoveJ"), 5, before + "MoveL");
       return opened(cell, "rapid", text);
     };
     const auto comesNear = [&](const Result<ProgramPath>& read) {
-      return read.hasValue() && read->path.places.size() == 2 &&
-             (cell.scene()->planned(read->path.places[1].joints) - near).cwiseAbs().maxCoeff() < 1e-5;
+      return read.hasValue() && read->path.waypoints.size() == 2 &&
+             (cell.scene()->planned(read->path.waypoints[1].joints) - near).cwiseAbs().maxCoeff() < 1e-5;
     };
     QVERIFY(comesNear(line("[0,0,0,0]")));
     QVERIFY(comesNear(line("[9E9,9E9,9E9,9E9]")));
     QVERIFY(comesNear(line("[0,-2,2,1]", "ConfL\\Off; ")));
     const auto refused = line("[0,-2,2,1]");
     QVERIFY(!refused.hasValue());
-    QVERIFY(refused.error().code == PostError::WayDiffers);
+    QVERIFY(refused.error().code == PostError::ConfigurationDiffers);
     QCOMPARE(refused.error().position.value, std::uint64_t{3});
     QVERIFY(!line("[0,-2,2,1]", "ConfL\\Off; ConfL\\On; ").hasValue());
-    // The first motion of a program begins where it ends, and so in the way that is named.
+    // The first motion of a program begins at its end, and thus in the named configuration.
     std::string first = program("[0,-2,2,1]");
     first.erase(first.find("MoveAbsJ"), first.find("MoveJ") - first.find("MoveAbsJ"));
     const auto begins = opened(cell, "rapid", first.replace(first.find("MoveJ"), 5, "MoveL"));
     QVERIFY(begins.hasValue());
-    QVERIFY((cell.scene()->planned(begins->path.places[0].joints) - far).cwiseAbs().maxCoeff() < 1e-5);
+    QVERIFY((cell.scene()->planned(begins->path.waypoints[0].joints) - far).cwiseAbs().maxCoeff() < 1e-5);
     QCOMPARE(remarksOn(cell, "rapid", program("[0,-2,2,1]")), QString());
     const QString reported = remarksOn(cell, "rapid", program("[9E9,9E9,9E9,9E9]"));
     QVERIFY2(reported.contains(": 3."), qPrintable(reported));
     ProgramPath many;
-    many.openWays.resize(1000);
-    std::iota(many.openWays.begin(), many.openWays.end(), std::size_t{1});
+    many.openConfigurations.resize(1000);
+    std::iota(many.openConfigurations.begin(), many.openConfigurations.end(), std::size_t{1});
     QVERIFY(programRemarks(many, Pose::Identity()).join(QString()).contains(": 1, 2, 3, 4, 5, …."));
     QVERIFY(programRemarks(ProgramPath(), Pose::Identity()).isEmpty());
   }

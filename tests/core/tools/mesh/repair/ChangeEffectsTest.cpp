@@ -29,7 +29,7 @@ void ChangeEffectsTest::onlyNewDebrisWasCutOff() {
   QCOMPARE(cutOffCorners(after.mesh, FaceSelection{old}, after),
            (std::set<PointKey>{positionKey(cut[0]), positionKey(cut[1]), positionKey(cut[2])}));
   QVERIFY(cutOffCorners(after.mesh, FaceSelection{old, old + 1}, after).empty());
-  // Of a surface that was made anew, as from voxels, nothing was cut off.
+  // A surface that was made anew, as from voxels, counts as not cut.
   const InspectedMesh other = inspected(buildMesh(test::moved(soup, {0, 0, 1})).mesh);
   QVERIFY(cutOffCorners(other.mesh, FaceSelection{}, after).empty());
 }

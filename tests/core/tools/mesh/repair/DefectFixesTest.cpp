@@ -23,7 +23,7 @@ namespace {
 
 constexpr NumberType kNumbers = NumberType::Float64;
 
-// A change made to a document as a tool would; undone and done again on the way.
+// Applies a change to a document like a tool, with an undo and a redo.
 void make(MeshDocument& document, const MeshChange& change) {
   const HalfEdgeMesh before = document.mesh();
   const std::uint64_t revision = document.revision();
@@ -232,7 +232,7 @@ void DefectFixesTest::saysWhyThereIsNoBack() {
   QCOMPARE(far->defects().loops.size(), std::size_t(1));
 }
 
-// Of two sheets, one has a corner that is to stay open.
+// One of two sheets has a corner that must stay open.
 void DefectFixesTest::saysWhichSheetsStayOpen() {
   TriangleSoup soup = test::disc(12, 4);
   test::append(soup, test::moved(soup, {9, 0, 0}));

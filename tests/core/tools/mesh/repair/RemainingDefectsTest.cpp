@@ -60,7 +60,7 @@ void RemainingDefectsTest::nearAtAKeptBoundary() {
   for (const char* reason : left.reasons.nearVertices) QVERIFY2(says(reason, "stay open"), reason);
 }
 
-// A bottle is cut inside, but not along so short a way.
+// A Klein bottle is cut inside, but not along such a short cycle.
 void RemainingDefectsTest::oneSided() {
   const Left left(test::kleinBottle(20, 8), {});
   QVERIFY(!left.after.defects->nonOrientableEdges.empty());

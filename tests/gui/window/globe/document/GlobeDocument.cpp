@@ -9,11 +9,11 @@ namespace handwheel::test {
 
 namespace {
 
-BodyPointer bodyOf(BodyId id, const char* name, const Vec3& place, const GlobeSurface& points) {
+BodyPointer bodyOf(BodyId id, const char* name, const Vec3& position, const GlobeSurface& points) {
   Body body;
   body.id = id;
   body.name = name;
-  body.pose.translation() = place;
+  body.pose.translation() = position;
   body.geometry = std::make_shared<const GlobeGeometry>(points);
   return std::make_shared<const Body>(std::move(body));
 }

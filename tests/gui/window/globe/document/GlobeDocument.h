@@ -9,7 +9,7 @@
 // A document that the program does not have: a globe of points, and its moon.
 namespace handwheel::test {
 
-// The numbers of the two bodies.
+// Ids of the two bodies.
 inline constexpr BodyId kGlobeBody = 1, kMoonBody = 2;
 
 struct GlobeSnapshot : Snapshot {
@@ -17,7 +17,7 @@ struct GlobeSnapshot : Snapshot {
   BodySet bodies;
 };
 
-// A globe of this radius (mm) at the origin with its moon, and one with these points.
+// Return a globe of this radius (mm) at the origin with its moon, and one with these points.
 BodySet globeBodies(const GlobeSurface& points);
 SnapshotPointer globe(double radius);
 
@@ -29,7 +29,7 @@ inline const GlobeSurface& surfaceOf(const Snapshot& content) {
 inline double radiusOf(const Snapshot& content) {
   return surfaceOf(content).radius();
 }
-// The same bodies, the globe with these points.
+// Returns the same bodies, the globe with these points.
 BodySet withGlobe(const BodySet& bodies, GlobeSurface points);
 
 class GlobeDocument : public Document, public BodyOwner {
@@ -38,10 +38,10 @@ class GlobeDocument : public Document, public BodyOwner {
 
   SnapshotPointer snapshot() const override { return std::make_shared<const GlobeSnapshot>(bodies()); }
   const GlobeSurface& surface() const { return pointsOf(*bodies().withId(kGlobeBody)); }
-  const Pose& place() const { return bodies().withId(kGlobeBody)->pose; }
+  const Pose& pose() const { return bodies().withId(kGlobeBody)->pose; }
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
-  // An edit that gives the globe these points; null when it has them.
+  // Returns an edit that gives the globe these points; null if it has them.
   std::unique_ptr<Edit> surfaceEdit(GlobeSurface points) const;
 
  private:

@@ -20,14 +20,14 @@ class GlobeGeometry : public BodyGeometry {
   std::size_t bytes() const override { return sizeof *this + kGlobePoints * sizeof(double); }
 
  protected:
-  // An octahedron that has its corners on the globe.
+  // Returns an octahedron that has its corners on the globe.
   std::shared_ptr<const TriangleSoup> makeSurface() const override;
 
  private:
   GlobeSurface m_points;
 };
 
-// How it is stored.
+// The storage format of a globe.
 extern const GeometryFormat kGlobeFormat;
 
 }  // namespace handwheel::test

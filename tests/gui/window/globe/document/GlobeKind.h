@@ -6,7 +6,7 @@
 
 namespace handwheel::test {
 
-// The code of an error of its own.
+// The error code of this kind.
 namespace GlobeError {
 
 extern const ErrorDescription Flat;  // {file}
@@ -14,7 +14,7 @@ extern const ErrorDescription Flat;  // {file}
 }  // namespace GlobeError
 
 // The kind of globes. Its foreign format is text: a line "globe RADIUS", and a line "dent NUMBER FRACTION" for each
-// point that is pushed in. Names and places are not in it.
+// point that is pushed in. Names and poses are not in it.
 class GlobeKind : public DocumentKind {
  public:
   std::string id() const override { return "globe"; }

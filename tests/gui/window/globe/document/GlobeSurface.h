@@ -11,7 +11,7 @@ namespace handwheel::test {
 
 // The number of points on a globe.
 inline constexpr std::size_t kGlobePoints = 2000;
-// Directions of about equal distance from one another: a Fibonacci lattice on the unit sphere.
+// Returns directions at about equal distances from one another: a Fibonacci lattice on the unit sphere.
 const std::vector<Vec3>& globeDirections();
 
 // The weight of a direction at this chord (of the unit sphere) from another: from 1 to 0 at kGlobeReach, smooth.
@@ -25,7 +25,7 @@ inline bool isRadius(double radius) {
 }
 
 // The surface of a globe: points at varying distances from its centre. They are in fixed directions, each pushed in by
-// a fraction of the radius. A value; versions share what did not change.
+// a fraction of the radius. A value type; versions share unchanged data.
 class GlobeSurface {
  public:
   static constexpr double kDeepest = 0.9;
@@ -40,7 +40,7 @@ class GlobeSurface {
 
   double height(std::size_t i) const { return m_radius * (1.0 - m_dents[i]); }  // mm, from the centre
   Vec3 point(std::size_t i) const { return height(i) * globeDirections()[i]; }
-  // The height of the surface towards p, which is the weighted mean of the points around; mm.
+  // Returns the height of the surface towards p, which is the weighted mean of the points around; mm.
   double heightTowards(const Vec3& p) const;
 
   bool operator==(const GlobeSurface& other) const;

@@ -6,9 +6,9 @@
 
 namespace handwheel::test {
 
-DentSimulation::DentSimulation(GlobeSurface surface, const Pose& place, std::shared_ptr<DentChannel> channel)
+DentSimulation::DentSimulation(GlobeSurface surface, const Pose& pose, std::shared_ptr<DentChannel> channel)
     : m_surface(std::move(surface)),
-      m_sceneToGlobe(place.inverse()),
+      m_sceneToGlobe(pose.inverse()),
       m_channel(std::move(channel)),
       m_state(std::make_shared<const DentState>(m_surface)) {}
 

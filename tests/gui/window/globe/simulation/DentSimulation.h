@@ -13,13 +13,13 @@ struct DentState : SimulationState {
   bool isChanged;  // since the simulation began
 };
 
-// The simulation of dents in a globe. In a gesture the surface around the tip gives way until it is where the tip is.
+// Simulates dents in a globe. In a gesture the surface around the tip yields until it reaches the tip.
 class DentSimulation : public Simulation {
  public:
-  static constexpr double kYield = 0.05;  // s, in which all but 1/e of the depth is gone
+  static constexpr double kYield = 0.05;  // s, in which the depth falls to 1/e
 
-  // place: of the globe in the scene.
-  DentSimulation(GlobeSurface surface, const Pose& place, std::shared_ptr<DentChannel> channel);
+  // pose: that of the globe in the scene.
+  DentSimulation(GlobeSurface surface, const Pose& pose, std::shared_ptr<DentChannel> channel);
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }

@@ -28,23 +28,23 @@ GlobePatch patchAround(const GlobeSurface& surface, const Vec3& p) {
   return patch;
 }
 
-GlobeForce::GlobeForce(GlobeSurface surface, const Pose& place, double stiffness, std::shared_ptr<DentChannel> channel)
+GlobeForce::GlobeForce(GlobeSurface surface, const Pose& pose, double stiffness, std::shared_ptr<DentChannel> channel)
     : ForceSource(kGlobeSource),
       m_surface(std::move(surface)),
-      m_place(place),
+      m_pose(pose),
       m_stiffness(stiffness),
       m_channel(std::move(channel)) {}
 
 ForceBounds GlobeForce::advance(const TipState& tip, ForceOut& out) noexcept {
   m_isTouching = false;
-  const Vec3 inside = m_place.inverse() * tip.position;
+  const Vec3 inside = m_pose.inverse() * tip.position;
   const double distance = inside.norm();
   if (!std::isfinite(distance)) return {};
   std::optional<double> height;
   if (m_channel) height = m_channel->patch.read().heightTowards(inside);
   if (!height) height = m_surface.heightTowards(inside);
   m_isTouching = distance > 0.0 && distance < *height;
-  m_proxy = m_isTouching ? Vec3(m_place * Vec3(*height / distance * inside)) : tip.position;
+  m_proxy = m_isTouching ? Vec3(m_pose * Vec3(*height / distance * inside)) : tip.position;
   if (m_channel) m_channel->inputs->push({tip, m_proxy, m_channel->inputs->gestureAt(tip)});
   if (!m_isTouching) return {};
   out.isContact = true;

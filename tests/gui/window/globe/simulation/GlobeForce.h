@@ -11,11 +11,11 @@
 
 namespace handwheel::test {
 
-// The points of a globe near the tip, for the servo loop. It is what that knows of a globe that is being dented. The
-// simulation renews it.
+// The points of a globe near the tip, for the servo loop. They are all that the loop knows of a globe that is being
+// dented; the simulation renews them.
 struct GlobePatch {
   static constexpr std::size_t kMost = 256;
-  static constexpr double kChord = 2.0 * kGlobeReach;  // of the unit sphere
+  static constexpr double kChord = 2.0 * kGlobeReach;  // chord of the unit sphere
 
   Vec3 centre = Vec3::Zero();  // direction around which the points lie
   double radius = 0.0;         // mm
@@ -23,7 +23,7 @@ struct GlobePatch {
   std::array<std::uint32_t, kMost> numbers{};
   std::array<double, kMost> dents{};
 
-  // None where the patch does not tell: too far from its centre.
+  // None if p is too far from the centre of the patch.
   std::optional<double> heightTowards(const Vec3& p) const;
 };
 
@@ -36,16 +36,16 @@ inline constexpr const char* kGlobeSource = "globe";
 // The contact force of a globe. It is a spring from the tip inside to the surface above it.
 class GlobeForce : public ForceSource {
  public:
-  // place: of the globe in the scene. stiffness: N/mm there. channel: of the simulation that changes the surface; null
-  // when there is none.
-  GlobeForce(GlobeSurface surface, const Pose& place, double stiffness, std::shared_ptr<DentChannel> channel);
+  // pose: that of the globe in the scene. stiffness: N/mm in the scene. channel: that of the simulation that changes
+  // the surface; null if there is none.
+  GlobeForce(GlobeSurface surface, const Pose& pose, double stiffness, std::shared_ptr<DentChannel> channel);
 
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
 
  private:
   GlobeSurface m_surface;
-  Pose m_place;
+  Pose m_pose;
   double m_stiffness;
   std::shared_ptr<DentChannel> m_channel;
   Vec3 m_proxy = Vec3::Zero();

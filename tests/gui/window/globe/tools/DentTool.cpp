@@ -10,7 +10,7 @@ namespace handwheel::test {
 
 namespace {
 
-// The place where a ray meets a sphere first.
+// Returns the first intersection of a ray with a sphere.
 std::optional<Vec3> meets(const Ray& ray, const Vec3& centre, double radius) {
   const double along = (centre - ray.origin).dot(ray.direction);
   const double rest = radius * radius - (ray.origin + along * ray.direction - centre).squaredNorm();
@@ -25,14 +25,14 @@ DentTool::DentTool(GlobeDocument& document, const SimulationServices& services)
 
 std::unique_ptr<Simulation> DentTool::simulation() const {
   return std::make_unique<LoggedSimulation>(
-      std::make_unique<DentSimulation>(m_document.surface(), m_document.place(), m_channel));
+      std::make_unique<DentSimulation>(m_document.surface(), m_document.pose(), m_channel));
 }
 
 void DentTool::feed(const PointerEvent& event) {
   constexpr double kPeriod = 0.05;  // s, about that between two moves of a mouse
-  const Vec3 centre = m_document.place().translation();
-  const auto place = meets(event.ray, centre, m_document.surface().radius());
-  if (place) m_gesture.feed(centre + (1.0 - kPress) * (*place - centre), {}, kPeriod);
+  const Vec3 centre = m_document.pose().translation();
+  const auto hit = meets(event.ray, centre, m_document.surface().radius());
+  if (hit) m_gesture.feed(centre + (1.0 - kPress) * (*hit - centre), {}, kPeriod);
 }
 
 ToolReply DentTool::press(const PointerEvent& event) {

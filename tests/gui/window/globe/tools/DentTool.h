@@ -13,18 +13,18 @@ namespace handwheel::test {
 // The id of the service that tools of dents need.
 inline constexpr const char* kDentService = "globe_dents";
 
-// Tool that dents a globe while a button is held. With a device where its tip is, with the mouse a little below the
-// surface.
+// Tool that dents a globe while a button is held. The dent is at the tip of a device, or a little below the surface
+// under the mouse.
 class DentTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
-  static constexpr double kPress = 0.2;   // of the radius: how far below the surface the mouse presses
+  static constexpr double kPress = 0.2;   // depth below the surface at which the mouse presses, fraction of the radius
 
   DentTool(GlobeDocument& document, const SimulationServices& services);
 
-  // For the haptic scene.
+  // The channel for the haptic scene.
   const std::shared_ptr<DentChannel>& channel() const { return m_channel; }
-  // What the last gesture that was committed consists of.
+  // The log of the last gesture that was committed.
   const SimulationLog& lastGesture() const { return m_lastGesture; }
 
   std::string id() const override { return "dent"; }

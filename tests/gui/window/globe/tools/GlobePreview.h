@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// What tools of globes show in place of the document.
+// Preview of globe tools, shown instead of the document.
 struct GlobePreview : KindPreview {
   explicit GlobePreview(GlobeSurface s) : surface(std::move(s)) {}
   GlobeSurface surface;

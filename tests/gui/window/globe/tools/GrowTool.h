@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// Tool that doubles the size of the globe. It shows that as long as a button is held, then makes it so.
+// Tool that doubles the size of the globe. It shows the result while a button is held, then applies it.
 class GrowTool : public Tool {
  public:
   explicit GrowTool(GlobeDocument& document) : m_document(document) {}

@@ -35,7 +35,7 @@ std::vector<Vec3> shownPoints(const BodySet& bodies) {
 SnapField polesOf(const GlobeDocument& globe) {
   SnapFeatures poles;
   for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 0, -1)})
-    poles.addPoint(0, globe.place() * Vec3(globe.surface().heightTowards(axis) * axis));
+    poles.addPoint(0, globe.pose() * Vec3(globe.surface().heightTowards(axis) * axis));
   return SnapField(poles);
 }
 
@@ -168,9 +168,9 @@ void GlobeUi::feel(bool isEdit) {
     m_window.touch.setSource(kGlobeSource, {}, isEdit);
     return m_window.touch.setSnap({}, 0.0, isEdit);
   }
-  const auto make = [surface = globe().surface(), place = globe().place(),
+  const auto make = [surface = globe().surface(), pose = globe().pose(),
                      channel = m_dented](const TouchContext& context) {
-    return std::make_unique<GlobeForce>(surface, place, context.mapping.sceneStiffness(context.touch.stiffness),
+    return std::make_unique<GlobeForce>(surface, pose, context.mapping.sceneStiffness(context.touch.stiffness),
                                         channel);
   };
   m_window.touch.setSource(kGlobeSource, make, isEdit);

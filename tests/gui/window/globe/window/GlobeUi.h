@@ -54,7 +54,7 @@ class GlobeUi : public KindUi {
   std::shared_ptr<PointsLayer> m_layer;
   PropertyList* m_panel;
   DocumentTab* m_document = nullptr;
-  std::shared_ptr<DentChannel> m_dented;  // of the tool that runs; null: it dents nothing
+  std::shared_ptr<DentChannel> m_dented;  // channel of the running tool; null: it dents nothing
   bool m_isPreviewed = false;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The few functions of OpenHaptics that the bridge calls, declared for its test. Nothing of the maker's is here, and
-// the numbers are our own. HdStandIn.h is the device behind them.
+// The few functions of OpenHaptics that the bridge calls, declared for its test. Nothing of the manufacturer's is here,
+// and the numbers are our own. HdStandIn.h is the device behind them.
 
 using HHD = unsigned int;
 using HDenum = unsigned int;

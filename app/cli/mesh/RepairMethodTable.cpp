@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/RepairWaysTable.h"
+#include "cli/mesh/RepairMethodTable.h"
 
 #include "base/NumberText.h"
 
@@ -22,10 +22,10 @@ const Cells& header() {
 }
 
 // digits: of numbers.
-Cells cellsOf(const RepairWayRow& row, int digits) {
+Cells cellsOf(const MethodRow& row, int digits) {
   Cells cells;
   cells[0] = row.file;
-  cells[1] = row.way;
+  cells[1] = row.method;
   cells[2] = row.figures && row.figures->isSound ? "yes" : "no";
   cells[3] = row.figures ? row.figures->state : "no result";
   if (row.figures) {
@@ -63,9 +63,9 @@ std::string htmlRow(const Cells& cells, const char* tag) {
 
 }  // namespace
 
-std::string alignedText(const std::vector<RepairWayRow>& rows) {
+std::string alignedText(const std::vector<MethodRow>& rows) {
   std::vector<Cells> table{header()};
-  for (const RepairWayRow& row : rows) table.push_back(cellsOf(row, 3));
+  for (const MethodRow& row : rows) table.push_back(cellsOf(row, 3));
   std::array<std::size_t, kColumns> widths{};
   for (const Cells& cells : table)
     for (std::size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], lengthOf(cells[i]));
@@ -78,23 +78,23 @@ std::string alignedText(const std::vector<RepairWayRow>& rows) {
   return text;
 }
 
-std::string csvText(const std::vector<RepairWayRow>& rows) {
+std::string csvText(const std::vector<MethodRow>& rows) {
   std::string text = "file,way,sound,state,triangles,scan_distance_99_mm,scan_distance_mm,seconds,written,reason\n";
-  for (const RepairWayRow& row : rows) {
+  for (const MethodRow& row : rows) {
     const Cells cells = cellsOf(row, 9);
     for (std::size_t i = 0; i < kColumns; ++i) text += csvField(cells[i]) + (i + 1 < kColumns ? "," : "\n");
   }
   return text;
 }
 
-std::string htmlText(const std::vector<RepairWayRow>& rows) {
+std::string htmlText(const std::vector<MethodRow>& rows) {
   std::string text =
       "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>Repair by triangles and by volume</title>\n"
       "<style>body{font-family:sans-serif}table{border-collapse:collapse}"
       "th,td{border:1px solid #999;padding:2px 8px;text-align:left}</style></head>\n"
       "<body><h1>Repair by triangles and by volume</h1>\n<table>\n" +
       htmlRow(header(), "th");
-  for (const RepairWayRow& row : rows) text += htmlRow(cellsOf(row, 4), "td");
+  for (const MethodRow& row : rows) text += htmlRow(cellsOf(row, 4), "td");
   return text + "</table>\n<p>Distances are those of the input from the result.</p></body></html>\n";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How places of paths are pulled (He 2008, chapter 6: key configurations).
+// Pulling waypoints (He 2008, chapter 6: key configurations).
 #include "document/cell/CellArms.h"
 #include "tools/cell/HandGuidingState.h"
 
@@ -12,37 +12,37 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kGraspPixels = 8.0;  // logical: however far one looks from, a place can be pointed to
+constexpr double kGraspPixels = 8.0;  // Logical pixels: a waypoint can be pointed to at any zoom
 
 }  // namespace
 
-// Of the path that is chosen, or else of all paths of the robot that is planned for. O(places) after a change.
-const std::vector<HandGuidingTool::PathPlace>& HandGuidingTool::places() {
+// Returns those of the chosen path, or else of all paths of the robot that is planned for. O(waypoints) after a change.
+const std::vector<HandGuidingTool::PathWaypoint>& HandGuidingTool::waypoints() {
   const auto scene = m_services.scene();
   const auto plans = m_document.plans();
-  if (m_placesOf == plans && m_placesIn.lock() == scene && m_placesAlong == m_path) return m_places;
-  m_places.clear();
-  m_placesOf = plans;
-  m_placesIn = scene;
-  m_placesAlong = m_path;
-  if (!scene) return m_places;
+  if (m_waypointsOf == plans && m_waypointsIn.lock() == scene && m_waypointsAlong == m_path) return m_waypoints;
+  m_waypoints.clear();
+  m_waypointsOf = plans;
+  m_waypointsIn = scene;
+  m_waypointsAlong = m_path;
+  if (!scene) return m_waypoints;
   for (std::size_t p = 0; p < plans->paths.size(); ++p) {
     const RobotPath& path = plans->paths[p];
     if (!isSameArm(m_document.robot(), path.arm, plans->arm) || !(m_path.empty() || path.name == m_path)) continue;
-    for (std::size_t i = 0; i < path.places.size(); ++i) {
-      const Pose there = scene->arm.tipPose(scene->planned(path.places[i].joints)) * plans->tool;
-      m_places.push_back({p, i, there.translation()});
+    for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+      const Pose there = scene->arm.tipPose(scene->planned(path.waypoints[i].joints)) * plans->tool;
+      m_waypoints.push_back({p, i, there.translation()});
     }
   }
-  return m_places;
+  return m_waypoints;
 }
 
 // Nearest to the tip of a device, or to the ray of the mouse; none within the distance in which one is taken.
-std::optional<HandGuidingTool::PathPlace> HandGuidingTool::placeNear(const PointerEvent& event) {
-  if (m_way != Way::Places || !(event.device || event.ray.isUsable())) return std::nullopt;
-  std::optional<PathPlace> nearest;
-  double least = 1.0;  // of the shares of that distance
-  for (const PathPlace& each : places()) {
+std::optional<HandGuidingTool::PathWaypoint> HandGuidingTool::waypointNear(const PointerEvent& event) {
+  if (m_mode != Mode::Waypoints || !(event.device || event.ray.isUsable())) return std::nullopt;
+  std::optional<PathWaypoint> nearest;
+  double least = 1.0;  // Shares of that distance
+  for (const PathWaypoint& each : waypoints()) {
     double distance = 0.0, within = m_grasp;
     if (event.device) {
       distance = (each.point - event.device->translation()).norm();
@@ -60,32 +60,33 @@ std::optional<HandGuidingTool::PathPlace> HandGuidingTool::placeNear(const Point
   return nearest;
 }
 
-// The robot is shown at the place and led from there; in the document it stays where it stands.
-ToolReply HandGuidingTool::takePlace(const PointerEvent& event) {
-  const auto taken = placeNear(event);
+// Shows the robot at the waypoint and leads it from there; in the document it does not move.
+ToolReply HandGuidingTool::takeWaypoint(const PointerEvent& event) {
+  const auto taken = waypointNear(event);
   const auto scene = m_services.scene();
   if (!taken || !scene) return ToolReply::Ignored;
   const RobotPath& path = m_document.plans()->paths[taken->path];
-  beginAt(event, scene, scene->planned(path.places[taken->place].joints));
+  beginAt(event, scene, scene->planned(path.waypoints[taken->waypoint].joints));
   m_guidance->pulled = taken;
   m_near.reset();
   return ToolReply::Used;
 }
 
-// As a person sets a place anew: the path is no longer planned along a curve, and planning it again passes the place.
-void HandGuidingTool::setPlace(const Guidance& pulled) {
+// Changes the waypoint like an edit by the user: the path is no longer planned along a curve, and planning it again
+// passes the waypoint.
+void HandGuidingTool::setWaypoint(const Guidance& pulled) {
   CellPlans plans = *m_document.plans();
   RobotPath& path = plans.paths[pulled.pulled->path];
-  Waypoint& place = path.places[pulled.pulled->place];
+  Waypoint& waypoint = path.waypoints[pulled.pulled->waypoint];
   const ArmValues& values = pulled.robot.values();
   for (std::size_t i = 0; i < pulled.scene->dofs.size(); ++i)
-    place.joints[pulled.scene->dofs[i]] = values[static_cast<Eigen::Index>(i)];
-  place.isCritical = true;
-  place.target.reset();
-  place.configuration.clear();
+    waypoint.joints[pulled.scene->dofs[i]] = values[static_cast<Eigen::Index>(i)];
+  waypoint.isCritical = true;
+  waypoint.target.reset();
+  waypoint.configuration.clear();
   path.process.reset();
   const QString text = QCoreApplication::translate("HandGuidingTool", "Pull place %1 of %2")
-                           .arg(pulled.pulled->place + 1)
+                           .arg(pulled.pulled->waypoint + 1)
                            .arg(QString::fromStdString(path.name));
   if (auto edit = m_document.plansEdit(std::move(plans))) m_document.commit(text, std::move(edit));
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/kinds/TargetPlaceView.h"
+#include "window/kinds/TargetPlacementView.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -12,7 +12,7 @@ namespace {
 constexpr QSize kPlacePicture(440, 150);  // pixels, at most
 }
 
-TargetPlaceView::TargetPlaceView(QWidget* parent) : QWidget(parent), m_picture(new QLabel(this)) {
+TargetPlacementView::TargetPlacementView(QWidget* parent) : QWidget(parent), m_picture(new QLabel(this)) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   m_picture->setObjectName(QStringLiteral("targetPlacePicture"));
@@ -29,10 +29,10 @@ TargetPlaceView::TargetPlaceView(QWidget* parent) : QWidget(parent), m_picture(n
   grid->addWidget(new QLabel(tr("free end →"), this), 1, 2, Qt::AlignRight);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(2, 1);
-  connect(turn, &QPushButton::clicked, this, &TargetPlaceView::turned);
+  connect(turn, &QPushButton::clicked, this, &TargetPlacementView::turned);
 }
 
-void TargetPlaceView::setPicture(const QImage& picture) {
+void TargetPlacementView::setPicture(const QImage& picture) {
   setVisible(!picture.isNull());
   if (!picture.isNull())
     m_picture->setPixmap(QPixmap::fromImage(picture.convertToFormat(QImage::Format_RGB32)

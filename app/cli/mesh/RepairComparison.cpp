@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/RepairBothWays.h"
+#include "cli/mesh/RepairComparison.h"
 
 #include "base/NumberText.h"
 #include "cli/Input.h"
@@ -12,7 +12,7 @@
 #include "cli/mesh/RepairArguments.h"
 #include "cli/mesh/RepairByVolume.h"
 #include "cli/mesh/RepairCommand.h"
-#include "cli/mesh/RepairWaysTable.h"
+#include "cli/mesh/RepairMethodTable.h"
 #include "cli/mesh/batch/BatchFiles.h"
 #include "cli/mesh/batch/ChildRepair.h"
 #include "document/AtomicFile.h"
@@ -29,7 +29,7 @@
 namespace handwheel {
 namespace {
 
-RepairWayFigures wayOf(const MeshReport& after, const Deviation& deviation, double seconds) {
+MethodFigures figuresOf(const MeshReport& after, const Deviation& deviation, double seconds) {
   return {after.isSound(),
           stateText(after).toStdString(),
           after.triangles,
@@ -38,23 +38,23 @@ RepairWayFigures wayOf(const MeshReport& after, const Deviation& deviation, doub
           seconds};
 }
 
-struct BothWays {
+struct RepairComparison {
   RepairRun run;  // by triangles; without output where there is a reason to write nothing
-  RepairWayFigures triangles;
-  std::optional<RepairWayFigures> volume;
-  std::optional<Error> volumeError;  // why there is none
+  MethodFigures triangles;
+  std::optional<MethodFigures> volume;
+  std::optional<Error> volumeError;  // the reason if there is none
   double lost = 0.0;        // mm, by which the result by volume is farther than a voxel from what it should have kept
-  bool isByVolume = false;  // what was written
+  bool isByVolume = false;  // the written result is by volume
 };
 
-Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const VolumeRepairRequest& byVolume,
-                                    const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
+Result<RepairComparison> repairByBoth(const RepairRequest& byTriangles, const VolumeRepairRequest& byVolume,
+                                      const DocumentKinds& kinds, MemoryNotice& notice, Progress progress) {
   Result<RepairRun> run = repairFile(byTriangles, kinds, progress.part(0.0, 0.4));
   if (!run) return run.error();
-  BothWays both;
+  RepairComparison both;
   both.run = std::move(*run);
   if (both.run.output.empty()) return both;
-  both.triangles = wayOf(both.run.after, *both.run.deviation, both.run.seconds);
+  both.triangles = figuresOf(both.run.after, *both.run.deviation, both.run.seconds);
 
   const Result<Input> input = readMeshInput(byVolume.input, byVolume.read, kinds, progress.part(0.4, 0.45));
   if (!input) return input.error();
@@ -63,7 +63,7 @@ Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const Volu
   if (!repaired && repaired.error().code == ErrorCode::Cancelled) return repaired.error();
   if (repaired) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    both.volume = wayOf(repaired->after, repaired->deviation, seconds);
+    both.volume = figuresOf(repaired->after, repaired->deviation, seconds);
     // Walls within a volume are meant to go. What is outside of it now was a sheet, or thinner than a voxel.
     const double farthest = std::max(repaired->deviation.ofScan.highest.distance, repaired->repair.keptDistance);
     if (farthest > repaired->voxel) both.lost = farthest;
@@ -79,13 +79,13 @@ Result<BothWays> repairFileBothWays(const RepairRequest& byTriangles, const Volu
   return both;
 }
 
-std::string rowOf(std::string_view name, const RepairWayFigures& way) {
-  return rightAligned(std::string(name), 9) + rightAligned(std::to_string(way.triangles), 12) +
-         rightAligned(roundedText(way.near99, 3), 16) + rightAligned(roundedText(way.farthest, 3), 14) +
-         rightAligned(roundedText(way.seconds, 2), 11) + "  " + way.state + "\n";
+std::string rowOf(std::string_view name, const MethodFigures& method) {
+  return rightAligned(std::string(name), 9) + rightAligned(std::to_string(method.triangles), 12) +
+         rightAligned(roundedText(method.near99, 3), 16) + rightAligned(roundedText(method.farthest, 3), 14) +
+         rightAligned(roundedText(method.seconds, 2), 11) + "  " + method.state + "\n";
 }
 
-std::string tableOf(const BothWays& both, const RepairRequest& request) {
+std::string tableOf(const RepairComparison& both, const RepairRequest& request) {
   std::string text = "      way   triangles    99 % within mm   farthest mm    seconds  state\n";
   text += rowOf("triangles", both.triangles);
   text += both.volume ? rowOf("volume", *both.volume) : "   volume  " + sentenceFor(*both.volumeError) + "\n";
@@ -98,43 +98,43 @@ std::string tableOf(const BothWays& both, const RepairRequest& request) {
          roundedText(both.lost, 3) + " mm of the input is away from it.\n";
 }
 
-nlohmann::ordered_json jsonOf(std::string_view name, const RepairWayFigures& way) {
+nlohmann::ordered_json jsonOf(std::string_view name, const MethodFigures& method) {
   return {{"by", name},
-          {"sound", way.isSound},
-          {"state", way.state},
-          {"triangles", way.triangles},
-          {"scan_distance_99_mm", way.near99},
-          {"scan_distance_mm", way.farthest},
-          {"seconds", way.seconds}};
+          {"sound", method.isSound},
+          {"state", method.state},
+          {"triangles", method.triangles},
+          {"scan_distance_99_mm", method.near99},
+          {"scan_distance_mm", method.farthest},
+          {"seconds", method.seconds}};
 }
 
-nlohmann::ordered_json jsonOf(const BothWays& both) {
-  nlohmann::ordered_json ways = {jsonOf("triangles", both.triangles)};
+nlohmann::ordered_json jsonOf(const RepairComparison& both) {
+  nlohmann::ordered_json methods = {jsonOf("triangles", both.triangles)};
   if (both.volume)
-    ways.push_back(jsonOf("volume", *both.volume));
+    methods.push_back(jsonOf("volume", *both.volume));
   else
-    ways.push_back({{"by", "volume"}, {"error", sentenceFor(*both.volumeError)}});
-  return {{"written", both.isByVolume ? "volume" : "triangles"}, {"lost_by_volume_mm", both.lost}, {"ways", ways}};
+    methods.push_back({{"by", "volume"}, {"error", sentenceFor(*both.volumeError)}});
+  return {{"written", both.isByVolume ? "volume" : "triangles"}, {"lost_by_volume_mm", both.lost}, {"ways", methods}};
 }
 
 // The rows of a file, by the JSON of its own repair. Throws what the library throws where that is something else.
-std::vector<RepairWayRow> rowsIn(const std::string& file, const nlohmann::json& both) {
-  std::vector<RepairWayRow> rows;
+std::vector<MethodRow> rowsIn(const std::string& file, const nlohmann::json& both) {
+  std::vector<MethodRow> rows;
   const double lost = both.at("lost_by_volume_mm").get<double>();
-  for (const nlohmann::json& way : both.at("ways")) {
-    RepairWayRow row{file, way.at("by").get<std::string>(), {}, {}, false};
-    row.isWritten = row.way == both.at("written").get<std::string>();
-    if (way.contains("error")) {
-      row.reason = way.at("error").get<std::string>();
+  for (const nlohmann::json& method : both.at("ways")) {
+    MethodRow row{file, method.at("by").get<std::string>(), {}, {}, false};
+    row.isWritten = row.method == both.at("written").get<std::string>();
+    if (method.contains("error")) {
+      row.reason = method.at("error").get<std::string>();
     } else {
-      row.figures = RepairWayFigures{way.at("sound").get<bool>(),
-                                     way.at("state").get<std::string>(),
-                                     way.at("triangles").get<std::size_t>(),
-                                     way.at("scan_distance_99_mm").get<double>(),
-                                     way.at("scan_distance_mm").get<double>(),
-                                     way.at("seconds").get<double>()};
+      row.figures = MethodFigures{method.at("sound").get<bool>(),
+                                  method.at("state").get<std::string>(),
+                                  method.at("triangles").get<std::size_t>(),
+                                  method.at("scan_distance_99_mm").get<double>(),
+                                  method.at("scan_distance_mm").get<double>(),
+                                  method.at("seconds").get<double>()};
     }
-    if (row.way == "volume" && lost > 0.0)
+    if (row.method == "volume" && lost > 0.0)
       row.reason = "Open sheets or walls thinner than a voxel are lost: up to " + roundedText(lost, 3) +
                    " mm of the input is away from it.";
     rows.push_back(std::move(row));
@@ -144,9 +144,9 @@ std::vector<RepairWayRow> rowsIn(const std::string& file, const nlohmann::json& 
 
 // Repairs several files one after the other, each in a process of its own: one that crashes, or takes longer than it
 // may, is a row of the table, and the others go on.
-class FilesBothWays {
+class FileComparisons {
  public:
-  FilesBothWays(std::vector<std::string> options, std::optional<double> timeLimit)
+  FileComparisons(std::vector<std::string> options, std::optional<double> timeLimit)
       : m_options(std::move(options)), m_timeLimit(timeLimit) {}
 
   // Until a signal arrives.
@@ -157,7 +157,7 @@ class FilesBothWays {
     }
     m_bar.clear();
   }
-  const std::vector<RepairWayRow>& rows() const { return m_rows; }
+  const std::vector<MethodRow>& rows() const { return m_rows; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -169,7 +169,7 @@ class FilesBothWays {
     ChildProcess& child = *started.child;
     if (child.code() == kExitDone || child.code() == kExitSomethingLeft) {
       try {
-        const std::vector<RepairWayRow> rows = rowsIn(file.input.string(), nlohmann::json::parse(child.output()));
+        const std::vector<MethodRow> rows = rowsIn(file.input.string(), nlohmann::json::parse(child.output()));
         m_rows.insert(m_rows.end(), rows.begin(), rows.end());
         m_bar.clear();
         for (const std::string& sentence : complaintsOf(child)) complain(sentence);
@@ -181,7 +181,7 @@ class FilesBothWays {
     if (!wasInterrupted()) fail(file, isStopped ? tooLong(*m_timeLimit) : failureOf(child, file));
   }
 
-  // Whether it was asked to end.
+  // Returns true if the child was asked to end.
   bool waitFor(const std::unique_ptr<ChildProcess>& child) {
     constexpr std::chrono::milliseconds kWaiting{5};
     const Clock::time_point start = Clock::now();
@@ -206,18 +206,18 @@ class FilesBothWays {
 
   std::vector<std::string> m_options;
   std::optional<double> m_timeLimit;  // seconds
-  std::vector<RepairWayRow> m_rows;
+  std::vector<MethodRow> m_rows;
   ProgressBar m_bar{"Repairing"};
   Clock::time_point m_begin = Clock::now();
   double m_done = 0.0;
 };
 
-nlohmann::ordered_json jsonOf(const std::vector<RepairWayRow>& rows) {
+nlohmann::ordered_json jsonOf(const std::vector<MethodRow>& rows) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const RepairWayRow& row : rows) {
+  for (const MethodRow& row : rows) {
     nlohmann::ordered_json one = {{"file", row.file}};
-    if (row.figures) one.update(jsonOf(row.way, *row.figures));
-    if (!row.figures && !row.way.empty()) one["by"] = row.way;
+    if (row.figures) one.update(jsonOf(row.method, *row.figures));
+    if (!row.figures && !row.method.empty()) one["by"] = row.method;
     one["written"] = row.isWritten;
     if (!row.reason.empty()) one["reason"] = row.reason;
     all.push_back(std::move(one));
@@ -226,16 +226,16 @@ nlohmann::ordered_json jsonOf(const std::vector<RepairWayRow>& rows) {
 }
 
 // The exit code of the table: 1 where a file has no result, 2 where one that was written has defects.
-int codeOf(const std::vector<RepairWayRow>& rows) {
+int codeOf(const std::vector<MethodRow>& rows) {
   int code = kExitDone;
-  for (const RepairWayRow& row : rows) {
-    if (row.way.empty()) return kExitError;
+  for (const MethodRow& row : rows) {
+    if (row.method.empty()) return kExitError;
     if (row.isWritten && !row.figures->isSound) code = kExitSomethingLeft;
   }
   return code;
 }
 
-int runManyBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
+int runManyComparisons(const Arguments& arguments, const DocumentKinds& kinds) {
   namespace fs = std::filesystem;
   const fs::path output = arguments.valueOf("output"), report = arguments.valueOf("report");
   const std::string ending = report.extension().string();
@@ -255,10 +255,10 @@ int runManyBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   if (plan.files.empty()) return refuse("No mesh file was found.");
   if (arguments.has("report") && plan.isInput(report)) return refuse(report.string() + " is an input too.");
 
-  FilesBothWays repairs(repairOptions(arguments), timeLimit);
+  FileComparisons repairs(repairOptions(arguments), timeLimit);
   repairs.repair(plan.files);
-  const std::vector<RepairWayRow>& rows = repairs.rows();
-  // What was repaired until then is reported, too.
+  const std::vector<MethodRow>& rows = repairs.rows();
+  // The repairs until then are reported, too.
   if (arguments.has("report"))
     if (const Status written = writeFileAtomically(report, ending == ".csv" ? csvText(rows) : htmlText(rows)); !written)
       return fail(written.error());
@@ -269,7 +269,7 @@ int runManyBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
 
 }  // namespace
 
-int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
+int runRepairComparison(const Arguments& arguments, const DocumentKinds& kinds) {
   std::error_code ignored;
   const bool isMany = arguments.operands.size() > 1 || arguments.has("format") ||
                       std::filesystem::is_directory(arguments.operands[0], ignored);
@@ -288,15 +288,15 @@ int runRepairBothWays(const Arguments& arguments, const DocumentKinds& kinds) {
   if (problem.empty()) problem = readVolumeRequest(arguments, byVolume);
   if (!problem.empty()) return failUsage(problem, "repair");
   byTriangles.compare = true;
-  if (isMany) return runManyBothWays(arguments, kinds);
+  if (isMany) return runManyComparisons(arguments, kinds);
 
   MemoryNotice notice(arguments);
-  std::optional<Result<BothWays>> result;
+  std::optional<Result<RepairComparison>> result;
   runInterruptible("Repairing", [&](CommandJob& job) {
-    result = repairFileBothWays(byTriangles, byVolume, kinds, notice.during(job), job.progress());
+    result = repairByBoth(byTriangles, byVolume, kinds, notice.during(job), job.progress());
   });
   if (!*result) return fail(result->error());
-  const BothWays& both = result->value();
+  const RepairComparison& both = result->value();
   if (both.run.output.empty()) return reportNothingWritten(both.run, byTriangles);
   reportLosses(both.run.file);
   nlohmann::ordered_json report = jsonOf(both);

@@ -9,35 +9,35 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-// Pulls places of paths by hand.
-class HandGuidingPlacesTest : public QObject {
+// Pulls waypoints by hand.
+class HandGuidingWaypointsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A place is taken near the tool's centre point at it, by a device or the mouse, and moves as the hand does: one
-  // step, in which the robot stays. The other place stays, too.
-  void aPlaceIsPulled() {
+  // A waypoint is taken near the tool centre point at it, by a device or the mouse, and follows the hand: one step, in
+  // which the robot does not move. The other waypoint stays, too.
+  void aWaypointIsPulled() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.6);
     HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
     for (const bool byDevice : {true, false}) {
       const Pose before = fixture.poseAt(1);
-      const Vec3 at = before.translation() + Vec3(6.0, -4.0, 0.0), way(-20.0, 5.0, byDevice ? 10.0 : 0.0);
-      const auto event = [&](Kind kind, const Vec3& place) {
-        return byDevice ? byHand(kind, moved(place)) : above(kind, place.x(), place.y());
+      const Vec3 at = before.translation() + Vec3(6.0, -4.0, 0.0), displacement(-20.0, 5.0, byDevice ? 10.0 : 0.0);
+      const auto event = [&](Kind kind, const Vec3& waypoint) {
+        return byDevice ? byHand(kind, moved(waypoint)) : above(kind, waypoint.x(), waypoint.y());
       };
       const int steps = fixture.steps();
       QCOMPARE(tool.pointer(event(Kind::Press, at)), ToolReply::Used);
       QVERIFY(tool.isLeading());
-      QVERIFY(tool.joints().isApprox(fixture.place(1).joints, 1e-12));  // where the robot is shown
-      tool.pointer(event(Kind::Drag, at + 0.5 * way));
+      QVERIFY(tool.joints().isApprox(fixture.waypoint(1).joints, 1e-12));  // Displayed joint values
+      tool.pointer(event(Kind::Drag, at + 0.5 * displacement));
       QCOMPARE(fixture.steps(), steps);
-      tool.pointer(event(Kind::Release, at + way));
+      tool.pointer(event(Kind::Release, at + displacement));
       QCOMPARE(fixture.steps(), steps + 1);
-      QVERIFY((fixture.poseAt(1).translation() - before.translation() - way).norm() < 0.05);
+      QVERIFY((fixture.poseAt(1).translation() - before.translation() - displacement).norm() < 0.05);
       QVERIFY((fixture.poseAt(1).linear() - before.linear()).norm() < 1e-3);
-      QVERIFY(fixture.place(0).joints == HandGuidingFixture::start());
+      QVERIFY(fixture.waypoint(0).joints == HandGuidingFixture::start());
       QVERIFY(fixture.document().joints() == HandGuidingFixture::start());
       fixture.document().history()->undo();
       tool.documentChanged();
@@ -45,25 +45,24 @@ class HandGuidingPlacesTest : public QObject {
     }
   }
 
-  // It is one that planning again has to pass, also where the path was planned along a curve, or the place by a
-  // planner.
-  void aPulledPlaceIsKept() {
+  // Planning again has to pass it, also if the path was planned along a curve, or the waypoint was made by a planner.
+  void aPulledWaypointIsKept() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.6);
     CellPlans plans = *fixture.document().plans();
     plans.paths[0].process = PathProcess();
-    plans.paths[0].places[1].isCritical = false;
+    plans.paths[0].waypoints[1].isCritical = false;
     fixture.document().commit("Change", fixture.document().plansEdit(plans));
     HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
     const Vec3 at = fixture.poseAt(1).translation();
     tool.pointer(byHand(Kind::Press, moved(at)));
     tool.pointer(byHand(Kind::Release, moved(at - Vec3(5, 0, 0))));
-    QVERIFY(fixture.place(1).isCritical);
+    QVERIFY(fixture.waypoint(1).isCritical);
     QVERIFY(!fixture.document().plans()->paths[0].process);
   }
 
-  // Beside all places, at a click, with the second button, after a change below, and with nothing prepared.
+  // Beside all waypoints, at a click, with the second button, after a change below, and with nothing prepared.
   void nothingIsPulled() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.6);
@@ -85,7 +84,7 @@ class HandGuidingPlacesTest : public QObject {
     tool.documentChanged();
     QVERIFY(!tool.isLeading());
     QCOMPARE(fixture.steps(), steps);
-    QCOMPARE(fixture.places, 0);
+    QCOMPARE(fixture.added, 0);
     fixture.isUnderWay = true;
     QCOMPARE(tool.pointer(byHand(Kind::Press, moved(at))), ToolReply::Ignored);
     tool.setSetting("way", PropertyValue(0.0));
@@ -95,11 +94,11 @@ class HandGuidingPlacesTest : public QObject {
   }
 
   // The nearest of two, and of the path that is chosen only.
-  void theNearestPlaceIsPulled() {
+  void theNearestWaypointIsPulled() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.02);  // some 6 mm
     CellPlans plans = *fixture.document().plans();
-    plans.paths.push_back({"other", {{.joints = fixture.place(1).joints}}});
+    plans.paths.push_back({"other", {{.joints = fixture.waypoint(1).joints}}});
     fixture.document().commit("Add", fixture.document().plansEdit(plans));
     HandGuidingTool tool = fixture.tool();
     tool.setSetting("way", PropertyValue(2.0));
@@ -110,11 +109,11 @@ class HandGuidingPlacesTest : public QObject {
     tool.pointer(byHand(Kind::Release, moved(at - Vec3(30, 0, 0))));
     QVERIFY(fixture.poseAt(0).isApprox(first, 1e-12));
     QVERIFY((fixture.poseAt(1).translation() - second.translation() + Vec3(30, 0, 0)).norm() < 0.05);
-    QVERIFY(fixture.toolPose(fixture.document().plans()->path("other")->places[0].joints).isApprox(second, 1e-12));
+    QVERIFY(fixture.toolPose(fixture.document().plans()->path("other")->waypoints[0].joints).isApprox(second, 1e-12));
   }
 
-  // However far the hand pulls, the place stays before the wall.
-  void noPlaceIsPulledIntoAWall() {
+  // However far the hand pulls, the waypoint stays before the wall.
+  void noWaypointIsPulledIntoAWall() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.1);
     HandGuidingTool tool = fixture.tool();
@@ -124,13 +123,12 @@ class HandGuidingPlacesTest : public QObject {
     for (int i = 1; i <= 30; ++i) tool.pointer(byHand(Kind::Drag, moved(at + Vec3(10.0 * i, 0, 0))));
     QVERIFY(!tool.forces().empty());
     tool.pointer(byHand(Kind::Release, moved(at + Vec3(300, 0, 0))));
-    const double clearance = fixture.clearance(fixture.place(1).joints);
+    const double clearance = fixture.clearance(fixture.waypoint(1).joints);
     QVERIFY2(clearance > 0.0 && clearance < 5.0, qPrintable(QString::number(clearance)));
   }
 
-  // Before it is pressed a device is drawn to the place, the less the nearer it is to the edge of where that takes
-  // hold.
-  void aPlaceDrawsTheDevice() {
+  // Before the press a device is drawn to the waypoint, less so near the boundary of its range.
+  void aWaypointDrawsTheDevice() {
     HandGuidingFixture fixture;
     fixture.addTurn(-0.6);
     HandGuidingTool tool = fixture.tool();
@@ -163,5 +161,5 @@ class HandGuidingPlacesTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(HandGuidingPlacesTest)
-#include "HandGuidingPlacesTest.moc"
+HANDWHEEL_TEST(HandGuidingWaypointsTest)
+#include "HandGuidingWaypointsTest.moc"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/target/TargetPlace.h"
+#include "document/workpiece/target/TargetPosition.h"
 
 #include "base/NumberText.h"
 
@@ -68,7 +68,7 @@ double programAllowance(const WorkpieceSnapshot& workpiece) {
   return workpiece.target ? allowanceOf(workpiece.target->profile, workpiece.stock) : 0.0;
 }
 
-std::vector<Property> placeProperties(const TargetProfile& target, const StockCylinder& stock) {
+std::vector<Property> positionProperties(const TargetProfile& target, const StockCylinder& stock) {
   // Written as a person reads it: the ends of imported targets carry the rounding of their files.
   const auto shown = [](double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; };
   Property allowance = lengthProperty(kAllowanceId, QT_TRANSLATE_NOOP("Property", "Left for facing at the free end"),
@@ -96,10 +96,11 @@ Note endsNote(const TargetProfile& target) {
           {diameter(target.upperEnd()), diameter(target.lowerEnd())}};
 }
 
-Result<TargetProfile> withPlace(const TargetProfile& target, const StockCylinder& stock, const PropertyValue& value) {
+Result<TargetProfile> withPosition(const TargetProfile& target, const StockCylinder& stock,
+                                   const PropertyValue& value) {
   const auto* const number = std::get_if<double>(&value);
   if (!number) return Error{ErrorCode::ElementMalformed, {kAllowanceId, "a number was expected"}, {}, {}};
-  const Property allowance = placeProperties(target, stock).front();
+  const Property allowance = positionProperties(target, stock).front();
   if (!(*number >= allowance.least && *number <= allowance.largest))
     return Error{ErrorCode::ValueOutOfRange,
                  {kAllowanceId, shownText(*number), shownText(allowance.least), shownText(allowance.largest)},

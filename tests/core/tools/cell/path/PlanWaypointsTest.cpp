@@ -32,8 +32,8 @@ const JointValues kLeft = jointsAt({-0.5, 0.5, 0.25, 0.0, 0.75, 0.0}),
 
 }  // namespace
 
-// Between which places a path is planned, how, and why it cannot be.
-class PlanPlacesTest : public QObject {
+// Waypoints, options and errors of planning a path.
+class PlanWaypointsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -46,21 +46,21 @@ class PlanPlacesTest : public QObject {
   }
 
   // By names, where the robot stands, and as joint values with spaces or commas between them.
-  void placesInWords() {
-    const auto ends = places({{"from", "left"}, {"to", "here"}});
+  void waypointsInWords() {
+    const auto ends = waypoints({{"from", "left"}, {"to", "here"}});
     QCOMPARE(ends.size(), std::size_t{2});
     QVERIFY(ends[0].joints == kLeft && ends[0].name == "left" && ends[0].configuration == "left");
     QVERIFY(ends[1].joints == m_cell->document().joints() && ends[1].name.empty());
     for (const char* const text : {"0.5 0.5 0.25 0 0.75 0", "0.5,0.5,0.25,0,0.75,0", " 0.5, 0.5,\t0.25 0 0.75  0"})
-      QCOMPARE(places({{"from", "left"}, {"to", text}})[1].joints, kRight);
+      QCOMPARE(waypoints({{"from", "left"}, {"to", text}})[1].joints, kRight);
   }
 
-  // Several on the way: between commas, or between semicolons where they are numbers; one whose name has a comma is
-  // one.
-  void placesOnTheWay() {
+  // Several in between: between commas, or between semicolons if they are numbers; one whose name has a comma is one.
+  void waypointsInBetween() {
     const auto joints = [&](const std::string& via) {
       std::vector<JointValues> all;
-      for (const Waypoint& each : places({{"from", "here"}, {"to", "here"}, {"via", via}})) all.push_back(each.joints);
+      for (const Waypoint& each : waypoints({{"from", "here"}, {"to", "here"}, {"via", via}}))
+        all.push_back(each.joints);
       all.erase(all.begin());
       all.pop_back();
       return all;
@@ -72,13 +72,13 @@ class PlanPlacesTest : public QObject {
     QVERIFY(joints("left,,right,") == (std::vector{kLeft, kRight}));
   }
 
-  // A target is come to from the place before, by the nearest way.
+  // A target is reached from the waypoint before, by the nearest solution.
   void targets() {
     const Pose tool = m_cell->tool();
     CellPlans plans = *m_cell->document().plans();
     plans.targets = {{"T", tool}};
     m_cell->plan(plans);
-    const auto ends = places({{"from", "left"}, {"to", "T"}});
+    const auto ends = waypoints({{"from", "left"}, {"to", "T"}});
     QVERIFY(m_cell->scene()->arm.tipPose(m_cell->scene()->planned(ends[1].joints)).isApprox(tool, 1e-6));
     QCOMPARE(ends[1].name, std::string("T"));
     QVERIFY(ends[1].target && ends[1].target->name == "T" && ends[1].target->inTool.isApprox(Pose::Identity(), 1e-6));
@@ -87,14 +87,14 @@ class PlanPlacesTest : public QObject {
     QVERIFY(refusal({{"from", "left"}, {"to", "T"}}).code == CellError::ToolOutOfReach);
   }
 
-  void placesThatAreMissing() {
+  void waypointsThatAreMissing() {
     for (const char* const text : {"middle", "0 0 0 0 0", "0 0 0 0 0 far", "0 0 0 0 0 0 0", ""}) {
       const Error error = refusal({{"from", "left"}, {"to", "right"}, {"via", std::string("left;") + text + " x"}});
-      QVERIFY2(error.code == CellError::PlaceMissing, text);
+      QVERIFY2(error.code == CellError::WaypointMissing, text);
       QCOMPARE(error.arguments, std::vector<std::string>{std::string(text) + " x"});
     }
     QVERIFY(refusal({{"from", "left"}, {"to", "0 3 0 0 0 0"}}).code == ErrorCode::ValueOutOfRange);
-    // That of another robot is named.
+    // The name of another robot's configuration is refused.
     auto two =
         withRobotAdded(m_cell->content(), {cellOf(*libraryTable("ur5")), "second", poseOf({0, 3000, 0}, Vec3::Zero())});
     QVERIFY(two.hasValue());
@@ -102,7 +102,7 @@ class PlanPlacesTest : public QObject {
     plans.configurations.push_back({"other", two->joints, "second"});
     two->plans = std::make_shared<const CellPlans>(plans);
     CollisionMeshes meshes;
-    const auto other = placeCalled(*sceneOf(*two, meshes), *two, "other", two->joints);
+    const auto other = waypointCalled(*sceneOf(*two, meshes), *two, "other", two->joints);
     QVERIFY(!other && other.error().code == CellError::OfOtherArm);
     QCOMPARE(other.error().arguments, (std::vector<std::string>{"other", "second"}));
   }
@@ -115,7 +115,7 @@ class PlanPlacesTest : public QObject {
     QCOMPARE(standard.planner, planners().front().id);
     QCOMPARE(standard.plan.check.clearance, 3.0);
     QCOMPARE(standard.plan.seconds, 10.0);
-    const RobotPath own{.name = "own", .places = {}, .clearance = 8.0};
+    const RobotPath own{.name = "own", .waypoints = {}, .clearance = 8.0};
     QCOMPARE(checkSettingsOf(values, plans, own).clearance, 8.0);
     values.setValid("planner", 1.0);
     const std::pair<const char*, double> given[] = {
@@ -146,26 +146,26 @@ class PlanPlacesTest : public QObject {
     QCOMPARE(values.whole("shortcuts"), std::size_t{5});
   }
 
-  void tooFewPlaces() {
+  void tooFewWaypoints() {
     const std::vector<Waypoint> one{{.joints = kLeft}};
     QVERIFY(planned(one).error().code == CellError::PathTooShort);
   }
 
-  // The place that cannot be, with the joint or with what is met there; a place without a name by its number.
-  void placesThatCannotBe() {
+  // The invalid waypoint, with the joint or the obstacle there; a waypoint without a name by its number.
+  void waypointsThatCannotBe() {
     JointValues beyond = kRight;
     beyond[2] = 2.0;  // joint 3 ends at 70 degrees
-    std::vector<Waypoint> places{{.joints = kLeft, .name = "start"}, {.joints = beyond}};
-    const auto limits = planned(places);
-    QVERIFY(!limits && limits.error().code == CellError::PlaceBeyondLimits);
+    std::vector<Waypoint> waypoints{{.joints = kLeft, .name = "start"}, {.joints = beyond}};
+    const auto limits = planned(waypoints);
+    QVERIFY(!limits && limits.error().code == CellError::WaypointBeyondLimits);
     QCOMPARE(limits.error().arguments, (std::vector<std::string>{"place 2", "joint_3"}));
-    std::swap(places[0].joints, places[1].joints);
-    QCOMPARE(planned(places).error().arguments, (std::vector<std::string>{"start", "joint_3"}));
-    places[0].joints = kRight;
-    places[1] = {.joints = kLeft, .name = "goal"};
+    std::swap(waypoints[0].joints, waypoints[1].joints);
+    QCOMPARE(planned(waypoints).error().arguments, (std::vector<std::string>{"start", "joint_3"}));
+    waypoints[0].joints = kRight;
+    waypoints[1] = {.joints = kLeft, .name = "goal"};
     m_cell->addBox({60, 60, 60}, toolAt(kLeft));
-    const auto met = planned(places);
-    QVERIFY(!met && met.error().code == CellError::PlaceCollides);
+    const auto met = planned(waypoints);
+    QVERIFY(!met && met.error().code == CellError::WaypointCollides);
     QCOMPARE(met.error().arguments.front(), std::string("goal"));
     QCOMPARE(met.error().arguments.back(), std::string("box1"));
   }
@@ -174,16 +174,16 @@ class PlanPlacesTest : public QObject {
   void linesThatCannotBe() {
     JointValues behind = kRight;
     behind[0] = 2.6;
-    std::vector<Waypoint> places{{.joints = kLeft, .name = "start"},
-                                 {.joints = behind, .name = "end", .motion = ProgramMotion::Kind::Linear}};
-    const auto broken = planned(places);
+    std::vector<Waypoint> waypoints{{.joints = kLeft, .name = "start"},
+                                    {.joints = behind, .name = "end", .motion = ProgramMotion::Kind::Linear}};
+    const auto broken = planned(waypoints);
     QVERIFY(!broken && broken.error().code == CellError::LineUnreachable);
     QCOMPARE(broken.error().arguments[0], std::string("end"));
-    places[1].joints = kRight;
-    QVERIFY(planned(places).hasValue());
+    waypoints[1].joints = kRight;
+    QVERIFY(planned(waypoints).hasValue());
     const Vec3 middle = 0.5 * (toolAt(kLeft) + toolAt(kRight));
     m_cell->addBox({20, 20, 20}, middle);
-    const auto met = planned(places);
+    const auto met = planned(waypoints);
     QVERIFY(!met && met.error().code == CellError::LineCollides);
     QCOMPARE(met.error().arguments.front(), std::string("end"));
     QCOMPARE(met.error().arguments.back(), std::string("box1"));
@@ -191,44 +191,44 @@ class PlanPlacesTest : public QObject {
     aside.addBox({20, 20, 20}, middle - Vec3(0.0, 0.0, 200.0));
     RouteSettings settings;
     settings.plan.check.clearance = 195.0;
-    const auto near = plannedThrough(*aside.scene(), {}, places, settings);
+    const auto near = plannedThrough(*aside.scene(), {}, waypoints, settings);
     QVERIFY(!near && near.error().code == CellError::LineTooNear);
     QCOMPARE(near.error().arguments.size(), std::size_t{4});
     const double distance = std::stod(near.error().arguments[3]);
     QVERIFY(distance > 0.0 && distance < 195.0);
   }
 
-  // Behind walls there is no way, and it is given up in time; cancelled it ends at once.
-  void noWay() {
+  // Behind walls there is no path, and the planner gives up in time; cancelled it ends at once.
+  void noRoute() {
     for (const double side : {1.0, -1.0}) m_cell->addBox({1000, 20, 3000}, {side * 650.0, 0, 0});
     m_cell->addBox({310, 310, 20}, {0, 0, 760});  // else it could fold upright between the walls
-    const std::vector<Waypoint> places{{.joints = kLeft, .name = "start"}, {.joints = kRight, .name = "goal"}};
+    const std::vector<Waypoint> waypoints{{.joints = kLeft, .name = "start"}, {.joints = kRight, .name = "goal"}};
     RouteSettings settings;
     settings.plan.seconds = 0.05;
-    const auto none = plannedThrough(*m_cell->scene(), {}, places, settings);
+    const auto none = plannedThrough(*m_cell->scene(), {}, waypoints, settings);
     QVERIFY2(
         !none && none.error().code == CellError::RouteNotFound,
         none ? "found" : (none.error().arguments[0] + none.error().arguments[1] + none.error().arguments[2]).c_str());
     QCOMPARE(none.error().arguments, (std::vector<std::string>{"start", "goal", "0.05"}));
     JobState state;
     state.cancelled = true;
-    const auto cancelled = plannedThrough(*m_cell->scene(), {}, places, {}, Progress(state));
+    const auto cancelled = plannedThrough(*m_cell->scene(), {}, waypoints, {}, Progress(state));
     QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
   }
 
  private:
   using Words = std::vector<std::pair<const char*, std::string>>;
-  std::vector<Waypoint> places(const Words& words) {
-    auto made = placesOf(planValues(words), *m_cell->scene(), m_cell->content());
+  std::vector<Waypoint> waypoints(const Words& words) {
+    auto made = waypointsOf(planValues(words), *m_cell->scene(), m_cell->content());
     if (!made) qFatal("no places: %s", made.error().code->id);
     return std::move(made).value();
   }
   Error refusal(const Words& words) {
-    const auto made = placesOf(planValues(words), *m_cell->scene(), m_cell->content());
+    const auto made = waypointsOf(planValues(words), *m_cell->scene(), m_cell->content());
     return made ? Error{} : made.error();
   }
-  Result<PlannedPath> planned(const std::vector<Waypoint>& places) {
-    return plannedThrough(*m_cell->scene(), *m_cell->content().plans, places, {});
+  Result<PlannedPath> planned(const std::vector<Waypoint>& waypoints) {
+    return plannedThrough(*m_cell->scene(), *m_cell->content().plans, waypoints, {});
   }
   Vec3 toolAt(const JointValues& joints) {
     return m_cell->scene()->arm.tipPose(m_cell->scene()->planned(joints)).translation();
@@ -237,5 +237,5 @@ class PlanPlacesTest : public QObject {
   std::unique_ptr<ArmCell> m_cell;
 };
 
-HANDWHEEL_TEST(PlanPlacesTest)
-#include "PlanPlacesTest.moc"
+HANDWHEEL_TEST(PlanWaypointsTest)
+#include "PlanWaypointsTest.moc"

@@ -9,14 +9,14 @@ class QLabel;
 
 namespace handwheel {
 
-// A picture of a target in its bar, with a button that turns it.
-class TargetPlaceView : public QWidget {
+// A picture of a target in its bar stock, with a button that turns it.
+class TargetPlacementView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit TargetPlaceView(QWidget* parent = nullptr);
+  explicit TargetPlacementView(QWidget* parent = nullptr);
 
-  // picture: the axis is horizontal, and the free end is on the right. Null: the view hides, as there is none.
+  // Sets the picture, in which the axis is horizontal and the free end on the right. Null: hides the view.
   void setPicture(const QImage& picture);
 
  signals:

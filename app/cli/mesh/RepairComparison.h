@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "document/DocumentKind.h"
+
+namespace handwheel {
+
+// Repairs one file by triangles and by volume, compares the results and writes one. It writes the result by triangles,
+// which keeps all that need not change, unless only the other is sound and has lost nothing. For several files, or a
+// folder, it prints one table, and writes it to the file of --report. Returns the exit code.
+int runRepairComparison(const Arguments& arguments, const DocumentKinds& kinds);
+
+}  // namespace handwheel
