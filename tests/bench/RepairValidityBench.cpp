@@ -4,6 +4,7 @@
 // Repairs defective meshes with the program itself, file by file, and counts the sound ones: the written file is
 // closed, manifold and oriented, has not more crossings than the input (rounded as it is), and the part is still there.
 // Made meshes always; with HANDWHEEL_DATA also the scans in that folder. Some minutes.
+#include "BuildPaths.h"
 #include "bench/Bars.h"
 #include "bench/MeshValidityJudge.h"
 #include "document/formats/MeshFormat.h"
@@ -96,7 +97,7 @@ Verdict judge(const std::string& name, const std::string& input, const TriangleS
     setrlimit(RLIMIT_CPU, &limit);
   });
   // Open sheets stay open unless asked; here everything is to be closed.
-  program.start(HANDWHEEL_PROGRAM,
+  program.start(test::programPath(),
                 {"repair", QString::fromStdString(input), "-o", output, "--open-sheets", "back", "--report", report});
   if (!program.waitForFinished(kPatienceMs)) {
     program.kill();

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "TestClass.h"
 
@@ -104,7 +105,7 @@ class CalibrateTest : public QObject {
     const Fixture fixture;
     QProcess process;
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, kCalibrate);
+    process.start(test::programPath(), kCalibrate);
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY_WITH_TIMEOUT(catches(process.processId(), SIGINT), 30000);
     QTest::qWait(700);  // into the servo loop's ticks

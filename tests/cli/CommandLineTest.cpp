@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "Shapes.h"
 #include "TestClass.h"
@@ -55,7 +56,7 @@ class CommandLineTest : public QObject {
     QCOMPARE(table.count(command), 47);
     QCOMPARE(table.count(entry), 47);
     // The map for newcomers names each of them.
-    QFile map(QStringLiteral(SOURCE_SAMPLES "/../../ARCHITECTURE.md"));
+    QFile map(test::sourcePath("ARCHITECTURE.md"));
     QVERIFY(map.open(QIODevice::ReadOnly));
     const QString known = QString(map.readAll()).section("subcommands: ", 1).section('\n', 0, 0) + ',';
     for (auto match = command.globalMatch(table); match.hasNext();) {
@@ -148,7 +149,7 @@ class CommandLineTest : public QObject {
     fixture.put("a.off", cube().off());
     QProcess process;
     process.setWorkingDirectory(fixture.path());
-    process.start("sh", {"-c", QString("exec '%1' inspect a.off 0<&- 1>&-").arg(HANDWHEEL_PROGRAM)});
+    process.start("sh", {"-c", QString("exec '%1' inspect a.off 0<&- 1>&-").arg(test::programPath())});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 1);
     QCOMPARE(process.readAllStandardError(),
@@ -162,7 +163,7 @@ class CommandLineTest : public QObject {
     fixture.put("a.off", cube().off());
     QProcess process;
     process.setStandardOutputFile("/dev/full");
-    process.start(HANDWHEEL_PROGRAM, {"inspect", fixture.path() + "/a.off"});
+    process.start(test::programPath(), {"inspect", fixture.path() + "/a.off"});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 1);
     QVERIFY(process.readAllStandardError().contains("No space left on device"));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "TestClass.h"
 
@@ -20,7 +21,7 @@ class DevicesTest : public QObject {
   void listsDriversDevicesAndPlugins() {
     const Fixture fixture;
     fixture.put("socket", "x");
-    qputenv("HANDWHEEL_PLUGINS", EXAMPLE_PLUGINS);
+    qputenv("HANDWHEEL_PLUGINS", test::buildPath("tests/plugins").toUtf8());
     qputenv("HANDWHEEL_EXAMPLE_DEVICE", (fixture.path() + "/socket").toUtf8());
     const Ran ran = fixture.run({"devices", "--json"}, "de_DE.UTF-8");
     QCOMPARE(ran.code, 0);
@@ -50,7 +51,8 @@ class DevicesTest : public QObject {
 
   void aPluginOfAnotherVersionIsReportedAndTheRestGoesOn() {
     const Fixture fixture;
-    qputenv("HANDWHEEL_PLUGINS", OLD_PLUGINS ":" EXAMPLE_PLUGINS);
+    qputenv("HANDWHEEL_PLUGINS",
+            test::buildPath("tests/old-plugins:").toUtf8() + test::buildPath("tests/plugins").toUtf8());
     const Ran ran = fixture.run({"devices", "--json"});
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.err.contains("another version of Handwheel (handwheel.device/0, here "), ran.err);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "Shapes.h"
 #include "TestClass.h"
@@ -35,7 +36,8 @@ class InstalledTest : public QObject {
          {"HANDWHEEL_PLUGINS", "HANDWHEEL_GUARDS", "HANDWHEEL_READERS", "LD_LIBRARY_PATH", "DESTDIR"})
       qunsetenv(name);
     m_prefix = std::make_unique<QTemporaryDir>();
-    const Ran ran = runProgram(CMAKE, m_prefix->path(), {"--install", BUILD_FOLDER, "--prefix", m_prefix->path()});
+    const Ran ran =
+        runProgram(CMAKE, m_prefix->path(), {"--install", test::buildPath({}), "--prefix", m_prefix->path()});
     QVERIFY2(ran.code == 0, ran.err);
   }
 
@@ -92,12 +94,13 @@ class InstalledTest : public QObject {
     for (const QString& file : files) {
       const Ran ran = runProgram("ldd", m_prefix->path(), {file});
       QVERIFY2(ran.code == 0, qPrintable(file + ran.err));
-      QVERIFY2(!ran.out.contains("not found") && !ran.out.contains(BUILD_FOLDER), qPrintable(file + '\n' + ran.out));
+      QVERIFY2(!ran.out.contains("not found") && !ran.out.contains(test::buildPath({}).toUtf8()),
+               qPrintable(file + '\n' + ran.out));
     }
   }
 
   void bringsItsSamples() {
-    const QDir shipped(SOURCE_SAMPLES);
+    const QDir shipped(test::sourcePath("resources/samples"));
     QVERIFY(!shipped.isEmpty(QDir::Files));
     for (const QString& name : shipped.entryList(QDir::Files)) {
       QFile source(shipped.filePath(name));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "Shapes.h"
 #include "TestClass.h"
@@ -57,7 +58,7 @@ class InterruptTest : public QObject {
     fixture.put("old.stl", "what was there before");
     QProcess process;
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "old.stl", "--report", "r.json"});
+    process.start(test::programPath(), {"repair", "a.off", "-o", "old.stl", "--report", "r.json"});
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY(catches(process.processId(), signal));
     QTest::qWait(200);  // into the middle of the work
@@ -90,7 +91,7 @@ class InterruptTest : public QObject {
     environment.remove("DISPLAY");
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
+    process.start(test::programPath(), {"picture", "a.off", "p.png"});
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY(catches(process.processId(), SIGTERM));
     QTest::qWait(milliseconds);
@@ -127,7 +128,7 @@ class InterruptTest : public QObject {
     environment.insert("TMPDIR", mark);
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
+    process.start(test::programPath(), {"picture", "a.off", "p.png"});
     QVERIFY(process.waitForStarted());
     const int count = isDrawing ? 4 : 2;  // with the shell; with the display and the one that draws
     bool wereThere = false;               // a quick picture may be done when they are counted again
@@ -156,7 +157,7 @@ class InterruptTest : public QObject {
     environment.insert("PATH", fixture.path() + "/bin:" + environment.value("PATH"));
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
+    process.start(test::programPath(), {"picture", "a.off", "p.png"});
     QVERIFY(process.waitForFinished(kLongestRun));
     QCOMPARE(process.readAllStandardOutput(), QByteArray("went on\n"));
   }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "Shapes.h"
 #include "TestClass.h"
@@ -303,7 +304,7 @@ void MeasureTest::interrupted() {
   const Fixture fixture;
   QProcess process;
   process.setWorkingDirectory(fixture.path());
-  process.start(HANDWHEEL_PROGRAM, {"measure", "--repeats", "1000", "--csv", "a.csv"});
+  process.start(test::programPath(), {"measure", "--repeats", "1000", "--csv", "a.csv"});
   QVERIFY(process.waitForStarted());
   QTRY_VERIFY_WITH_TIMEOUT(catches(process.processId(), SIGINT), 30000);
   QTest::qWait(1500);  // into the middle of it

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "Shapes.h"
 #include "TestClass.h"
@@ -27,7 +28,7 @@ Ran runWithin(const Fixture& fixture, std::optional<rlim_t> mebibytes, const QSt
     const rlimit limit{*mebibytes << 20, *mebibytes << 20};
     setrlimit(RLIMIT_AS, &limit);
   });
-  process.start(HANDWHEEL_PROGRAM, words);
+  process.start(test::programPath(), words);
   if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit) return {};
   return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
+#include "BuildPaths.h"
+
 namespace handwheel {
 
 inline constexpr int kLongestRun = 600'000;  // ms; with sanitizers some runs take minutes
@@ -44,7 +46,7 @@ inline Ran runProgram(const QString& program, const QString& folder, const QStri
 
 // Runs the built program.
 inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
-  return runProgram(HANDWHEEL_PROGRAM, folder, words, locale);
+  return runProgram(test::programPath(), folder, words, locale);
 }
 
 // Returns true if a process has installed a handler for the signal, by the mask that the kernel reports.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Program.h"
 #include "TestClass.h"
 
@@ -112,7 +113,7 @@ class StepTest : public QObject {
     replaceReader(fixture, "exec sleep 98765.4321");
     QProcess process;
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"convert", "bar.step", "out.stl"});
+    process.start(test::programPath(), {"convert", "bar.step", "out.stl"});
     QTRY_VERIFY_WITH_TIMEOUT(isRunning("98765.4321"), 30000);
     ::kill(static_cast<pid_t>(process.processId()), signal);
     QVERIFY(process.waitForFinished());

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "Extremes.h"
 
 #include "MeshChecks.h"
@@ -297,7 +298,7 @@ void MeshExtremesTest::whatIsNoNumberIsRefused() {
 
 // This test proves the promises of the table.
 void MeshExtremesTest::tableNamesEveryRow() {
-  QFile file(QStringLiteral(HANDWHEEL_EXTREMES_TABLE));
+  QFile file(test::sourcePath("docs/extremes.md"));
   QVERIFY(file.open(QIODevice::ReadOnly));
   const QString table = QString::fromUtf8(file.readAll());
   for (const test::ExtremeMesh& mesh : meshExtremesAllMeshes()) {

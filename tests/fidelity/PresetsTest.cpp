@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "TestClass.h"
 #include "base/FidelityCurve.h"
 #include "fidelity/CurveFile.h"
@@ -36,7 +37,7 @@ void PresetsTest::presetsFollowFromTheCurves() {
   QFETCH(QString, id);
   const FidelityRegistry registry = measuredSettings();
   const FidelityRegistry::Entry& entry = *registry.find(id.toStdString());
-  QFile file(HANDWHEEL_CURVES + id + ".json");
+  QFile file(test::sourcePath("resources/fidelity/" + id + ".json"));
   QVERIFY2(file.open(QIODevice::ReadOnly), "'handwheel measure --write-curves' makes this file");
   const Result<CurveFile> curve = readCurveFile(entry.setting, file.readAll().toStdString());
   QVERIFY2(curve, curve ? "" : curve.error().arguments.back().c_str());

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/GlWindow.h"
 
+#include <vtkAutoInit.h>
 #include <vtkCommand.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
+
+// VTK's module for CMake would pass the name of a file in the build folder to the compiler, with which no other
+// checkout finds the objects in the compiler's cache.
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace handwheel {
 

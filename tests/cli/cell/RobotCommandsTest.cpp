@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Program.h"
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 #include <QTest>
@@ -138,7 +139,7 @@ class RobotCommandsTest : public QObject {
   // The joint values are those of the program whose tool pose is given.
   void ofACell() {
     const Fixture fixture;
-    const QString cell = QStringLiteral(SOURCE_SAMPLES "/robot-cell.handwheel");
+    const QString cell = test::sourcePath("resources/samples/robot-cell.handwheel");
     const Ran posted = fixture.run({"post", cell, "edge", "--controller", "csv", "-o", "edge.csv"});
     QVERIFY2(posted.code == 0, posted.err);
     QList<QByteArray> lines = fixture.content("edge.csv").split('\n');

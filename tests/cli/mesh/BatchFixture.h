@@ -4,6 +4,7 @@
 
 #include "../Program.h"
 #include "../Shapes.h"
+#include "BuildPaths.h"
 
 #include <QTest>
 #include <csignal>
@@ -77,7 +78,7 @@ class Batch {
     // A signal ends the program with the sanitizers as it does without.
     environment.insert("ASAN_OPTIONS", environment.value("ASAN_OPTIONS") + ":handle_segv=0");
     m_process.setProcessEnvironment(environment);
-    m_process.start(HANDWHEEL_PROGRAM, QStringList{"repair"} + words);
+    m_process.start(test::programPath(), QStringList{"repair"} + words);
     if (!m_process.waitForStarted()) qFatal("the program does not start");
   }
   // Returns the processes that repair a file: child processes that already execute the program.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Program.h"
 #include "../Shapes.h"
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 #include <QImage>
@@ -103,7 +104,7 @@ class CompareTest : public QObject {
     environment.remove("DISPLAY");
     environment.insert("PATH", "/nonexistent");
     process.setProcessEnvironment(environment);
-    process.start(HANDWHEEL_PROGRAM, {"compare", "a.off", "b.off", "--report", "r.html"});
+    process.start(test::programPath(), {"compare", "a.off", "b.off", "--report", "r.html"});
     QVERIFY(process.waitForFinished(60000));
     QCOMPARE(process.exitCode(), 0);
     QCOMPARE(process.readAllStandardError(),

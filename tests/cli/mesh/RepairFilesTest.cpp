@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Program.h"
 #include "../Shapes.h"
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 #include <sys/stat.h>
@@ -64,7 +65,7 @@ class RepairFilesTest : public QObject {
     environment.insert("PATH", fixture.path());
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "b.stl", "--screenshot", "s.png"});
+    process.start(test::programPath(), {"repair", "a.off", "-o", "b.stl", "--screenshot", "s.png"});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 0);
     QCOMPARE(process.readAllStandardError(),
@@ -81,7 +82,7 @@ class RepairFilesTest : public QObject {
     environment.remove("DISPLAY");
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(fixture.path());
-    process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "b.stl", "--screenshot", "s.png"});
+    process.start(test::programPath(), {"repair", "a.off", "-o", "b.stl", "--screenshot", "s.png"});
     QVERIFY(process.waitForFinished(120000));
     QCOMPARE(process.exitCode(), 0);
     // A PNG begins with its signature and the header chunk with width and height, big-endian.

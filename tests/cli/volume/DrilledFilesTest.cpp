@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Program.h"
 #include "../Shapes.h"
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 #include <QTest>
@@ -27,7 +28,7 @@ class DrilledFilesTest : public QObject {
     QFETCH(double, end);
     QFETCH(int, points);
     const Fixture fixture;
-    const QString exercise = QStringLiteral(SOURCE_SAMPLES "/exercises/skull.exercise.json");
+    const QString exercise = test::sourcePath("resources/samples/exercises/skull.exercise.json");
     QCOMPARE(fixture.run({"exercise", exercise, "--stock", "-o", "stock.handwheel"}).code, 0);
     // Beside the middle by 30 mm, in front of it by 35, on the ellipsoid of 72, 90 and 66 mm, across its surface.
     const double x = 30.0, y = 35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Program.h"
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 #include <QImage>
@@ -12,7 +13,7 @@ using namespace handwheel;
 
 namespace {
 
-const QString kShaftExercise = QStringLiteral(SOURCE_SAMPLES "/exercises/shaft.exercise.json");
+const QString kShaftExercise = test::sourcePath("resources/samples/exercises/shaft.exercise.json");
 
 nlohmann::json solutionOfShaft() {
   QFile file(kShaftExercise);
@@ -278,11 +279,11 @@ class ExerciseTest : public QObject {
     const Fixture fixture;
     fixture.put("junk.handwheel", "not a file of ours");
     QCOMPARE(fixture.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
-    QCOMPARE(
-        fixture
-            .run({"exercise", QStringLiteral(SOURCE_SAMPLES "/exercises/bush.exercise.json"), "-o", "bush.handwheel"})
-            .code,
-        0);
+    QCOMPARE(fixture
+                 .run({"exercise", test::sourcePath("resources/samples/exercises/bush.exercise.json"), "-o",
+                       "bush.handwheel"})
+                 .code,
+             0);
     QCOMPARE(fixture.run({"exercise", "bush.handwheel", "--stock", "-o", "stock.handwheel"}).code, 0);
     QCOMPARE(
         fixture.run({"exercise", "bush.handwheel", "--hand-in", "stock.handwheel", "--name", "A", "-o", "a.handwheel"})
@@ -318,7 +319,7 @@ class ExerciseTest : public QObject {
   void workIsTurnedAgain() {
     QFETCH(QString, name);
     const Fixture fixture;
-    const QString exercise = QStringLiteral(SOURCE_SAMPLES "/exercises/%1.exercise.json").arg(name);
+    const QString exercise = test::sourcePath("resources/samples/exercises/%1.exercise.json").arg(name);
     const auto json = [&](const QStringList& words) {
       const Ran run = fixture.run(words);
       if (run.code != 0) qWarning("%s", run.err.constData());

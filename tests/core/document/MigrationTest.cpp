@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "ContainerChecks.h"
 #include "TestClass.h"
 #include "document/container/Migrations.h"
@@ -14,7 +15,7 @@ namespace {
 
 // Written once, when the version was new, and never again.
 std::string fixture(int version) {
-  QFile file(QString(FIXTURES "/version-%1.handwheel").arg(version));
+  QFile file(test::sourcePath("tests/core/document/fixtures/version-%1.handwheel").arg(version));
   return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
 }
 

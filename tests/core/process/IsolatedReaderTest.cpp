@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "process/IsolatedReader.h"
 
 #include "TestClass.h"
@@ -24,7 +25,7 @@ namespace {
 using namespace std::chrono_literals;
 
 IsolatedReader hostile() {
-  return {HOSTILE_READER, "A Library", {}};
+  return {test::buildPath("tests/HostileReader").toStdString(), "A Library", {}};
 }
 
 Result<std::string> readAs(const std::string& how, std::string_view bytes = {}) {
@@ -221,10 +222,10 @@ class IsolatedReaderTest : public QObject {
   void diesWithTheProgram() {
     const std::string mark = "orphan-" + std::to_string(getpid());
     {
-      const QString input = QString::fromUtf8(HOSTILE_READER);
+      const QString input = test::buildPath("tests/HostileReader");
       QProcess parent;
       parent.setStandardInputFile(input);  // any file will do
-      parent.start(QString::fromUtf8(HOSTILE_READER), {"parent", QString::fromStdString(mark)});
+      parent.start(test::buildPath("tests/HostileReader"), {"parent", QString::fromStdString(mark)});
       QVERIFY(parent.waitForStarted());
       QTRY_COMPARE(processesWith(mark), 2);  // the parent has the mark as its second word, too
       ::kill(static_cast<pid_t>(parent.processId()), SIGKILL);
@@ -250,7 +251,7 @@ class IsolatedReaderTest : public QObject {
   // The reader is started by a person who found it in the folder.
   void startedByHand() {
     QProcess program;
-    program.start(QString::fromUtf8(HOSTILE_READER), {"echo"});
+    program.start(test::buildPath("tests/HostileReader"), {"echo"});
     QVERIFY(program.waitForFinished());
     QCOMPARE(program.exitCode(), 2);
     QVERIFY(program.readAllStandardError().contains("to read a file"));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "MeshShapes.h"
 #include "StlFiles.h"
 #include "WindowDriver.h"
@@ -40,7 +41,7 @@ class LogCommandTest : public QObject {
   static int paste(const QString& command) {
     QProcess process;
     process.setWorkingDirectory(QDir::rootPath());
-    const QString program = QFileInfo(QStringLiteral(HANDWHEEL_PROGRAM)).path();
+    const QString program = QFileInfo(test::programPath()).path();
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("PATH", program + ':' + environment.value("PATH"));
     process.setProcessEnvironment(environment);
@@ -62,7 +63,7 @@ class LogCommandTest : public QObject {
 
  private slots:
   void initTestCase() {
-    if (!QFileInfo::exists(QStringLiteral(HANDWHEEL_PROGRAM))) QSKIP("the program is not built");
+    if (!QFileInfo::exists(test::programPath())) QSKIP("the program is not built");
   }
 
   void aRepair() {

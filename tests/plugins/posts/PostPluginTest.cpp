@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "builtin/PluginPosts.h"
 
 #include "TestClass.h"
@@ -31,7 +32,7 @@ class Cell {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("HANDWHEEL_PLUGINS", m_plugins);
     process.setProcessEnvironment(environment);
-    process.start(HANDWHEEL_PROGRAM, words);
+    process.start(test::programPath(), words);
     process.waitForFinished(120'000);
     complaints = process.readAllStandardError();
     return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
@@ -59,7 +60,7 @@ class PostPluginTest : public QObject {
   }
   void writtenAndRead() {
     QFETCH(const QByteArray, robot);
-    qputenv("HANDWHEEL_PLUGINS", EXAMPLE_PLUGINS);
+    qputenv("HANDWHEEL_PLUGINS", test::buildPath("tests/plugins").toUtf8());
     const auto posts = pluginPosts();
     QCOMPARE(posts.size(), std::size_t{1});
     QCOMPARE(QByteArray(posts[0]->id()), QByteArray("example"));
@@ -67,7 +68,7 @@ class PostPluginTest : public QObject {
   }
 
   void hostileTexts() {
-    qputenv("HANDWHEEL_PLUGINS", EXAMPLE_PLUGINS);
+    qputenv("HANDWHEEL_PLUGINS", test::buildPath("tests/plugins").toUtf8());
     const auto posts = pluginPosts();
     QCOMPARE(posts.size(), std::size_t{1});
     for (const char* text :
@@ -78,7 +79,7 @@ class PostPluginTest : public QObject {
   }
 
   void onTheCommandLine() {
-    Cell cell(EXAMPLE_PLUGINS);
+    Cell cell(test::buildPath("tests/plugins").toUtf8());
     QVERIFY2(cell.run({"post", "cell.handwheel", "path", "--controller", "example", "-o", "p.moves"}) == 0,
              cell.complaints);
     QVERIFY2(cell.run({"verify", "cell.handwheel", "p.moves"}) == 0, cell.complaints);
@@ -86,7 +87,7 @@ class PostPluginTest : public QObject {
 
   // None of its code runs; the program reports the file, and has its own posts nevertheless.
   void madeForAnotherVersion() {
-    Cell cell(OLD_PLUGINS);
+    Cell cell(test::buildPath("tests/old-plugins").toUtf8());
     QCOMPARE(cell.run({"post", "cell.handwheel", "path", "--controller", "rapid", "-o", "p.mod"}), 0);
     QVERIFY(cell.has("p.mod"));
     QVERIFY2(cell.complaints.contains("OldPost.so") && cell.complaints.contains("another version"), cell.complaints);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "TestClass.h"
 #include "TurningExercises.h"
 #include "base/JsonText.h"
@@ -78,7 +79,7 @@ class ShippedExercisesTest : public QObject {
  private slots:
   void each_data() {
     QTest::addColumn<QString>("path");
-    const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
+    const QDir folder(test::sourcePath("resources/samples/exercises"));
     const QStringList names = folder.entryList({"*.exercise.json"});
     QCOMPARE(names.size(), 10);
     for (const QString& name : names) QTest::addRow("%s", qPrintable(name)) << folder.filePath(name);
@@ -142,7 +143,7 @@ class ShippedExercisesTest : public QObject {
                                             QRegularExpression::UseUnicodePropertiesOption);
       if (kWord.match(QString::fromStdString(text)).hasMatch()) inFiles.insert(text);
     };
-    const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
+    const QDir folder(test::sourcePath("resources/samples/exercises"));
     for (const QString& name : folder.entryList({"*.exercise.json"})) {
       const Json json = descriptionIn(folder.filePath(name));
       QVERIFY(json["key"].get<std::string>().starts_with("handwheel-"));
@@ -163,7 +164,7 @@ class ShippedExercisesTest : public QObject {
 
   // The task of boring tells that it needs a boring bar.
   void theTaskNamesTheToolsThatItNeeds() {
-    const QDir folder(QStringLiteral(SHIPPED_EXERCISES));
+    const QDir folder(test::sourcePath("resources/samples/exercises"));
     for (const QString& name : folder.entryList({"*.exercise.json"})) {
       const Json json = descriptionIn(folder.filePath(name));
       const auto hasTool = [&](const char* wanted) {
@@ -199,7 +200,8 @@ class ShippedExercisesTest : public QObject {
     QCOMPARE(shown.steps[0].hints[0], std::string("TWO OR THREE PASSES ARE ENOUGH."));
     // The fields of the editor are translated, and the tools among the conditions.
     const ExerciseKind kind(turningOnly());
-    const auto shipped = exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/shaft.exercise.json")));
+    const auto shipped =
+        exerciseFrom(kind, descriptionIn(test::sourcePath("resources/samples/exercises/shaft.exercise.json")));
     const auto fields = exerciseProperties(*shipped);
     QVERIFY(std::any_of(fields.begin(), fields.end(), [](const Property& p) {
       return p.id == "title" && p.value == PropertyValue(std::string("SHAFT WITH SHOULDERS"));
@@ -244,7 +246,8 @@ class ShippedExercisesTest : public QObject {
   // The ball of radius 18 is found as one in its target, on its drawing, and in the model solution.
   void theBallIsABall() {
     const ExerciseKind kind(turningOnly());
-    const auto exercise = exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/ball.exercise.json")));
+    const auto exercise =
+        exerciseFrom(kind, descriptionIn(test::sourcePath("resources/samples/exercises/ball.exercise.json")));
     const auto& task = static_cast<const TurningTask&>(*exercise->task);
     const Sheet sheet = drawingSheet(*task.target, drawingTitleOf(exercise->exercise, task));
     QVERIFY(std::any_of(sheet.texts.begin(), sheet.texts.end(),
@@ -262,7 +265,7 @@ class ShippedExercisesTest : public QObject {
     const ExerciseKind kind(turningOnly());
     for (const auto& [file, from, to] : {std::tuple("gourd", 33.0, 95.0), std::tuple("wine-glass", 58.0, 105.0)}) {
       const auto exercise =
-          exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/%1.exercise.json").arg(file)));
+          exerciseFrom(kind, descriptionIn(test::sourcePath("resources/samples/exercises/%1.exercise.json").arg(file)));
       const auto& task = static_cast<const TurningTask&>(*exercise->task);
       const MeasuredPart solution(task, static_cast<const WorkpieceSnapshot&>(*exercise->solution), {});
       MarkingCriterion c{"arc", "", "arc", {from, to}};
@@ -277,7 +280,7 @@ class ShippedExercisesTest : public QObject {
   void theGlassIsAGlass() {
     const ExerciseKind kind(turningOnly());
     const auto exercise =
-        exerciseFrom(kind, descriptionIn(QStringLiteral(SHIPPED_EXERCISES "/wine-glass.exercise.json")));
+        exerciseFrom(kind, descriptionIn(test::sourcePath("resources/samples/exercises/wine-glass.exercise.json")));
     const TurnedProfile& glass = static_cast<const WorkpieceSnapshot&>(*exercise->solution).part->profile;
     const auto at = [&](double z) { return static_cast<std::size_t>(z / glass.spacing() + 0.5); };
     for (double z = 84.0; z < 107.0; z += 1.0) {

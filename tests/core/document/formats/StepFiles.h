@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "BuildPaths.h"
 #include "document/FileBytes.h"
 #include "document/formats/MeshFormat.h"
 
@@ -15,7 +16,7 @@ inline const char* const kStepFiles[] = {"box-inch.step", "line.step", "open-box
                                          "two-drilled.step"};
 
 inline std::string stepFile(const std::string& name) {
-  const auto bytes = readFileBytes(std::string(FIXTURES "/") + name);
+  const auto bytes = readFileBytes(test::sourcePath("tests/core/document/formats/fixtures/").toStdString() + name);
   if (!bytes) qFatal("there is no %s", name.c_str());
   return *bytes;
 }

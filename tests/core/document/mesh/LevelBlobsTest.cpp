@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "document/mesh/LevelBlobs.h"
 
 #include "MeshChecks.h"
@@ -296,7 +297,7 @@ void LevelBlobsTest::cancelledWorkSaysSo() {
 
 // Written once, when levels were new. An octahedron, subdivided twice; vertex 0 of the first level was moved to x = 2.
 void LevelBlobsTest::theFixtureIsRead() {
-  QFile file(FIXTURES "/levels-1.handwheel");
+  QFile file(test::sourcePath("tests/core/document/fixtures/levels-1.handwheel"));
   QVERIFY(file.open(QIODevice::ReadOnly));
   const auto read = readContainer(file.readAll().toStdString());
   QVERIFY(read && read->damage.empty());

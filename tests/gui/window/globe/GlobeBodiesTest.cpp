@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "GlobeWindow.h"
 #include "document/scene/BodyBlobs.h"
 
@@ -20,7 +21,7 @@ class GlobeBodiesTest : public QObject {
   static Said run(const QString& folder, const QStringList& words) {
     QProcess process;
     process.setWorkingDirectory(folder);
-    process.start(QStringLiteral(GLOBE_PROGRAM), words);
+    process.start(test::buildPath("tests/GlobeProgram"), words);
     process.waitForFinished();
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
   }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "GlobeWindow.h"
 #include "cli/commands/ConvertCommand.h"
 #include "cli/commands/SetCommand.h"
@@ -140,7 +141,7 @@ class GlobeKindTest : public QObject {
     const auto run = [&folder](const QStringList& words) {
       QProcess process;
       process.setWorkingDirectory(folder.path());
-      process.start(QStringLiteral(GLOBE_PROGRAM), words);
+      process.start(test::buildPath("tests/GlobeProgram"), words);
       process.waitForFinished();
       return Said{process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
     };

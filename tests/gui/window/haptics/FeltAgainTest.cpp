@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
+#include "BuildPaths.h"
 #include "MeshShapes.h"
 #include "SoupCorners.h"
 #include "haptics/recording/ForceRecorder.h"
@@ -79,7 +80,7 @@ class FeltAgainTest : public QObject {
     session.close();
 
     QProcess again;
-    again.start(HANDWHEEL_PROGRAM, {"feel", stl, "--path", table});
+    again.start(test::programPath(), {"feel", stl, "--path", table});
     QVERIFY(again.waitForFinished());
     const QByteArray out = again.readAllStandardOutput(), errors = again.readAllStandardError();
     QVERIFY2(out.contains(", edits 2\n"), out + errors);
@@ -136,7 +137,7 @@ class FeltAgainTest : public QObject {
     session.close();
 
     QProcess again;
-    again.start(HANDWHEEL_PROGRAM, {"feel", cell, "--path", table});
+    again.start(test::programPath(), {"feel", cell, "--path", table});
     QVERIFY(again.waitForFinished());
     const QByteArray out = again.readAllStandardOutput(), errors = again.readAllStandardError();
     // Two by the fields, and what else made the scene anew.

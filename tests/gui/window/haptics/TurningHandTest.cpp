@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
+#include "BuildPaths.h"
 #include "TurningWindow.h"
 #include "haptics/recording/ForceRecorder.h"
 #include "panels/device/AxisBars.h"
@@ -151,7 +152,7 @@ class TurningHandTest : public QObject {
     turning.driver.choose("exportRecording");
     QVERIFY(turning.driver.enterFileName("exportRecordingDialog", table) && turning.driver.settle());
     QProcess program;
-    program.start(HANDWHEEL_PROGRAM, {"turn", bar, "--path", table, "-o", again});
+    program.start(test::programPath(), {"turn", bar, "--path", table, "-o", again});
     QVERIFY(program.waitForFinished());
     QVERIFY2(program.exitCode() == 0, program.readAllStandardError());
     const TurnedProfile expected = turning.workpiece().part->profile;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "TestClass.h"
 #include "devices/DeviceCatalogue.h"
 #include "haptics/device/DeviceErrors.h"
@@ -53,7 +54,7 @@ class DeviceCatalogueTest : public QObject {
 
   void aPluginBringsItsDriver() {
     DeviceCatalogue catalogue;
-    catalogue.load({EXAMPLE_PLUGINS});
+    catalogue.load({test::buildPath("tests/plugins").toStdString()});
     QCOMPARE(catalogue.plugins().size(), std::size_t(1));
     const PluginInfo& plugin = catalogue.plugins()[0];
     QVERIFY(!plugin.error);
@@ -79,7 +80,7 @@ class DeviceCatalogueTest : public QObject {
   // OldPlugin ends the program when any of its code runs.
   void theVersionIsReadBeforeTheCode() {
     DeviceCatalogue catalogue;
-    catalogue.load({OLD_PLUGINS});
+    catalogue.load({test::buildPath("tests/old-plugins").toStdString()});
     QCOMPARE(catalogue.plugins().size(), std::size_t(1));
     const PluginInfo& plugin = catalogue.plugins()[0];
     QVERIFY(plugin.error.has_value());
@@ -97,7 +98,7 @@ class DeviceCatalogueTest : public QObject {
     }
     QFile none(folder.filePath("readme.txt"));
     QVERIFY(none.open(QIODevice::WriteOnly));
-    QVERIFY(QFile::copy(EXAMPLE_PLUGINS "/example.so", folder.filePath("m.so")));
+    QVERIFY(QFile::copy(test::buildPath("tests/plugins/example.so"), folder.filePath("m.so")));
     DeviceCatalogue catalogue;
     catalogue.load({folder.path().toStdString(), "/nowhere/at/all"});
     QCOMPARE(catalogue.plugins().size(), std::size_t(3));
@@ -112,7 +113,7 @@ class DeviceCatalogueTest : public QObject {
     std::vector<DeviceInfo> shelf;
     DeviceCatalogue catalogue;
     catalogue.add(std::make_unique<ShelfDriver>(shelf, "example"));
-    catalogue.load({EXAMPLE_PLUGINS});
+    catalogue.load({test::buildPath("tests/plugins").toStdString()});
     QCOMPARE(catalogue.drivers().size(), std::size_t(1));
     QCOMPARE(catalogue.plugins()[0].error->code, DeviceError::PluginBroken);
     QVERIFY(catalogue.plugins()[0].driver.empty());

@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 // The plugin's transport with the real libusb, on a Falcon that umockdev pretends is plugged in. It cannot imitate
@@ -45,8 +46,9 @@ class UsbTest : public QObject {
     const QByteArray ioctls = "USBDEVFS_GET_CAPABILITIES 0 0F000000\n " + urb(2, 16, "<AAAAAAAAAAAAAA>") + "  " +
                               urb(129, 64, QByteArray("\x01\x60", 2) + "<JFKPMAAAAAAAqA>");
     QProcess process;
-    process.start(umockdev, {"-d", put("falcon.umockdev", tree()), "-i",
-                             "/dev/bus/usb/001/003=" + put("falcon.ioctl", ioctls), "--", USBPROBE});
+    process.start(umockdev,
+                  {"-d", put("falcon.umockdev", tree()), "-i", "/dev/bus/usb/001/003=" + put("falcon.ioctl", ioctls),
+                   "--", handwheel::test::buildPath("tests/UsbProbe")});
     QVERIFY(process.waitForFinished(60000));
     const QByteArray errors = process.readAllStandardError();
     const QList<QByteArray> lines = process.readAllStandardOutput().trimmed().split('\n');

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "TestClass.h"
 #include "polhem/PolhemEmulator.h"
 
@@ -87,14 +88,14 @@ class DeadProgramTest : public QObject {
   }
 
  private slots:
-  void initTestCase() { qputenv("HANDWHEEL_GUARDS", GUARDS); }
+  void initTestCase() { qputenv("HANDWHEEL_GUARDS", test::buildPath(GUARDS).toUtf8()); }
 
   void init() {
     m_board = std::make_unique<Board>();
     qputenv("HANDWHEEL_POLHEM_PORT", m_board->port().toLocal8Bit());
     m_program = std::make_unique<QProcess>();
     m_program->setProcessChannelMode(QProcess::ForwardedChannels);
-    m_program->start(DEVICE_HOLDER, {m_board->port()});
+    m_program->start(test::buildPath("tests/DeviceHolder"), {m_board->port()});
     QVERIFY(m_program->waitForStarted());
     QTRY_VERIFY_WITH_TIMEOUT(isPushing(), 20000);
   }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "openhaptics/HdSession.h"
 
 #include "HdStandIn.h"
@@ -134,7 +135,7 @@ class HdSessionTest : public QObject {
 
   // The process itself, started like by the plugin.
   void theBridgeIsAProcess() {
-    openhaptics::Driver driver(BRIDGE);
+    openhaptics::Driver driver(test::buildPath("tests/BridgeStandIn").toStdString());
     const auto device = driver.make(openhaptics::kDefaultDevice);
     QVERIFY(device && device->capabilities().maxStiffness == 0.4);  // value of its kind
     QVERIFY(device->open({}).hasValue());

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "BuildPaths.h"
 #include "TestClass.h"
 #include "haptics/device/DeviceErrors.h"
 #include "polhem/Driver.h"
@@ -190,7 +191,7 @@ class PolhemSessionTest : public QObject {
       }
     });
     qputenv("HANDWHEEL_POLHEM_PORT", ::ptsname(master));
-    qputenv("HANDWHEEL_GUARDS", GUARDS);
+    qputenv("HANDWHEEL_GUARDS", test::buildPath(GUARDS).toUtf8());
     polhem::Driver driver("/nowhere");
     const std::unique_ptr<Device> device = driver.make(::ptsname(master));
     const bool opened = device && device->open({}).hasValue();

@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+#include "BuildPaths.h"
 #include "TestClass.h"
 
 // The plugin's transport with the real hidapi, on a SpaceMouse Compact that umockdev pretends is plugged in.
@@ -75,7 +76,8 @@ class HidrawTest : public QObject {
         "r 200 ^C^B^@\n";
     QProcess process;
     process.start(umockdev, {"-d", put("mouse.umockdev", tree()), "-i", "/dev/hidraw0=" + put("mouse.ioctl", ioctls()),
-                             "-s", "/dev/hidraw0=" + put("mouse.script", script), "--", HIDRAWPROBE});
+                             "-s", "/dev/hidraw0=" + put("mouse.script", script), "--",
+                             handwheel::test::buildPath("tests/HidrawProbe")});
     QVERIFY(process.waitForFinished(60000));
     const QByteArray errors = process.readAllStandardError();
     const QList<QByteArray> lines = process.readAllStandardOutput().trimmed().split('\n');

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: 2026 The Handwheel developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sources are compiled several at a time (docs/adr/0020-build.md). CMake's own unity builds name the sources by absolute
+# paths, with which no other checkout finds the unit in the compiler's cache; these name them relative to the unit.
+unset(CMAKE_UNITY_BUILD CACHE)  # of build folders from before
+set(HANDWHEEL_UNIT_SOURCES 1 CACHE STRING "Number of sources that are compiled as one unit; 1: each alone")
+
+# handwheel_units(TARGET): groups the sources that the target has at the end of its folder's list file. A source with
+# options of its own, or with SKIP_UNITY_BUILD_INCLUSION, is compiled alone.
+function(handwheel_units TARGET)
+  if(HANDWHEEL_UNIT_SOURCES GREATER 1)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL handwheel_group_sources ${TARGET})")
+  endif()
+endfunction()
+
+function(handwheel_group_sources TARGET)
+  get_target_property(sources ${TARGET} SOURCES)
+  set(together)
+  foreach(source ${sources})
+    cmake_path(ABSOLUTE_PATH source NORMALIZE)
+    set(alone OFF)
+    foreach(property GENERATED SKIP_UNITY_BUILD_INCLUSION COMPILE_OPTIONS COMPILE_DEFINITIONS COMPILE_FLAGS INCLUDE_DIRECTORIES)
+      get_source_file_property(value ${source} ${property})
+      if(value)
+        set(alone ON)
+      endif()
+    endforeach()
+    if(source MATCHES "\\.cpp$" AND NOT alone)
+      list(APPEND together ${source})
+    endif()
+  endforeach()
+
+  list(LENGTH together count)
+  if(count LESS 2)
+    get_source_file_property(is_grouped "${together}" HEADER_FILE_ONLY)
+    if(count EQUAL 1 AND is_grouped)
+      message(FATAL_ERROR "${together} is the only source of ${TARGET}, and in a unit of another target of this folder")
+    endif()
+    return()
+  endif()
+  # AUTOMOC still reads them.
+  set_source_files_properties(${together} PROPERTIES HEADER_FILE_ONLY ON)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/units)
+  file(MAKE_DIRECTORY ${folder})
+  file(REAL_PATH ${folder} real_folder)
+  math(EXPR last "(${count} - 1) / ${HANDWHEEL_UNIT_SOURCES}")
+  foreach(number RANGE ${last})
+    math(EXPR begin "${number} * ${HANDWHEEL_UNIT_SOURCES}")
+    list(SUBLIST together ${begin} ${HANDWHEEL_UNIT_SOURCES} members)
+    set(text)
+    foreach(source ${members})
+      file(REAL_PATH ${source} source)
+      file(RELATIVE_PATH path ${real_folder} ${source})
+      string(APPEND text "#include \"${path}\"\n")
+    endforeach()
+    set(unit ${folder}/${TARGET}_${number}.cpp)
+    file(CONFIGURE OUTPUT ${unit} CONTENT "${text}" @ONLY)
+    set_source_files_properties(${unit} PROPERTIES SKIP_AUTOMOC ON)
+    target_sources(${TARGET} PRIVATE ${unit})
+  endforeach()
+endfunction()
