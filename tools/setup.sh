@@ -78,8 +78,8 @@ step() {
   return "$status"
 }
 
-# build PRESET [TARGET...]: configures where needed and builds, without targets what the build preset names. One build
-# folder per preset.
+# build PRESET [TARGET...]: configures where needed and builds, without targets what the build preset names, and says how
+# many units came from the compiler's cache. One build folder per preset.
 build() {
   local preset=$1
   shift
@@ -87,6 +87,14 @@ build() {
   if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$preset/CMakeCache.txt" 2> /dev/null ||
     [[ ! -f $root/build/$preset/build.ninja ]]; then
     step "Configure $preset" "configure-$preset" cmake --fresh -S "$root" --preset "$preset" || return
+  elif [[ $root/CMakePresets.json -nt $root/build/$preset/CMakeCache.txt ]]; then
+    step "Configure $preset" "configure-$preset" cmake -S "$root" --preset "$preset" || return
+    touch "$root/build/$preset/CMakeCache.txt"
   fi
-  step "Build $preset${1:+ ($*)}" "build-$preset" cmake --build "$root/build/$preset" ${1:+--target "$@"}
+  local statistics=$root/build/ccache-$preset.log
+  rm -f "$statistics"
+  CCACHE_STATSLOG=$statistics step "Build $preset${1:+ ($*)}" "build-$preset" \
+    cmake --build "$root/build/$preset" ${1:+--target "$@"} || return
+  [[ ! -f $statistics ]] || awk '/^(direct|preprocessed)_cache_hit$/ { ++hits } /^cache_miss$/ { ++misses }
+    END { printf "  %d of %d units from the compiler\047s cache\n", hits, hits + misses }' "$statistics"
 }

@@ -14,14 +14,14 @@ namespace handwheel {
 
 inline constexpr int kLongestRun = 600'000;  // ms; with sanitizers some runs take minutes
 
-// The output and exit code of the program. -1 when it crashed or did not end.
+// The output and exit code of the program. The code is -1 if the program crashed or did not end.
 struct Ran {
   int code = -1;
   QByteArray out;
   QByteArray err;
 };
 
-// Returns the output of the program as JSON; discarded if it is none.
+// Returns the output of the program as JSON. The result is a discarded value if the output is not JSON.
 inline nlohmann::json jsonOf(const Ran& ran) {
   return nlohmann::json::parse(ran.out.toStdString(), nullptr, false);
 }
@@ -33,23 +33,32 @@ inline QProcessEnvironment environmentWith(const QString& locale) {
   return environment;
 }
 
-// Runs a program in a folder and waits for its end.
+// Returns the result of a finished run. A crash, or the report of a sanitizer, is printed in words by which
+// tools/run-tests tells it from a failed comparison.
+inline Ran resultOf(QProcess& process) {
+  const Ran ran{process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  const bool hasCrashed = process.exitStatus() != QProcess::NormalExit;
+  if (hasCrashed || ran.err.contains("Sanitizer") || ran.err.contains("runtime error:"))
+    qWarning("the program crashed: %s\n%s", qPrintable(process.arguments().join(' ')), ran.err.constData());
+  return hasCrashed ? Ran{} : ran;
+}
+
+// Runs a program in a folder and waits until it ends.
 inline Ran runProgram(const QString& program, const QString& folder, const QStringList& words,
                       const QString& locale = "C") {
   QProcess process;
   process.setWorkingDirectory(folder);
   process.setProcessEnvironment(environmentWith(locale));
   process.start(program, words);
-  if (!process.waitForFinished(kLongestRun) || process.exitStatus() != QProcess::NormalExit) return {};
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  return process.waitForFinished(kLongestRun) ? resultOf(process) : Ran{};
 }
 
-// Runs the built program.
+// Runs the built program in a folder.
 inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
   return runProgram(test::programPath(), folder, words, locale);
 }
 
-// Returns true if a process has installed a handler for the signal, by the mask that the kernel reports.
+// Returns true if a process has installed a handler for the signal, according to the mask that the kernel reports.
 inline bool catches(qint64 process, int signal) {
   QFile status(QString("/proc/%1/status").arg(process));
   if (!status.open(QIODevice::ReadOnly)) return false;
@@ -59,7 +68,7 @@ inline bool catches(qint64 process, int signal) {
   return false;
 }
 
-// A folder of its own for each test, and the program run in it.
+// A temporary folder for one test, in which the program is run.
 class Fixture {
  public:
   void put(const QString& name, const QByteArray& content) const {

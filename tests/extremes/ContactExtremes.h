@@ -4,16 +4,15 @@
 
 #include "Extremes.h"
 
-// Extreme surfaces and paths of the tip for the tests of contact. The surfaces are the hardest that a tip can touch;
-// one generator serves all tests.
+// Extreme surfaces and paths of the tip for the tests of contact. All contact tests use them.
 namespace handwheel::test {
 
-// The plane z = 0 from -1 to 1 along x and y, made of triangles as odd as possible.
+// The plane z = 0 from -1 to 1 along x and y, made of extreme triangles.
 struct ExtremeFloor {
   std::string name;
   std::function<TriangleSoup()> soup;
-  double breadth =
-      1e-3;  // width of its thinnest triangle with area: the thinner it is, the more the rounding of a corner tilts it
+  double breadth = 1e-3;  // width of the thinnest triangle with area; the thinner it is, the more it is tilted by
+                          // rounding of a corner
 };
 
 inline TriangleSoup floorIn(std::uint32_t rows, std::uint32_t columns) {
@@ -46,14 +45,14 @@ inline TriangleSoup degenerateFloor() {
   return s;
 }
 
-// Returns a floor with rows a millionth as wide as the others.
+// Returns a floor in which every second row is about a millionth as wide as the others.
 inline TriangleSoup sliverFloor() {
   return grid(42, 3, false, false, [](std::uint32_t i, std::uint32_t j) {
     return Vec3((i / 2) / 10.0 - 1.0 + (i % 2 == 1 && i < 41 ? 1e-7 : 0.0), j - 1.0, 0.0);
   });
 }
 
-// Returns a fan around a point on the path of the tip.
+// Returns a fan of triangles around a point on the path of the tip.
 inline TriangleSoup fanFloor(std::uint32_t count) {
   TriangleSoup s{{Vec3::Zero()}, {}};
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -63,7 +62,7 @@ inline TriangleSoup fanFloor(std::uint32_t count) {
   return s;
 }
 
-// Returns a floor beside triangles whose corners are NaN, which have no position.
+// Returns a floor and additional triangles that have a corner with a coordinate that is not finite.
 inline TriangleSoup floorAmongNoNumbers() {
   TriangleSoup s = floorIn(10, 10);
   const auto first = static_cast<std::uint32_t>(s.points.size());
@@ -92,14 +91,14 @@ inline std::vector<ExtremeFloor> extremeFloors() {
   };
 }
 
-// A path down onto the floor, half a unit deep, across it, and up again, in units of the floor.
+// A path of the tip from above to half a unit below the floor, across the floor, and up again.
 struct FloorPath {
   static constexpr int kDown = 20, kAcross = 300, kUp = 40;
   static constexpr int kTicks = kDown + kAcross + kUp;
   static constexpr double kDepth = 0.5;
 
   static bool isPressed(int tick) { return tick >= kDown && tick < kDown + kAcross; }
-  // The middle of the path is exactly above the middle of the floor.
+  // Returns the position at a tick. The middle of the path is exactly below the middle of the floor.
   static Vec3 at(int tick) {
     const double share = std::clamp(2.0 * (tick - kDown) / kAcross - 1.0, -1.0, 1.0);
     const Vec3 foot(0.8 * share, 0.3 * share, -kDepth);
@@ -108,7 +107,8 @@ struct FloorPath {
   }
 };
 
-// A tip that moves to and fro around a box: steps of all sizes, sometimes far away, sometimes without moving.
+// A tip that moves at random around a box in steps of all sizes. It sometimes jumps far away, or to the centre of the
+// box.
 class WildTip {
  public:
   WildTip(const Box& box, unsigned seed)

@@ -12,14 +12,14 @@
 #include <optional>
 #include <string>
 
-// A generator of extreme input for the tests of all modules. docs/extremes.md lists the properties that must hold.
+// Generators of extreme meshes for the tests of all modules. docs/extremes.md lists the properties that must hold.
 namespace handwheel::test {
 
 // Sizes of a part and positions of its centre (mm).
 inline constexpr double kScales[] = {1e-6, 1e-3, 1.0, 1e3, 1e6};
 inline constexpr double kOffsets[] = {0.0, 1e3, 1e5, 1e7};
 
-// Returns numbers that no formula expects.
+// Returns numbers that formulas rarely handle: not finite, denormal, or at the limits of the type.
 inline std::vector<double> strangeNumbers() {
   using Limits = std::numeric_limits<double>;
   return {Limits::quiet_NaN(),
@@ -39,19 +39,20 @@ struct ExtremeMesh {
   std::string name;
   std::function<TriangleSoup()> soup;
   std::size_t components = 1;
-  std::size_t loops = 0;                        // chains of open edges
-  std::size_t filled = 0;                       // loops that a repair closes
-  std::size_t degenerate = 0;                   // triangles without area
-  bool oriented = true;                         // the faces agree in the file
-  bool flat = false;                            // an open sheet in a plane, which a repair makes a thin body on request
-  bool sound = true;                            // a repair leaves it closed, manifold and oriented
-  std::optional<double> volume = std::nullopt;  // when sound, after a repair (mm³)
+  std::size_t loops = 0;       // number of chains of open edges
+  std::size_t filled = 0;      // number of loops that a repair closes
+  std::size_t degenerate = 0;  // number of triangles without area
+  bool oriented = true;        // true if the faces of the file are oriented consistently
+  bool flat = false;           // an open sheet in a plane; on request, a repair turns it into a thin body
+  bool sound = true;           // true if the mesh is closed, manifold and oriented after a repair
+  std::optional<double> volume = std::nullopt;  // volume of a sound mesh after a repair, mm³
   double volumeError = 1e-9;                    // relative error of the volume
 };
 
-inline constexpr double kNothing = 1e-150;  // mm; less has no square
+inline constexpr double kNothing = 1e-150;  // mm; squares of shorter lengths underflow
 
-// Returns the largest extent of a mesh (mm). Above zero, even if squares overflow or underflow or the mesh is empty.
+// Returns the largest extent of a mesh (mm). The result is above zero, even if the mesh is empty or squares overflow or
+// underflow.
 inline double lengthOf(const TriangleSoup& soup) {
   Box box;
   for (const Vec3& p : soup.points) box.extend(p);
@@ -67,7 +68,7 @@ inline TriangleSoup coincident(std::size_t triangles) {
   return s;
 }
 
-// Returns triangles along one line.
+// Returns triangles without area whose corners are on one line.
 inline TriangleSoup collinear(std::size_t triangles) {
   TriangleSoup s;
   for (std::uint32_t i = 0; i < triangles + 2; ++i) s.points.emplace_back(i, 2 * i, 3 * i);
@@ -75,21 +76,21 @@ inline TriangleSoup collinear(std::size_t triangles) {
   return s;
 }
 
-// Returns a closed bar of square section 1 × 1, with this length, in slivers from end to end.
+// Returns a closed bar of this length, with a square section of 1 × 1. Its long sides are slivers from end to end.
 inline TriangleSoup sliverBar(double length) {
   TriangleSoup s = cube();
   for (Vec3& p : s.points) p.z() *= length;
   return s;
 }
 
-// Returns a unit cube with needles without area along its edges; it stays closed.
+// Returns a closed unit cube with needles without area along its edges.
 inline TriangleSoup needleCube() {
   TriangleSoup s = cube();
   for (std::size_t f = 0; f < 4; ++f) addNeedles(s, f, 0, {0.25, 0.5, 1.0 - 1e-9});
   return s;
 }
 
-// Returns so many tetrahedra of volume 1/6 on a grid, apart from each other.
+// Returns this number of separate tetrahedra of volume 1/6, on a grid.
 inline TriangleSoup scattered(std::uint32_t parts) {
   TriangleSoup s;
   const auto side = static_cast<std::uint32_t>(std::ceil(std::cbrt(parts)));
@@ -100,17 +101,18 @@ inline TriangleSoup scattered(std::uint32_t parts) {
   return s;
 }
 
-// Returns at least so many triangles on a torus with holes of four edges each; volume without them 2π² · 50 · 20² mm³.
+// Returns at least this number of triangles on a torus with holes of four edges each. Its volume without holes is
+// 2π² · 50 · 20² mm³.
 inline TriangleSoup largeTorus(std::size_t triangles, std::size_t holes) {
   const auto n = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(triangles + 2 * holes) / 2.0)));
   TriangleSoup s = torus(n, n, 50.0, 20.0);
-  const std::size_t every = s.triangles.size() / holes / 2 * 2;  // the two triangles of a cell go together
+  const std::size_t every = s.triangles.size() / holes / 2 * 2;  // the two triangles of a cell are removed together
   for (std::size_t i = 0; i < holes; ++i) s.triangles[i * every][0] = s.triangles[i * every + 1][0] = kNone;
   std::erase_if(s.triangles, [](const Triangle& t) { return t[0] == kNone; });
   return s;
 }
 
-// Returns spheres with three holes, of every size and at every position.
+// Returns spheres with three holes each, with radii from kScales and centres from kOffsets.
 inline std::vector<ExtremeMesh> scaledMeshes() {
   std::vector<ExtremeMesh> meshes;
   const double sphere = 4.0 / 3.0 * M_PI;
@@ -126,12 +128,12 @@ inline std::vector<ExtremeMesh> scaledMeshes() {
   }
   for (ExtremeMesh& mesh : meshes) {
     mesh.loops = mesh.filled = 3;
-    mesh.volumeError = 0.01;  // flat triangles instead of the sphere, and the patches
+    mesh.volumeError = 0.01;  // the triangles and the patches are flat, unlike the sphere
   }
   return meshes;
 }
 
-// Returns closed surfaces of odd triangles, and degenerate input that is hardly a surface.
+// Returns closed surfaces of unusual triangles, and degenerate input that is hardly a surface.
 inline std::vector<ExtremeMesh> oddMeshes() {
   return {
       {.name = "needles", .soup = needleCube, .degenerate = 12, .volume = 1.0},
@@ -141,7 +143,7 @@ inline std::vector<ExtremeMesh> oddMeshes() {
       {.name = "zero areas only",
        .soup = [] { return collinear(100); },
        .loops = 1,
-       .filled = 1,  // removed with its faces
+       .filled = 1,  // the loop is removed with its faces
        .degenerate = 100,
        .oriented = false,
        .sound = false},
@@ -175,11 +177,11 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
        .loops = 1,
        .filled = 1,
        .volume = 4.0 / 3.0 * std::numbers::pi,
-       .volumeError = 0.01},  // flat triangles, a patch, and the folds
+       .volumeError = 0.01},  // the triangles and the patch are flat, and folds remain
       {.name = "Möbius strip",
        .soup = [] { return moebiusStrip(60, 4); },
        .loops = 1,
-       .filled = 1,  // the cut at its twist; a body of the rest would touch itself there, so that it stays a sheet
+       .filled = 1,  // closed after a cut at the twist; a thin body would touch itself there, so it stays a sheet
        .oriented = false,
        .sound = false},
       {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Extremes.h"
 
+#include "LargeInputs.h"
 #include "TestClass.h"
 #include "document/formats/MeshExport.h"
 #include "mesh/defects/Defects.h"
@@ -66,7 +67,7 @@ class LargeMeshTest : public QObject {
 };
 
 void LargeMeshTest::initTestCase() {
-  if (qgetenv("HANDWHEEL_EXTREMES") != "full") QSKIP("HANDWHEEL_EXTREMES is not set to full: this test takes minutes.");
+  if (!test::withLargeInputs()) QSKIP("HANDWHEEL_LARGE is not set: this test takes minutes.");
 }
 
 void LargeMeshTest::tenMillionTriangles() {
