@@ -56,6 +56,27 @@ class StyleTest(unittest.TestCase):
         self.assert_finds("Wheel.h", HEAD + "#pragma once\n\n" + named, 8, "16 words")
         self.assertEqual(self.run_on("Hub.h", HEAD + "#pragma once\n\n" + named)[0], 0)
 
+    def test_openings(self):
+        for comment in ("Of both.", "That it turns.", "as it was", "What a turn leaves.", "whether it turns"):
+            self.assert_finds("Wheel.cpp", HEAD + f"\n// {comment}\nint spokes;\n", 4, comment.split()[0])
+            self.assert_finds("Wheel.cpp", HEAD + f"int rim;\nint spokes;  // {comment}\n", 4, comment.split()[0])
+        for text in ("// Returns true if\n// what turns is a wheel.\nint spokes;\n", "int spokes;  // thatched ones\n",
+                     'const char* kText = "// of both";\n', "// Offset, mm.\nint spokes;\n"):
+            self.assertEqual(self.run_on("Wheel.cpp", HEAD + "\n" + text), (0, "1 C++ files and everything around them are in style\n"))
+
+    def test_private_words(self):
+        for name in ("place", "m_places", "kWay", "placeOf", "RimPlace", "Ways", "shortestWay", "wayBetween"):
+            self.assert_finds("Wheel.cpp", HEAD + f"int rim;\nint {name} = 5;\n", 4, name)
+        for text in ("void place();", "int placeWheel;", "int m_isUnderWay;", "int inTheWay;", "int replace;", "int away;", "int placement;",
+                     "int sideways;", 'const char* kText = "place";', "int spokes;  // verb: to place"):
+            self.assertEqual(self.run_on("Wheel.cpp", HEAD + text + "\n")[0], 0, text)
+
+    def test_pages(self):
+        self.assertEqual(self.run_on_files({"docs/a.md": "[b](b.md#part), [c](https://c.org), ![d](../d.png)\n", "docs/b.md": "b\n", "d.png": ""})[0], 0)
+        self.assert_finds("docs/a.md", "a\n[b](b.md)\n", 2, "b.md")
+        self.assertEqual(self.run_on("README.md", "word " * 600 + "\n")[0], 0)
+        self.assert_finds("README.md", "word " * 601 + "\n", 1, "601 words")
+
     def test_format(self):
         self.assert_finds("Wheel.cpp", HEAD + "int spokes=5;\n", 3, "clang-format")
 
