@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Returns the posts of the plugins in the folder "posts" of the plugin folders. Plugins that cannot be loaded are
-// reported on stderr. Needs a QCoreApplication.
+// Loads the plugins in the subfolder "posts" of each plugin folder and returns their postprocessors. Plugins that
+// cannot be loaded are reported on stderr. A QCoreApplication must exist.
 std::vector<std::unique_ptr<PostProcessor>> pluginPosts();
 
 }  // namespace handwheel

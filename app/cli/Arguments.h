@@ -14,25 +14,28 @@ namespace handwheel {
 // One option of a command.
 struct OptionSpec {
   std::string_view name;   // without the dashes
-  char letter = 0;         // short form, 0: none
-  std::string_view value;  // name of its value in the help; empty: the option takes no value
+  char letter = 0;         // short form; 0: none
+  std::string_view value;  // name of the option's value in the help; empty: the option takes no value
   std::string help;
-  std::string_view formerName = {};  // still accepted, but not shown in the help
+  std::string_view formerName = {};  // an earlier name, accepted but not shown in the help
 };
 
-// The syntax of one command. The parser and the help page are both made from it.
+// The syntax of one command. Both the parser and the help page use it.
 struct CommandSpec {
   std::string_view name;
-  std::string_view operands;  // separated by spaces, as the help shows them; all are required except a last "[…...]"
+  // Names of the operands, separated by spaces as in the help; all are required except a last "[…...]", which may be
+  // repeated.
+  std::string_view operands;
   std::string_view summary;
   std::vector<OptionSpec> options;
-  std::string_view usage = {};  // text after the name in the usage line, for options that depend on one another
+  std::string_view usage = {};  // replaces the usage line after the name, for options that depend on one another
 };
 
-// The parsed words of a command line. Kept as bytes, so that any file name is possible.
+// The parsed words of a command line. They are kept as bytes, so that any file name is possible.
 struct Arguments {
   std::vector<std::string> operands;
-  std::multimap<std::string, std::string, std::less<>> options;  // by long name; an empty value for options without one
+  // Values of the options by long name; the value is empty for an option that takes none.
+  std::multimap<std::string, std::string, std::less<>> options;
   std::string problem;  // a sentence if the words do not match the syntax; otherwise empty
 
   bool has(std::string_view name) const { return options.contains(name); }
@@ -40,8 +43,8 @@ struct Arguments {
   std::vector<std::string> valuesOf(std::string_view name) const;
 };
 
-// Parses a whole word as a number, independent of the locale. For doubles also "inf" and "nan". Returns false if it is
-// not a number.
+// Parses a whole word as a number, independently of the locale. Accepts "inf" and "nan" for doubles. Returns false if
+// the word is not a number.
 template <class Number>
 bool readNumber(std::string_view word, Number& value) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);

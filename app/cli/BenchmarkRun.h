@@ -7,21 +7,22 @@
 
 namespace handwheel {
 
-// The result of a calibration, the same as that of the button in the window.
+// The result of a calibration. The calibration button of the window gives the same result.
 struct BenchmarkRun {
-  std::filesystem::path file;  // the file that the window loads the calibration from
+  std::filesystem::path file;  // the file from which the window loads the calibration
   Calibration calibration;     // settings that were not measured now keep their earlier measurements
   std::vector<MeasuredSetting> measured;
-  std::size_t wanted = 0;  // number of settings to measure; more than were measured if the time limit was reached
+  std::size_t wanted = 0;  // number of settings to measure; greater than measured.size() if the time limit was reached
   Status kept = Done{};    // result of writing the file
 };
 
-// Measures these settings one after another and stores the results after each. All must be machineDependent(). After
-// kLongestCalibration no further measurement is started. Errors: Cancelled; earlier measurements are kept then.
+// Measures settings one after another and stores the results after each. All settings must be machineDependent(). After
+// kLongestCalibration no further measurement is started. Errors: Cancelled; the measurements completed before the
+// cancellation are kept.
 Result<BenchmarkRun> benchmarkMachine(const FidelityRegistry& registry,
                                       const std::vector<const FidelityRegistry::Entry*>& entries, Progress progress);
 
-// Formats the results as text: costs of the presets, and ticks of the servo loop.
+// Formats the costs of the presets and the durations of the ticks of the servo loop as text.
 std::string readableText(const BenchmarkRun& run);
 // Returns the results as JSON.
 nlohmann::ordered_json toJson(const BenchmarkRun& run);

@@ -21,19 +21,20 @@ struct Command {
 
   CommandSpec spec;
   std::variant<OnDocuments, OnAll> run;
-  std::string (*details)(const DocumentKinds&) = nullptr;         // returns the part of its help page about the kinds
-  bool (*needsFonts)(std::span<char* const> operands) = nullptr;  // true for plots and printed pages
+  std::string (*details)(const DocumentKinds&) = nullptr;  // returns the part of the help page about kinds of documents
+  bool (*needsFonts)(std::span<char* const> operands) = nullptr;  // returns true if the command draws a plot or a page
 };
 
-// Opens a document that comes with the program by its name; none: there is no such document, or a file has this name.
+// A function that opens a document that comes with the program, by its name. It returns nothing if there is no such
+// document, or if a file has this name.
 using ShippedDocument = std::optional<OpenedFile> (*)(const std::string& name, const DocumentKinds& kinds);
 
 // The registered kinds, commands and drivers, as far as the commands need them.
 struct Registered {
   const DocumentKinds& kinds;
-  std::vector<Command> commands;                                        // commands for one kind of document only
+  std::vector<Command> commands;                                        // commands for one kind of document
   std::function<std::vector<std::unique_ptr<DeviceDriver>>()> drivers;  // creates the built-in drivers
-  std::vector<ShippedDocument> shipped;                                 // for all kinds
+  std::vector<ShippedDocument> shipped;                                 // one for each kind that has such documents
 };
 
 }  // namespace handwheel

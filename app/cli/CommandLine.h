@@ -9,7 +9,7 @@ namespace handwheel {
 // Returns true if the first argument is a subcommand, or requests help or the version.
 bool isCommand(int argc, char** argv, const Registered& registered);
 
-// Runs the command. Exit code 0: success; 2: repaired, but defects remain; 1: error, reported on stderr.
+// Runs the command and returns its exit code (Messages.h). Errors are reported on stderr.
 int runCommand(int argc, char** argv, const Registered& registered);
 
 }  // namespace handwheel

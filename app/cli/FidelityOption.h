@@ -9,8 +9,9 @@
 
 namespace handwheel {
 
-// Parses the option --fidelity: a preset, and values of single settings. "read" lists the settings that the command
-// uses. Any other setting is an error, because it would have no effect. Returns the error as a sentence, or nothing.
+// Parses the option --fidelity, which gives a preset, values of single settings, or both. read: the settings that the
+// command uses; any other setting is an error, because it would have no effect. Returns the error as a sentence, or
+// nothing.
 std::string readFidelity(const Arguments& arguments, std::string_view command, std::span<const FidelitySetting> read,
                          FidelityValues& values);
 

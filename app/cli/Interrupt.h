@@ -16,7 +16,7 @@ namespace handwheel {
 class CommandJob {
  public:
   Progress progress() { return Progress(m_state); }
-  // Prints a line to stdout while the work continues. Any thread.
+  // Prints a line to stdout while the work continues. May be called on any thread.
   void say(std::string line);
 
  private:
@@ -27,23 +27,23 @@ class CommandJob {
 };
 
 // Runs work on a worker thread and shows its progress. The calling thread draws the progress if stderr is a terminal,
-// and watches for signals. A job that does not stop at once after a signal is abandoned together with the program (exit
-// code 130), because some library calls cannot be interrupted, but never while it writes a file. Rethrows the
-// exceptions of the work.
+// and watches for signals. If the work does not stop soon after a signal, the program ends with exit code 130, because
+// some library calls cannot be interrupted; but never while it writes a file. Rethrows the exceptions of the work.
 void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work);
 
-// Installs handlers for the signals that ask the program to end (kTerminationSignals). Must be called first.
+// Installs handlers for the signals that ask the program to end (kTerminationSignals). Must be called before the other
+// functions in this header.
 void watchSignals();
 
-// Returns true if one of these signals has arrived.
+// Returns true if one of kTerminationSignals has arrived.
 bool wasInterrupted();
 
-// Makes these signals end the program at once, with a message. Also if one has already arrived. For work that cannot be
-// cancelled.
+// Makes kTerminationSignals end the program at once, with a message. Ends the program if one has already arrived. Meant
+// for work that cannot be cancelled.
 void endWhenInterrupted();
 
-// Ignores these signals from now on. Called before a result is written, so that the program either writes it and
-// succeeds, or does neither.
+// Ignores kTerminationSignals from now on. Must be called before a result is written, so that the program either writes
+// the result and succeeds, or does neither.
 void ignoreSignals();
 
 }  // namespace handwheel

@@ -12,22 +12,23 @@
 
 namespace handwheel {
 
-// Announces the memory and time that a command needs for a volume. If that is more than a quarter of the memory that is
-// left, the command continues only with --yes.
+// An announcement of the memory and time that a command needs for a volume. If the volume needs more than a quarter of
+// the available memory, the command continues only with --yes.
 class MemoryNotice {
  public:
   explicit MemoryNotice(const Arguments& arguments);
-  // Sets the job that prints the announcement. It must outlive this object.
+  // Sets the job that prints the announcement. The job must outlive this object.
   MemoryNotice& during(CommandJob& job);
 
-  // Must be called before each volume that is made of a surface, with voxels of this edge, mm. Errors:
+  // Announces a volume that is about to be made of a surface, with voxels of this edge (mm). Errors:
   // VolumeErrors::NeedsConsent.
   Status begin(const TriangleSoup& surface, double voxel);
   Status begin(const TriangleSoup& surface, const VolumeRepairOptions& options);
-  // Does the same for any volume. seconds: none if unknown.
+  // Announces any volume. bytes: the memory that it needs. seconds: the time that it needs; nothing if unknown. Errors:
+  // VolumeErrors::NeedsConsent.
   Status begin(double voxel, double bytes, std::optional<double> seconds);
 
-  // Adds the predictions for all volumes that were made.
+  // Adds the memory and time predicted for all announced volumes to a report.
   void addTo(nlohmann::ordered_json& report) const;
 
  private:

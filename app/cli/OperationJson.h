@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Returns the values of an operation as JSON for a report. Defaults are included; null if there is no value. The keys
-// are the ids with underscores, and the unit: "near_weld", "error_mm", "keep_creases_deg".
+// Returns the values of an operation as JSON for a report. Defaults are included; a parameter without a value is null.
+// The keys are the ids with underscores, followed by the unit: "near_weld", "error_mm", "keep_creases_deg".
 nlohmann::ordered_json toJson(const OperationValues& values);
 
 }  // namespace handwheel

@@ -10,11 +10,11 @@
 
 namespace handwheel {
 
-// Returns the options of a command for an operation, which must outlive them. without: ids to leave
-// out.
+// Returns the options of a command for an operation, which must outlive them. without: the ids of parameters without an
+// option.
 std::vector<OptionSpec> optionsOf(const Operation& operation, std::initializer_list<std::string_view> without = {});
 
-// Sets the values that are given as options; others stay. Returns the error as a sentence, or nothing.
+// Sets the values that are given as options; other values stay. Returns the error as a sentence, or nothing.
 std::string readOptions(const Arguments& arguments, OperationValues& values);
 
 // Turns a clause into a sentence with a capital letter and a full stop.

@@ -25,8 +25,8 @@ struct PictureRequest {
 CommandSpec pictureSpec();
 int runPicture(const Arguments& arguments, const DocumentKinds& kinds);
 
-// Draws a mesh file in a child process. Uses xvfb-run if there is no display; a broken display ends only the child.
-// Reports the error on stderr if there is no picture. Returns an exit code.
+// Draws a mesh file in a child process and returns the exit code. Uses xvfb-run if there is no display; a broken
+// display ends only the child process. Reports an error on stderr if no picture was made.
 int renderInChildProcess(const PictureRequest& request);
 
 }  // namespace handwheel

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Lists the planning data of a robot cell, one item per line. These are configurations, targets, frames, paths with
-// their state, and pairs that may touch; only the first of very many pairs. Empty for other documents. described: the
-// result of DocumentKind::describe(). before: prefix of each line.
+// Lists the planning data of a robot cell, one item per line. The items are configurations, targets, frames, paths with
+// their state, and the first 50 pairs that may touch. The text is empty for other documents. described: the result of
+// DocumentKind::describe(). before: the prefix of each line.
 std::string plansText(const nlohmann::json& described, const std::string& before = {});
 
 }  // namespace handwheel

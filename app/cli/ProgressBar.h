@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// A progress bar on one line of stderr. Shows nothing if stderr is not a terminal, and appears only for work that takes
-// a while.
+// A progress bar on one line of stderr. It shows nothing if stderr is not a terminal, and appears only for work that
+// takes a while.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string_view label);
@@ -16,7 +16,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  // fraction: 0…1; seconds: elapsed time of the work.
+  // Draws the bar. fraction: the completed part of the work, 0…1. seconds: the elapsed time of the work.
   void show(double fraction, int seconds);
   void clear();
 

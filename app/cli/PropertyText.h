@@ -14,8 +14,9 @@ std::string propertyText(const Property& property);
 // Formats the limits of a number: "-170 deg to 170 deg".
 std::string limitsText(const Property& property);
 
-// Parses a property value from the command line. Accepts a number with or without a unit or an expression, yes or no,
-// one of the choices, or a text. A limit may be given as it is shown. Returns the value, or the error as a sentence.
+// Parses a property value from the command line. Accepts a number or an expression, with or without a unit, yes or no,
+// one of the choices, or a text, depending on the property. A limit that is rounded for display is accepted as it is
+// shown. Returns the value, or the error as a sentence.
 std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word);
 
 }  // namespace handwheel

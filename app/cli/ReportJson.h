@@ -11,14 +11,16 @@
 
 namespace handwheel {
 
-// Returns the report as JSON, in the form that "handwheel inspect --json" prints. The keys are in that order;
-// volume_mm3 is null for an open mesh.
+// Returns the report as JSON. "handwheel inspect --json" prints it without changing the order of the keys. volume_mm3
+// is null for an open mesh.
 nlohmann::ordered_json toJson(const MeshReport& report);
 
-// Repeats values under their former keys. renamed: {present key, former key} of an object; it has the present ones.
+// Repeats values of an object under their former keys. renamed: pairs {present key, former key}; the object has all
+// present keys.
 void addFormerKeys(nlohmann::ordered_json& object, std::initializer_list<std::pair<const char*, const char*>> renamed);
 
-// Formats JSON with an indent of two, ending in a line feed. Names that are not UTF-8 get replacement characters.
+// Formats JSON with an indent of two spaces and a final line feed. Bytes that are not UTF-8 become replacement
+// characters.
 std::string textOf(const nlohmann::ordered_json& json);
 
 }  // namespace handwheel

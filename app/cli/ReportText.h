@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Pads a text with blanks on the left to this width. A longer text is returned unchanged.
+// Pads a text with blanks on the left to this width, in bytes. A longer text is returned unchanged.
 std::string rightAligned(const std::string& text, std::size_t width);
 
 // Formats the report as an aligned table for people. Numbers have six digits and a decimal point in every locale.

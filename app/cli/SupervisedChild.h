@@ -7,17 +7,18 @@
 
 namespace handwheel {
 
-// Returns the path of the running executable, for starting it again.
+// Returns the path of the running executable, for starting this program again.
 std::string ownProgram();
 
-// Runs a program found along PATH and waits for it. It shares our stdout and stderr. It holds the end of a pipe that
-// closes when a signal arrives or this process ends, for any reason; a program that called endWithParent() then ends,
-// also if it runs below others such as xvfb-run, which can thus clean up after it. Those that do not end are killed.
-// Returns its exit code, 127 if there is no such program, 128 + n if signal n ended it.
+// Runs a program found along PATH, waits for it and returns its exit code: 127 if there is no such program, 128 + n if
+// signal n ended it. The program shares stdout and stderr with this process. It inherits the end of a pipe that closes
+// when this process receives a signal or ends, for any reason. A program that called endWithParent() then ends, even if
+// other programs such as xvfb-run started it, so that these can clean up after it. After a signal, programs that do not
+// end are killed.
 int runChild(const std::vector<std::string>& words);
 
-// Makes the end of the parent process arrive as SIGTERM from now on. For a program that runChild() of another one
-// started, even indirectly; does nothing in others. Must be called after watchSignals().
+// Sends SIGTERM to this process when the process whose runChild() started it ends, even if other programs are in
+// between. Does nothing if this process was started otherwise. Must be called after watchSignals().
 void endWithParent();
 
 }  // namespace handwheel

@@ -14,18 +14,18 @@ namespace handwheel {
 // A path of the device tip over time.
 struct TipTrajectory {
   std::vector<HandPose> poses;
-  // Number of the stroke that each pose belongs to; 0: the hand only moves. Empty if there is no such column, or it is
-  // not read.
+  // Number of the stroke that each pose belongs to; 0: none. The list is empty if there is no column "stroke", or if it
+  // is ignored.
   std::vector<std::uint32_t> strokes;
-  std::string problem;  // a sentence if the text is not such a path; otherwise empty
+  std::string problem;  // a sentence if the text is not a path; otherwise empty
 };
 
-// Handling of a column "stroke": it numbers strokes, or is ignored as any unknown column.
+// Handling of a column "stroke". It is ignored like any unknown column, or read as the numbers of strokes.
 enum class StrokeColumn { Ignored, Read };
 
-// Reads a tip path from comma-separated values. A header line has the column names t_s,x_mm,y_mm,z_mm, in any order
-// and perhaps among others; one line for each time follows, and times do not decrease. Blank lines and those that begin
-// with # are skipped.
+// Reads a tip path from comma-separated values. A header line names the columns t_s, x_mm, y_mm and z_mm, in any order,
+// and possibly others. One line for each time follows; times must not decrease. Blank lines and lines that begin with #
+// are skipped.
 TipTrajectory readTipTrajectory(std::string_view text, StrokeColumn strokes = StrokeColumn::Ignored);
 
 }  // namespace handwheel

@@ -13,25 +13,27 @@
 
 namespace handwheel {
 
-// Returns the name of the outcome in reports.
+// Returns the name of an outcome in reports.
 std::string wordFor(LoopOutcome outcome);
-// Returns "3 of 4 holes filled, 1 kept open", or that there are none.
+// Returns the numbers of holes by outcome: "3 of 4 holes filled, 1 kept open". Without holes the text begins with "No
+// holes".
 std::string outcomesText(const LoopCounts& loops);
 
-// Returns warnings about results that need a look: removed parts, and each patch that is unlike its surroundings; their
-// number if there are more than ten.
+// Returns warnings about results that should be inspected: removed parts, and each patch that is unlike its
+// surroundings. After ten warnings the other patches are only counted.
 std::vector<std::string> repairWarnings(const RepairReport& repair);
 // Returns the reason why a loop was not filled, as a sentence.
 std::string reasonSentence(FillFailure failure);
 
-// Returns one sentence for each damage that was skipped or repaired on reading. The last one counts those that are not
-// listed.
+// Returns one sentence for each damaged part that was skipped or repaired on reading. The last sentence counts the
+// parts that are not listed.
 std::vector<std::string> damageSentences(const DocumentFile& file);
 
-// Returns one line on what a repair did besides filling; empty if it did nothing.
+// Returns one line on the changes of a repair other than filling. The line is empty if there are none.
 std::string changesLine(const RepairReport& repair);
 
-// Returns one sentence for each remaining defect. These keep the written file from being sound (MeshState).
+// Returns one sentence for each defect that remains after a repair and keeps the written file from being sound
+// (MeshState).
 std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptions& options, const MeshReport& before,
                                    const MeshReport& after);
 

@@ -14,23 +14,24 @@ struct DeviceChange {
   std::vector<DeviceInfo> gone;
 };
 
-// The device drivers, built in and from plugins, and the devices they find. One thread.
+// The device drivers, both built-in and from plugins, and their devices. The catalogue must be used on one thread only.
 class DeviceCatalogue {
  public:
   // Adds a built-in driver. Its id must be unique.
   void add(std::unique_ptr<DeviceDriver> driver);
-  // Loads every plugin in these folders. An error is kept with its plugin; the others are loaded nevertheless.
+  // Loads every plugin in these folders. The error of a plugin is stored in plugins() and does not prevent the loading
+  // of the others.
   void load(const std::vector<std::string>& folders);
 
-  std::vector<std::string> drivers() const;  // ids, built in first
+  std::vector<std::string> drivers() const;  // ids, those of built-in drivers first
   const std::vector<PluginInfo>& plugins() const { return m_plugins; }
 
-  // Asks every driver for the connected devices.
+  // Returns the connected devices of every driver.
   std::vector<DeviceInfo> find();
-  // Compares the connected devices with those of the last call; the first call reports every device as new. Called by a
-  // timer for hot-plugging.
+  // Returns the devices connected and disconnected since the last call; the first call reports every device as
+  // connected. A timer calls it to support hot-plugging.
   DeviceChange poll();
-  // Creates a device. Returns null if the driver or the address is not known.
+  // Creates a device by the id of its driver and its address. Returns null if either is unknown.
   std::unique_ptr<Device> make(const std::string& driver, const std::string& address);
 
  private:

@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// A cell for measuring planning: a built-in robot among boxes that stand around it.
+// A cell for measuring motion planning: a built-in robot with boxes around it.
 class ArmAmongBoxes {
  public:
-  // thickness: of the boxes, mm; they are 250 mm high and wide.
+  // thickness: the thickness of the boxes, mm. The boxes are 250 mm high and wide.
   ArmAmongBoxes(double thickness, std::uint64_t seed);
 
   const RobotScene& scene() const { return m_scene; }

@@ -9,19 +9,24 @@
 
 namespace handwheel {
 
-// The test cases by which the settings are measured. Each runs on built-in shapes, whose true result is known in closed
-// form or by construction. Most also run on a mesh of the user; then the truth is the mesh before the case damaged it.
-// SoupSource provides the mesh of a case. It is called when the case first runs; the mesh must have a face with area.
+// Test cases that measure the error and the cost of the fidelity settings. Each comment begins with the ids of the
+// settings that the functions below it measure. Most cases use built-in shapes, whose true result is known in closed
+// form or by construction. Functions ending in "On" return cases for a mesh of the user; the true result is then
+// the mesh before the case damaged it.
+
+// A function that provides the mesh of a test case. It is called when the case first runs; the mesh must have a face
+// with area.
 using SoupSource = std::function<std::shared_ptr<const TriangleSoup>()>;
 
 // mesh.near_weld: a surface torn along one plane and slit along another. The tear is due to rounding (1e-8 to 1e-5 of
-// the diagonal), the slit is a real gap (2e-5 to 1e-3). Errors are torn vertices that stay torn and slit ones that are
-// merged.
+// the diagonal), the slit is a real gap (2e-5 to 1e-3). An error is a torn vertex that stays torn, or a slit vertex
+// that is merged.
 std::vector<FidelityCase> nearWeldCases();
 FidelityCase nearWeldCaseOn(const std::string& name, SoupSource soup);
 
 // mesh.fill_method, mesh.fill_continuity, mesh.patch_density, mesh.piece_edges: holes cut into a surface and filled
-// again. All but the last also use simulated scans of parts with sharp edges, compared with the exact part.
+// again. The first three settings are also measured on simulated scans of parts with sharp edges, which are compared
+// with the exact part.
 std::vector<FidelityCase> fillMethodCases();
 FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> fillContinuityCases();
@@ -36,25 +41,26 @@ std::vector<FidelityCase> decimationErrorCases();
 FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup);
 
 // mesh.decimation_method: distance and time at half, a tenth and a fiftieth of the triangles. A method that does not
-// get there has no result.
+// reach the number of triangles has no result.
 std::vector<FidelityCase> decimationMethodCases();
 std::vector<FidelityCase> decimationMethodCasesOn(const std::string& name, const SoupSource& soup);
 
-// volume.voxels, volume.method, volume.reduction: a ball, and a block at an angle to the grid, as volumes and back.
+// volume.voxels, volume.method, volume.reduction: a ball, and a block at an angle to the grid, converted to volumes and
+// back to meshes.
 std::vector<FidelityCase> volumeVoxelsCases();
 std::vector<FidelityCase> volumeMethodCases();
 std::vector<FidelityCase> volumeReductionCases();
 
-// volume.polygons: a block along the grid and one that is rotated, by their edges.
+// volume.polygons: the edges of a block along the grid and of a rotated block.
 std::vector<FidelityCase> volumePolygonsCases();
 
-// volume.pieces: a ball of clay that is carved at some positions.
+// volume.pieces: a ball of clay that is carved at several positions.
 std::vector<FidelityCase> volumePiecesCases();
 
 // drill.erosion: a head that advances evenly through material, along the grid and across it.
 std::vector<FidelityCase> drillErosionCases();
 
-// document.undo_granularity: edits of a large mesh, stored and exchanged as an undo step does.
+// document.undo_granularity: edits of a large mesh, stored and exchanged as in an undo step.
 std::vector<FidelityCase> undoGranularityCases();
 FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
 
@@ -65,7 +71,7 @@ std::vector<FidelityCase> chordCases();
 // step.chord: a bar and a ball in STEP files, read as triangles.
 std::vector<FidelityCase> stepChordCases();
 
-// turn.force_model: forces of published tables.
+// turn.force_model: cutting forces compared with published tables.
 std::vector<FidelityCase> forceModelCases();
 
 // turn.spacing: grooves turned into a bar.
@@ -75,7 +81,7 @@ std::vector<FidelityCase> turnSpacingCases();
 std::vector<FidelityCase> turnMethodCases();
 std::vector<FidelityCase> turnResolutionCases();
 
-// turn.step: a lathe whose lever is operated, and whose tool is moved by hand.
+// turn.step: a lathe whose lever is operated and whose tool is moved by hand.
 std::vector<FidelityCase> turnIncrementCases();
 
 // view.block_faces: display blocks that are rebuilt after an edit of one face.
@@ -95,7 +101,7 @@ std::vector<FidelityCase> shapeSidesCases();
 // ik.tolerance: poses that an arm reaches.
 std::vector<FidelityCase> ikToleranceCases();
 
-// plan.resolution: motions of an arm that keep a clearance, by little or by much.
+// plan.resolution: motions of an arm that keep a clearance by a small or a large margin.
 std::vector<FidelityCase> planResolutionCases();
 
 // verify.step: motions of an arm that collide, checked in fixed steps.
@@ -104,13 +110,13 @@ std::vector<FidelityCase> verifyStepCases();
 // plan.shortcuts: tasks of an arm among boxes.
 std::vector<FidelityCase> planShortcutsCases();
 
-// proximity.tolerance: meshes that are moved past each other.
+// proximity.tolerance: the distance between meshes that are moved past each other.
 std::vector<FidelityCase> proximityToleranceCases();
 
 // snap.radius: a scripted hand that moves to one of many points, misses it a little and trembles.
 std::vector<FidelityCase> snapRadiusCases();
 
-// snap.features: the force if more features are in reach than may act at once.
+// snap.features: the force when more features are within reach than may act at once.
 std::vector<FidelityCase> snapFeaturesCases();
 
 // proxy.tolerance: a tip that moves along below the surface of a bumpy ball.
@@ -124,7 +130,7 @@ std::vector<FidelityCase> contactStiffnessCases();
 // the bumpy ball.
 std::vector<FidelityCase> servoRateCases();
 
-// servo.velocity_window: an oscillating hand, read with the position resolution of a device.
+// servo.velocity_window: an oscillating hand whose position is measured with the resolution of a device.
 std::vector<FidelityCase> velocityWindowCases();
 
 }  // namespace handwheel

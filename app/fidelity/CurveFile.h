@@ -6,15 +6,15 @@
 
 namespace handwheel {
 
-// The stored measurements of one setting, from resources/fidelity/ID.json. Presets are derived from them; they are data
-// with the date and the kind of machine they come from.
+// The stored measurements of one setting, from resources/fidelity/ID.json. The presets
+// are derived from these measurements.
 struct CurveFile {
   std::string date;     // "2026-07-01"
   std::string machine;  // processor and number of cores
   std::vector<FidelityRow> rows;
 };
 
-// Returns the present date: "2026-07-01".
+// Returns the present date in the form "2026-07-01".
 std::string today();
 // Returns the processor and the number of cores of this machine.
 std::string machineClass();

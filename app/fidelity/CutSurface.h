@@ -11,9 +11,10 @@
 
 namespace handwheel {
 
-using DistanceToTruth = std::function<double(const Vec3&)>;  // distance of a point from the original surface (mm)
+using DistanceToTruth =
+    std::function<double(const Vec3&)>;  // returns the distance of a point from the original surface (mm)
 
-// A surface with holes cut into it, and the distance to the original.
+// A surface with holes cut into it, and the distance to the original surface.
 struct CutSurface {
   struct Hole {
     BoundaryLoop loop;
@@ -31,8 +32,8 @@ struct CutOptions {
   DistanceToTruth distanceToCrease = nullptr;
 };
 
-// Cuts round holes at positions chosen by the seed, apart from each other. The truth is the surface in closed form;
-// without one, the pieces that are cut out replace it. O(n log n).
+// Cuts round holes at separate positions that the seed determines. truth: the distance to the surface in closed form;
+// if it is empty, the distance to the pieces that are cut out is used. O(n log n).
 CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth,
                     const CutOptions& options = {});
 

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A part with sharp edges, known exactly. Lengths in mm.
+// A part with sharp edges that is known exactly. Lengths are in mm.
 struct ExactPart {
   Box box;
   std::function<double(const Vec3&)> distance;          // distance from the surface; below zero inside
@@ -16,8 +16,8 @@ struct ExactPart {
   double volume = 0.0;                                  // mm³
 };
 
-// Returns a block with a step, a slanted side and a chamfer, all of one height. It has flat faces, edges between them,
-// and corners.
+// Returns a prism: a block with a step, a slanted side and a chamfer. It has flat faces, edges between them, and
+// corners.
 ExactPart milledPart();
 
 // Returns a shaft around z with a shoulder, two chamfers and a flange. Its edges are circles, one of them concave.

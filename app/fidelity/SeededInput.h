@@ -18,7 +18,7 @@ class Random {
 
   double between(double a, double b) { return a + (b - a) * static_cast<double>(m_engine() >> 11) * 0x1p-53; }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(m_engine() % n); }
-  // A unit vector, uniformly distributed over all directions (Archimedes: height and angle are uniform).
+  // Returns a unit vector, uniformly distributed over all directions (Archimedes: height and angle are uniform).
   Vec3 direction() {
     const double z = between(-1.0, 1.0), u = between(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
     return {r * std::cos(u), r * std::sin(u), z};
@@ -28,7 +28,8 @@ class Random {
   std::mt19937_64 m_engine;
 };
 
-// The input of a case, created on first use and cached for one seed. Copies share it. One thread at a time.
+// The input of a case, created on first use and cached for one seed. Copies of this object share the input. It must not
+// be used by two threads at once.
 template <class Input>
 class SeededInput {
  public:

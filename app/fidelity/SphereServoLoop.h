@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A bumpy ball and a tip path below its surface. The tip comes in from outside, then moves along at 100 mm/s for a
-// given number of seconds.
+// A bumpy ball and a tip path below its surface. The tip comes in from outside, then moves along the path at 100 mm/s
+// for a given time.
 struct SphereContact {
   BumpySphere ball;
   PoseTrajectory path;
@@ -18,14 +18,15 @@ struct SphereContact {
 };
 SphereContact ballSlide(std::uint64_t seed, double seconds);
 
-// Creates a servo loop with the ball as scene and a device that follows the path. Clock and service must outlive it.
+// Creates a servo loop with the ball as scene and a device that follows the path. The clock and the service must
+// outlive the loop.
 std::unique_ptr<ServoLoop> sphereServoLoop(const SphereContact& slide, const ServoSettings& servo, ServoClock& clock,
                                            Service& service);
 
 // Measures the median duration (us) of a tick in contact, in realistic use. The loop runs on a thread of its own at
-// this rate (Hz) and sleeps between ticks. A tick then takes longer than without pauses, as other work has meanwhile
-// filled the caches and the processor has slowed down: the more, the longer it slept. Takes 0.6 s. Returns 0 once
-// cancelled, which it notices within 20 ms.
+// this rate (Hz) and sleeps between ticks. A tick takes longer after a pause, because other work has filled the caches
+// and the processor has slowed down; the effect grows with the length of the pause. Takes 0.6 s. Returns 0 within 20 ms
+// after it is cancelled.
 double tickInUse(double rate, Progress progress);
 
 }  // namespace handwheel

@@ -16,9 +16,9 @@ struct ScanOptions {
   std::uint64_t seed = 1;
 };
 
-// Simulates a scan of a part as a closed mesh. Takes one sample about every pitch, on the surface except for the
-// noise. Samples lie on sharp edges only by chance, so that triangles cut the edges off by a width of about the pitch
-// (surface nets: Gibson, "Constrained elastic surface nets", 1998). O(box / pitch³).
+// Simulates a scan of a part as a closed mesh. The mesh has about one sample per pitch in each direction; only the
+// noise moves samples off the surface. Samples lie on sharp edges only by chance, so that triangles cut the edges off
+// by a width of about the pitch (surface nets: Gibson, "Constrained elastic surface nets", 1998). O(box / pitch³).
 TriangleSoup scanOf(const ExactPart& part, const ScanOptions& options);
 
 }  // namespace handwheel

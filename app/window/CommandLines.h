@@ -9,25 +9,26 @@
 
 namespace handwheel {
 
-// Command lines equivalent to the user's actions in the window. They work in any folder: paths are absolute, and are
-// quoted for a shell. inspectCommand() returns the command line that inspects a file.
+// Command lines equivalent to the user's actions in the window. Paths in them are absolute and quoted for a shell, so
+// they work in any folder. inspectCommand() inspects a file, compareCommand() compares a mesh with a scan, and
+// convertCommand() converts a file.
 QString inspectCommand(const QString& path, const ReadOptions& options);
 QString compareCommand(const QString& mesh, const QString& scan);
 QString convertCommand(const QString& from, const QString& to);
-// Returns the command line that sets the changed properties to their present values. Empty if none differs and both
-// paths are the same.
+// Returns the command line that sets the changed properties to their present values. The result is empty if no property
+// differs and both paths are the same.
 QString setCommand(const QString& from, const std::vector<Property>& before, const std::vector<Property>& now,
                    const QString& to);
-// Returns the command line for a new document. kind: its id.
+// Returns the command line that creates a document. kind: the id of the kind of document.
 QString newCommand(const std::string& kind, const std::vector<Property>& before, const std::vector<Property>& now,
                    const QString& to);
 
-// Return the command line that applies editing steps (tools/mesh/MeshScript.h), or a file of them.
+// Return the command line that applies editing steps (tools/mesh/MeshScript.h), given as a list or as a file.
 QString editCommandLine(const QString& from, const std::vector<std::string>& steps, const QString& to);
 QString editCommandLine(const QString& from, const QString& stepsFile, const QString& to);
 // Returns the command line for a step that is also a command with the same arguments.
 QString ownCommand(const QString& from, const std::string& step, const QString& to);
-QString stepWord(const std::string& step);  // quoted as one word for a shell
+QString stepWord(const std::string& step);  // returns the step quoted as one word for a shell
 // Returns the command line that splits a file into shells in a folder.
 QString splitCommand(const QString& from, const QString& folder);
 inline constexpr int kLongestCommand = 2000;  // characters; longer ones are impractical to read or paste

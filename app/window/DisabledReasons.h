@@ -7,7 +7,7 @@
 namespace handwheel {
 
 // An event filter that shows why a menu entry or button is disabled. The reason appears as a tool tip under the
-// pointer. The reasons are those of offer() in OfferedAction.h; widgets without a reason keep their own tool tip.
+// pointer. The reason is set by offer() in OfferedAction.h; widgets without a reason keep their own tool tip.
 class DisabledReasons : public QObject {
   Q_OBJECT
 

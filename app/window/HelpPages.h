@@ -8,7 +8,7 @@ class QMainWindow;
 
 namespace handwheel {
 
-// The help windows. They are not modal.
+// Functions that show the help windows, which are not modal.
 
 // Shows the present mouse and key bindings, and the shortcuts of all menu commands.
 void showKeys(QMainWindow& window, const std::vector<Hint>& now);

@@ -26,28 +26,29 @@ struct Job {
 
   QString name;
   std::function<Finish(Progress)> work;
-  // Called instead of the finish function, on the window thread. Errors: Cancelled, OutOfMemory, or LibraryFailed for
-  // any other exception.
+  // The function that is called on the window thread instead of the finish function if the job fails. Errors:
+  // Cancelled, OutOfMemory, or LibraryFailed for any other exception.
   std::function<void(const Error&)> failed = [](const Error&) {};
-  const void* owner = nullptr;  // cancelOf() cancels the jobs of this owner, a document
+  const void* owner = nullptr;  // the document of the job; cancelOf() cancels all its jobs
   Lane lane = Lane::Work;
-  // Called on the window thread when the job is about to run; reads the results of the jobs before it.
+  // The function that is called on the window thread just before the job runs. It can read the results of earlier jobs.
   std::function<void()> starting = [] {};
 };
 
-// Runs jobs on worker threads, those of a lane one after another. Everything here is called and emitted on the window
-// thread.
+// Runs jobs on worker threads; the jobs of a lane run one after another. All functions must be called, and all signals
+// are emitted, on the window thread.
 class JobRunner : public QObject {
   Q_OBJECT
 
  public:
   enum class Policy {
-    Queue,   // Every job runs. A cancelled job is abandoned at once, even if its library cannot be interrupted; it
-             // is waited for if it saves, because its effect on the file counts
-    Latest,  // A new job replaces the present one, and starts once that has released the data both use
+    Queue,   // Every job runs. A cancelled job is abandoned at once, even if its library cannot be interrupted. Only a
+             // job that saves is waited for, because it may have written its file
+    Latest,  // A new job replaces the present one. It starts when the present job has released the data that both jobs
+             // use
   };
 
-  // pool: it bounds the number of abandoned workers.
+  // pool: the threads of the jobs. Its size limits the number of abandoned jobs that still run.
   JobRunner(Policy policy, QThreadPool& pool, QObject* parent = nullptr);
   ~JobRunner() override;
 
@@ -55,7 +56,7 @@ class JobRunner : public QObject {
   void cancel(quint64 id);           // an id from jobs(); does nothing if the job has ended
   void cancelOf(const void* owner);  // cancels all jobs of this owner
   void cancelAll();
-  bool cancelRunning(Job::Lane lane);  // returns false if nothing runs there
+  bool cancelRunning(Job::Lane lane);  // returns false if no job of the lane is running
   bool isBusy(Job::Lane lane) const;   // returns true if a job of the lane runs or waits
   bool isIdle() const { return m_running.empty() && m_waiting.empty(); }
   // Returns the running jobs, then the waiting ones, each in the order in which they were started.

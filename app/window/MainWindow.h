@@ -52,24 +52,24 @@ class ViewSettings;
 class Viewport;
 struct Preferences;
 
-// The main window, which creates its parts and connects them. The logic is in the parts.
+// The main window, which creates its parts and connects them. The parts contain the logic.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
   using Drivers = std::vector<std::unique_ptr<DeviceDriver>>;
-  // The pool runs all jobs; it outlives the window. drivers: the built-in device drivers, in addition to those of
+  // pool: runs all jobs; it must outlive the window. drivers: the built-in device drivers, in addition to those of
   // plugins.
   MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers = {});
   ~MainWindow() override;
 
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
-  // Offers to recover documents of a session that was killed; called at the start of the program.
+  // Offers to recover documents of a session that was killed. To be called at the start of the program.
   void offerRecovery() { m_autosave.offerRecovery(); }
-  // Opens the haptic device that was in use last, and each space mouse; called at the start of the program.
+  // Opens the haptic device that was in use last, and each space mouse. To be called at the start of the program.
   void openDevices();
-  // Calibrates the accuracy settings on this machine when the user is idle, if that was not done; called at the start
-  // of the program.
+  // Calibrates the accuracy settings on this machine when the user is idle, unless they are already calibrated. To be
+  // called at the start of the program.
   void calibrateWhenIdle();
   // Returns true if nothing is running that will still change the display of the window.
   bool isSettled() const;
@@ -108,7 +108,7 @@ class MainWindow : public QMainWindow {
   void showPanel();
   void showPreferences();
   void prefer(const Preferences& preferences);
-  QList<QDockWidget*> docks() const;  // in the order of the menu
+  QList<QDockWidget*> docks() const;  // returns the docks in the order of the menu
 
   JobRunner m_jobs;
   LogModel m_log;
@@ -132,7 +132,7 @@ class MainWindow : public QMainWindow {
   Autosave m_autosave;
   QAction m_showPanel;
   QAction m_quit;
-  QTimer m_pictureTimer;  // waits until the current document is drawn and the camera rests
+  QTimer m_pictureTimer;  // delays the thumbnail until the current document is drawn and the camera rests
   DocumentTab* m_shown = nullptr;
 
   Viewport* m_viewport;

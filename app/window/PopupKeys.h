@@ -6,9 +6,9 @@
 
 namespace handwheel {
 
-// An event filter that disables window shortcuts while a popup is open. Keys then go to the menu or list of choices
-// only. Qt would handle the shortcuts of the window first: Return would accept the choice and also fill the selected
-// hole.
+// An event filter that disables window shortcuts while a popup is open. Only the menu or list of choices receives the
+// keys. Without the filter, Qt would also trigger the shortcuts of the window: Return would both accept the choice and
+// fill the selected hole.
 class PopupKeys : public QObject {
   Q_OBJECT
 

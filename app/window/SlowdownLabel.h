@@ -15,7 +15,7 @@ class SlowdownLabel : public QLabel {
   Q_OBJECT
 
  public:
-  // The service must outlive it.
+  // The service must outlive the label.
   explicit SlowdownLabel(const Service& service, QWidget* parent = nullptr);
 
  private:
@@ -27,7 +27,7 @@ class SlowdownLabel : public QLabel {
   const Service& m_service;
   QTimer m_timer;
   QElapsedTimer m_sinceUpdate;
-  double m_lost = 0.0;  // lost time at the last update, s
+  double m_lost = 0.0;  // time that the service had lost at the last update, s
 };
 
 }  // namespace handwheel

@@ -10,8 +10,8 @@ class QWidget;
 namespace handwheel {
 
 // Keeps the keyboard focus in the 3D view while commands are given by mouse. Qt passes the focus of a widget that is
-// hidden or disabled to the next in the tab order, where the space bar would press a button that the user did not
-// choose. Focus changes by Tab are left alone.
+// hidden or disabled to the next widget in the tab order, where the space bar would press a button that the user did
+// not choose. Focus changes by Tab are not affected.
 class ViewFocus : public QObject {
   Q_OBJECT
 

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// The settings of the view: projection, clipping plane, view cube. They are shown as a form, and not stored with a
+// The settings of the view: projection, clipping plane, view cube. They are shown as a form and are not stored with a
 // document.
 class ViewSettings : public QObject {
   Q_OBJECT
@@ -19,19 +19,20 @@ class ViewSettings : public QObject {
  public:
   ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent = nullptr);
 
-  // Updates the settings after another model is shown. The plane gets the same relative position as in the last one.
+  // Updates the settings. To be called when another model is shown. The clipping plane gets the same relative position
+  // as in the previous model.
   void followModel();
-  // Updates the settings after the size of the model or the projection of the camera has changed.
+  // Updates the settings. To be called when the size of the model or the projection of the camera has changed.
   void refresh();
   void setLengthUnit(LengthUnit unit);
   // Sets the measurements of the section and refreshes.
   void setSectionFigures(std::vector<Property> statistics);
-  QAction* clipAction() { return &m_clip; }  // switches the clipping plane
-  // Cuts through the axis of the model and removes the half before the viewer.
+  QAction* clipAction() { return &m_clip; }  // switches the clipping plane on and off
+  // Returns the action that cuts through the axis of the model and hides the half nearer to the viewer.
   QAction* halfSectionAction() { return &m_half; }
-  // Sets the axis of the present model; none: it has no half section.
+  // Sets the axis of the present model; none: the model has no half section.
   void setSectionAxis(std::optional<Ray> axis);
-  // Projection and view cube. Both are remembered over restarts.
+  // Returns the actions for projection and view cube, whose states are stored in the settings.
   QList<QAction*> viewActions() { return {&m_perspective, &m_cube}; }
 
  private:
@@ -51,10 +52,10 @@ class ViewSettings : public QObject {
   QAction m_half;
   QAction m_perspective;
   QAction m_cube;
-  int m_axis = 0;  // X, Y, Z, or the direction of the view when it was chosen
+  int m_axis = 0;  // 0…2: X, Y, Z; 3: the direction of the view when this axis was chosen
   bool m_isFlipped = false;
   std::optional<Ray> m_sectionAxis;  // the plane stays at this axis while the half section is on
-  double m_offset = 0.0;             // along the axis, mm
+  double m_offset = 0.0;             // offset of the plane along the axis, mm
   double m_relativeOffset = 0.5;     // relative position of the plane within the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
   std::vector<Property> m_figures;

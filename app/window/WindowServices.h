@@ -10,24 +10,24 @@
 
 namespace handwheel {
 
-// The background services of the window. They run only while a document or a tool needs them. Everything that works in
-// the background measures its ticks here, for the Status panel.
+// The background services of the window. They run only while a document or a tool needs them. The Status panel shows
+// their statistics.
 class WindowServices {
  public:
   WindowServices();
 
   ServiceRegistry& needs() { return m_needs; }
-  // Adds a service of a kind of document, whose id must be new. name: translated. The service must be removed before it
-  // is destroyed.
+  // Adds a service of a kind of document; the id of the service must be new. name: the translated name. The service
+  // must be removed before it is destroyed.
   void add(Service& service, const QString& name);
   void remove(Service& service);
 
   Service& autosave() { return m_autosave; }
   Service& selfIntersections() { return m_selfIntersections; }
   Service& fillPreview() { return m_fillPreview; }
-  Service& haptics() { return m_haptics; }  // the servo loop of the device; its ticks are the loop's
+  Service& haptics() { return m_haptics; }  // the servo loop of the haptic device
 
-  Service& simulation() { return m_simulation; }  // simulation of moving or cut parts while the hand works
+  Service& simulation() { return m_simulation; }  // simulation of moving parts and of material that is being cut
 
   // Returns the statistics since the last call.
   std::vector<ServiceStatus> status();

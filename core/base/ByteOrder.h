@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Reads a number in the given byte order. Precondition: sizeof(T) bytes are readable at `at`.
+// Reads a number in the given byte order. Precondition: sizeof(T) bytes must be readable at `at`.
 template <class T>
 T loadNumber(const char* at, std::endian order) {
   std::array<char, sizeof(T)> bytes;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // moc cannot read <numbers>, which Units.h includes, without this before it
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,7 +16,7 @@ namespace handwheel {
 struct ExpressionField {
   Quantity quantity = Quantity::Number;
   LengthUnit lengthUnit = LengthUnit::Millimetre;  // unit of bare lengths; bare angles are degrees
-  bool decimalComma = false;                       // the language writes 1,5; then "1,234" is below two as well
+  bool decimalComma = false;                       // the language writes 1,5; "1,234" is then read as 1.234
 };
 
 // The reason why an expression cannot be evaluated, with its position.
@@ -25,12 +25,12 @@ struct ExpressionError {
     Empty,
     TooLong,
     TooDeep,
-    NumberMissing,    // `found` stands there instead; empty: the text ends there
-    OperatorMissing,  // before `found`
+    NumberMissing,    // a number is missing before `found`; empty: at the end
+    OperatorMissing,  // an operator is missing before `found`
     BracketMissing,   // a closing bracket before `found`; empty: at the end
-    NumberMalformed,  // {found}
-    CommaAmbiguous,   // {found} "1,234" may be 1.234 or 1234
-    NameUnknown,      // {found} no such unit or constant
+    NumberMalformed,  // `found` is not a number
+    CommaAmbiguous,   // `found` may have two meanings: "1,234" may be 1.234 or 1234
+    NameUnknown,      // there is no unit or constant `found`
     UnlikeTerms,      // a length, an angle and a number cannot be added
     WrongQuantity,    // the result is not the quantity that the field requires
     DivisionByZero,
@@ -47,10 +47,11 @@ inline constexpr std::size_t kLongestExpression = 256;  // bytes
 inline constexpr int kDeepestExpression = 32;           // nested brackets
 
 // Evaluates an arithmetic expression with units. Examples are "25.4/2", "1 in + 2mm", "2*(3+4)", "90deg", "pi/2 rad"
-// (UTF-8). The result is a finite number in mm, radian or of no unit, by the field's quantity. Bare numbers take the
-// field's unit when they are added to one that has it, or at the end. A unit belongs to the product before it while
-// that has none ("1/2 in" is half an inch), else to the last factor ("2mm/4mm" is 0.5). Both decimal signs are
-// accepted, in any locale; a comma that might separate thousands is refused. Linear in the text's length.
+// (UTF-8). The result is a finite number in mm or radians or without a unit, according to the quantity of the field. A
+// number without a unit gets the unit of the field when it is added to one with a unit, or when it is the result. A
+// unit applies to the product before it if that has none yet ("1/2 in" is half an inch), otherwise to the last factor
+// ("2mm/4mm" is 0.5). Both decimal signs are accepted, in any locale; a comma that might separate thousands is refused.
+// O(length of the text).
 ExpressionResult evaluateExpression(std::string_view text, const ExpressionField& field);
 
 }  // namespace handwheel

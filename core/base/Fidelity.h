@@ -19,38 +19,39 @@ enum class FidelityScale { Linear, Logarithmic, Choices };
 // Predefined trade-offs between speed and accuracy.
 enum class FidelityPreset { Draft, Balanced, Exact };
 inline constexpr std::array kFidelityPresets{FidelityPreset::Draft, FidelityPreset::Balanced, FidelityPreset::Exact};
-std::string_view wordFor(FidelityPreset preset);  // "Draft"; lower-case where people type it
+std::string_view wordFor(FidelityPreset preset);  // "Draft"; users may type it in lower case
 
 // The limited resource that a setting consumes.
 enum class FidelityBudget {
   None,
-  Core,   // µs of CPU time per second, of one core, which the servo loop may keep busy
-  Tick,   // µs per tick of the servo loop; a tick has only the period of the loop
+  Core,   // CPU time of one core that the servo loop may use, µs per second
+  Tick,   // time within a tick of the servo loop, which has only the period of the loop, µs
   Rate,   // ticks of the servo loop per second
-  Frame,  // ms per frame: work done between two frames delays the second
-  Wait,   // ms until a result is available that the user waits for
-  Fill,   // ms to fill the holes: the settings affect one computation, and each makes all of it longer
+  Frame,  // time per frame, by which the next frame is delayed, ms
+  Wait,   // time until a result that the user waits for, ms
+  Fill,   // time to fill the holes, ms; each setting multiplies the time of the same computation
 };
 
-// The name and unit of a measured quantity. The unit is "ms", "us", "MB", "mm", or what is counted ("vertices").
+// The name and unit of a measured quantity. The unit is "ms", "us", "MB", "mm", or the name of the things counted
+// ("vertices").
 struct FidelityMeasure {
   std::string name;
   std::string unit;
 };
 
-// A parameter that trades speed for accuracy. With its description it can be chosen, measured and shown; the
+// A parameter that trades speed for accuracy. By its description it can be chosen, measured and displayed. The
 // description is in the module whose code reads the value.
 struct FidelitySetting {
-  std::string id;     // stable, for files and the command line: "mesh.near_weld"
-  std::string label;  // English, translated where it is shown (context "Fidelity")
+  std::string id;     // permanent id for files and the command line: "mesh.near_weld"
+  std::string label;  // English text, translated in the context "Fidelity"
   std::string unit = {};
   FidelityScale scale = FidelityScale::Linear;
   double least = 0.0;
   double largest = 0.0;
-  bool whole = false;                     // takes whole numbers only
-  std::vector<std::string> choices = {};  // words; the value is the index of one
+  bool whole = false;                     // true: only whole numbers are allowed
+  std::vector<std::string> choices = {};  // words of the choices; the value is an index of this list
   double standard = 0.0;                  // the default value
-  std::array<double, 3> presets = {};     // by FidelityPreset; follow from resources/fidelity/ID.json
+  std::array<double, 3> presets = {};     // indexed by FidelityPreset; derived from resources/fidelity/ID.json
   FidelityMeasure error;
   FidelityMeasure cost;
   FidelityBudget budget = FidelityBudget::None;
@@ -58,32 +59,32 @@ struct FidelitySetting {
   double presetValue(FidelityPreset preset) const { return presets[static_cast<std::size_t>(preset)]; }
 };
 
-// Sets the choices of a setting. Range and scale follow from the words.
+// Sets the choices of a setting. Its range and scale follow from the words.
 void setChoices(FidelitySetting& setting, std::vector<std::string> words);
 
-// Checks whether a setting can take a value. Error: ValueOutOfRange {id, value, least, largest}.
+// Checks whether a setting can have a value. Error: ValueOutOfRange {id, value, least, largest}.
 Status checkValue(const FidelitySetting& setting, double value);
 
-// Formats a value of a setting as text, as in all input and output. A choice's word, or the shortest digits that read
-// back the same.
+// Formats a value of a setting as text, as in all input and output. The text is the word of a choice, or the fewest
+// digits from which the value can be restored.
 std::string textOf(const FidelitySetting& setting, double value);
 // Parses the text of a value. Errors: NumberMalformed {text}, ValueOutOfRange.
 Result<double> valueOf(const FidelitySetting& setting, std::string_view text);
 
-// Converts a value to its position on the scale, and back. The position is 0 at least and 1 at largest; values are
-// rounded where only whole numbers are allowed.
+// Convert between a value and its position on the scale of a setting. The position is 0 at least and 1 at largest. The
+// value is rounded if only whole numbers are allowed.
 double scalePositionOf(const FidelitySetting& setting, double value);
 double valueAt(const FidelitySetting& setting, double position);
 
-// The values chosen for settings. A preset or the defaults, and single values that override it. A value type; documents
-// and the program's options hold one.
+// The values chosen for settings. They are those of a preset, or the defaults, with overrides for single settings.
+// FidelityValues is a value type; it is stored in documents and in the options of the program.
 class FidelityValues {
  public:
   FidelityValues() = default;  // the defaults
   explicit FidelityValues(FidelityPreset preset) : m_preset(preset) {}
 
   double of(const FidelitySetting& setting) const;
-  // Overrides the value of one setting. Error: ValueOutOfRange; then nothing changes.
+  // Overrides the value of one setting. Error: ValueOutOfRange, in which case nothing changes.
   Status set(const FidelitySetting& setting, double value);
 
   std::optional<FidelityPreset> preset() const { return m_preset; }
@@ -91,7 +92,7 @@ class FidelityValues {
   bool operator==(const FidelityValues&) const = default;
 
  private:
-  std::optional<FidelityPreset> m_preset;  // none: the defaults
+  std::optional<FidelityPreset> m_preset;  // nullopt: the defaults
   std::map<std::string, double> m_overrides;
 };
 

@@ -9,14 +9,14 @@ namespace handwheel {
 // The available amount of each budget.
 struct FitLimits {
   double core = 1e6;             // µs per second
-  double standardRate = 1000.0;  // Hz, where no setting chooses the rate of the servo loop
+  double standardRate = 1000.0;  // rate of the servo loop if no setting chooses it, Hz
   double frame = 1000.0 / 60.0;  // ms
-  double wait = 1000.0;          // ms: later, a train of thought is broken (Miller, "Response time in man-computer
-                                 // conversational transactions", 1968)
+  double wait = 1000.0;  // ms; longer waits interrupt the user's thoughts (Miller, "Response time in man-computer
+                         // conversational transactions", 1968)
 };
 
-// A setting with its error and cost curve. Values ascend; the error is that of the worst case in multiples of the
-// default's, the cost that of the costliest case in its own unit.
+// A setting with its error and cost curve. The values ascend. The error of a point is that of the worst case, in
+// multiples of the error of the default; the cost is that of the costliest case, in the unit of the setting.
 struct FitCandidate {
   FidelitySetting setting;
   std::vector<CurvePoint> curve;
@@ -28,10 +28,10 @@ struct FittedSetting {
   FidelitySetting setting;
   CurvePoint point;
   double standardCost = 0.0;
-  bool isOver = false;  // no value stays within its part of the budget; this one costs least
+  bool isOver = false;  // true: no value is within its part of the budget; this value costs least
 };
 
-// The predicted use of a budget and its limit, in its unit.
+// The predicted use and the limit of a budget, in the unit of the budget.
 struct FitShare {
   FidelityBudget budget = FidelityBudget::None;
   double used = 0.0;
@@ -46,10 +46,13 @@ struct FidelityFit {
 };
 
 // Chooses the most accurate values that leave a third of each budget unused (kBudgetShare):
-//  - the rate of the servo loop is chosen first: its period is the budget of a tick, and stiffness costs time per tick;
-//  - n settings that share a budget get an n-th of it each;
-//  - those of Fill, where costs multiply, may each lengthen the costliest fill by the n-th root of what is available.
-// Of values with no larger error and hardly more cost, the one nearest to the default is taken, as by derivedPresets().
+// - The rate of the servo loop is chosen first: its period is the time that settings with the budget Tick may use.
+// - If n settings use the same budget, each gets an n-th of it.
+// - If n settings use the budget Fill, whose costs multiply, each may lengthen the costliest fill by the n-th root of
+//   the available factor.
+//
+// Among values with no larger error and hardly more cost, the value nearest to the default is chosen, as in
+// derivedPresets().
 FidelityFit chooseWithinBudgets(std::span<const FitCandidate> candidates, const FitLimits& limits = {});
 
 }  // namespace handwheel

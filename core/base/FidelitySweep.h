@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// One measurement of a setting. A row of the table, of the CSV file and of the curves kept as data.
+// One measurement of a setting. It is a row of the table, of the CSV file and of the stored curves.
 struct FidelityRow {
   std::string setting;
   double value = 0.0;
@@ -25,25 +25,27 @@ struct FidelityRow {
 
 // Options of sweep().
 struct SweepOptions {
-  int steps = 9;  // values over the range, spread by its scale; default and presets come on top
+  int steps = 9;  // number of values over the range, spread by its scale; the default and the presets are added
   int repeats = 5;
   std::uint64_t seed = 1;
 };
 
-// Computes the values at which a sweep measures a setting. They ascend, each occurring once: all choices; else steps
-// over the range (in two digits where the scale is logarithmic), default and presets.
+// Computes the values at which a sweep measures a setting. They ascend, and each occurs once. They are all choices of a
+// setting with choices; otherwise steps over the range (rounded to two digits if the scale is logarithmic), the default
+// and the presets.
 std::vector<double> sweepValues(const FidelitySetting& setting, int steps);
 
-// Measures every test case at every value of a setting. Repeats cycle through all values, so that a machine that
-// becomes slow affects all alike. Rows: case by case, values ascending. Errors: Cancelled.
+// Measures every test case at every value of a setting. Each repeat measures all values in turn, so that a machine that
+// becomes slow affects all of them alike. The rows are sorted by case, and then by value. Errors: Cancelled.
 Result<std::vector<FidelityRow>> sweep(const FidelitySetting& setting, std::span<const FidelityCase> cases,
                                        const SweepOptions& options, Progress progress = {});
 
-double median(std::vector<double> values);  // values: at least one; of an even number the mean of the middle two
+// Returns the median of at least one value. The median of an even number of values is the mean of the middle two.
+double median(std::vector<double> values);
 double medianDeviation(const std::vector<double>& values);  // median absolute deviation from the median
 
-// Formats measurements as comma-separated values (RFC 4180). Numbers are written as in C; kFidelityCsvHeader is the
-// header line.
+// Formats measurements as comma-separated values (RFC 4180). Numbers are written as in the C locale. The first line is
+// kFidelityCsvHeader.
 std::string csvOf(const FidelitySetting& setting, std::span<const FidelityRow> rows);
 inline constexpr std::string_view kFidelityCsvHeader =
     "setting,value,case,error,error_unit,cost,cost_unit,spread,repeats,seed,truth\n";

@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// A hash of data that is the same on every machine. Not cryptographic: it is no protection against forged data.
+// A hash of data that is the same on every machine. It is not cryptographic, and no protection against forged data.
 class Fingerprint {
  public:
   void add(std::uint64_t value) {
-    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // 2^64 divided by the golden ratio: bits that look random
+    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // 2^64 divided by the golden ratio; its bits look random
     m_value = (m_value ^ value) * kOdd;
     m_value ^= m_value >> 32;
   }

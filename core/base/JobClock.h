@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// Measures the working time of a job, for display. The time stands still while the job does not poll its cancel flag: a
-// job that hangs is not displayed as one that works. Used by one thread.
+// Measures the working time of a job, for display. The time stops while the job does not poll its cancel flag, so that
+// a job that hangs does not look like one that works. A clock must be used by one thread only.
 class JobClock {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Returns the seconds until the last poll that was seen. To be called several times a second.
+  // Returns the seconds from the start to the last poll that was seen. Must be called several times per second.
   int seconds(const JobState& state, Clock::time_point now = Clock::now()) {
     const std::uint32_t polls = state.polls.load(std::memory_order_relaxed);
     if (polls != m_polls) m_lastSeen = now;
@@ -30,7 +30,8 @@ class JobClock {
   std::uint32_t m_polls = 0;
 };
 
-// Formats minutes and seconds as "1:05". Empty for the first seconds, which are not worth displaying.
+// Formats a time as minutes and seconds, "1:05". The result is empty for the first seconds, which are not worth
+// displaying.
 inline std::string elapsedText(int seconds) {
   constexpr int kWorthIt = 3;
   if (seconds < kWorthIt) return {};

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Reader and writer of the members of a JSON object. Both use one list of keys:
+// Reader and writer of the members of a JSON object. Both use the same list of keys:
 //
 //   template <class Chuck, class Visitor>
 //   void visitFields(Chuck& chuck, const Visitor& visit) {
@@ -16,7 +16,7 @@ namespace handwheel {
 //     …
 //   }
 
-// Adds a member for each field.
+// Writes each field to the member of a JSON object with the same key.
 class JsonFieldWriter {
  public:
   explicit JsonFieldWriter(nlohmann::json& object) : m_object(object) {}
@@ -30,7 +30,8 @@ class JsonFieldWriter {
   nlohmann::json& m_object;
 };
 
-// Reads for each field the member that exists and has the right type; any JSON may be given.
+// Reads each field from the member of a JSON object with the same key. A field stays unchanged if its member is missing
+// or has the wrong type. The JSON value need not be an object.
 class JsonFieldReader {
  public:
   explicit JsonFieldReader(const nlohmann::json& object) : m_object(object) {}
@@ -48,7 +49,7 @@ class JsonFieldReader {
   void operator()(const char* key, std::string& value) const {
     if (const nlohmann::json& found = member(key); found.is_string()) value = found.get<std::string>();
   }
-  // Returns null if there is no such member.
+  // Returns the member with this key, or null if it does not exist.
   const nlohmann::json& member(const char* key) const {
     static const nlohmann::json kNothing;
     if (!m_object.is_object()) return kNothing;

@@ -12,8 +12,8 @@
 namespace handwheel {
 
 // A copy-on-write array in pages that copies share. Copying costs one pointer per 4096 elements; a write to a shared
-// page copies that page only. So a snapshot of a mesh is cheap, and two versions are compared page by page. Reading
-// different copies on different threads is safe; one copy is written by one thread at a time.
+// page copies only that page. So a snapshot of a mesh is cheap, and two versions can be compared page by page. Reading
+// different copies on different threads is safe. A copy must be written by one thread at a time.
 template <class T>
 class PagedArray {
  public:
@@ -48,7 +48,7 @@ class PagedArray {
     m_size = size;
   }
 
-  // Returns true if both versions share the page; then none of its elements differ.
+  // Returns true if both versions share the page, so that none of its elements differ.
   bool sharesPage(const PagedArray& other, std::size_t page) const {
     return page < m_pages.size() && page < other.m_pages.size() && m_pages[page] == other.m_pages[page];
   }

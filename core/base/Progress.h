@@ -10,28 +10,29 @@
 
 namespace handwheel {
 
-// The progress and the cancel flag of a job. Shared by the job and its observers; any thread.
+// The progress and the cancel flag of a job. It is shared by the job and its observers, and may be used on any thread.
 struct JobState {
   std::atomic<bool> cancelled{false};
-  std::atomic<double> fraction{0.0};    // 0…1
-  std::atomic<std::uint32_t> polls{0};  // number of polls of the flag: it grows as long as the work goes on
+  std::atomic<double> fraction{0.0};    // 0 to 1
+  std::atomic<std::uint32_t> polls{0};  // number of polls of the flag; it grows as long as the job works
 };
 
-// Reports progress within a range of a job, and checks for cancellation. Passed by value to the function that does that
-// part of the work.
+// Reports progress within a range of a job, and checks for cancellation. It is passed by value to the function that
+// does that part of the work.
 class Progress {
  public:
-  Progress() = default;  // not observed
+  Progress() = default;  // progress that is not observed
   explicit Progress(JobState& state) : m_state(&state) {}
 
-  // Returns true if the work is to be abandoned: it was cancelled, or the effort that limits it (within()) is spent.
+  // Returns true if the work must be abandoned, because the job was cancelled or the effort that limits it (within())
+  // is spent.
   bool cancelled() const {
     if (m_state) m_state->polls.fetch_add(1, std::memory_order_relaxed);
     return (m_state && m_state->cancelled.load(std::memory_order_relaxed)) || (m_isLimited && m_effort->isSpent());
   }
 
-  // Returns the same range, abandoned once this effort is spent; the effort must outlive it. If there was a limit
-  // before, the effort is to be a share() of it.
+  // Returns the same range with a limit: the work is abandoned once this effort is spent. The effort must outlive the
+  // result. If there was a limit before, the effort must be a share() of it.
   Progress within(WorkBudget& effort) const {
     Progress p = *this;
     p.m_effort = &effort;
@@ -39,24 +40,25 @@ class Progress {
     return p;
   }
 
-  // Returns the same range without the limit, for work that must be completed: steps are counted, but only cancelling
-  // stops it.
+  // Returns the same range without the limit, for work that must be completed. Steps are still counted, but only
+  // cancellation stops the work.
   Progress unlimited() const {
     Progress p = *this;
     p.m_isLimited = false;
     return p;
   }
 
-  // Returns the same as within(), but the reported fraction is the square root of the share of the effort that is
-  // spent, its shares included, and set() is ignored. For repeated trials there is no better estimate; most end early,
-  // and the root is seen to move then.
+  // Returns the same range as within(), but with progress measured by the effort. The reported fraction is the square
+  // root of the spent fraction of the effort, including its shares, and set() is ignored. For repeated trials there is
+  // no better estimate: most of them end early, and the square root moves visibly even then.
   Progress measuredBy(WorkBudget& effort) const {
     Progress p = within(effort);
     if (!p.m_measure) p.m_measure = &effort;
     return p;
   }
 
-  // Returns a share of the effort that this work may take; an effort of its own if there is no limit.
+  // Returns a part of the effort for this work, of at most this number of steps. It is an independent effort if there
+  // is no limit.
   WorkBudget share(std::size_t most) const { return m_effort ? WorkBudget(most, *m_effort) : WorkBudget(most); }
 
   void spend(std::size_t steps) const {
@@ -69,7 +71,7 @@ class Progress {
     if (!m_measure) store(fraction);
   }
 
-  // Returns the sub-range from a to b, both in 0…1.
+  // Returns the sub-range from a to b, which are fractions of this range, 0 to 1.
   Progress part(double a, double b) const {
     Progress p = *this;
     if (m_measure) return p;

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A generator of pseudo-random numbers, reproducible on every platform from its seed. SplitMix64 (Steele, Lea and Flood
-// 2014, Fast splittable pseudorandom number generators). A value; not for secrets.
+// A generator of pseudo-random numbers, reproducible on every platform from its seed. It is SplitMix64 (Steele, Lea and
+// Flood 2014, Fast splittable pseudorandom number generators). It is a value type, and not suitable for secrets.
 class RandomSequence {
  public:
   explicit RandomSequence(std::uint64_t seed) : m_state(seed) {}
@@ -20,7 +20,7 @@ class RandomSequence {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
   }
-  double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }  // 0 ≤ share < 1
+  double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }  // 0 ≤ result < 1
   double between(double low, double high) { return low + (high - low) * share(); }
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(share() * static_cast<double>(count)); }
 

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// Either a value or an error. For failures of files, devices and input; a bug asserts instead. Modelled on
-// std::expected, which clang 14 does not have.
+// Either a value or an error. It reports failures of files, devices and input; bugs are asserted instead. It is
+// modelled on std::expected, which clang 14 does not have.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -19,13 +19,13 @@ struct ServiceCounters {
   double cpuMicroseconds = 0.0;  // sum over all ticks, on the threads that ran them
   std::uint64_t starts = 0;
   bool running = false;
-  double lostSeconds = 0.0;   // time by which it is behind the clock, since late ticks are not made up for
-  std::uint64_t dropped = 0;  // inputs that it did not take in time
+  double lostSeconds = 0.0;   // time that was lost because late ticks are not made up for
+  std::uint64_t dropped = 0;  // inputs that the service did not accept in time
 };
 
-// A background activity that runs only while a document or tool needs it. For example surface contact, snap, rigid
-// bodies, sound… What it does on start and stop is given as functions; they are called on the thread that owns the
-// ServiceRegistry. Counters are read and ticks measured on any thread, without locks.
+// A background activity that runs only while a document or tool needs it. Examples are surface contact, snapping, rigid
+// bodies and sound. The functions that start and stop it are called on the thread that owns the ServiceRegistry.
+// Counters may be read and ticks measured on any thread, without locks.
 class Service {
  public:
   explicit Service(std::string id, std::function<void()> start = {}, std::function<void()> stop = {});
@@ -35,12 +35,13 @@ class Service {
   const std::string& id() const { return m_id; }
   ServiceCounters counters() const;
   bool isRunning() const { return m_running.load(std::memory_order_relaxed); }
-  // Counts one tick whose cost the caller measured, for use where querying the CPU time, a system call, is not allowed.
+  // Counts one tick whose cost the caller has measured. It is used where querying the CPU time, a system call, is not
+  // allowed.
   void countTick(std::uint64_t nanoseconds) noexcept {
     m_ticks.fetch_add(1, std::memory_order_relaxed);
     m_nanoseconds.fetch_add(nanoseconds, std::memory_order_relaxed);
   }
-  // Count late time and inputs that the service did not take in time.
+  // Count lost time and inputs that the service did not accept in time.
   void countLost(std::uint64_t nanoseconds) noexcept { m_lost.fetch_add(nanoseconds, std::memory_order_relaxed); }
   void countDropped(std::uint64_t inputs) noexcept { m_dropped.fetch_add(inputs, std::memory_order_relaxed); }
 
@@ -61,8 +62,8 @@ class Service {
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "ticks are counted on real-time threads");
 };
 
-// Counts one tick of a service and its CPU time from construction to destruction. On the thread that does the work;
-// allocates and locks nothing.
+// Counts one tick of a service and its CPU time from construction to destruction. It must be used on the thread that
+// does the work, and neither allocates nor locks.
 class ServiceTick {
  public:
   explicit ServiceTick(Service& service);
@@ -98,8 +99,8 @@ class ServiceHandle {
   std::string m_id;
 };
 
-// A reference-counted set of services. A service starts with the first need of its id and stops with the last; a need
-// may be created before its service is added. One thread.
+// A reference-counted set of services. A service starts with the first handle for its id and stops with the last; a
+// handle may be created before its service is added. All functions must be called on one thread.
 class ServiceRegistry {
  public:
   ServiceRegistry() = default;
@@ -107,14 +108,14 @@ class ServiceRegistry {
   ServiceRegistry(const ServiceRegistry&) = delete;
   ServiceRegistry& operator=(const ServiceRegistry&) = delete;
 
-  // The service must outlive this set or be removed; its id must be new.
+  // Adds a service, which must outlive this registry or be removed. Its id must be new.
   void add(Service& service);
-  void remove(Service& service);  // stops it
+  void remove(Service& service);  // stops the service
 
   [[nodiscard]] ServiceHandle need(std::string_view id);
   std::size_t needCount(std::string_view id) const;
 
-  // Calls visit(const Service&) for each known service, in order of the ids.
+  // Calls visit(const Service&) for each added service, in order of the ids.
   template <class Visit>
   void forEach(Visit visit) const {
     for (const auto& entry : m_entries) {
@@ -127,7 +128,7 @@ class ServiceRegistry {
   void release(const std::string& id);
 
   struct Entry {
-    Service* service = nullptr;  // null: needed, but not known here
+    Service* service = nullptr;  // null: needed, but not added yet
     std::size_t needs = 0;
   };
   std::map<std::string, Entry, std::less<>> m_entries;

@@ -7,13 +7,15 @@
 
 namespace handwheel {
 
-// Returns true if a shared object has only one owner left. Then it may be written. For copy-on-write by one thread,
-// while snapshots are dropped on others; all their reads of the object happened before.
+// Returns true if a shared object has only one owner left. The owner may then write to it. The function is for
+// copy-on-write by one thread, while other threads release snapshots. If the result is true, all reads of the object by
+// those threads have happened before.
 template <class T>
 bool isSoleOwner(const std::shared_ptr<T>& p) {
   if (p.use_count() != 1) return false;
 #ifdef __SANITIZE_THREAD__
-  const std::shared_ptr<T> acquired = p;  // ThreadSanitizer knows no fences; taking a reference is one to it
+  // ThreadSanitizer does not support fences. Taking a reference has the same effect on it.
+  const std::shared_ptr<T> acquired = p;
 #else
   std::atomic_thread_fence(std::memory_order_acquire);
 #endif

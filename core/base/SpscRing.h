@@ -10,17 +10,17 @@
 
 namespace handwheel {
 
-// A bounded lock-free FIFO queue from one thread to another. Neither waits, locks or allocates. When it is full the
-// newest value is dropped and counted: the writer is a real-time thread that must not wait.
+// A bounded lock-free FIFO queue from one thread to another. Reading and writing never wait, lock or allocate. When the
+// queue is full, the newest value is dropped and counted, because the writer is a real-time thread that must not wait.
 template <class T>
 class SpscRing {
  public:
-  // The capacity is rounded up to a power of two.
+  // Creates an empty queue. The capacity is rounded up to a power of two.
   explicit SpscRing(std::size_t capacity) : m_values(std::bit_ceil(capacity)), m_mask(m_values.size() - 1) {}
   SpscRing(const SpscRing&) = delete;
   SpscRing& operator=(const SpscRing&) = delete;
 
-  // Appends a value, on the writing thread. Returns false if the queue is full.
+  // Appends a value. Returns false if the queue is full. Must be called on the writing thread.
   bool push(const T& value) noexcept {
     const std::uint64_t at = m_written.load(std::memory_order_relaxed);
     if (at - m_read.load(std::memory_order_acquire) > m_mask) {
@@ -32,7 +32,7 @@ class SpscRing {
     return true;
   }
 
-  // Takes the oldest value, on the reading thread. Returns false if the queue is empty.
+  // Takes the oldest value. Returns false if the queue is empty. Must be called on the reading thread.
   bool pop(T& value) noexcept {
     const std::uint64_t at = m_read.load(std::memory_order_relaxed);
     if (at == m_written.load(std::memory_order_acquire)) return false;
@@ -42,10 +42,10 @@ class SpscRing {
   }
 
   std::size_t capacity() const { return m_values.size(); }
-  std::uint64_t dropped() const { return m_dropped.load(std::memory_order_relaxed); }  // any thread
+  std::uint64_t dropped() const { return m_dropped.load(std::memory_order_relaxed); }  // may be called on any thread
 
  private:
-  static constexpr std::size_t kCacheLine = 64;  // separate cache lines, against false sharing between the threads
+  static constexpr std::size_t kCacheLine = 64;  // separate lines for the counters prevent false sharing
   alignas(kCacheLine) std::atomic<std::uint64_t> m_written{0};
   std::atomic<std::uint64_t> m_dropped{0};
   std::vector<T> m_values;

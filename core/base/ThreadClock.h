@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Returns the CPU time used by the calling thread, in nanoseconds. Waiting and other programs do not count. One call
-// costs a fraction of a microsecond (a system call).
+// Returns the CPU time used by the calling thread, in nanoseconds. Time spent waiting, and time of other programs, does
+// not count. A call is a system call and costs a fraction of a microsecond.
 std::uint64_t threadCpuNanoseconds();
 
 // A pair of elapsed time and CPU time of the calling thread, in ms.
@@ -15,12 +15,13 @@ struct CpuTimes {
   double clock = 0.0;
   double cpu = 0.0;
 
-  static CpuTimes now();  // both since an arbitrary origin
+  static CpuTimes now();  // both times are measured from an arbitrary origin
   CpuTimes operator+(const CpuTimes& other) const { return {clock + other.clock, cpu + other.cpu}; }
   CpuTimes operator-(const CpuTimes& other) const { return {clock - other.clock, cpu - other.cpu}; }
 };
 
-// Measures the CPU time of a function on the calling thread, in ms. What it passes to other threads is not counted.
+// Measures the CPU time of a function on the calling thread, in ms. Work that it passes to other threads is not
+// counted.
 template <class Work>
 double cpuMilliseconds(Work&& work) {
   const std::uint64_t start = threadCpuNanoseconds();

@@ -4,8 +4,8 @@
 
 namespace handwheel {
 
-// Marks a text for translation, as QT_TRANSLATE_NOOP does in Qt. tools/translations collects it, and the code that
-// shows it translates it in this context.
+// Marks a text for translation, as QT_TRANSLATE_NOOP does in Qt. tools/translations collects the text, and the code
+// that displays it translates it in this context.
 constexpr const char* translatable(const char* context, const char* text) {
   (void)context;
   return text;

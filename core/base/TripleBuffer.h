@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// A lock-free triple buffer that passes the newest value between two threads. From one writer to one reader; older
-// values are overwritten unread. Neither waits, locks or allocates, and a value is never seen half written.
+// A lock-free triple buffer that passes the newest value between two threads. One thread writes and one reads; older
+// values are overwritten unread. Reading and writing never wait, lock or allocate, and a value is never seen half
+// written.
 template <class T>
 class TripleBuffer {
  public:
@@ -17,13 +18,13 @@ class TripleBuffer {
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  // Sets the value, on the writing thread.
+  // Sets the value. Must be called on the writing thread.
   void write(const T& value) noexcept {
     m_slots[m_writing] = value;
     m_writing = m_shared.exchange(m_writing | kIsNew, std::memory_order_acq_rel) & kIndex;
   }
 
-  // Returns the value written last, on the reading thread. It is valid until the next call.
+  // Returns the value written last. Must be called on the reading thread. The reference is valid until the next call.
   const T& read() noexcept {
     if (m_shared.load(std::memory_order_relaxed) & kIsNew)
       m_reading = m_shared.exchange(m_reading, std::memory_order_acq_rel) & kIndex;

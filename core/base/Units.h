@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The physical quantity that a number measures. Inside the program: millimetre, radian, second.
+// The physical quantity that a number measures. The program uses millimetres, radians and seconds internally.
 enum class Quantity { Number, Length, Angle };
 
 // The units in which lengths are shown.
@@ -26,7 +26,8 @@ constexpr double millimetresPer(LengthUnit unit) {
   return 1.0;
 }
 
-// Returns the symbol of a length unit: "mm", "cm", "m", "in". In files, on the command line and on the screen.
+// Returns the symbol of a length unit: "mm", "cm", "m" or "in". It is used in files, on the command line and on the
+// screen.
 constexpr const char* symbolOf(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::Centimetre:

@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// A triangle mesh, prepared for distance queries. Immutable; any thread.
+// A triangle mesh, prepared for distance queries. It is immutable and may be used on any thread.
 class CollisionMesh {
  public:
-  // Omits triangles with coordinates that are not finite. O(n log n).
+  // Prepares the triangles of a soup. Triangles with coordinates that are not finite are omitted. O(n log n).
   explicit CollisionMesh(const TriangleSoup& soup);
   ~CollisionMesh();
   CollisionMesh(const CollisionMesh&) = delete;
@@ -19,11 +19,11 @@ class CollisionMesh {
 
   const Box& bounds() const { return m_bounds; }  // mm; empty without triangles
   bool isClosed() const { return m_isClosed; }    // every edge has two triangles, so there is an inside
-  // Returns true if a point is inside a closed mesh, by the winding number, which is exact. Arbitrary for a point on
-  // its surface. O(log n) on ordinary surfaces, O(n) if all of it lies above the point.
+  // Returns true if a point is inside a closed mesh, according to the exact winding number. The result for a point on
+  // the surface is arbitrary. O(log n) for ordinary surfaces, O(n) if all triangles lie above the point.
   bool contains(const Vec3& p) const;
 
-  struct Hierarchy;  // defined in the library that does the queries
+  struct Hierarchy;  // defined in FclHierarchy.h
   const Hierarchy& hierarchy() const { return *m_hierarchy; }
 
  private:

@@ -8,12 +8,12 @@
 
 namespace handwheel {
 
-// A hierarchy of tight bounding boxes (OBBRSS), for distances and collisions. FCL's spheres swept by rectangles take
-// thousands of times as long for collisions.
+// A hierarchy of tight bounding boxes (FCL's OBBRSS), for distances and collisions. FCL's sphere-swept rectangles (RSS)
+// take thousands of times as long for collisions.
 struct CollisionMesh::Hierarchy {
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> model;
   std::vector<double> radii;           // mm: radii of the spheres around the boxes, node by node
-  std::vector<std::uint32_t> numbers;  // indices of its triangles in the original soup
+  std::vector<std::uint32_t> numbers;  // indices of the model's triangles in the original soup
 };
 
 }  // namespace handwheel

@@ -13,7 +13,8 @@ struct IntersectingShapes {
   ConvexShape first, second;
 };
 
-// The depth to which shapes penetrate others. Moved along the normal by the depth, the first ones are apart.
+// The penetration of the first shapes into the second. Moving the first shapes along the normal by the depth separates
+// them.
 struct Penetration {
   double depth = 0.0;           // mm
   Vec3 normal = Vec3::UnitZ();  // unit length
@@ -23,13 +24,14 @@ struct Penetration {
 // Returns the penetration along a direction of unit length.
 Penetration penetrationAlong(const std::vector<IntersectingShapes>& shapes, const Vec3& direction);
 
-// Returns the smallest penetration along the normals of the shapes' faces and, for solids, along their edges and the
-// directions between; and along `last`, the direction in which they were apart, if it is not zero. isFirstClosed,
-// isSecondClosed: their triangles have an outside, so only outward directions are tried. The shapes must not be empty.
+// Returns the smallest penetration over a set of directions. These are the normals of the shapes' faces; for solids
+// also the cross products of their axes and the directions between their centres; and `last`, the direction in which
+// the shapes were last apart, if it is not zero. isFirstClosed, isSecondClosed: the triangles are those of a closed
+// mesh, so that only outward directions are tried. The list of shapes must not be empty.
 Penetration minimumPenetration(const std::vector<IntersectingShapes>& shapes, const Vec3& last, bool isFirstClosed,
                                bool isSecondClosed);
 
-// The point of a solid's surface nearest to a point, and the surface normal there, in the frame of the solid.
+// The surface point of a solid nearest to a given point, with the surface normal, in the frame of the solid.
 struct SolidNearest {
   double distance;  // mm; below 0 inside
   Vec3 point, normal;

@@ -6,12 +6,13 @@
 
 namespace handwheel {
 
-// Returns the distance of two pieces (mm), or a lower bound once it reaches `enough`. The bound is not below `enough`.
-// Poses: of their frames in the world.
+// Returns the distance of two pieces, or a lower bound of it, mm. The result is the distance if that is below `enough`;
+// otherwise it is at least `enough`. poseA, poseB: the poses of the pieces in the world.
 double pieceDistance(const CollisionPiece& a, const Pose& poseA, const CollisionPiece& b, const Pose& poseB,
                      double enough);
 
-// Returns the distance of a point from a solid box, cylinder or sphere around the origin; below 0 inside. mm.
+// Returns the distance (mm) of a point from the surface of a box, cylinder or sphere around the origin; it is below 0
+// inside.
 double distanceFromSolid(CollisionPiece::Kind kind, const Vec3& half, const Vec3& p);
 
 }  // namespace handwheel

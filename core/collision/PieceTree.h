@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// A piece as a tree of bounds, with a convex shape in each leaf. Leaves are the triangles of a mesh; a solid is one
-// leaf. The bounds of a sphere are those of its centre. All coordinates are in the frame of the piece, which must
-// outlive the tree.
+// A tree of bounding volumes of a piece, with a convex shape in each leaf. The leaves are the triangles of a mesh; a
+// solid is one leaf. A sphere is represented by its centre, with its radius as the margin. All coordinates are in the
+// frame of the piece, which must outlive the tree.
 class PieceTree {
  public:
   explicit PieceTree(const CollisionPiece& piece);
@@ -18,13 +18,13 @@ class PieceTree {
 
   bool isEmpty() const { return m_model && m_model->num_tris == 0; }
   bool isMesh() const { return m_model != nullptr; }
-  double margin() const { return m_margin; }  // mm around the shapes: the radius of a sphere
+  double margin() const { return m_margin; }  // mm around the shapes; the radius of a sphere
   const fcl::OBBRSSd& bound(int node) const { return m_model ? m_model->getBV(node).bv : m_bound; }
   double radius(int node) const { return m_radii[node]; }  // mm: radius of the sphere around the box of a bound
   bool isLeaf(int node) const { return !m_model || m_model->getBV(node).isLeaf(); }
   int left(int node) const { return m_model->getBV(node).leftChild(); }
   int right(int node) const { return m_model->getBV(node).rightChild(); }
-  // Returns the triangle of a leaf; 0 for a solid.
+  // Returns the triangle of a leaf by its index in the tree; 0 for a solid.
   std::uint32_t leafOf(int node) const {
     return m_model ? static_cast<std::uint32_t>(m_model->getBV(node).primitiveId()) : 0;
   }
@@ -32,7 +32,7 @@ class PieceTree {
   // Returns the shape of a leaf, in a frame in which the piece has this pose.
   ConvexShape shape(std::uint32_t leaf, const Pose& pose) const;
   std::array<const Vec3*, 3> corners(std::uint32_t leaf) const;  // for a mesh only
-  // Returns the triangle of a leaf by its index in the original soup of the mesh; kNone for a solid.
+  // Returns the triangle of a leaf by its index in the original soup; kNone for a solid.
   std::uint32_t triangleOf(std::uint32_t leaf) const {
     return m_model ? m_piece.mesh->hierarchy().numbers[leaf] : kNone;
   }

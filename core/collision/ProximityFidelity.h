@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Returns the setting proximity.tolerance, the error of nearest points (ProximityQuery::setTolerance()), mm. The result
-// may be that much further away than the nearest point.
+// Returns the setting proximity.tolerance: the largest error of closest points between meshes, mm
+// (ProximityQuery::setTolerance()).
 FidelitySetting proximityToleranceSetting();
 
 }  // namespace handwheel

@@ -18,41 +18,42 @@ struct NearPair {
   ClosestPoints points;
 };
 
-// A contact of two bodies, which touch or nearly touch.
+// A contact of two bodies that intersect, touch or nearly touch.
 struct BodyContact {
   BodyPair bodies;
-  std::uint32_t firstPiece, secondPiece;  // pieces of the bodies
+  std::uint32_t firstPiece, secondPiece;  // indices of the pieces in the bodies
   PieceContact contact;
 };
 
-// Repeated distance queries between moving bodies. For two bodies, or the links of a robot and their surroundings. It
-// reuses earlier results: the distance that a pair of pieces had, less the distance that both may have moved since
-// then, is a lower bound that mostly saves the query; and each query tests the last closest triangles first.
+// Repeated distance queries between moving bodies. Examples are the links of a robot and their surroundings. The object
+// reuses earlier results. The last distance of a pair of pieces, minus the distance that they may have moved since
+// then, is a lower bound of their present distance, which makes most queries unnecessary. Each query tests the last
+// closest triangles first.
 //
-// A body at a pose that is not finite is ignored. One thread at a time.
+// A body at a pose that is not finite is ignored. The object must not be used on two threads at the same time.
 class ProximityQuery {
  public:
-  // pairs: the pairs of bodies that are tested.
+  // Prepares queries between some pairs of bodies. pairs: the pairs of bodies that are tested.
   ProximityQuery(std::vector<CollisionBody> bodies, const std::vector<BodyPair>& pairs);
 
-  // Sets the error of closest() and findNear() between meshes: the result may be this many mm further away than the
-  // nearest. 0 by default.
+  // Sets the largest error of closest() and findNear() between meshes, mm; at first 0. The distance may exceed the
+  // smallest one by this error.
   void setTolerance(double tolerance) { m_tolerance = tolerance; }
 
-  // Sets the pose of a body, at first the origin. O(1).
+  // Sets the pose of a body, which is the identity at first. O(1).
   void place(std::uint32_t body, const Pose& pose);
 
-  // Returns true if any pair meets, or has one inside the other.
+  // Returns true if the bodies of any pair intersect or touch, or one is inside the other.
   bool isOverlapping();
   // Returns true if any pair is nearer than this distance, mm.
   bool isNearer(double than);
-  // Returns the closest points of the nearest pair, or of the deepest penetration; none: nothing is nearer than
-  // `enough`.
+  // Returns the closest points of the nearest pair, or of the pair that penetrates most. Returns nothing if no pair is
+  // nearer than `enough`.
   std::optional<NearPair> closest(double enough = std::numeric_limits<double>::infinity());
   // Finds the closest points of every pair of bodies that is nearer than the threshold (mm), in the order of the pairs.
   void findNear(double threshold, std::vector<NearPair>& near);
-  // Finds all contacts of the pairs (see addContacts()): every two triangles or solids that are nearer than the margin
-  // (mm) or meet, in the order of the pairs. Returns false if the search ended after `most` contacts.
+  // Finds all contacts of the pairs (see addContacts()) in the order of the pairs: all pairs of triangles or solids
+  // that intersect, touch or are nearer than the margin (mm). Returns false if the search ended after `most` contacts.
   bool findContacts(double margin, std::size_t most, std::vector<BodyContact>& contacts);
 
   const QueryCounts& counts() const { return m_counts; }  // since the last resetCounts()
@@ -64,15 +65,15 @@ class ProximityQuery {
     Pose pose = Pose::Identity();
     Vec3 centre = Vec3::Zero();  // centre in the world
     bool isSomewhere = true;
-    double travel = 0.0;  // mm: upper bound of the distance that its points have moved so far
-    double step = 0.0;    // mm: the same for the last call of place()
+    double travel = 0.0;  // mm: upper bound of the distance that points of the body have moved so far
+    double step = 0.0;    // mm: upper bound of this distance in the last call of place()
   };
   struct Pieces {
     std::uint32_t pair;
     std::uint32_t first, second;
     PairHint hint = {};
-    double bound = -std::numeric_limits<double>::infinity();  // mm: lower bound of their distance
-    double travel = 0.0;                                      // travel of both bodies at that time
+    double bound = -std::numeric_limits<double>::infinity();  // mm: lower bound of the distance of the pieces
+    double travel = 0.0;                                      // mm: travel of both bodies when the bound was computed
   };
   struct Pair {
     BodyPair bodies;
@@ -88,7 +89,7 @@ class ProximityQuery {
 
   std::vector<Placed> m_bodies;
   std::vector<Pair> m_pairs;
-  std::vector<Pieces> m_pieces;  // pairs of pieces, by pairs of bodies
+  std::vector<Pieces> m_pieces;  // pairs of pieces, sorted by pairs of bodies
   std::vector<std::pair<double, std::uint32_t>> m_order;
   std::vector<PieceContact> m_contacts;  // contacts of a pair of pieces
   double m_tolerance = 0.0;

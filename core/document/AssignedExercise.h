@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The exercise that a document is an attempt at, and the attempt. Both are in the form of containers;
-// document/exercise/StartedWork.h interprets them. Both null: the document does not belong to an exercise.
+// The exercise to which a document belongs, and the student's attempt at it. Both are JSON as it is stored in
+// containers; document/exercise/StartedWork.h interprets them. Both null: the document does not belong to an exercise.
 struct AssignedExercise {
   std::shared_ptr<const nlohmann::json> description;
   std::shared_ptr<const nlohmann::json> attempt;

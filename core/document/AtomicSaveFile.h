@@ -9,10 +9,11 @@ namespace handwheel {
 // Returns the folder of a file; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-// A temporary file that replaces another file when it is complete. If the system supports it, it has no name until it
-// is complete, so that a program killed while writing leaves nothing; otherwise (network and foreign file systems) it
-// is a hidden file next to the other. Removed with this object unless it replaced the target. A file left by a killed
-// program is removed by the next one for the same target: running programs hold a lock on theirs. One thread at a time.
+// A temporary file that replaces another file when it is complete. If the system supports it, the temporary file has no
+// name until it is complete, so that a program killed while writing leaves no file. Otherwise (network and foreign file
+// systems) it is a hidden file next to the target. It is removed with this object unless it replaced the target. A file
+// left by a killed program is removed by the next object for the same target; running programs hold a lock on their
+// files. This object must not be used on two threads at the same time.
 class AtomicSaveFile {
  public:
   explicit AtomicSaveFile(const std::filesystem::path& target);
@@ -20,14 +21,14 @@ class AtomicSaveFile {
   AtomicSaveFile(const AtomicSaveFile&) = delete;
   AtomicSaveFile& operator=(const AtomicSaveFile&) = delete;
 
-  int descriptor() const { return m_descriptor; }  // for writing; negative: none, errno is the reason
+  int descriptor() const { return m_descriptor; }  // for writing; negative: no file, errno has the reason
 
-  // Replaces the target, which at every moment is completely the old file or this one. Returns false on failure: errno
-  // is the reason, and the target is the old file.
+  // Replaces the target, which at every moment has either its complete old content or the complete new one. Returns
+  // false on failure; errno then has the reason, and the target is unchanged.
   bool replaceTarget();
 
-  // Returns ".handwheel-", eight hexadecimal digits that hash the target's name, which may have the maximal length, and
-  // a number.
+  // Returns a hidden name for a temporary file: ".handwheel-", eight hexadecimal digits and a number. The digits are a
+  // hash of the target's name, which may itself have the maximal length.
   static std::filesystem::path hiddenName(const std::filesystem::path& target, int number);
 
  private:
@@ -37,7 +38,7 @@ class AtomicSaveFile {
   bool withHiddenName(bool (AtomicSaveFile::*make)(const std::filesystem::path&));
 
   std::filesystem::path m_target;
-  std::filesystem::path m_name;  // empty while it has no name
+  std::filesystem::path m_name;  // empty while the temporary file has no name
   int m_descriptor = -1;
 };
 

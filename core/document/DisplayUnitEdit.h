@@ -11,7 +11,8 @@ namespace handwheel {
 
 inline constexpr const char* kDisplayUnitId = "display_unit";
 
-// Changes the unit in which the lengths of a document are displayed. All kinds of document have this property.
+// An edit that changes the unit in which the lengths of a document are displayed. Documents of all kinds have this
+// property.
 class DisplayUnitEdit : public Edit {
  public:
   explicit DisplayUnitEdit(LengthUnit unit) : m_unit(unit) {}
@@ -25,8 +26,8 @@ class DisplayUnitEdit : public Edit {
 
 // Returns the property for the display unit.
 Property displayUnitProperty(LengthUnit present);
-// Creates the edit for a new display unit. value: an index into the choices of the property. Returns null if nothing
-// changes. Errors: ValueOutOfRange, ElementMalformed.
+// Creates the edit for a new display unit, or returns null if the unit stays the same. value: an index into the choices
+// of the property. Errors: ValueOutOfRange, ElementMalformed.
 Result<std::unique_ptr<Edit>> displayUnitEdit(LengthUnit present, const PropertyValue& value);
 
 }  // namespace handwheel

@@ -28,17 +28,18 @@ struct FileFormat {
   bool writes = true;
 };
 
-// Returns the id of a new document: DocumentFile::id.
+// Creates an id for a new document (DocumentFile::id).
 std::string newDocumentId();
 
 // Result of writing a file.
 struct WrittenFile {
   std::size_t bytes = 0;
-  std::vector<Note> notes;  // differences between the file and the document, and its state
+  std::vector<Note> notes;  // differences between the file and the document, and the state of the file
 };
 
-// Interface of a document type: reading, saving, exporting, describing and displaying its documents. No state except
-// settings; any thread, except make(). To add a kind, derive from this class and add it to the list in app/builtin.
+// Interface of a document type: reading, saving, exporting, describing and displaying its documents. It has no state
+// except settings. The functions may be called on any thread, except make(). To add a kind, derive a class and add it
+// to the list in app/builtin.
 class DocumentKind {
  public:
   virtual ~DocumentKind() = default;
@@ -47,19 +48,19 @@ class DocumentKind {
   virtual std::string title() const = 0;  // English, context "DocumentKind": "Mesh"
   virtual std::vector<FileFormat> formats() const = 0;
 
-  // Returns true if a foreign file is of this kind, by its first 64 KiB and its name.
+  // Returns true if a foreign file is of this kind, according to its first 64 KiB and its name.
   virtual bool recognises(std::string_view head, std::string_view name) const = 0;
   // Returns true if import() also accepts a folder, such as one with a series of images.
   virtual bool readsFolders() const { return false; }
   virtual Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                                     Progress progress) const = 0;
-  // Writes a foreign format by the extension of the path: the whole file or nothing.
+  // Writes a file in the foreign format of the path's extension: the whole file or nothing.
   virtual Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                        Progress progress) const = 0;
 
-  // Write and read the part of a container that belongs to this kind: the object manifest["document"], in which save()
-  // writes every key it knows, and the blobs in a folder named after the kind. load() must accept any input, and return
-  // everything that can be recovered from a damaged file.
+  // Writes the part of a container that belongs to this kind: every key that the kind knows in the object
+  // manifest["document"], and the blobs in a folder named after the kind. load() reads this part; it must accept any
+  // input and return everything that can be recovered from a damaged file.
   virtual void save(const Snapshot& content, Container& container) const = 0;
   virtual Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                        Progress progress) const = 0;
@@ -67,21 +68,22 @@ class DocumentKind {
   // Returns the content of a new document of default size; null for a kind without empty documents.
   virtual SnapshotPointer blank() const { return nullptr; }
 
-  // Returns the content after checking the files that it is linked to, for a container in this folder. The results are
-  // added to the notes. Kinds without links return the content itself.
+  // Checks the files that the content of a container in this folder is linked to, and returns the updated content. The
+  // results are added to the notes. Kinds without links return the content itself.
   virtual SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
                                            std::vector<Note>& notes, Progress progress) const;
 
-  // Returns the files that the content is linked to; they are never replaced by the document. Absolute.
+  // Returns the absolute paths of the files that the content is linked to. Saving the document never replaces them.
   virtual std::vector<std::filesystem::path> linkedFiles(const Snapshot&) const { return {}; }
 
-  // Returns the shape of a document of this kind as a body in another; null if it has none. Losses are added to the
-  // notes. By default its display as one mesh.
+  // Returns the shape of a document of this kind for use as a body in another document; null if there is no shape.
+  // Losses are added to the notes. By default the shape is display() as one mesh.
   virtual GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const;
 
-  // Returns true if a document of this kind can be made from the surface of another document; ofSurface() returns its
-  // content. source: the name of that document. Errors: Cancelled, and those of the kind.
+  // Returns true if a document of this kind can be made from the surface of another document.
   virtual bool isMadeOfSurfaces() const { return false; }
+  // Returns the content of a document made from the surface of another document. source: the name of the other
+  // document. Errors: Cancelled, and further errors of the kind.
   virtual Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
                                             Progress progress) const;
 
@@ -100,17 +102,17 @@ class DocumentKinds {
   std::span<const std::unique_ptr<DocumentKind>> all() const { return m_kinds; }
   const DocumentKind* withId(std::string_view id) const;  // null if unknown
 
-  // Reads a container or a foreign file of any kind, recognised by content, or a folder (readsFolders()). Errors: those
-  // of the readers, FormatUnknown, KindUnknown.
+  // Reads a container or a foreign file of any kind, recognised by content, or a folder (readsFolders()). Errors: the
+  // errors of the readers, FormatUnknown, KindUnknown.
   Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
-  // Reads a container from its bytes. Errors: those of open(), without subject; OutOfMemory.
+  // Reads a container from its bytes. Errors: the errors of open(), without a subject; OutOfMemory.
   Result<OpenedFile> openContainer(std::string_view bytes, Progress progress = {}) const;
   // Returns the file extensions that open() reads: ".stl", …, ".handwheel".
   std::vector<std::string> readEndings() const;
-  // Returns the kind of a foreign file, by its first bytes and its name, or of a folder; null for a container. Errors:
-  // those of opening it, FormatUnknown.
+  // Returns the kind of a foreign file, according to its first bytes and its name, or of a folder; null for a
+  // container. Errors: the errors of readFileHead(), FileEmpty, FormatUnknown.
   Result<const DocumentKind*> kindOf(const std::filesystem::path& path) const;
-  // Returns a new, unsaved document of a kind that has blank ones.
+  // Returns a new, unsaved document of a kind with blank documents.
   static OpenedFile blank(const DocumentKind& kind);
 
  private:
@@ -121,26 +123,28 @@ inline constexpr std::string_view kContainerEnding = ".handwheel";
 // Returns true if a file name has the extension of containers.
 bool isContainerName(const std::filesystem::path& path);
 
-// Returns the file extensions of the formats that are written, and the container: ".step", …, ".handwheel".
+// Returns the file extensions of the formats that are written, followed by that of containers: ".stl", …, ".handwheel".
 std::vector<std::string> writtenEndings(const std::vector<FileFormat>& formats);
-// Returns the error ExtensionUnknown for a path with another extension.
+// Creates the error ExtensionUnknown for a path. written: the extensions that are written.
 Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written);
 
-// Saves a document, as a container or in a foreign format, by the path's extension. Writes the whole file or nothing.
-// Errors: ExtensionUnknown, VersionNewer (of an existing document, which is never replaced), ReplacesLinked; those of
-// the formats; for a container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
+// Saves a document as a container or in a foreign format, according to the path's extension. Writes the whole file or
+// nothing. Errors: ExtensionUnknown, VersionNewer (for an existing document of a newer version, which is never
+// replaced), ReplacesLinked, and the errors of the format; for a container FileTooLarge, CheckFailed, WriteFailed,
+// OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 
-// Returns the container that saveDocument() writes, after checking that it can be read. Errors: the same.
+// Returns the bytes of the container that saveDocument() writes, after checking that they can be read. Errors:
+// VersionNewer, FileTooLarge, CheckFailed, OutOfMemory, Cancelled, LibraryFailed.
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress = {});
 
-// Returns the document's container. path: the target file, which links are relative to; may be empty. Errors:
+// Returns the document's container. path: the target file, to which links are relative; may be empty. Errors:
 // Cancelled.
 Result<Container> containerOf(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                               const std::filesystem::path& path, Progress progress = {});
-// Returns the bytes of the container. Errors: those of writeContainer(), too.
+// Returns the bytes of the document's container. Errors: the errors of containerOf() and writeContainer().
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                    const std::filesystem::path& path, Compression compression, Progress progress = {});
 

@@ -10,12 +10,12 @@
 
 namespace handwheel {
 
-// Reads all bytes of a regular file. Errors, without subject: FileMissing, FileUnreadable, Cancelled. May throw
-// bad_alloc.
+// Reads all bytes of a regular file. Errors: FileMissing, FileUnreadable, Cancelled; they have no subject. May throw
+// std::bad_alloc.
 Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress = {});
-// Number of leading bytes by which files are recognised.
+// Number of bytes at the beginning of a file that suffice to recognise its format.
 inline constexpr std::size_t kFileHead = 64 << 10;
-// Reads at most the first `most` bytes of a file. Errors: the same.
+// Reads at most the first `most` bytes of a file. Errors: FileMissing, FileUnreadable; they have no subject.
 Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t most = kFileHead);
 
 }  // namespace handwheel

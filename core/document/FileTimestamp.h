@@ -8,14 +8,14 @@
 
 namespace handwheel {
 
-// The size and modification time of a file, to detect changes.
+// The size and modification time of a file, for detecting changes.
 struct FileTimestamp {
   std::uintmax_t bytes = 0;
-  std::int64_t modifiedNs = 0;  // since 1970
+  std::int64_t modifiedNs = 0;  // ns since 1970
   bool operator==(const FileTimestamp&) const = default;
 };
 
-// Returns the present stamp of a file; none if there is no regular file.
+// Returns the present stamp of a file, or nothing if there is no regular file at the path.
 std::optional<FileTimestamp> timestampOf(const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Checks that a file was not written by a newer program. Errors: VersionNewer for such a container: overwriting it
-// would lose the parts that only that program knows. Any other file may be replaced, or cannot be for other reasons.
-// Reads the file, but unpacks its manifest only.
+// Checks that a file was not written by a newer program. Errors: VersionNewer for a container of a newer program,
+// because overwriting it would lose the parts that only that program knows. All other files pass, even if they cannot
+// be read. Reads the whole file, but unpacks only the manifest.
 Status checkNotNewer(const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -9,12 +9,12 @@
 
 namespace handwheel {
 
-// A message to the user about the result of an operation. An English sentence with %1, %2… for its arguments,
-// translated for display (context "Note"; widgets/text/NoteText.h).
+// A message to the user about the result of an operation. The text is an English sentence with %1, %2… for the
+// arguments; it is translated for display (context "Note"; widgets/text/NoteText.h).
 struct Note {
   std::string text;
   std::vector<std::string> arguments = {};
-  bool isLoss = false;                  // the file lacks something that the document has
+  bool isLoss = false;                  // the file lacks some content of the document
   std::optional<MeshState> state = {};  // replaces %1, in the words of stateText()
 };
 

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Writes a recording to a CSV file (haptics/RecordingCsv.h): the whole file or nothing. Errors: WriteFailed,
+// Writes a recording to a CSV file (haptics/RecordingCsv.h). Writes the whole file or nothing. Errors: WriteFailed,
 // OutOfMemory, Cancelled.
 Status exportRecording(const Recording& recording, const std::filesystem::path& path, Progress progress = {});
 

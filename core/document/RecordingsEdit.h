@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Changes the recordings of a document: adds, removes or renames one.
+// An edit that replaces the list of recordings of a document.
 class RecordingsEdit : public Edit {
  public:
   explicit RecordingsEdit(std::vector<StoredRecording> recordings) : m_recordings(std::move(recordings)) {}
@@ -21,7 +21,7 @@ class RecordingsEdit : public Edit {
   std::vector<StoredRecording> m_recordings;
 };
 
-// Returns a key that none of the recordings has.
+// Returns a new key that no recording in the list has.
 std::string freeKey(const std::vector<StoredRecording>& recordings);
 
 }  // namespace handwheel

@@ -8,8 +8,7 @@
 
 namespace handwheel {
 
-// Returns a hash (SHA-256, hexadecimal) that identifies a shape, bit for bit. O(points +
-// triangles).
+// Returns a hash (SHA-256, hexadecimal) of the exact points and triangles of a shape. O(points + triangles).
 std::string shapeDigest(const TriangleSoup& shape);
 
 }  // namespace handwheel

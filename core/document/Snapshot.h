@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Immutable value of a document at one moment. Any thread may read it: saves, autosaves and jobs work on one. Each kind
-// of document derives its own.
+// Immutable value of a document at one moment. It may be read on any thread; saves, autosaves and jobs work on
+// snapshots. Each kind of document derives a class.
 class Snapshot {
  public:
   virtual ~Snapshot() = default;

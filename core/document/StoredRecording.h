@@ -8,12 +8,12 @@
 
 namespace handwheel {
 
-// A haptic recording that is stored in a document. A copy shares the ticks.
+// A haptic recording that is stored in a document. Copies share the ticks.
 struct StoredRecording {
   std::string key;          // four digits or more, unique in the document, never changes
   std::string name;         // chosen by the user
   std::string device;       // the name of the device; empty: unknown
-  double forceLimit = 0.0;  // N in the scene, limit of that device; 0: unknown
+  double forceLimit = 0.0;  // limit of the device, N in the scene; 0: unknown
   Recording ticks;
 };
 

@@ -14,7 +14,7 @@ struct SubmissionRow {
   Attempt attempt;
   Marking marking;
   WorkOrigin origin = WorkOrigin::Unknown;
-  std::string problem = {};               // the reason why it was not marked; empty: it was
+  std::string problem = {};               // the reason why it was not marked; empty: it was marked
   std::vector<std::string> remarks = {};  // remarks on the file for the teacher
   std::optional<std::size_t> tries = {};  // number of tries; none: this kind of work does not count them
 };
@@ -31,21 +31,21 @@ class SubmissionTable {
   const std::vector<SubmissionRow>& rows() const { return m_rows; }
 
   std::size_t columns() const { return m_criteria.size() + FirstCriterion; }
-  // English, or the name of a criterion.
+  // Returns the heading of a column in English, or the name of its criterion.
   std::string heading(std::size_t column) const;
   bool isNumber(std::size_t column) const {
     return column != Student && column != Made && column != HandedIn && column != File;
   }
-  // Returns a cell as text; numbers with a decimal point, the origin of the work in English. Empty if there is no
-  // value.
+  // Returns a cell as text. Numbers have a decimal point, and the origin of the work is in English. The text is empty
+  // if there is no value.
   std::string cell(std::size_t row, std::size_t column) const;
 
-  // Sorts by a column; numbers by value, empty cells last. Equal rows keep their order.
+  // Sorts the rows by a column. Numbers are sorted by value, and empty cells come last. Equal rows keep their order.
   void sort(std::size_t column, bool isDescending);
 
-  // Returns the table as CSV by RFC 4180 in UTF-8, with a byte order mark for spreadsheets and a header; fields that a
-  // spreadsheet would take for a formula get an apostrophe in front. translated: translates the headings that are not
-  // names of criteria, and the origin of the work; null: English.
+  // Returns the table as CSV according to RFC 4180 in UTF-8, with a byte order mark for spreadsheets and a header;
+  // fields that a spreadsheet would take for a formula get an apostrophe in front. translated: a function that
+  // translates the headings that are not names of criteria, and the origin of the work; null: they are in English.
   std::string csv(std::string (*translated)(const std::string&) = nullptr) const;
 
  private:

@@ -9,20 +9,20 @@
 
 namespace handwheel {
 
-// The piece at the free end of a part that was parted off. The material behind it stays in the chuck.
+// The piece at the free end of a part that was parted off. The rest of the material stays in the chuck.
 struct EndPiece {
-  TurnedProfile profile;      // without the other pieces, at the same position along the axis
+  TurnedProfile profile;      // profile of this piece alone, at its position along the axis of the part
   TurnedProfile::Range held;  // the samples that have material; not empty
   double length() const;      // mm
 };
 
-// Returns the end piece, or nothing if the part is in one piece or no material is left. O(samples).
+// Returns the end piece. Returns nothing if the part is in one piece or no material is left. O(samples).
 std::optional<EndPiece> endPieceOf(const TurnedProfile& part);
 
 // Returns the samples of each piece of a part, from the one in the chuck to the free end. O(samples).
 std::vector<TurnedProfile::Range> piecesOf(const TurnedProfile& part);
 
-// Returns the part with one of these pieces alone. O(samples).
+// Returns one piece of a part alone. piece: a range of piecesOf(). O(samples).
 EndPiece pieceAlone(const TurnedProfile& part, const TurnedProfile::Range& piece);
 
 }  // namespace handwheel

@@ -9,44 +9,46 @@
 
 namespace handwheel {
 
-// A replay of the passes of a turned part. It gives the part at any time of its passes, without the pauses between
-// passes. It repeats the passes, so that the end is the part bit for bit. Immutable; any thread.
+// A replay of the passes of a turned part. It gives the part at any time of its passes; the pauses between passes do
+// not count. It repeats the passes exactly, so that the last moment equals the part bit for bit. A replay is immutable
+// and may be used on any thread.
 class PassesReplay {
  public:
   static constexpr std::size_t kVersions =
-      256;  // Largest number of versions that are kept; a moment costs this fraction of the whole replay.
+      256;  // Largest number of versions that are kept. at() repeats at most about one part in kVersions of all passes.
 
   struct Moment {
     TurnedProfile profile;
     std::shared_ptr<const PartThreads> threads;  // null: none
     std::shared_ptr<const TurningPass> pass;     // the pass that is being cut; null: none
     std::size_t number = 0;                      // index of the pass, from 0
-    ProfilePoint position{0.0, 0.0};             // mm; position on the path of the pass, (r, z)
+    ProfilePoint position{0.0, 0.0};             // position on the path of the pass, (r, z), mm
   };
 
-  // bar: the part before the first pass. Returns nothing if it was cancelled. O(samples that all passes visit).
+  // Creates a replay. bar: the part before the first pass. Returns nothing if it was cancelled. O(samples that all
+  // passes visit).
   static std::optional<PassesReplay> make(TurnedProfile bar, TurningPasses passes, Progress progress = {});
 
   double duration() const { return m_begins.back(); }              // s
   double begin(std::size_t pass) const { return m_begins[pass]; }  // s
   const TurningPasses& passes() const { return m_passes; }
-  Moment at(double seconds) const;  // clamped to the begin and the end
+  Moment at(double seconds) const;  // the time is clamped to 0 and duration()
 
  private:
   PassesReplay(TurnedProfile bar, TurningPasses passes);
-  // Returns the number of points of a pass that were reached at a time since its begin.
+  // Returns the number of points of a pass that were reached by a time (s), counted from the start of the pass.
   static std::size_t reached(const TurningPass& pass, double seconds);
   std::shared_ptr<const PartThreads> threadsAt(std::size_t pass, std::size_t points,
                                                const ProfilePoint& position) const;
 
   struct Version {
-    std::size_t pass = 0, points = 0;  // points of this pass that were cut; all passes before are complete
+    std::size_t pass = 0, points = 0;  // pass and number of its points that were cut; earlier passes are complete
     TurnedProfile profile;
   };
   TurningPasses m_passes;
-  std::vector<double> m_begins;                               // s; begin of each pass, and the end
-  std::vector<std::shared_ptr<const PartThreads>> m_threads;  // before each pass
-  std::vector<Version> m_versions;                            // ascending; they share their pages
+  std::vector<double> m_begins;                               // s; start of each pass, and the end of the last one
+  std::vector<std::shared_ptr<const PartThreads>> m_threads;  // threads before each pass
+  std::vector<Version> m_versions;                            // in ascending order; all share their pages
 };
 
 }  // namespace handwheel

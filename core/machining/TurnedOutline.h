@@ -8,14 +8,15 @@
 
 namespace handwheel {
 
-// The sampled outline of one piece of a turned part. In the half plane (r, z); mm. The sides are in order, in the sense
-// of a ProfileCurve: the bore that is open at the lower end, from its bottom downwards; the outside, upwards; the bore
-// that is open at the upper end, downwards to its bottom. If a bore goes through, there is the outside and then the
-// bore, and the outline is closed: flat ends join each side to the next.
+// The sampled outline of one piece of a turned part. Points are (r, z) in the half plane, mm. The sides run in the
+// direction of a ProfileCurve. The first is the bore that is open at the lower end, from its bottom downwards; the
+// second is the outside, upwards; the third is the bore that is open at the upper end, downwards to its bottom. With a
+// through bore, the sides are the outside and then the bore, and the outline is closed. Flat ends join each side to the
+// next.
 struct TurnedOutline {
   std::vector<std::vector<ProfilePoint>> sides;
   bool isClosed = false;
-  // Cavities without an opening, each upwards, from axis to axis.
+  // Cavities without an opening, as points that run upwards from axis to axis
   std::vector<std::vector<ProfilePoint>> cavities;
 };
 

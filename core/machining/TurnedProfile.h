@@ -9,16 +9,17 @@
 
 namespace handwheel {
 
-// The side from which the shank of a tool comes. A cut with the nose removes all material on that side.
+// The side from which the shank of a tool comes. A cut removes all material between the nose and that side.
 enum class TurningSide { Outside, Bore };
 
 // The sampled profile of a turned part. It has outer and inner radii at equal steps of z. Material lies between the
-// inner radius of a sample, 0 if it is not bored, and the outer one, which is never smaller; if both are equal there is
-// no material. A copy shares its pages with the original, so a version costs only what was cut since. The lower end is
-// at z = 0.
+// inner radius of a sample and its outer radius, which is never smaller. The inner radius is 0 if the sample is not
+// bored; a sample with two equal radii has no material. A copy shares its pages with the original, so it costs only the
+// memory of the samples that are cut afterwards. The lower end is at z = 0.
 //
-// Between two samples the radii are linear. The ridges that a round nose of radius R leaves between its passes are
-// therefore off by at most spacing²/(8R) where the nose is tangent to the axis; steep flanks are off by a spacing in z.
+// Between two samples the radii are linear. The error of the ridges that a round nose of radius R leaves between its
+// passes is therefore at most spacing²/(8R) where the tangent of the nose is parallel to the axis. The error of steep
+// flanks is at most one spacing in z.
 class TurnedProfile {
  public:
   static constexpr std::size_t kMostSamples = 200'000;
@@ -31,52 +32,56 @@ class TurnedProfile {
     void extend(const Range& other);
   };
 
-  // An uncut bar. spacing: mm, the fidelity setting turn.spacing; increased if the bar would have more samples than
-  // kMostSamples. The stock must be sound.
+  // Creates an uncut bar. spacing: the fidelity setting turn.spacing, mm. It is increased if the bar would have more
+  // samples than kMostSamples. The stock must be sound.
   TurnedProfile(const StockCylinder& stock, double spacing);
-  // Returns the uncut bar of a part, with as many samples (at least two) as the part has; the spacing of the part alone
-  // may give one sample more.
+  // Returns the uncut bar of a part. samples: the number of samples of the part, at least two. The spacing of the part
+  // would not do instead, because rounding may give one sample more.
   static TurnedProfile barOf(const StockCylinder& stock, std::size_t samples);
-  // Returns a profile with saved radii, at least two, all finite and not negative. length: mm, length of the part.
+  // Returns a profile with saved outer radii. There must be at least two; all must be finite and not negative. length:
+  // the length of the part, mm.
   static TurnedProfile fromRadii(const std::vector<double>& radii, double length);
-  // The same with a bore: as many inner radii, none negative or larger than the outer one.
+  // Returns a profile with saved outer and inner radii. There must be an inner radius for each outer one, not negative
+  // and not larger than it.
   static TurnedProfile fromRadii(const std::vector<double>& radii, const std::vector<double>& inner, double length);
 
   std::size_t size() const { return m_radii.size(); }
   double spacing() const { return m_spacing; }  // mm
   double length() const { return m_spacing * static_cast<double>(size() - 1); }
   double z(std::size_t i) const { return m_spacing * static_cast<double>(i); }
-  double radius(std::size_t i) const { return m_radii[i]; }                   // mm, outer
+  double radius(std::size_t i) const { return m_radii[i]; }                   // mm, outer radius
   double inner(std::size_t i) const { return isBored() ? m_inner[i] : 0.0; }  // mm
-  bool isBored() const { return !m_inner.empty(); }                           // true if an inner radius was ever raised
+  bool isBored() const { return !m_inner.empty(); }                           // true once an inner radius was raised
   bool hasMaterial(std::size_t i) const { return m_radii[i] > inner(i); }
 
-  // Lowers the outer radius of a sample to this one (mm) if it is larger, but never below the inner one. Returns true
-  // if it changed. A radius that is not finite changes nothing.
+  // Lowers the outer radius of a sample to this radius (mm) if it is larger, but never below the inner radius. Returns
+  // true if the profile changed. A radius that is not finite changes nothing.
   bool limitOuter(std::size_t i, double radius);
-  // Raises the inner radius of a sample to this one (mm) if it is smaller, but never above the outer one.
+  // Raises the inner radius of a sample to this radius (mm) if it is smaller, but never above the outer radius. Returns
+  // true if the profile changed. A radius that is not finite changes nothing.
   bool limitInner(std::size_t i, double radius);
 
-  // Removes the material that a disc of this radius (mm, > 0) sweeps with its centre moving straight from a to b, given
-  // as (r, z), and all material outside of it, since the shank of a tool comes from there. A disc that stays within the
-  // bore leaves the wall around it. Returns the samples that changed. Points that are not finite cut nothing.
-  // O(samplesUnder()).
+  // Removes the material that a disc of this radius (mm, > 0) sweeps while its centre moves straight from a to b, given
+  // as (r, z). All material farther from the axis than the disc is removed, too, because the shank of a tool comes from
+  // that side. A disc that stays within the bore removes nothing of the wall around it. Returns the samples that
+  // changed. Points that are not finite cut nothing. Cost: O(1) for each sample of samplesUnder().
   Range cut(const ProfilePoint& a, const ProfilePoint& b, double noseRadius);
 
-  // The same from the inside out: removes the material that the disc sweeps and all between it and the axis, since the
-  // shank of a boring bar comes from there. A disc that stays outside of the part leaves it.
+  // Removes the material that the disc of cut() sweeps, and all material between the disc and the axis, because the
+  // shank of a boring bar comes from that side. A disc that stays outside of the part removes nothing. Returns the
+  // samples that changed.
   Range cutBore(const ProfilePoint& a, const ProfilePoint& b, double noseRadius);
 
-  // Returns the samples below such a sweep, which cut() and cutBore() visit. O(1).
+  // Returns the samples below the sweep of a disc. cut() and cutBore() visit these samples. O(1).
   Range samplesUnder(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
 
   double volume() const;  // mm³, volume of the frustums between the samples; O(samples)
-  double area() const;    // mm², lateral surfaces, outer and inner, and the two flat ends; O(samples)
+  double area() const;    // mm², area of the outer and inner surfaces and the two flat ends; O(samples)
 
   // Returns the number of pieces of the part, which is parted where a sample has no material. O(samples).
   std::size_t pieces() const;
 
-  bool operator==(const TurnedProfile& other) const;  // bit for bit
+  bool operator==(const TurnedProfile& other) const;  // compares bit for bit
 
  private:
   TurnedProfile() = default;

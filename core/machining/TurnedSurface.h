@@ -11,19 +11,19 @@
 
 namespace handwheel {
 
-// The triangles of a turned part, in blocks along the axis. They show outside and bore while the part is cut. A version
-// shares the blocks that did not change with the one before. Neighbouring blocks end in the same ring of points, so
-// that there is no gap.
+// The triangles of a turned part, in blocks along the axis. They show the outside and the bore while the part is cut. A
+// copy and the original share the blocks that neither has changed. Neighbouring blocks end in the same ring of points,
+// so that there is no gap.
 class TurnedSurface {
  public:
   static constexpr std::size_t kBlockSamples = 256;
 
-  // chord: mm, tolerance of the triangles. threads: null for none.
+  // chord: the largest distance of the triangles from the surface, mm. threads: the threads of the part; null for none.
   TurnedSurface(const TurnedProfile& profile, double chord, std::shared_ptr<const PartThreads> threads = {});
 
-  // Rebuilds the blocks with these samples. O(changed samples).
+  // Rebuilds the blocks that contain the changed samples. O(changed samples).
   void update(const TurnedProfile& profile, const TurnedProfile::Range& changed);
-  // The same with threads that changed in these samples.
+  // Sets the threads of the part and rebuilds the blocks that contain the changed samples.
   void setThreads(const TurnedProfile& profile, std::shared_ptr<const PartThreads> threads,
                   const TurnedProfile::Range& changed);
   const std::shared_ptr<const PartThreads>& threads() const { return m_threads; }  // null: none

@@ -6,17 +6,19 @@
 
 namespace handwheel {
 
-// The setting turn.spacing: distance of the samples of a turned profile, mm (TurnedProfile). A workpiece keeps the
-// spacing that it was first cut with.
+// Returns the setting turn.spacing, the distance of the samples of a turned profile, mm (TurnedProfile). A workpiece
+// keeps the spacing of its first cut.
 FidelitySetting turnSpacingSetting();
 
-// The setting turn.method: how a nose cuts (TurningPass::method). Its choices are in the order of TurningMethod.
+// Returns the setting turn.method, the method by which a nose cuts (TurningPass::method). Its choices are in the order
+// of TurningMethod.
 FidelitySetting turnMethodSetting();
 
-// The setting turn.resolution: distance of the control points that are moved, mm (TurningPass::resolution).
+// Returns the setting turn.resolution, the distance of the control points that are moved, mm (TurningPass::resolution).
 FidelitySetting turnResolutionSetting();
 
-// The setting turn.step: length of a step of the lathe's simulation, ms. Levers and wheels take effect with the next.
+// Returns the setting turn.step, the length of a step of the lathe's simulation, ms. Levers and wheels take effect with
+// the next step.
 FidelitySetting turnStepSetting();
 
 }  // namespace handwheel

@@ -12,8 +12,8 @@
 
 namespace handwheel {
 
-// The passes that cut a part, in order. A copy shares its pages with the original, so that a version of a part with
-// 100,000 passes costs no more than the last page of them.
+// The passes that cut a part, in the order of cutting. A copy shares its memory pages with the original. A new version
+// of a part with 100,000 passes therefore needs memory for the last page only.
 class TurningPasses {
  public:
   using Pass = std::shared_ptr<const TurningPass>;

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A point of the half plane in which a profile lies: (r, z), mm.
+// A point (r, z) of the half plane in which a profile lies, mm.
 using ProfilePoint = Eigen::Vector2d;
 
 inline constexpr int kHighestDegree = 3;
@@ -18,18 +18,20 @@ inline constexpr int kHighestDegree = 3;
 struct BezierArc {
   int degree = 1;
   ProfilePoint origin{0, 0};
-  // (w r, w z, w) relative to the origin; the first degree + 1 of them; all weights are positive.
+  // The first degree + 1 entries are (w r, w z, w) relative to the origin. All weights w are positive.
   std::array<Eigen::Vector3d, kHighestDegree + 1> poles;
 
-  // Returns the point and the derivatives by t of order 1 to 3; those beyond the degree are zero only if no weight
-  // varies.
+  // Returns the point and its derivatives of order 1 to 3 with respect to t. Derivatives of an order above the degree
+  // are zero only if all weights are equal.
   std::array<ProfilePoint, kHighestDegree + 1> derivatives(double t) const;
 
-  // Returns the unit tangent at t, towards the rest of the arc (at t = 1, from the arc before). If the derivative
-  // vanishes, as it does at double poles, it is the limit; zero if the arc is one point.
+  // Returns the unit tangent at t in the direction of rising t. Where the derivative vanishes, for example at double
+  // poles, the result is the limit of the tangent from above t (at t = 1, from below). It is zero if the arc is a
+  // single point.
   ProfilePoint direction(double t) const;
 
-  // Returns the Hausdorff distance of the arc from its chord. Exact for polynomials of degree 2; else an upper bound.
+  // Returns an upper bound of the Hausdorff distance between the arc and its chord. The bound is exact for polynomials
+  // of degree 2.
   double chordError() const;
 
   std::pair<BezierArc, BezierArc> halves() const;

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Returns the largest distance of triangles from the surface of a cylinder, ends included (mm). In closed form,
-// measured on the triangles, independently of the tessellation. Exact if every triangle belongs to the lateral surface
-// or to one end, else an upper bound. O(triangles).
+// Returns the largest distance of triangles from the surface of a cylinder, mm. The surface includes the ends. The
+// distance is computed in closed form from the triangles, independently of the tessellation. It is exact if every
+// triangle belongs to the lateral surface or to one end, and an upper bound otherwise. O(triangles).
 double distanceToCylinder(const TriangleSoup& soup, const StockCylinder& cylinder);
 
 }  // namespace handwheel

@@ -21,20 +21,20 @@ struct ProfileNurbs {
   std::vector<double> weights;
 };
 
-// The profile of a turned part: a curve in the half plane r ≥ 0. The half plane lies beside the axis z. The curve runs
-// from the lower end of the part to the upper one and has the material on its left, where the axis is: r to the right,
-// z up. A bore that is open at an end belongs to the curve, which then begins or ends at its bottom; if the part is
-// bored through, the curve is closed.
+// The profile of a turned part, a curve in the half plane r ≥ 0. The half plane is bounded by the axis z. The curve
+// runs from the lower end of the part to the upper end. Seen with r to the right and z up, it has the material on its
+// left, on the side of the axis. A bore that is open at an end belongs to the curve, which then begins or ends at its
+// bottom; if the part is bored through, the curve is closed.
 class ProfileCurve {
  public:
   static constexpr std::size_t kMostPoles = 100'000;
   static constexpr double kLargestCoordinate = 1e9;  // mm
-  static constexpr double kLargestWeight = 1e6;      // the least weight is 1 over it
+  static constexpr double kLargestWeight = 1e6;      // the least weight is its reciprocal
 
-  // Checks a definition and makes the curve. O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed
+  // Checks a definition and makes its curve. O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed
   // {"profile", what is wrong}.
   static Result<ProfileCurve> make(ProfileNurbs nurbs);
-  // Returns straight lines through at least two points; one unit of the parameter for each.
+  // Returns the curve of straight lines through at least two points. The parameter rises by 1 along each line.
   static Result<ProfileCurve> polyline(std::vector<ProfilePoint> points);
 
   const ProfileNurbs& nurbs() const { return m_nurbs; }
@@ -43,16 +43,17 @@ class ProfileCurve {
 
   bool isClosed() const { return m_nurbs.poles.front() == m_nurbs.poles.back() && m_nurbs.poles.front().x() > 0.0; }
 
-  // Returns the volume (mm³) between the curve, the flat ends through its first and last point, and the axis; or within
-  // a closed curve. By adaptive quadrature: exact if the weights of an arc are equal, else to tolerance::kQuadrature of
-  // the cylinder around the arc, for any weights. O(poles).
+  // Returns the volume (mm³) between the curve, the flat ends through its first and last point, and the axis, or within
+  // a closed curve. It is computed by adaptive quadrature. The quadrature is exact for arcs whose weights are equal;
+  // for other arcs, the error is at most tolerance::kQuadrature times the volume of the cylinder around the arc.
+  // O(poles).
   double volume() const;
 
-  // Returns the smooth pieces in order, one for each pair of different neighbours among the knots.
+  // Returns the smooth pieces in order, one for each pair of different consecutive knots.
   std::span<const BezierArc> arcs() const { return m_arcs; }
 
-  // The point and the derivative at u, clamped to the range of the parameter; at a knot, on the piece that begins
-  // there. O(log poles).
+  // Return the point and the derivative at u, which is clamped to the range of the parameter. At a knot, they are those
+  // of the piece that begins there. O(log poles).
   ProfilePoint point(double u) const;
   ProfilePoint derivative(double u) const;
   ProfilePoint direction(double u) const;  // BezierArc::direction
@@ -68,7 +69,7 @@ class ProfileCurve {
 
   ProfileNurbs m_nurbs;
   std::vector<BezierArc> m_arcs;
-  std::vector<double> m_breaks;  // different knots, one more than arcs
+  std::vector<double> m_breaks;  // distinct knots; one more than arcs
 };
 
 }  // namespace handwheel

@@ -15,8 +15,8 @@ namespace handwheel {
 // Writes a turned part as one solid in a STEP file (AP214, millimetres). The part lies between the profile, the flat
 // ends through its first and last point, and the axis, or within a closed profile. Between two corners of the profile
 // the lateral surface is one exact rational B-spline surface of nine columns. Numbers are written with all their
-// digits. Any thread; Open CASCADE's STEP works on one at a time, so others wait. Errors: ElementMalformed {profile},
-// LibraryFailed, Cancelled.
+// digits. May be called on any thread. Calls on several threads run one after another, since Open CASCADE's STEP code
+// supports one thread at a time. Errors: ElementMalformed {profile}, LibraryFailed, Cancelled.
 Result<std::string> writeStep(const ProfileCurve& profile, Progress progress = {});
 
 // The properties of the solids in a STEP file.
@@ -28,8 +28,8 @@ struct StepFileReport {
   Box bounds;            // mm; may be larger than the solids by their tolerance
 };
 
-// Reads a STEP file and measures its solids. For files that this program made: the library's parser is not safe with
-// hostile ones. Errors: LibraryFailed, Cancelled.
+// Reads a STEP file and measures its solids. The file must have been made by this program, since the library's parser
+// is not safe with hostile files. Errors: LibraryFailed, Cancelled.
 Result<StepFileReport> inspectStep(std::string_view bytes, Progress progress = {});
 
 }  // namespace handwheel

@@ -12,11 +12,12 @@ struct RevolutionPoint {
   Vec3 position;   // mm
   Vec3 byCircle;   // ∂S/∂u; zero on the axis
   Vec3 byProfile;  // ∂S/∂v
-  Vec3 normal;     // unit, away from the material; zero only where the profile is a single point
+  Vec3 normal;     // unit vector away from the material; zero only where the profile is a single point
 };
 
-// A surface of revolution as a rational B-spline (NURBS). Its degree is 2 along the circle with nine columns, the
-// profile's degree along the profile. poles[i][j] and weights[i][j]: i along the circle, j along the profile.
+// A surface of revolution as a rational B-spline (NURBS). Along the circle, it has degree 2 and nine columns; along the
+// profile, it has the degree of the profile. In poles[i][j] and weights[i][j], i counts along the circle and j along
+// the profile.
 struct SurfaceNurbs {
   int profileDegree = 1;
   std::vector<double> circleKnots, profileKnots;
@@ -31,7 +32,8 @@ class SurfaceOfRevolution {
 
   const ProfileCurve& profile() const { return m_profile; }
 
-  // Returns a point. u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
+  // Returns a point of the surface. u: the parameter 0…1 round the axis, from +x through +y; v: the parameter of the
+  // profile. O(log poles).
   RevolutionPoint at(double u, double v) const;
 
   SurfaceNurbs nurbs() const;

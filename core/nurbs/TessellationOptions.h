@@ -10,8 +10,9 @@ namespace handwheel {
 struct TessellationOptions {
   // Largest distance of a triangle from the surface, mm.
   double chord = 0.01;
-  // The largest length of a triangle of the lateral surface, in chords of its circles; a longer one is divided while
-  // there are no more triangles than maxWellShapedTriangles. In the flat ends no angle is below 20°.
+  // The largest length of a triangle of the lateral surface, as a multiple of the chords of its circles. Longer
+  // triangles are divided, unless that gives more than maxWellShapedTriangles triangles. In the flat ends no angle is
+  // below 20°.
   double aspect = 8.0;
   std::uint64_t maxWellShapedTriangles = 100'000;
   // Limit of the number of triangles; more are refused.

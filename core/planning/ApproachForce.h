@@ -8,21 +8,22 @@
 namespace handwheel {
 
 // The repulsive force on a hand-guided robot near obstacles. Each link is pushed away from the obstacles near it
-// (distanceForce()); the arm, taken as massless, transmits this to its tool and the guiding hand as a force and a
-// torque. Near singular configurations the levers of the arm are bounded. Distance results are reused for the next
-// configuration of the robot.
+// (distanceForce()). The arm is treated as massless and transmits these forces to its tool and the guiding hand as one
+// force and torque. The computation is damped, so that the force stays finite at singular configurations. Results of
+// distance queries are reused for the next configuration of the robot.
 class ApproachForce {
  public:
-  // The scene and the arm must outlive it; the arm has the joints of the scene. tool: centre point in the arm's tip.
+  // Prepares the computation. The scene and the arm must outlive this object; the arm must have the joints of the
+  // scene. tool: the tool's centre point in the frame of the arm's tip.
   ApproachForce(const RobotScene& scene, const SerialArm& arm, const Pose& tool, const DistanceForceSettings& settings);
 
   // The force and torque at the tool's centre point.
   struct Felt {
-    Vec3 force = Vec3::Zero();   // N, in the base; never larger than the limit in the settings
-    Vec3 torque = Vec3::Zero();  // N·mm, about that point
-    double distance =
-        std::numeric_limits<double>::infinity();  // mm to the nearest obstacle; infinity: beyond the reach
-    double energy = 0.0;                          // N·mm
+    Vec3 force = Vec3::Zero();   // N, in the frame of the base; never larger than the limit in the settings
+    Vec3 torque = Vec3::Zero();  // N·mm, about the tool's centre point
+    // Distance to the nearest obstacle, mm; infinity: no obstacle is within the reach.
+    double distance = std::numeric_limits<double>::infinity();
+    double energy = 0.0;  // N·mm
   };
   Felt at(const ArmValues& values);
 
@@ -31,7 +32,7 @@ class ApproachForce {
   const SerialArm& m_arm;
   Pose m_tool;
   DistanceForceSettings m_settings;
-  std::vector<std::uint32_t> m_joints;  // joint of the scene that carries each of the first bodies
+  std::vector<std::uint32_t> m_joints;  // joint of the scene that carries each moving body of the query
   ProximityQuery m_query;
   std::vector<NearPair> m_near;
 };

@@ -8,26 +8,29 @@
 
 namespace handwheel {
 
-// Settings of following a straight line of the tool.
+// Settings for following a straight line with the tool.
 struct LineSettings {
   double deviation = 0.05;   // mm: largest deviation of the tool's centre point between two waypoints
-  double angle = 1e-3;       // rad: largest deviation of the tool's rotation there
-  double largestStep = 0.1;  // rad of a joint from one waypoint to the next
-  double jointOff = 5e-4;    // largest deviation of a joint there, rad; for slides 1000 mm count as a radian
+  double angle = 1e-3;       // rad: largest deviation of the tool's rotation between two waypoints
+  double largestStep = 0.1;  // rad: largest motion of a revolute joint between two waypoints
+  // Largest deviation of a joint, between two waypoints, from the value that keeps the tool exactly on the line; rad.
+  // For slides 1000 mm count as a radian.
+  double jointOff = 5e-4;
 };
 
-// Joint values along a line.
+// Joint values along a line of the tool.
 struct FollowedLine {
-  JointPath path;        // from its start; includes its end if that was reached
-  double reached = 0.0;  // share of the line that can be followed; 1: all of it
-  // Largest deviation of each joint from the line in each motion between two waypoints; rad, mm.
+  JointPath path;        // from the start of the line; includes the end if it was reached
+  double reached = 0.0;  // fraction of the line that can be followed; 1: the whole line
+  // Estimated largest deviation of each joint from its value on the exact line (LineSettings::jointOff), for each
+  // motion between two waypoints; rad, mm.
   std::vector<ArmValues> offs = {};
 };
 
-// Follows the straight line of the tool's centre point between two poses; its rotation changes by the shortest turn and
-// in proportion. The joint values are as near to the line as the settings ask for, without a leap of any joint. The
-// path stops if the arm cannot continue, or reaches the end in another configuration. tool: centre point in the arm's
-// tip. Both ends are exact.
+// Finds joint values along a straight line of the tool's centre point. The tool turns uniformly along the line, by the
+// shortest rotation. The joint values stay as near to the line as the settings demand, and no joint leaps. The path
+// stops if the arm cannot continue, or if it would reach the end in another configuration. The joint values of both
+// ends are exact. tool: the tool's centre point in the frame of the arm's tip.
 FollowedLine followLine(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
                         const LineSettings& settings = {}, Progress progress = {});
 

@@ -8,18 +8,18 @@
 
 namespace handwheel {
 
-// A curve drawn on a part, as a chain of plane sections. Between two points it follows the section with the plane
-// through both points and the surface normal there, in the shorter direction.
+// A curve drawn on a part, as a chain of plane sections. Between two points it follows a plane section of the surface,
+// in the shorter direction. The plane contains both points and the mean of their surface normals.
 class DrawnCurve {
  public:
   // Begins the curve at the surface point nearest to this position.
   DrawnCurve(std::shared_ptr<const PartSurface> surface, const Vec3& begin);
 
-  // Continues to the surface point nearest to this position. Returns false and changes nothing if no section leads
-  // there: the point is on another piece of the part, or straight through it. A point that the curve is already at
-  // changes nothing. Cost: as PartSurface::sectionNear().
+  // Continues the curve to the surface point nearest to this position. Returns false and changes nothing if no section
+  // leads to this point, because it is on another piece of the part or on the opposite side. Returns true and changes
+  // nothing if the curve already ends at this point. The cost is that of PartSurface::sectionNear().
   bool goOnTo(const Vec3& position);
-  const SurfaceTrack& track() const { return m_track; }  // empty until goOnTo()
+  const SurfaceTrack& track() const { return m_track; }  // empty before the first successful goOnTo()
 
  private:
   std::shared_ptr<const PartSurface> m_surface;

@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// A curve along which a tool is guided by hand: a polyline. Immutable; any thread.
+// A polyline along which a tool is guided by hand. It is immutable and may be used on any thread.
 class GuideCurve {
  public:
-  // points: mm; points that are not finite and repeated points are left out.
+  // Makes a curve of points (mm). Repeated points and points that are not finite are omitted.
   explicit GuideCurve(std::span<const Vec3> points);
 
   bool isEmpty() const { return m_points.empty(); }
@@ -23,15 +23,15 @@ class GuideCurve {
   struct Nearest {
     Vec3 position = Vec3::Zero();
     double distance = std::numeric_limits<double>::infinity();  // mm
-    double along = 0.0;                                         // mm from the beginning of the curve
+    double along = 0.0;                                         // mm: arc length from the beginning of the curve
   };
-  // Returns the nearest point of a part of the curve, which is given by its arc lengths. An empty curve has none.
-  // O(points).
+  // Returns the point of the curve between two arc lengths (from, until; mm) that is nearest to a position. For an
+  // empty curve the distance is infinite. O(points).
   Nearest nearest(const Vec3& to, double from = 0.0, double until = std::numeric_limits<double>::infinity()) const;
 
-  // Returns the position under a virtual fixture: a point nearer to the curve than the snap distance is drawn to it,
-  // more strongly the nearer it is, and not at all at the snap distance, so that nothing leaps. A distance of the share
-  // s of the snap distance becomes the share s³.
+  // Returns the position of a tool under a virtual fixture. If the tool is nearer to the curve than the snap distance,
+  // it is drawn to the curve: a distance of s times the snap distance becomes s³ times the snap distance, so that the
+  // position is continuous.
   Vec3 drawn(const Vec3& tool, double snapDistance) const;
 
  private:
@@ -39,28 +39,28 @@ class GuideCurve {
   std::vector<double> m_along;  // arc length at each point, mm
 };
 
-// Deviation of a tool that was led along a curve, from its first approach to the beginning until the end (He 2008,
-// chapter 6, compares vision, force, and force with fixture).
+// Deviation of a tool that was led along a curve, from its arrival at the beginning of the curve to the end (He 2008,
+// chapter 6, compares guidance by sight, by force, and by force with a virtual fixture).
 struct FollowingStatistics {
-  double rms = 0.0;      // mm from the curve, over time
-  double most = 0.0;     // mm
+  double rms = 0.0;      // mm: root mean square of the distance from the curve over time
+  double most = 0.0;     // mm: largest distance from the curve
   double seconds = 0.0;  // duration from the beginning to the end
-  double share = 0.0;    // share of the curve that was passed, 0 to 1
+  double share = 0.0;    // fraction of the curve that was passed, 0…1
   bool isComplete() const { return share >= 1.0; }
 };
 
-// Measures one attempt to follow a curve, while it goes on. Only forward motion counts: after a point on the curve was
-// reached, the nearest point is sought around it, so that a curve may cross itself or be closed.
+// The measurement of one attempt to follow a curve. Once a point of the curve was reached, the nearest point is only
+// sought in its neighbourhood, so that a curve may cross itself or be closed.
 class FollowingTry {
  public:
-  // The curve must outlive it.
+  // Begins a measurement. The curve must outlive this object.
   explicit FollowingTry(const GuideCurve& curve) : m_curve(curve) {}
 
   // Adds the position of the tool at a time (s); times must not decrease. Positions after the end are ignored.
   void add(double time, const Vec3& tool);
   bool hasBegun() const { return m_begin >= 0.0; }
   bool isOver() const { return m_isOver; }
-  double deviation() const { return m_deviation; }  // mm, at the last position
+  double deviation() const { return m_deviation; }  // mm: distance from the curve at the last position
   FollowingStatistics figures() const;
 
  private:

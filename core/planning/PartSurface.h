@@ -13,33 +13,32 @@ namespace handwheel {
 
 // Settings for finding and following the edges of a part.
 struct EdgeSettings {
-  double sharpness = 0.5235987755982988;  // rad: an edge has faces that bend by at least this angle, or is a rim
-  double corner = 0.7853981633974483;     // rad: a curve ends at a larger turn of its edges
+  double sharpness = 0.5235987755982988;  // rad: least angle between the faces of an edge; rims are edges, too
+  double corner = 0.7853981633974483;     // rad: a curve ends where its edges turn by more than this angle
 };
 
-// The surface of a part, prepared for curves on it. Such curves are its edges and its sections with planes. Immutable;
-// any thread.
+// The surface of a part, prepared for finding edges and plane sections. It is immutable and may be used on any thread.
 class PartSurface {
  public:
-  // Triangles that have no area or are not finite are left out. O(n log n).
+  // Prepares a surface. Triangles that have no area or are not finite are omitted. O(n log n).
   explicit PartSurface(const TriangleSoup& soup, const EdgeSettings& settings = {});
 
   bool hasEdges() const { return !m_sharp.empty(); }
 
-  // Returns the surface point nearest to a position, and the normal of its triangle; a zero normal if there is no
-  // surface. O(log n) on ordinary surfaces.
+  // Returns the surface point nearest to a position, with the normal of its triangle. The normal is zero if the surface
+  // is empty. O(log n) on ordinary surfaces.
   TrackPoint pointNear(const Vec3& position) const;
-  // Returns the curve of edges through the edge nearest to a position. Empty if no edge is within `farthest` (mm).
-  // O(edges).
+  // Returns the curve of edges that contains the edge nearest to a position. The curve is empty if no edge is within
+  // `farthest` (mm). O(edges).
   SurfaceTrack edgeNear(const Vec3& position, double farthest) const;
-  // Returns the section with a plane: the curve that comes nearest to a position, which need not be in the plane.
-  // normal: of unit length. O(s log s) for s triangles that the plane cuts, and their surroundings.
+  // Returns the curve of a plane section that comes nearest to a position, which need not be in the plane. onPlane: a
+  // point of the plane. normal: its normal, of unit length. O(s log s) for s triangles near the plane.
   SurfaceTrack sectionNear(const Vec3& onPlane, const Vec3& normal, const Vec3& position) const;
 
  private:
   struct Edge {
     std::uint32_t a, b;
-    Vec3 normal;  // between the normals of its faces
+    Vec3 normal;  // mean of the normals of its faces
   };
   struct Chain {
     std::vector<std::uint32_t> edges;
@@ -59,7 +58,7 @@ class PartSurface {
   std::vector<Vec3> m_normals;  // normals of the triangles
   BoxFrame m_frame;
   BoxTree m_tree;                      // tree of the triangles
-  std::vector<std::uint32_t> m_order;  // triangles in the order of its leaves
+  std::vector<std::uint32_t> m_order;  // indices of the triangles in the order of the leaves of m_tree
   std::vector<Edge> m_sharp;
   std::vector<std::uint32_t> m_firstOfVertex;  // first index in m_sharpOfVertex; one more than points
   std::vector<std::uint32_t> m_sharpOfVertex;

@@ -7,13 +7,13 @@
 
 namespace handwheel {
 
-// Returns the length of a straight motion in joint space; rad, slides in metres.
+// Returns the length of a straight motion in joint space. The unit is rad; for slides a metre counts as a radian.
 double lengthOf(const RobotScene& scene, const ArmValues& from, const ArmValues& to);
-// Returns the sum of the lengths of its motions in joint space; rad, slides in metres.
+// Returns the sum of the lengths of the motions of a path. The unit is rad; for slides a metre counts as a radian.
 double lengthOf(const RobotScene& scene, const JointPath& path);
 
-// Shortens a free path by straight motions between two of its points, as long as these are proven free. seconds: time
-// limit; rounds: number of attempts. Start and goal stay as they are, bit for bit.
+// Shortens a free path by straight motions between two of its points, if these motions are proven free. The start and
+// the goal stay exactly the same. rounds: the number of attempts. seconds: the time limit.
 JointPath shortened(const RobotScene& scene, JointPath path, const MotionCheckSettings& check, int rounds,
                     double seconds, std::uint64_t seed, Progress progress = {});
 

@@ -6,19 +6,20 @@
 
 namespace handwheel {
 
-// A time-optimal motion from rest to rest with limited velocity, acceleration and jerk. Double-S profile: Biagiotti and
-// Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
+// A time-optimal motion from rest to rest with limited velocity, acceleration and jerk. It has a double-S profile
+// (Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
 class RestToRest {
  public:
-  // All values must be above 0, except the distance, which may be 0.
+  // Computes the motion over a distance within these limits. All values must be above 0, except the distance, which may
+  // be 0.
   RestToRest(double distance, double velocity, double acceleration, double jerk);
 
   double duration() const { return 2.0 * m_ramp + m_cruise; }
-  double timeOf(double distance) const;  // s at which this distance is covered; 0 to the whole distance
-  double at(double time) const;          // the distance covered, clamped before and after the motion
+  double timeOf(double distance) const;  // time at which a distance is covered, s; 0 ≤ distance ≤ the whole distance
+  double at(double time) const;          // distance covered at a time, clamped before and after the motion
 
  private:
-  double rampAt(double time) const;  // the distance covered in the first ramp
+  double rampAt(double time) const;  // distance covered at a time in the first ramp
 
   double m_distance, m_jerk;
   double m_turn = 0.0;    // s with constant jerk, at each end of a ramp
@@ -26,42 +27,44 @@ class RestToRest {
   double m_cruise = 0.0;  // s
 };
 
-// The limits of the velocities of a robot.
+// The limits of the motion of a robot.
 struct PathTimingSettings {
-  double speed = 1.0;         // share of the largest velocities, 0…1
-  double turning = M_PI;      // rad/s of revolute joints whose velocity is unknown or 0
-  double sliding = 500.0;     // mm/s of slides
-  double timeToSpeed = 0.25;  // s from rest to the largest velocity; determines the acceleration at any speed
+  double speed = 1.0;         // fraction of the largest velocities, 0…1
+  double turning = M_PI;      // rad/s: velocity of revolute joints whose velocity is unknown or 0
+  double sliding = 500.0;     // mm/s: velocity of slides whose velocity is unknown or 0
+  double timeToSpeed = 0.25;  // s from rest to the largest velocity; determines the acceleration, whatever the speed
   double timeToRamp = 0.1;    // s until the full acceleration; determines the jerk
 };
 
 // The speed of one motion of a path.
 struct MotionPace {
-  double speed = 1.0;      // share of the largest velocities
-  double length = 0.0;     // mm: distance that the tool covers, if its speed is given; 0: only the joint speeds count
-  double toolSpeed = 0.0;  // mm/s, if a length is given
+  double speed = 1.0;      // fraction of the largest velocities
+  double length = 0.0;     // mm: distance that the tool covers, if toolSpeed is given; 0: only the joint speeds count
+  double toolSpeed = 0.0;  // mm/s: limit of the speed of the tool, if a length is given
   // The robot does not stop at the end of the motion; its tool keeps its speed in the next one.
   bool isContinued = false;
 };
 
-// A path in time. It stops at each waypoint, unless a motion is continued.
+// A path in time. The robot stops at each waypoint unless the motion is continued.
 class TimedPath {
  public:
-  // paces: one of each motion; empty: as fast as the joints can.
+  // Computes the times of a path. paces: one for each motion; empty: as fast as the joints can move.
   TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
             std::span<const MotionPace> paces = {});
 
   double duration() const { return m_begins.back(); }
-  double beginOf(std::size_t motion) const { return m_begins[motion]; }  // also for the index after the last: the end
+  // Returns the time at which a motion begins, s. The index after the last motion gives the end of the path.
+  double beginOf(std::size_t motion) const { return m_begins[motion]; }
   std::size_t motionAt(double time) const;
-  double shareAt(double time) const;      // share of motionAt()
+  double shareAt(double time) const;      // position in the motion motionAt(), as a fraction
   ArmValues valuesAt(double time) const;  // the path must have a waypoint
   const JointPath& path() const { return m_path; }
 
  private:
-  // The motions from one stop to the next. Distances are in mm of the tool, or in shares of a single motion.
+  // The motions from one stop to the next. Distances are in mm along the tool's path, or in fractions of a single
+  // motion.
   struct Run {
-    std::size_t first;  // motion
+    std::size_t first;  // index of the first motion
     double begin;       // s
     RestToRest profile;
   };
@@ -70,7 +73,7 @@ class TimedPath {
   std::vector<Run> m_runs;
   std::vector<std::size_t> m_runOf;       // run of each motion
   std::vector<double> m_distances;        // distance of each motion, in the unit of its run
-  std::vector<double> m_distancesBefore;  // distance of the motions before it in its run
+  std::vector<double> m_distancesBefore;  // sum of the distances of the preceding motions in the same run
   std::vector<double> m_begins;           // s; one more than motions
 };
 

@@ -9,7 +9,7 @@ namespace handwheel {
 // Returns the setting plan.resolution: MotionCheckSettings::resolution, mm.
 FidelitySetting planResolutionSetting();
 
-// Returns the setting plan.shortcuts: attempts to shorten a planned path (RouteSettings::shortcuts).
+// Returns the setting plan.shortcuts: number of attempts to shorten a planned path (RouteSettings::shortcuts).
 FidelitySetting planShortcutsSetting();
 
 // Returns the setting verify.step: rad of a joint between the samples of a motion that could not be proven free

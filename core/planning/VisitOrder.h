@@ -12,7 +12,8 @@
 
 namespace handwheel {
 
-// A stop of a tour, with one of the alternatives for it.
+// A stop of a tour, with the alternative that is chosen for it. Alternatives are the different ways to make a stop,
+// such as the joint values that reach the same pose. Both members are indices.
 struct Visit {
   std::size_t stop = 0, alternative = 0;
   bool operator==(const Visit&) const = default;
@@ -20,9 +21,9 @@ struct Visit {
 
 // The costs of moving from one visit to another.
 struct VisitCosts {
-  // Returns a lower bound; infinity: there is no connection. Cheap.
+  // Returns a lower bound of the cost; infinity: there is no connection. Must be cheap.
   std::function<double(const Visit& from, const Visit& to)> least;
-  // Returns the cost; called once for each pair. Expensive.
+  // Returns the exact cost. It may be expensive, and is called at most once for each pair.
   std::function<double(const Visit& from, const Visit& to, Progress progress)> exact;
 };
 
@@ -31,17 +32,18 @@ struct VisitOrder {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-// Settings of the search for an order.
+// Settings for the search for an order.
 struct VisitSettings {
-  bool mayReorder = true;  // false: only the alternatives are chosen
+  bool mayReorder = true;  // false: the order stays, and only the alternatives are chosen
   double seconds = 30.0;   // time limit, after which the best order so far is returned
 };
 
-// Returns the cheapest order of stops, with the cheapest alternative for each. The first and the last stop stay at the
-// ends. alternatives: their number for each stop. Up to kMostExact stops in between all orders are compared (Held and
-// Karp 1962); beyond, the nearest neighbour goes first, and pieces of the order are reversed and stops moved while that
-// costs less (2-opt: Croes 1958), with the best alternatives for each order. Exact costs are requested only along
-// orders that are the cheapest by the known costs. None: there is no connection.
+// Returns the cheapest order of stops, with the cheapest alternative for each stop, or nothing if the stops cannot be
+// connected. The first and the last stop keep their positions. With at most kMostExact stops in between, all orders are
+// compared (Held and Karp 1962). With more stops, the order begins with nearest neighbours and is improved by reversing
+// pieces and moving stops (2-opt: Croes 1958), with the best alternatives for each order. Exact costs are requested
+// only for orders that are the cheapest according to the known costs. alternatives: the number of alternatives for each
+// stop.
 std::optional<VisitOrder> cheapestOrder(std::span<const std::size_t> alternatives, const VisitCosts& costs,
                                         const VisitSettings& settings = {}, Progress progress = {});
 inline constexpr std::size_t kMostExact = 8;

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Returns the argument vector of a command for exec, which does not change it. The words must outlive it.
+// Returns the argument vector of a command for exec, which does not modify it. The words must outlive the result.
 inline std::vector<char*> argumentVector(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);

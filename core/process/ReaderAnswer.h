@@ -7,18 +7,18 @@
 
 namespace handwheel {
 
-// The output of a reader process: its text, and then one byte for its kind.
+// The output of a reader process. It consists of a text and one byte for its kind.
 struct ReaderAnswer {
   enum class Kind : char {
-    Content = 'c',      // content of the file, in a form that the two have agreed on
-    Reason = 'r',       // the reason that it cannot be read: an English clause
-    OutOfMemory = 'm',  // it reached its limit
+    Content = 'c',      // content of the file, in a form on which caller and reader have agreed
+    Reason = 'r',       // the reason why the file cannot be read, an English clause
+    OutOfMemory = 'm',  // the process reached its memory limit
   };
   Kind kind = Kind::Reason;
   std::string text;
 };
 
-// Parses an answer. Nothing if it is no answer, or a reason longer than people want to read.
+// Parses an answer. Returns nothing if the bytes are not an answer, or if the reason is too long to be displayed.
 std::optional<ReaderAnswer> answerOf(std::string bytes);
 
 }  // namespace handwheel

@@ -12,13 +12,13 @@
 
 namespace handwheel {
 
-// Reads the bytes of a file in a reader program. The last argument of an error is the reason for people, an English
-// clause; OutOfMemory is an error of its own.
+// A function that reads the bytes of a file in a reader program. The last argument of its error must be the reason for
+// the user, an English clause. OutOfMemory is reported without a reason.
 using ReadInReader =
     std::function<Result<std::string>(std::string_view bytes, std::span<char* const> options, Progress progress)>;
 
-// Runs a program that readIsolated() starts; its main function. Its stdin is the file; the answer goes to stdout, the
-// progress to stderr. What a library prints itself goes nowhere. Ends the program.
+// Runs a program that readIsolated() starts, as its main function. The file is read from stdin; the answer is written
+// to stdout, and the progress to stderr. Output of libraries is discarded. The function ends the program.
 [[noreturn]] void runReaderProgram(int argc, char** argv, const ReadInReader& read);
 
 }  // namespace handwheel

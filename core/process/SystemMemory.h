@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Returns the memory that the system has available, in bytes, swap included. When it is used up the system must end a
-// program; the largest number when the system does not say.
+// Returns the memory that the system has available, in bytes, including swap. If it is used up, the system must end a
+// program. Returns the largest number if the system does not report its memory.
 std::size_t systemMemory();
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The signals that ask a program to end: a key, the system, a closed terminal.
+// The signals that ask a program to end. They are sent by a key, by the system, and when a terminal is closed.
 inline constexpr std::array kTerminationSignals{SIGINT, SIGTERM, SIGHUP};
 
 }  // namespace handwheel

@@ -13,14 +13,14 @@
 
 namespace handwheel {
 
-// A bound on the relative rounding error of a query's coordinates. It allows for some roundings of 2^-53. The error of
-// the triangles' own coordinates is within the margins of their boxes.
+// A bound on the relative rounding error of a query's coordinates. It allows for several roundings of 2^-53. The error
+// of the triangles' own coordinates is within the margins of their boxes.
 inline constexpr double kQueryRounding = 0x1p-48;
-// The same for a quotient or a sum of squares computed from them.
+// A bound on the relative rounding error of a quotient or a sum of squares that is computed from such coordinates.
 inline constexpr double kResultRounding = 1e-15;
 
 // A conservative ray-box intersection test by the slab method. The entry point is never too late (Ize, "Robust BVH ray
-// traversal", JCGT 2013; here the origin is widened too).
+// traversal", JCGT 2013; in addition, the origin is widened).
 class RaySlabs {
  public:
   RaySlabs(const Vec3& origin, const Vec3& direction) {
@@ -82,16 +82,17 @@ class PointToBox {
   Vec3 m_low, m_high;
 };
 
-// Traverses a box tree depth-first, the better child first, and prunes by bounds. Calls leaf(begin, end) with the items
-// of each leaf that is not pruned. bound(box) is the least value that an item in the box can have, infinite for none;
-// boxes above limit(), which may decrease during the traversal, are skipped.
+// Traverses a box tree depth-first, the better child first, and prunes by bounds. Calls leaf(begin, end) with the range
+// of items of each leaf that is not pruned. bound(box) must return the least value that an item in the box can have, or
+// infinity if no item can have one. Boxes whose bound exceeds limit() are skipped; limit() may decrease during the
+// traversal.
 template <class Bound, class Limit, class Leaf>
 void visitBestFirst(const BoxTree& tree, Bound bound, Limit limit, Leaf leaf) {
   struct Visit {
     std::uint32_t node;
     double bound;
   };
-  std::array<Visit, BoxTree::kMaxDepth + 1> stack;  // each level leaves at most one behind
+  std::array<Visit, BoxTree::kMaxDepth + 1> stack;  // each level leaves at most one node on the stack
   std::size_t size = 0;
   const auto push = [&](const Visit& v) {
     if (v.bound <= limit() && v.bound < std::numeric_limits<double>::infinity()) stack[size++] = v;

@@ -42,7 +42,7 @@ struct BoxNode {
   std::uint32_t size() const { return std::bit_cast<std::uint32_t>(box.low[3]); }
   void setSize(std::size_t size) { box.low[3] = std::bit_cast<float>(static_cast<std::uint32_t>(size)); }
 
-  // Returns the index of its first item, in the order of the items after build().
+  // Returns the index of the first item of the node, in the order of the items after build().
   std::uint32_t first() const { return std::bit_cast<std::uint32_t>(box.high[3]); }
   void setFirst(std::size_t first) { box.high[3] = std::bit_cast<float>(static_cast<std::uint32_t>(first)); }
 
@@ -57,7 +57,7 @@ class BoxTree {
   static constexpr int kMaxDepth = 80;
 
   // Builds the tree and sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the tree
-  // is the same for any number of threads. Returns false and leaves the tree empty if cancelled. whole is a range in
+  // is the same for any number of threads. Returns false and leaves the tree empty if cancelled. whole: the range in
   // which the progress of the whole build is reported.
   bool build(std::span<BoxedItem> items, Progress progress = {}, std::optional<Progress> whole = std::nullopt);
 
@@ -68,7 +68,7 @@ class BoxTree {
   std::uint32_t leafEnd(std::uint32_t leaf) const { return m_nodes[leaf + 1].first(); }
 
  private:
-  std::vector<BoxNode> m_nodes;  // followed by an end node, whose first() is the number of items
+  std::vector<BoxNode> m_nodes;  // nodes, followed by an end node, whose first() is the number of items
 };
 
 }  // namespace handwheel

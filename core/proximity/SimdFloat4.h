@@ -10,7 +10,8 @@
 
 namespace handwheel {
 
-// Compares four floats at once: bit k is set if a[k] <= b[k]. The compiled loop takes several times as long.
+// Compares four floats at once: bit k is set if a[k] <= b[k]. The portable loop takes several times as long as the SSE
+// instructions.
 inline unsigned atMost(const Eigen::Array4f& a, const Eigen::Array4f& b) {
 #ifdef __SSE__
   return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(_mm_load_ps(a.data()), _mm_load_ps(b.data()))));

@@ -19,12 +19,12 @@ class BoxFrame {
   BoxFrame() = default;
   explicit BoxFrame(std::span<const Vec3> points);
 
-  // Converts a point to the frame. Monotonic: the result never decreases when p increases, so boxes that overlap in the
-  // model overlap in the frame.
+  // Converts a point to the frame. The conversion is monotonic: a coordinate of the result never decreases when that of
+  // p increases, so boxes that overlap in the model overlap in the frame.
   Vec3 toFrame(const Vec3& p) const { return p * m_scale - m_shift; }
   double scale() const { return m_scale; }
 
-  // Returns the box of a triangle, wider by at least 2^-23 of its coordinates in the frame.
+  // Returns the box of a triangle, widened by at least 2^-23 of its coordinates in the frame.
   FloatBox around(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
  private:
@@ -35,8 +35,8 @@ class BoxFrame {
 // The treatment of triangles without area.
 enum class FlatTriangles { Keep, LeaveOut };
 
-// Computes the boxes of all triangles with finite coordinates, in their order. Parallel. Returns an empty list if
-// cancelled.
+// Computes the boxes of all triangles with finite coordinates, in their order. The computation is parallel. Returns an
+// empty list if cancelled.
 std::vector<BoxedItem> boxedTriangles(std::span<const Vec3> points, std::span<const Triangle> triangles,
                                       const BoxFrame& frame, FlatTriangles flat, Progress progress = {});
 

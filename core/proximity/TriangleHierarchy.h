@@ -32,16 +32,16 @@ struct NearestPoint {
 // thousands of faces.
 enum class Slivers { Whole, Cut };
 
-// A bounding volume hierarchy over triangles, for picking, nearest points and intersection tests. Keeps its own copy of
-// the corner positions, so the mesh may change or be deleted while the hierarchy is used on another thread. Reading is
-// thread-safe. Triangles with a coordinate that is not finite are left out; triangles without area are included, as
-// segments or points. Construction is O(n log n) on all threads of the arena; queries O(log n) on ordinary surfaces,
-// O(n) if all boxes overlap. Uses about 60 bytes per triangle. Coordinates must be below 1e150, so that distances can
-// be squared.
+// A bounding volume hierarchy over triangles, for picking, nearest points and intersection tests. It keeps its own copy
+// of the corner positions, so the mesh may change or be deleted while the hierarchy is used on another thread. Reading
+// is thread-safe. Triangles with a coordinate that is not finite are left out; triangles without area are included, as
+// segments or points. Construction is O(n log n) on all threads of the arena; queries are O(log n) on ordinary
+// surfaces, and O(n) if all boxes overlap. The hierarchy uses about 60 bytes per triangle. Coordinates must be below
+// 1e150, so that distances can be squared.
 class TriangleHierarchy {
  public:
   TriangleHierarchy() = default;
-  // Empty once cancelled.
+  // The hierarchy is empty if cancelled.
   TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {},
                     Slivers slivers = Slivers::Whole);
 

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// A mimic joint of a description, which repeats another joint's motion. position = multiplier · position of the leader
-// + offset, in metres and radians.
+// A mimic joint of a description, which repeats another joint's motion. Its position is multiplier · position of the
+// leader + offset, in metres and radians.
 struct MimicJoint {
   std::uint32_t joint;
   std::string leader;
@@ -24,9 +24,10 @@ struct RobotInputPositions {
   std::vector<InputPosition> links, joints;
 };
 
-// Builds the kinematic tree of a robot from its links and joints. Determines the mimic joints and the degrees of
-// freedom, each link's joint, the root and the order. positions: of each link and joint. The links must form one tree.
-// O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
+// Builds the kinematic tree of a robot from its links and joints. Resolves the mimic joints, and determines the degrees
+// of freedom, the parent joint of each link, the root and the order. The links must form one tree. positions: the
+// positions of the links and joints in the description. O((links + joints) log joints). Errors: ElementMalformed,
+// ReferenceMissing.
 Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following,
                           const RobotInputPositions& positions);
 

@@ -7,17 +7,17 @@
 
 namespace handwheel {
 
-// The default number of sides of round shapes: the setting cell.shape_sides.
+// The default number of sides of round shapes (setting cell.shape_sides).
 inline constexpr std::uint32_t kShapeSides = 48;
 inline constexpr std::uint32_t kLeastShapeSides = 4;
 
-// Tessellates a shape into a closed surface that faces outwards, in mm. Empty for a mesh, which is in a file. Round
-// shapes have this many sides, a ball half as many bands: with 48 within 0.5 % of the radius. O(sides) triangles for a
-// cylinder, O(sides²) for a ball.
+// Tessellates a shape into a closed surface that faces outwards, in mm. The result is empty for a mesh, which is in a
+// file. sides: the number of sides of a round shape; a sphere has half this number of bands. With 48 sides the surface
+// is within 0.5 % of the radius. The result has O(sides) triangles for a cylinder and O(sides²) for a sphere.
 TriangleSoup surfaceOf(const Shape& shape, std::uint32_t sides = kShapeSides);
 
-// Applies the scale of a mesh shape to the mesh of its file. The points, in metres, become mm; faces are reversed if
-// the scale mirrors.
+// Applies the scale of a mesh shape to the mesh of its file, and converts the points from metres to mm. Faces are
+// reversed if the scale mirrors the mesh.
 void place(const MeshShape& shape, TriangleSoup& soup);
 
 }  // namespace handwheel

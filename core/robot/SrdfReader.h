@@ -23,20 +23,20 @@ struct RobotSemantics {
     std::map<std::uint32_t, double> values;  // by degree of freedom; rad, mm
   };
   std::vector<State> states;
-  std::vector<Error> damage;  // parts that name unknown links or joints and were left out; the first hundred
+  std::vector<Error> damage;  // the first hundred parts that were omitted, for example because they name unknown links
 };
 
-constexpr std::size_t kLargestSrdf = std::size_t{16} << 20;  // limit of a file, bytes
+constexpr std::size_t kLargestSrdf = std::size_t{16} << 20;  // limit of the size of a file, bytes
 
 // Reads an SRDF of this robot: disable_collisions, disable_default_collisions with enable_collisions, and group_state.
-// O(bytes log links). Errors: ElementMalformed, FileTooLarge, Unsupported, OutOfMemory, Cancelled; with the line.
+// O(bytes log links). Errors, with the line: ElementMalformed, FileTooLarge, Unsupported, OutOfMemory, Cancelled.
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, Progress progress = {});
-// Reads the SRDF of one of the robots in a model. The file uses the names of its links and joints in its own
-// description; for those of the other robots, to allow pairs of two robots, the names in the model.
+// Reads the SRDF of one of the robots in a model. Its own links and joints have the names of its description in the
+// file. The links of other robots, for pairs of links of two robots, have the names of the model.
 Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot, std::span<const RobotArm> arms,
                                 std::size_t arm, Progress progress = {});
 
-// Returns the pairs of links that a joint connects: these always touch. Links without a shape count as part of their
+// Returns the pairs of links that a joint connects, which always touch. A link without a shape counts as part of its
 // parent.
 std::set<LinkPair> neighbours(const RobotModel& robot);
 

@@ -9,10 +9,11 @@
 
 namespace handwheel {
 
-// Reads the joints of a URDF description, one by one.
+// A reader of the joints of a URDF description, one by one.
 class UrdfJoints {
  public:
-  // links: all of them, by name. positions receives the joints' positions in the file, shapes the notes.
+  // Prepares the reading of joints into a robot. links: the indices of all links by name. positions: receives the
+  // positions of the joints in the file. shapes: receives the notes on invalid elements by UrdfShapes::note().
   UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, RobotInputPositions& positions,
              UrdfShapes& shapes)
       : m_robot(robot), m_links(links), m_positions(positions), m_shapes(shapes) {}

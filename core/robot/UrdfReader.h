@@ -13,18 +13,19 @@ namespace handwheel {
 // A robot with the damage found in its description.
 struct ImportedRobot {
   RobotModel robot;
-  std::vector<Error> damage;       // shapes and numbers that could not be understood and were left out
-  std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
+  std::vector<Error> damage;       // parts that could not be understood and were omitted
+  std::size_t unlistedDamage = 0;  // number of further damaged parts after the first thousand
 };
 
-// Reads a robot description in URDF. Lengths become millimetres. Everything that determines the motion of the robot
-// must be valid: names unique, links joined to one tree, numbers finite, axes with a direction, limits in order. Damage
-// elsewhere is listed, and the robot opens without that part. Floating and planar joints are held still, and listed.
-// Mesh files are not read. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed, NumberNotFinite,
-// CountMismatch, ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled; with the line.
+// Reads a robot description in URDF. Lengths are converted to mm. The elements that determine the motion of the robot
+// must be valid: names are unique, links form one tree, numbers are finite, axes have a direction, and limits are in
+// order. Damage in other elements is listed, and the robot is read without them. Floating and planar joints become
+// fixed and are listed. Mesh files are not read. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed,
+// NumberNotFinite, CountMismatch, ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled. Errors
+// contain the line.
 Result<ImportedRobot> readUrdf(std::string_view bytes, Progress progress = {});
 
-// Returns true if a file is a robot description, by its first bytes.
+// Returns true if a file is a robot description, according to its first bytes.
 bool looksLikeUrdf(std::string_view head);
 
 }  // namespace handwheel

@@ -11,13 +11,14 @@
 
 namespace handwheel {
 
-// Reads the visual and collision shapes of links from URDF. Errors do not stop the reading: an invalid element is noted
-// and left out.
+// A reader of the visual and collision shapes of links in URDF. Errors do not stop the reading; an invalid element is
+// noted and omitted.
 class UrdfShapes {
  public:
   explicit UrdfShapes(ImportedRobot& read) : m_read(read) {}
 
-  // Collects the colours of all materials of the description: a link may name one that another link defines.
+  // Collects the colours of all materials of the description, because a link may refer to a material that another link
+  // defines.
   void collectMaterials(const XmlElement& robot);
   // Reads the visual and collision elements of a link.
   void readInto(Link& link, const XmlElement& element);

@@ -10,19 +10,19 @@
 
 namespace handwheel {
 
-// Reads a numeric attribute of a URDF element. In these functions a missing attribute has the fallback, and a present
-// one must be valid. Errors carry the line: NumberMalformed, NumberNotFinite, CountMismatch, ValueOutOfRange.
+// Reads a numeric attribute of a URDF element. Returns the fallback if the attribute is missing. The functions in this
+// header have the errors NumberMalformed, NumberNotFinite, CountMismatch and ValueOutOfRange, with the line.
 
 Result<double> readNumber(const XmlElement& element, std::string_view attribute, double fallback);
-// Reads an attribute of several numbers. They stay unchanged if the attribute is missing.
+// Reads an attribute of several numbers. The numbers stay unchanged if the attribute is missing.
 Status readNumbers(const XmlElement& element, std::string_view attribute, std::span<double> numbers);
 Result<Vec3> readVector(const XmlElement& element, std::string_view attribute, const Vec3& fallback);
 
-// Reads the child "origin" of an element as a pose, in mm. Returns the identity if there is none. Roll, pitch and yaw
-// are rotations about fixed x, y, z.
+// Reads the child "origin" of an element as a pose, in mm. Returns the identity if there is no such child. Roll, pitch
+// and yaw are rotations about the fixed axes x, y and z.
 Result<Pose> readOrigin(const XmlElement& element);
 
-// Limit of the lengths in a description; m. It keeps their sums and products finite.
+// Limit of the lengths in a description, m. It keeps sums and products of lengths finite.
 inline constexpr double kLargestLength = 1e6;
 inline constexpr double kMillimetresPerMetre = 1000.0;
 

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Writes a robot as a URDF that readUrdf() reads as the same. It has links, joints with their limits, shapes and
-// colours. For robots from other sources, such as Denavit-Hartenberg tables.
+// Returns the URDF of a robot, from which readUrdf() reads an equal robot. The URDF contains links, joints with their
+// limits, shapes and colours. Meant for robots from other sources, such as Denavit-Hartenberg tables.
 std::string urdfOf(const RobotModel& robot);
 
 }  // namespace handwheel

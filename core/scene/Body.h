@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The identifier of a body within its document, counted from 1. It is not used again in its document, unless its use
+// The identifier of a body within its document, counted from 1. It is not used again in the document, unless its use
 // was undone.
 using BodyId = std::uint32_t;
 
@@ -24,27 +24,28 @@ struct BodyLook {
 // The state of the file that a body is linked to.
 enum class LinkState {
   Unchecked,
-  Present,  // Unchanged since it was read
+  Present,  // The file has not changed since it was read
   Missing,
   Changed,
 };
 
-// The file that the shape of a body was read from, for reading it again. The document also keeps the shape.
+// The file that the shape of a body was read from, for reading the shape again. The document also contains the shape.
 struct BodyLink {
-  std::string path;                        // Absolute, UTF-8; the last known path
-  std::string relative;                    // Relative to the folder of the document file that it was read from, if any
-  std::string sha256;                      // Digest of the file when it was read, in hexadecimal digits
+  std::string path;      // Last known path; absolute, UTF-8
+  std::string relative;  // Path relative to the folder of the document file that the link was read from; empty: none
+  std::string sha256;    // Digest of the file when it was read, in hexadecimal digits
   LinkState state = LinkState::Unchecked;  // State when the document was opened; not saved
   bool operator==(const BodyLink&) const = default;
 };
 
-// One object of a document that holds several: a shape with a pose. A value; versions share the shape.
+// One object of a document that contains several objects: a shape with a pose. It is a value, whose versions share the
+// shape.
 struct Body {
   BodyId id = 0;
   std::string name;  // UTF-8, unique in its document, not empty
-  // The name of its carrier, such as a link of a robot; empty: none, it is fixed in the world.
+  // The name of the carrier, such as a link of a robot; empty: none, the body is fixed in the world.
   std::string carrier = {};
-  Pose pose = Pose::Identity();   // In the frame of its carrier, rigid (scene/RigidPose.h)
+  Pose pose = Pose::Identity();   // Rigid (scene/RigidPose.h); in the frame of the carrier
   GeometryPointer geometry = {};  // Never null in a document
   BodyLook look = {};
   bool visible = true;

@@ -10,8 +10,9 @@
 
 namespace handwheel {
 
-// Base class of the shapes of bodies. Immutable, in the body's own frame, shared between bodies and versions. Any
-// thread. A new kind derives from it; a GeometryFormat (document/scene/GeometryBlobs.h) defines its storage.
+// Base class of the shapes of bodies. A shape is immutable, in the body's own frame, and shared between bodies and
+// versions. It may be used on any thread. A new kind derives from this class; a GeometryFormat
+// (document/scene/GeometryBlobs.h) defines its storage.
 class BodyGeometry {
  public:
   BodyGeometry() = default;
@@ -19,14 +20,14 @@ class BodyGeometry {
   BodyGeometry& operator=(const BodyGeometry&) = delete;
   virtual ~BodyGeometry();
 
-  virtual std::string_view kind() const = 0;     // Its name in files: "mesh"
+  virtual std::string_view kind() const = 0;     // Name of the kind in files: "mesh"
   virtual std::size_t bytes() const = 0;         // Memory of the definition, without the surface
-  virtual bool isKnown() const { return true; }  // False: of a kind that only a newer program can show
+  virtual bool isKnown() const { return true; }  // False: only a newer version of the program can show this kind
 
-  // Returns its surface, for view, touch and collisions; mm. Computed once, by the first caller. Never null; empty for
-  // a shape that has none.
+  // Returns the surface of the shape, for view, touch and collisions; mm. It is computed once, by the first call. The
+  // result is never null, but empty for a shape that has no surface.
   const std::shared_ptr<const TriangleSoup>& surface() const;
-  // Returns the bounds of its surface. Computed with it.
+  // Returns the bounds of the surface, which are computed with it.
   const Box& bounds() const;
 
  protected:

@@ -28,7 +28,7 @@ class MeshGeometry : public BodyGeometry {
   std::shared_ptr<const TriangleSoup> m_soup;
 };
 
-// Returns true if a soup can be the shape of a body: not empty, and as the constructor requires. O(points + triangles).
+// Returns true if a soup is not empty and the constructor accepts it. O(points + triangles).
 bool isSoundSoup(const TriangleSoup& soup);
 
 }  // namespace handwheel

@@ -10,32 +10,33 @@
 
 namespace handwheel {
 
-// The primitive shapes. Centred at the origin; the axis of round ones is z, and a cone has its apex at the top.
+// The primitive shapes. They are centred at the origin. The axis of round shapes is z, and the apex of a cone is at the
+// top.
 enum class Primitive { Cuboid, Cylinder, Sphere, Cone };
 
 // The names of a primitive and of its dimensions, in order.
 struct PrimitiveDescription {
   struct Dimension {
-    const char* id;     // In files and on the command line: "size_x"
-    const char* label;  // English, context "Property": "Size X"
+    const char* id;     // Name in files and on the command line: "size_x"
+    const char* label;  // English text, translated in the context "Property": "Size X"
   };
   Primitive primitive;
-  const char* id;     // In files and on the command line: "box"
-  const char* label;  // English, context "Property": "Box"
+  const char* id;     // Name in files and on the command line: "box"
+  const char* label;  // English text, translated in the context "Property": "Box"
   std::vector<Dimension> dimensions;
 };
 
 // Returns all primitives, in the order of their enumeration.
 std::span<const PrimitiveDescription> primitives();
 
-// The shape of a body given by a few dimensions. Round ones are shown with 48 sides.
+// The shape of a body that is defined by a few dimensions. Round shapes are displayed with 48 sides.
 class PrimitiveGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "primitive";
-  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // mm, for each dimension
+  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // mm; limits of each dimension
 
-  // dimensions: mm, as described. Errors: CountMismatch {"dimensions", wanted, given}, ValueOutOfRange {dimension,
-  // value, least, largest}.
+  // Makes a shape. dimensions: mm, in the order of PrimitiveDescription. Errors: CountMismatch {"dimensions", wanted,
+  // given}, ValueOutOfRange {dimension, value, least, largest}.
   static Result<std::shared_ptr<const PrimitiveGeometry>> make(Primitive primitive, std::vector<double> dimensions);
 
   const PrimitiveDescription& description() const { return primitives()[static_cast<std::size_t>(m_primitive)]; }

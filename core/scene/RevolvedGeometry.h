@@ -8,15 +8,15 @@
 
 namespace handwheel {
 
-// The shape of a turned part: its profile revolved about z. Includes flat ends where the profile begins and ends.
+// The shape of a turned part: its profile revolved about z. It has flat ends where the profile begins and ends.
 class RevolvedGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "revolution";
   static constexpr double kLeastChord = 1e-4, kLargestChord = 1e3;  // mm
-  // The maximum number of triangles of its surface; a finer chord tolerance is made coarser.
+  // The maximum number of triangles of the surface. The chord tolerance is increased if the surface would have more.
   static constexpr std::uint64_t kMostTriangles = 500'000;
 
-  // chord: mm, tolerance of the surface. Errors: ValueOutOfRange {"chord", value, least, largest}.
+  // Makes a shape. chord: mm, tolerance of the surface. Errors: ValueOutOfRange {"chord", value, least, largest}.
   static Result<std::shared_ptr<const RevolvedGeometry>> make(ProfileCurve profile, double chord);
 
   const ProfileCurve& profile() const { return m_profile; }

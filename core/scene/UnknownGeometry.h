@@ -9,12 +9,12 @@
 
 namespace handwheel {
 
-// A shape that this program cannot show: damaged or of an unknown kind. Kept as it was read, so that saving loses
-// nothing.
+// A shape that this program cannot show. Its data are damaged, or its kind is unknown; they are kept as they were read,
+// so that saving loses nothing.
 class UnknownGeometry : public BodyGeometry {
  public:
-  // description: its JSON. parts: its blobs by their names within the folder of the body. isDamaged: the kind is known,
-  // but the data are damaged.
+  // description: the JSON of the shape. parts: its blobs by their names within the folder of the body. isDamaged: true
+  // if the kind is known, but the data are damaged.
   UnknownGeometry(std::string kind, std::string description, std::map<std::string, std::string> parts,
                   bool isDamaged = false)
       : m_kind(std::move(kind)),

@@ -9,41 +9,44 @@
 
 namespace handwheel {
 
-// Services of the program that simulated gestures use. Both outlive the gestures.
+// Services of the program that simulated gestures use. The clock and the service must outlive the gestures.
 struct SimulationServices {
   ServoClock& clock;
   Service& service;
 };
 
-// The gestures of a tool whose work is done by a simulation. There is one gesture from press to release at a time, of
-// the mouse or of a device. The simulation also runs between them, since the hand feels it. Window thread.
+// The gestures of a tool whose work is done by a simulation. Only one gesture is active at a time, from press to
+// release of the mouse or of a device. The simulation also runs between gestures, since the hand feels it. It must be
+// used on the window thread.
 class SimulatedGesture {
  public:
-  // Makes a simulation that starts from the present state of the document.
+  // A function that makes a simulation that starts from the present state of the document.
   using Make = std::function<std::unique_ptr<Simulation>()>;
 
-  // rate: steps a second.
+  // rate: the number of steps a second.
   SimulatedGesture(const SimulationServices& services, std::shared_ptr<SimulationInputs> inputs, double rate,
                    Make make);
 
   bool isOn() const { return m_isOn; }
-  // Returns true if a gesture of this source is active: of a device, whose inputs come from the servo loop, or of the
-  // mouse.
+  // Returns true if a gesture of a device (isDevice) or of the mouse is active. The inputs of a device come from the
+  // servo loop.
   bool isOnFrom(bool isDevice) const { return m_isOn && m_isOfDevice == isDevice; }
 
-  // Rethrows an exception of the simulation. To be called with each event, so that the tool ends.
+  // Rethrows an exception of the simulation. The tool must call it with each event, so that an exception ends the tool.
   void rethrow() const { m_loop.rethrow(); }
-  // No gesture must be active.
+  // Begins a gesture. No gesture may be active.
   void begin(bool isOfDevice);
-  // Adds a mouse position to the gesture, mm. time: time of the position by any clock, s; none: now. A busy window
-  // receives several positions at once. period: s, for simulations that depend on it. pressure: as in SimulationInput.
+  // Adds a mouse position (mm) to the gesture. time: the time of the position on any clock, s, since a busy window
+  // receives several positions at once; none: now. period: the period of the inputs, s, for simulations that depend on
+  // it. pressure: the pressure as in SimulationInput.
   void feed(const Vec3& position, std::optional<double> time = {}, double period = TipState().period,
             double pressure = 1.0);
   // Ends the input of the gesture. The simulation processes all inputs that have arrived, and continues with its
-  // remaining work. False: the queue was full; call again. end() is to follow.
+  // remaining work. Returns false if the queue was full; the caller must then call it again. The caller must call end()
+  // afterwards.
   bool close();
-  // Ends the gesture, and returns the simulation after all inputs that have arrived. restart() is to follow. Throws the
-  // exception of a step.
+  // Ends the gesture, and returns the simulation after all inputs that have arrived. The caller must call restart()
+  // afterwards. Throws the exception of a step.
   std::unique_ptr<Simulation> end();
   // Calls a function on the simulation between two steps; the gesture continues. Throws the exception of a step.
   void look(const std::function<void(Simulation&)>& at) { m_loop.look(at); }
@@ -62,8 +65,8 @@ class SimulatedGesture {
   std::uint32_t m_number = 0;     // number of the last gesture
   bool m_isOn = false;
   bool m_isOfDevice = false;
-  bool m_isFirst = false;        // no input yet
-  std::optional<double> m_time;  // s, time of the last mouse position; none: by the clock of the servo loop
+  bool m_isFirst = false;        // true: the gesture has no input yet
+  std::optional<double> m_time;  // s, time of the last mouse position; none: the clock of the servo loop counts
 };
 
 }  // namespace handwheel

@@ -16,21 +16,22 @@
 
 namespace handwheel {
 
-// Runs simulations with a fixed time step on its own thread. It is between the servo loop and the window. Inputs come
-// through rings and states go out through a triple buffer, so that nobody waits; only exchanging the simulation waits
-// for a step in progress.
+// Runs simulations with a fixed time step on its own thread. The loop mediates between the servo loop and the window.
+// Inputs come through lock-free ring buffers and states go out through a triple buffer, so that the servo loop and the
+// window do not wait; only exchanging the simulation waits for a step in progress.
 //
 // The clock of the simulation slows down when a step takes longer than its time or the machine stalls: late steps are
 // not made up for in a burst. The next step then gets all inputs that have arrived. The service counts the lost time
 // and the dropped inputs.
 //
-// Unless stated otherwise, functions are called on the thread that owns it, the window's.
+// Unless stated otherwise, functions must be called on the thread that owns the loop. This is the window thread.
 class SimulationLoop {
  public:
   static constexpr double kLeastRate = 30.0, kLargestRate = 1000.0;  // steps a second
 
-  // rate: steps a second, clamped to the limits above. inputs: may outlive the loop and be reused by the next one. The
-  // clock and the service outlive the loop; the service counts steps and their CPU time.
+  // rate: the number of steps a second, clamped to the limits. inputs: the inputs, which may outlive the loop and be
+  // reused by the next loop. The clock and the service must outlive the loop; the service counts steps and their CPU
+  // time.
   SimulationLoop(std::unique_ptr<Simulation> simulation, double rate, std::shared_ptr<SimulationInputs> inputs,
                  ServoClock& clock, Service& service);
   ~SimulationLoop() { stop(); }
@@ -41,26 +42,26 @@ class SimulationLoop {
   // Ends the thread after a last step with the inputs that have arrived.
   void stop();
   bool isRunning() const { return m_thread.joinable(); }
-  // Runs steps on the calling thread instead: for tests and the command line.
+  // Runs steps on the calling thread, for tests and the command line.
   void runSteps(std::uint64_t count);
 
-  // Sets the gesture whose inputs keep their number; inputs of other gestures only move.
+  // Sets the number of the present gesture. Inputs of other gestures only move the hand.
   void setGesture(std::uint32_t gesture) { m_gesture.store(gesture, std::memory_order_relaxed); }
-  // Takes the simulation out, after a last step with the inputs that have arrived. None runs until replace(). Throws
-  // the exception of a step.
+  // Takes the simulation out, after a last step with the inputs that have arrived. No simulation runs until replace()
+  // is called. Throws the exception of a step.
   std::unique_ptr<Simulation> take();
   // Runs another simulation from the next step on. state() returns its state at once.
   void replace(std::unique_ptr<Simulation> simulation);
   // Calls a function on the simulation between two steps. Throws the exception of a step.
   void look(const std::function<void(Simulation&)>& at);
-  // Rethrows the exception of a step on the loop's thread, if there is one; the simulation has ended then.
+  // Rethrows the exception of a step on the loop's thread, if there is one. Such an exception ends the simulation.
   void rethrow() const;
 
-  // The state after the last finished step; never null.
+  // Returns the state after the last finished step; never null.
   std::shared_ptr<const SimulationState> state() { return m_states.read(); }
 
   double dt() const { return m_dt; }                                               // s
-  std::uint64_t steps() const { return m_steps.load(std::memory_order_relaxed); }  // any thread
+  std::uint64_t steps() const { return m_steps.load(std::memory_order_relaxed); }  // may be called on any thread
 
  private:
   std::unique_lock<std::mutex> own();

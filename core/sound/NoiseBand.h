@@ -6,9 +6,10 @@
 
 namespace handwheel {
 
-// White noise through a band-pass filter whose band may move at any time. Each run gives the same numbers. The filter
-// is the trapezoidal state-variable filter, which stays stable while it is changed: Zavalishin, "The Art of VA Filter
-// Design" (2012), chapter 4. Any thread, one at a time; no lock, no allocation.
+// White noise through a band-pass filter whose band may move at any time. Each run of the program gives the same
+// samples. The filter is the trapezoidal state-variable filter, which stays stable while it is changed: Zavalishin,
+// "The Art of VA Filter Design" (2012), chapter 4. An object may be used on any thread, but on one thread at a time; it
+// takes no lock and allocates no memory.
 class NoiseBand {
  public:
   explicit NoiseBand(double sampleRate) : m_rate(sampleRate) {}  // Hz

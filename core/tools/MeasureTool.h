@@ -18,24 +18,27 @@ struct SurfacePoint {
 
 // Services that MeasureTool uses.
 struct MeasureServices {
-  // Returns the first intersection of a ray ("picking").
+  // Returns the first intersection of a ray with the model ("picking").
   std::function<std::optional<SurfacePoint>(const Ray&)> pick;
-  // Measures the wall. Null if the model is not a body of one mesh: then only points are measured.
+  // Measures the wall below a point. Null if the model is not a body of one mesh: only points are measured in this
+  // case.
   std::function<std::optional<WallThickness>(const SurfacePoint&)> thickness;
 };
 
-// Tool that measures distances, angles and wall thickness at clicked points. It measures the distance of two points,
-// the angle of three, the angle between two faces, or the thickness of the wall below a point. It changes nothing.
+// Tool that measures distances, angles and wall thickness at clicked points. The tool measures the distance of two
+// points, the angle of three, the angle between two faces, or the thickness of the wall below a point. The document is
+// not changed.
 class MeasureTool : public Tool {
  public:
   enum class Mode { Distance, PointAngle, FaceAngle, Thickness };
 
   explicit MeasureTool(MeasureServices services) : m_services(std::move(services)) {}
 
-  // Returns the distance of the clicked points, the one under the pointer being the last; none while some are missing.
+  // Returns the distance of the two points, of which the last may be the one under the pointer; nothing while points
+  // are missing.
   std::optional<double> distance() const;  // mm
-  // Returns the angle in radians, 0…π: at the second point between the others; or between two faces, on the side on
-  // which it is below a half turn: right for the sides of a square bar, none for opposite ones.
+  // Returns the angle, 0…π rad. The angle of points is that at the second point between the others. The angle of faces
+  // is measured through the material: π/2 between adjacent sides of a square bar, 0 between opposite ones.
   std::optional<double> angle() const;
   std::optional<WallThickness> thickness() const;
 
@@ -47,14 +50,14 @@ class MeasureTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  // Points are measured at corners and edges, which are hard to hit by hand; directions and walls at faces.
+  // Returns corners and edges for points, which are hard to hit by hand, and faces for directions and walls.
   SnapTargets snapTargets() const override;
   void documentChanged() override { start(); }
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  std::size_t wanted() const;                // points
-  std::vector<SurfacePoint> points() const;  // clicked, and under the pointer
+  std::size_t wanted() const;                // number of points that the mode needs
+  std::vector<SurfacePoint> points() const;  // the clicked points and the one under the pointer
   void start();
   bool isOfPoints() const { return m_mode == Mode::Distance || m_mode == Mode::PointAngle; }
   std::optional<SurfacePoint> pointAt(const PointerEvent& event) const;
@@ -64,7 +67,7 @@ class MeasureTool : public Tool {
   Mode m_mode = Mode::Distance;
   std::vector<SurfacePoint> m_clicked;
   std::optional<SurfacePoint> m_hovered;
-  double m_pixel = 0.0;  // mm, at the last position of the pointer
+  double m_pixel = 0.0;  // mm per pixel at the last position of the pointer
 };
 
 }  // namespace handwheel

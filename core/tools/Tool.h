@@ -17,8 +17,8 @@
 
 namespace handwheel {
 
-// Button of the mouse or of a haptic device.
-enum class PointerButton { None, First, Second };  // left and right of the mouse; the two of a haptic device
+// Button of the mouse, left or right, or of a haptic device, first or second.
+enum class PointerButton { None, First, Second };
 
 // The modifier keys that are pressed.
 struct Modifiers {
@@ -35,14 +35,14 @@ struct PointerEvent {
   Ray ray;
   PointerButton button = PointerButton::None;
   Modifiers modifiers;
-  // The position of the viewer; none under parallel projection, for which all rays are parallel.
+  // The position of the viewer. None: the projection is parallel, and so are all rays.
   std::optional<Vec3> eye;
   double pixel = 0.0;          // mm per logical pixel at the focus of the view
-  std::optional<Pose> device;  // mm; tip of a haptic device, if that is the source
+  std::optional<Pose> device;  // mm; tip of a haptic device, if the event is one of a device
   double focus = 0.0;          // mm from the eye to the focus of the view; 0: unknown
   std::optional<Vec3> held;    // mm; the point on a corner or an edge that attracts the device tip
   std::optional<Vec3> proxy;   // mm; displayed position of the device tip, which the touched surface holds back
-  // Time of the mouse event, s, by a clock of its own. None: unknown.
+  // Time of the mouse event by its own clock, s. None: unknown.
   std::optional<double> time = {};
   std::optional<double> pressure = {};  // 0 to 1, for a pen; none: another pointer, or unknown
 
@@ -51,23 +51,26 @@ struct PointerEvent {
 
 // The response of a tool to an input.
 enum class ToolReply {
-  Ignored,  // not handled: the camera may use it
+  Ignored,  // not handled: the camera may use the input
   Used,
-  Finished,  // the tool has committed or reverted, and can be left
+  Finished,  // the tool has committed or reverted its work, and can be left
 };
 
-// An action that the tool offers now, declared as data. The hint bar, the menus and the keys are generated from it.
+// An action that the tool offers at present. The hint bar, the menus and the keys are generated from these
+// declarations.
 struct ToolAction {
-  std::string id;      // "commit", "grow"; the argument of perform(). Empty: a hint on the pointer only.
-  std::string input;   // English, context "ToolInput": "Click", "Shift+drag", "Wheel"; or a key: "Return", "Esc", "B"
-  std::string effect;  // English, context "Tool": "select a face"
+  std::string id;  // argument of perform(): "commit", "grow"; empty: only a hint on the pointer
+  // English text, translated in the context "ToolInput": "Click", "Shift+drag"; or a key: "Return", "Esc", "B".
+  std::string input;
+  std::string effect;  // English text, translated in the context "Tool": "select a face"
   bool enabled = true;
-  std::string command = {};  // command of the window that does the same and has the key: "nextHole"; mostly none
-  std::string reason = {};   // the reason why it is not enabled, if that is not plain; English, context "Tool"
-  bool isKeyOnly = false;    // no button for it: a panel has something better
+  std::string command = {};  // command of the window with the same effect, which has the key: "nextHole"; empty: none
+  // The reason why it is not enabled, if that is not obvious; English text, translated in the context "Tool".
+  std::string reason = {};
+  bool isKeyOnly = false;  // true if the action has no button, because a panel offers something better
 };
 
-// Base class of previews in the terms of one kind of document. The user interface of that kind knows the type.
+// Base class of previews for one kind of document. The user interface of that kind knows the derived type.
 struct KindPreview {
   virtual ~KindPreview() = default;
 };
@@ -75,71 +78,73 @@ struct KindPreview {
 // Lengths that a tool displays beside a point of the model, in the unit of the document: "⌀ 31.20 mm  Z 45.00 mm".
 struct ToolLabel {
   struct Figure {
-    std::string prefix;  // symbol of the figure, not translated: "⌀"; may be empty
+    std::string prefix;  // symbol of the length, not translated: "⌀"; may be empty
     double value = 0.0;  // mm
   };
   Vec3 position = Vec3::Zero();  // mm
   std::vector<Figure> figures;
 };
 
-// Temporary geometry that a tool displays over the document. Nothing of it is in the document.
+// Temporary geometry that a tool displays over the document. The document does not contain it.
 struct ToolPreview {
-  std::vector<DisplayPart> parts;                 // proposed geometry, drawn translucent
-  std::vector<std::vector<Vec3>> lines;           // polylines over the model: a lasso, a ruler; mm
-  std::optional<std::pair<Vec3, double>> circle;  // brush: centre on the surface and radius; mm
-  // Shown and picked instead of the parts of the document; null: those of the document. While the tool works, only
-  // parts with another soup are built again.
+  std::vector<DisplayPart> parts;                 // proposed geometry, which is drawn translucent
+  std::vector<std::vector<Vec3>> lines;           // polylines over the model, such as a lasso or a ruler; mm
+  std::optional<std::pair<Vec3, double>> circle;  // brush: its centre on the surface and its radius; mm
+  // The parts that are shown and picked instead of those of the document; null: the parts of the document. While the
+  // tool works, only parts whose DisplayPart::soup is another object are prepared for display again.
   std::shared_ptr<const DisplayModel> replaced;
-  std::shared_ptr<const KindPreview> ofKind;  // null: nothing more
+  std::shared_ptr<const KindPreview> ofKind;  // preview for the kind of document; null: none
   std::optional<ToolLabel> label = {};
 };
 
-// A spring and damper that a tool applies to the device tip. mm and newtons. The servo loop adds those of all tools and
+// A spring and damper that a tool applies to the device tip; mm, N. The servo loop adds the springs of all tools and
 // services and passes the sum through the safety chain.
 struct DeviceSpring {
-  Vec3 target = Vec3::Zero();  // the tip is pulled there
-  double stiffness = 0.0;      // N/mm, at the device
-  double damping = 0.0;        // N·s/mm, at the device
-  // Orientation that the tip is turned to, for devices with motors for torque.
+  Vec3 target = Vec3::Zero();  // position to which the tip is pulled
+  double stiffness = 0.0;      // N/mm at the device
+  double damping = 0.0;        // N·s/mm at the device
+  // Orientation to which the tip is turned, on devices with motors for torque.
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-  double turning = 0.0;  // N·mm/rad, at the device
+  double turning = 0.0;  // N·mm/rad at the device
 };
 
-// The features that attract the device tip while nothing is grabbed. They make the selectable features easy to hit.
+// The features that attract the device tip while nothing is grabbed. They are easy to hit and select by the device.
 struct SnapTargets {
   bool borderPoints = false;  // points of open edges
   bool borderEdges = false;   // open edges
   bool corners = false;       // ends of the edges at which the surface bends or ends
-  bool edges = false;         // these edges
-  bool faces = false;         // the surface, from above
+  bool edges = false;         // the edges at which the surface bends or ends
+  bool faces = false;         // the surface, which attracts the tip from above
 
   // Returns true if features are everywhere on the surface, so that only those near the tip can be considered.
   bool areEverywhere() const { return corners || edges || faces; }
   bool operator==(const SnapTargets&) const = default;
 };
 
-// Base class of interactive tools, independent of the window. From press to release it receives events, shows a
-// preview, and commits one edit to its document or reverts. Window thread. Tests send it the same events.
+// Base class of interactive tools. It does not depend on the window. From press to release a tool receives events,
+// shows a preview, and commits one edit to its document or reverts. It must be used on the window thread. Tests send
+// the same events.
 class Tool {
  public:
   virtual ~Tool() = default;
 
   virtual std::string id() const = 0;  // "select"
-  // Returns the name in recordings of a device, with the mode of the tool: "turn bore".
+  // Returns the name of the tool in recordings of a device, with its mode: "turn bore".
   virtual std::string recordedName() const { return id(); }
   virtual ToolReply pointer(const PointerEvent& event) = 0;
-  // Executes one of the declared actions, by key, button or menu. "commit" and "revert" are common to all tools.
+  // Executes one of the actions, requested by key, button or menu. "commit" and "revert" are common to all tools.
   virtual ToolReply perform(std::string_view action) = 0;
   virtual std::vector<ToolAction> actions() const = 0;
-  // Called first by undo while the tool runs. Used: it has reverted its unfinished work, and that is all. Ignored: the
-  // last step of the document is to be undone, which the tool may just have made.
+  // Undoes the unfinished work of the tool. The command undo calls this function first while the tool runs. Returns
+  // Used if the tool has reverted work, and Ignored if the last step of the document, perhaps made by the tool, is to
+  // be undone.
   virtual ToolReply undo() { return isLive() ? perform("revert") : ToolReply::Ignored; }
 
   virtual ToolPreview preview() const { return {}; }
-  // Returns true if the preview changes by itself, as that of a running simulation does: it is then shown with each
-  // frame, not only after an input.
+  // Returns true if the preview changes by itself, like that of a running simulation. Such a preview is shown with each
+  // frame, and not only after an input.
   virtual bool isLive() const { return false; }
-  // Returns true if work that continued after an input is done: then resume() is called, while the tool is live.
+  // Returns true if work that continued after an input is done. resume() is called in this case while the tool is live.
   virtual bool isDue() const { return false; }
   virtual ToolReply resume() { return ToolReply::Ignored; }
   virtual std::vector<Property> settings() const { return {}; }
@@ -147,10 +152,10 @@ class Tool {
     (void)id;
     (void)value;
   }
-  // Returns true if settings of the user hold when the tool is started again, for any document. False for a tool whose
-  // settings describe the next edit, or are kept by the owner of its services.
+  // Returns true if settings chosen by the user are used when the tool is started again, for any document. Returns
+  // false for a tool whose settings describe the next edit, or are kept by the owner of its services.
   virtual bool remembersSettings() const { return true; }
-  // Returns true if a setting holds for the present document alone when it is remembered, as a plane of symmetry of its
+  // Returns true if a remembered setting is valid for the present document only, such as a plane of symmetry of its
   // part.
   virtual bool isOfDocument(std::string_view setting) const {
     (void)setting;
@@ -159,11 +164,12 @@ class Tool {
   virtual std::vector<DeviceSpring> forces() const { return {}; }
   virtual SnapTargets snapTargets() const { return {}; }
 
-  // Called before the tool ends, and before its document is saved, handed in or closed. A tool whose work takes effect
-  // immediately commits it here. The unfinished work of other tools is a proposal, which is dropped.
+  // Ends the unfinished work of the tool. It is called before the tool ends, and before its document is saved, handed
+  // in or closed. A tool whose work takes effect immediately commits it; other tools drop theirs, as it is only a
+  // proposal.
   virtual void settle() {}
 
-  // Called after the document has changed: the unfinished work of the tool is discarded.
+  // Discards the unfinished work of the tool. It is called after the document has changed.
   virtual void documentChanged() {}
 
   // Returns the services that the tool requires: "picking", "fill preview". Only required services run.

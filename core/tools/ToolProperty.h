@@ -15,17 +15,19 @@ struct Limits {
   double bring(double value) const { return std::clamp(value, least, largest); }
 };
 
-// Create the property of a number, a choice or a switch. Labels and choices: English, context "Property".
+// Create the property of a number, a choice or a switch. Labels and choices: English texts, translated in the context
+// "Property".
 Property numberSetting(const char* id, const char* label, double value, Quantity quantity, const Limits& limits);
 Property choiceSetting(const char* id, const char* label, int chosen, std::vector<std::string> choices);
 Property switchSetting(const char* id, const char* label, bool value);
 
-// Assign a property value to a number or a switch. Return false and change nothing if the value is of another type or
-// NaN; numbers are clamped to the limits.
+// Assign a property value to a number or a switch. They return false and change nothing if the value is of another type
+// or NaN; numbers are clamped to the limits.
 bool assignNumber(double& number, const PropertyValue& value, const Limits& limits);
 bool assignSwitch(bool& on, const PropertyValue& value);
 
-// Assigns a property value to a choice. count: number of choices. Returns false and changes nothing for other values.
+// Assigns a property value to a choice. count: number of choices. Returns false and changes nothing if the value is not
+// the index of a choice.
 template <class Choice>
 bool assignChoice(Choice& choice, const PropertyValue& value, int count) {
   const double* index = std::get_if<double>(&value);

@@ -13,10 +13,10 @@
 
 namespace handwheel {
 
-// Runs one tool at a time on a document. A tool keeps its preview to itself and makes one edit of it in the end; so
-// dropping the tool reverts it, except for the commits of Tool::settle(). A tool that throws is dropped, and the
-// document's history reset to its state before the event; a tool is also dropped if its document is deleted. Window
-// thread.
+// Runs one tool at a time on a document. A tool keeps its preview to itself and commits it as one edit in the end.
+// Dropping the tool therefore discards its work, except for the commits of Tool::settle(). A tool that throws is
+// dropped, and the history of the document is reset to its state before the event; a tool is also dropped if its
+// document is deleted. A runner is used on the window thread.
 class ToolRunner : public QObject {
   Q_OBJECT
 
@@ -38,16 +38,17 @@ class ToolRunner : public QObject {
   ToolReply perform(std::string_view action);
   // Calls Tool::undo().
   ToolReply undo();
-  // Calls Tool::resume() if it is due. Must be called with each frame of a tool that is live.
+  // Calls Tool::resume() if it is due. Must be called with each frame that is drawn while Tool::isLive() is true.
   void resume();
   void setSetting(std::string_view id, const PropertyValue& value);
   // Passes the result of a job to the tool, with the same handling of exceptions as an event.
   void deliver(const std::function<void()>& result);
 
  signals:
-  void updated();                      // preview or actions of the tool may have changed
-  void ended();                        // there is no tool now
-  void failed(const QString& reason);  // after ended(): the exception of the tool
+  void updated();  // preview or actions of the tool may have changed
+  void ended();    // there is no tool now
+  // Emitted after ended(). reason: the message of the exception that the tool threw.
+  void failed(const QString& reason);
 
  private:
   template <class Call>
@@ -61,7 +62,8 @@ class ToolRunner : public QObject {
   std::unique_ptr<Tool> m_tool;
   QPointer<Document> m_document;
   QMetaObject::Connection m_changed, m_settling, m_destroyed;
-  int m_depth = 0;          // nesting of calls into the tool: its own edits come back as documentChanged()
+  // Number of nested calls into the tool: an edit of its own calls documentChanged() within the call that made it.
+  int m_depth = 0;
   bool m_isToStop = false;  // stop when no call is under way
   std::optional<QString> m_failure;
 };

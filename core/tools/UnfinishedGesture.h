@@ -8,16 +8,16 @@
 
 namespace handwheel {
 
-// Optional interface of a tool whose gestures take minutes, for autosave. A pass with the automatic feed takes so long;
-// an autosave must not wait for its end. Window thread.
+// Optional interface of a tool whose gestures take minutes, for autosave. An example is a pass with the automatic feed:
+// an autosave must not wait for its end. The functions must be called on the window thread.
 class UnfinishedGesture {
  public:
   virtual ~UnfinishedGesture() = default;
 
-  // Returns the value of the document as Tool::settle() would leave it. Nothing changes by it, and the work continues.
-  // Null: there is no unfinished work.
+  // Returns the value that the document would have after Tool::settle(). Nothing changes, and the work continues.
+  // Returns null if there is no unfinished work.
   virtual SnapshotPointer withGesture() = 0;
-  // Returns the unfinished work that undo would revert now, in the user's words; empty: there is none.
+  // Returns the name, for the user, of the unfinished work that undo would revert now; empty if there is none.
   virtual QString underWay() const = 0;
 };
 

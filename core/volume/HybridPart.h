@@ -19,25 +19,25 @@
 namespace handwheel {
 
 // A part made of triangles, with voxels only where they are needed. It is the hybrid model of He 2008, 5.2.1. Voxels
-// are made in tiles of 32³, each block as volumeOfSurface() makes it, to the last bit. Tiles far from those that were
-// requested last are released, except for the blocks that were cut. So the memory for voxels depends on the
-// surroundings of the tool and on the cut, not on the size of the part. One thread at a time. A copy shares the
-// triangles and the blocks.
+// are made in tiles of 32³; each block equals that of volumeOfSurface(), to the last bit. Tiles far from those that
+// were requested last are released, except for the blocks that were cut. So the memory for voxels depends on the
+// surroundings of the tool and on the cut, not on the size of the part. A part must be used by one thread at a time. A
+// copy shares the triangles and the blocks.
 class HybridPart {
  public:
   static constexpr int kTile = 32;  // voxels along an edge
 
-  // Cost of making voxels. Only blocks that hold samples are counted.
+  // Cost of making voxels. Only blocks that hold samples (SparseVolume::Content) are counted.
   struct Figures {
     std::size_t blocksMade = 0;  // number of blocks made from triangles in total; a block made twice counts twice
     std::size_t mostBlocks = 0;  // largest number of blocks at one time
     std::size_t mostBytes = 0;   // largest value of bytes()
   };
 
-  // Returns the part for a surface, without any voxels yet. voxel: mm. O(n log n). Errors: those of volumeOfSurface()
-  // that do not come from voxels: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange, VolumeErrors::TooFine,
-  // NothingInside (of a surface that encloses nothing by the sum of its triangles; voxels may still find a body beside
-  // one that is inside out), Cancelled.
+  // Returns the part for a surface, without any voxels yet. voxel: size of a voxel, mm. O(n log n). Returns the errors
+  // of volumeOfSurface() that do not depend on voxels: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange,
+  // VolumeErrors::TooFine, Cancelled, and NothingInside if the signed volume of the closed surface is not above 0.
+  // volumeOfSurface() may still find a body in such a surface, beside another one that is inside out.
   static Result<HybridPart> of(const TriangleSoup& soup, double voxel, Progress progress = {});
 
   // Remaining material in the tiles that were made; the grid is that of volumeOfSurface().
@@ -46,28 +46,32 @@ class HybridPart {
   // Bounding box of the part, voxels.
   const Box& extent() const { return m_extent; }
 
-  // Makes these tiles, given by their indices, and releases those that are neither beside their bounding box nor held.
-  // On all threads of the arena.
+  // Makes the tiles with these indices, and releases all others, except those in or beside the bounding box
+  // of these tiles and those that are held. Runs on
+  // all threads of the arena.
   void make(std::span<const VoxelIndex> tiles);
-  // Makes those of these tiles that meet the part, and releases nothing.
+  // Makes those of these tiles that intersect the part, and releases nothing.
   void makeAlso(std::span<const VoxelIndex> tiles);
-  // Makes the tiles of the part that intersect this box, mm, and holds them until the next call; an empty box: none.
-  // Returns true if the held tiles changed.
+  // Makes the tiles of the part that intersect this box, mm, and holds them until the next call. If the box is empty,
+  // holds no tiles. Returns true if the set of held tiles changed.
   bool hold(const Box& box);
-  // Keeps these blocks of left(), which were changed.
+  // Marks blocks of left() as cut, so that they remain when their tiles are released. Must be called for all cut
+  // blocks.
   void keep(std::span<const VoxelIndex> blocks);
   std::vector<VoxelIndex> cutBlocks() const;  // all blocks that were kept, in a fixed order
-  // Returns the depth of a point below the surface before anything was cut, mm, as VolumeSampler::depthAt() does. Makes
-  // the tiles that it needs.
+  // Returns the depth of a point below the surface before anything was cut, mm, by VolumeSampler::depthAt(). Makes the
+  // tiles that it requires.
   double depthBefore(const Vec3& point);
 
   // Returns true if the tiles made so far certainly equal those of volumeOfSurface(). They may differ where that
-  // function closes wide curved holes, where the surface encloses a region twice or inside out, and where walls thinner
-  // than a voxel were lost, which it may refuse.
+  // function closes wide curved holes, and where the surface encloses a region twice or inside out. They may also
+  // differ where walls thinner than a voxel were lost; volumeOfSurface() may refuse such a surface.
   bool isExact() const;
   const Figures& figures() const { return m_figures; }
-  std::size_t blockCount() const { return m_left.blockCount() + m_originals; }  // at present
-  std::size_t bytes() const;  // present memory of voxels, cut blocks and scanlines; O(rows)
+  std::size_t blockCount() const {
+    return m_left.blockCount() + m_originals;
+  }                           // current number of blocks that hold samples
+  std::size_t bytes() const;  // current memory of voxels, cut blocks and scanlines; O(rows)
 
  private:
   using Key = std::array<int, 3>;  // tile or block index along z, y, x
@@ -83,7 +87,7 @@ class HybridPart {
   TriangleSoup trianglesIn(const Box& box) const;
   void count();
 
-  std::shared_ptr<const TriangleHierarchy> m_triangles;  // voxels
+  std::shared_ptr<const TriangleHierarchy> m_triangles;  // triangles, in units of voxels
   Box m_extent;
   SparseVolume m_left, m_before;  // equal except for the blocks that were cut
   std::set<Key> m_tiles;          // tiles that exist
@@ -94,8 +98,9 @@ class HybridPart {
   // Crossings of the rows of tiles, by z and y.
   std::map<std::array<int, 2>, std::shared_ptr<const ScanlineCrossings>> m_rows;
   bool m_isSimple = true;
-  std::size_t m_near = 0, m_lost = 0;  // number of voxels beside the surface, and of those where it was lost
-  std::set<Key> m_judged;              // tiles counted in m_near and m_lost; each counts once
+  // Number of voxels beside the surface, and of those among them without a neighbour on the other side of the surface.
+  std::size_t m_near = 0, m_lost = 0;
+  std::set<Key> m_judged;  // tiles counted in m_near and m_lost; each counts once
   Figures m_figures;
 };
 

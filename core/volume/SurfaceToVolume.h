@@ -16,47 +16,47 @@ namespace handwheel {
 // A volume made of a surface, with checks that it is the enclosed solid.
 struct SurfaceVolume {
   SparseVolume volume;
-  std::size_t closedBoundaries = 0;  // holes, gaps and turned faces
-  // mm³, volume inside the surface closed by cones, from its triangles; overlaps count several times.
+  std::size_t closedBoundaries = 0;  // number of closed holes, gaps and flipped faces
+  // Volume inside the surface closed by cones, mm³. It is computed from triangles; overlaps count several times.
   double expected = 0.0;
-  // Approximate fraction of the area bounding material that lies within a voxel of the volume's surface.
+  // Approximate fraction of the material-bounding area of the surface that is within a voxel of the volume's surface.
   double nearShare = 0.0;
-  std::vector<Vec3> kept;  // mm, points all over the surface, where it certainly bounds material
+  std::vector<Vec3> kept;  // mm, points all over the surface that certainly bound material
 };
 
-// Samples the distance from a surface at the centres of voxels, exactly up to three voxels from it, and signs it by
-// winding numbers: a point is inside if its winding number is at least one. Flat and small holes are closed by lids
-// (closeBoundaries()), wide bent ones where the generalised winding number passes a half (WindingNumberFill.h), to
-// which distances are of first order. Overlapping bodies become one, and walls within them vanish; a surface that is
-// inside out encloses nothing.
+// Makes a volume of the distances from a surface at the centres of voxels. They are exact up to three voxels from the
+// surface, and signed by winding numbers: a point is inside if its winding number is at least one. Flat and small holes
+// are closed by lids (closeBoundaries()). Wide curved holes are closed where the generalised winding number passes one
+// half (WindingNumberFill.h), with distances of first order. Overlapping bodies become one, and walls within them
+// vanish; a surface that is inside out encloses nothing.
 //
 // voxel: edge of a voxel, mm. alignedTo: the origin of a grid from which the volume's grid may differ by whole blocks
-// only, mm; none: the sides of the part lie between voxels. On all threads of the arena; O(area / voxel² + n log n).
-// Errors: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (of the voxel), VolumeErrors::TooFine (more voxels
-// along an axis than a volume has), TooLarge (for the memory that the system has left), NoVoxelInside, NothingInside,
-// SurfaceIsLost, MaterialIsLost; Cancelled.
+// only, mm; none: the sides of the part lie between voxels. Runs on all threads of the arena; O(area / voxel² + n log
+// n). Errors: MeshError::NoTriangles, NumberNotFinite, ValueOutOfRange (for the voxel), VolumeErrors::TooFine (if an
+// axis would have more voxels than a volume allows), TooLarge (for the memory that the system has left), NoVoxelInside,
+// NothingInside, SurfaceIsLost, MaterialIsLost; Cancelled.
 Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Progress progress = {},
                                       const std::optional<Vec3>& alignedTo = {});
 
-// Least fraction of the surface and of the volume of a solid that its voxels must keep.
+// Least fraction of a solid's surface, and of its volume, that its voxels must keep.
 inline constexpr double kLeastKept = 0.5;
-// Fraction of the surface that voxels may lose without a warning: the tips of edges. A larger loss means lost walls.
+// Fraction of the surface that voxels may lose without a warning, at sharp edges. A larger loss means lost walls.
 inline constexpr double kThinShare = 1e-3;
 
-// Default number of voxels along the largest extent of a surface, and the voxel size that follows, mm.
+// Default number of voxels along the largest extent of a surface, from which usualVoxel() computes the voxel size, mm.
 inline constexpr double kUsualVoxels = 256.0;
 double usualVoxel(const TriangleSoup& surface, double across = kUsualVoxels);
 
 double surfaceArea(const TriangleSoup& soup);
 
-// Returns the least number of blocks for a surface of this area, mm². Accurate to a third for surfaces that are smooth
-// at the scale of a few voxels.
+// Returns the least number of blocks for a surface of this area, mm². The prediction is accurate to a third if the
+// surface is smooth at the scale of a few voxels.
 double predictedBlocks(double area, double voxel);
-// Returns the memory of such a volume; bytes.
+// Returns the memory of the volume of a surface with this area (mm²), bytes.
 double predictedVolumeBytes(double area, double voxel);
-// Returns the memory that volumeOfSurface() requires, without wide holes; bytes. extent: size of the surface, mm.
+// Returns the memory that volumeOfSurface() requires, bytes; wide holes require more. extent: size of the surface, mm.
 double predictedMakingBytes(double area, const Vec3& extent, double voxel);
-// Returns the time for making the volume and its surface on the threads of the arena, as an order of magnitude; s.
+// Returns the time in s for making the volume and its surface on the threads of the arena, as an order of magnitude.
 double predictedMakingSeconds(double area, double voxel);
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-// The difference of two volumes of one grid.
+// The difference of two volumes with the same grid.
 namespace handwheel {
 
 inline SparseVolume::View viewOf(const SparseVolume::Content& content) {
@@ -16,14 +16,14 @@ inline SparseVolume::View viewOf(const SparseVolume::Content& content) {
 // Returns true if two blocks have equal samples or the same uniform value.
 bool isSameContent(const SparseVolume::View& a, const SparseVolume::View& b);
 
-// Strict order of blocks, for sorting and binary search.
+// Returns true if a is before b in the strict order of blocks that sorting and binary search use.
 bool isBlockBefore(const VoxelIndex& a, const VoxelIndex& b);
 
 // Returns the blocks that differ, in the order of isBlockBefore(). O(blocks); only blocks that are not shared are
-// compared by samples.
+// compared sample by sample.
 std::vector<VoxelIndex> differingBlocks(const SparseVolume& a, const SparseVolume& b);
 
-// Returns a volume with only these blocks of another.
+// Returns a volume that contains only these blocks of another volume.
 SparseVolume onlyBlocks(const SparseVolume& volume, const std::vector<VoxelIndex>& blocks);
 
 }  // namespace handwheel

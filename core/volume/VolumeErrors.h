@@ -8,32 +8,32 @@
 namespace handwheel::VolumeErrors {
 
 extern const ErrorDescription TooFine;              // {voxel in mm, extent in mm, least voxel in mm}
-extern const ErrorDescription TooLarge;             // {voxel in mm, MB that it takes, MB that there are}
-extern const ErrorDescription NeedsConsent;         // {voxel in mm, MB that it takes, MB that there are}
-extern const ErrorDescription TooLargeToSave;       // {voxel in mm, MB that it takes, MB that a document holds}
-extern const ErrorDescription ImageTooLarge;        // {MB of the image, MB of the volume, MB that a document holds}
-extern const ErrorDescription NoVoxelInside;        // {voxel in mm} the part is thinner than a voxel
+extern const ErrorDescription TooLarge;             // {voxel in mm, MB that it takes, MB that are available}
+extern const ErrorDescription NeedsConsent;         // {voxel in mm, MB that it takes, MB that are available}
+extern const ErrorDescription TooLargeToSave;       // {voxel in mm, MB that it takes, MB that a document can hold}
+extern const ErrorDescription ImageTooLarge;        // {MB of the image, MB of the volume, MB that a document can hold}
+extern const ErrorDescription NoVoxelInside;        // {voxel in mm}; the part is thinner than a voxel
 extern const ErrorDescription NothingInside;        // the surface encloses nothing: it is flat, or inside out
-extern const ErrorDescription SurfaceIsLost;        // {voxel in mm, % of the surface that is kept, % that is needed}
-extern const ErrorDescription MaterialIsLost;       // {voxel in mm, mm³ that is kept, mm³ that is needed}
-extern const ErrorDescription NothingLeft;          // the cut or the offset inwards removed everything
-extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm, largest voxel for it in mm}
+extern const ErrorDescription SurfaceIsLost;        // {voxel in mm, % of the surface that is kept, % that is required}
+extern const ErrorDescription MaterialIsLost;       // {voxel in mm, mm³ that are kept, mm³ that are required}
+extern const ErrorDescription NothingLeft;          // the cut or the inward offset removed everything
+extern const ErrorDescription WallTooThin;          // {wall in mm, voxel in mm, largest voxel for the wall in mm}
 extern const ErrorDescription NoSuchDrill;          // {word}
 extern const ErrorDescription NoSuchDrillMaterial;  // {word}
-extern const ErrorDescription PathTooLong;          // {seconds, most seconds}
+extern const ErrorDescription PathTooLong;          // {seconds, largest number of seconds}
 extern const ErrorDescription ClayRadius;           // {radius, voxel, least radius, largest radius, all in mm}
-extern const ErrorDescription StrokesTooLong;       // {mm, radius of the tool in mm, most mm}
-extern const ErrorDescription LayerTakesNone;       // {name of the layer} it is off, or its strength is below 1
-extern const ErrorDescription LayerBelow;           // {name of the layer, that of the topmost one}
-extern const ErrorDescription TooManyLayers;        // {most layers}
+extern const ErrorDescription StrokesTooLong;       // {length in mm, radius of the tool in mm, largest length in mm}
+extern const ErrorDescription LayerTakesNone;       // {name of the layer}; the layer is off, or its strength is below 1
+extern const ErrorDescription LayerBelow;           // {name of the layer, name of the topmost layer}
+extern const ErrorDescription TooManyLayers;        // {largest number of layers}
 extern const ErrorDescription ProgramWord;          // {word of a drilling program}
 extern const ErrorDescription ProgramLacks;         // {missing word, word that needs it}
 extern const ErrorDescription ProgramValue;         // {word, requirement}
-extern const ErrorDescription ProgramTooLong;       // {most moves}
-extern const ErrorDescription ProgramMovesNothing;  // a drilling program without a move
+extern const ErrorDescription ProgramTooLong;       // {largest number of moves}
+extern const ErrorDescription ProgramMovesNothing;  // the drilling program contains no move
 extern const ErrorDescription PictureUnreadable;    // {format of the stamp's file}
-extern const ErrorDescription NothingStandsOut;     // the stamp is black, or of one height everywhere
+extern const ErrorDescription NothingStandsOut;     // the stamp is black, or has the same height everywhere
 extern const ErrorDescription FolderWithoutSeries;  // the folder has no series of images
-extern const ErrorDescription NothingInRange;       // {least, largest, least of the image, largest of it}
+extern const ErrorDescription NothingInRange;  // {least, largest, least value of the image, largest value of the image}
 
 }  // namespace handwheel::VolumeErrors

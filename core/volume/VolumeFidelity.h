@@ -7,20 +7,20 @@
 
 namespace handwheel {
 
-// The settings of this module that trade speed for accuracy. Presets follow from resources/fidelity (the test
-// FidelityPresetsTest).
-FidelitySetting volumeVoxelsSetting();     // volume.voxels: number along the largest extent of a part, for usualVoxel()
+// The settings of this module that trade speed for accuracy. Their presets follow from measurements in
+// resources/fidelity (see the test FidelityPresetsTest).
+FidelitySetting volumeVoxelsSetting();     // volume.voxels: usualVoxel()'s number of voxels along the largest extent
 FidelitySetting volumeMethodSetting();     // volume.method: VoxelMethod
 FidelitySetting volumeReductionSetting();  // volume.reduction: VolumeRepairOptions::within, in voxels
 FidelitySetting volumePolygonsSetting();   // volume.polygons: surfaceOf() or sharpSurfaceOf()
 FidelitySetting volumePiecesSetting();     // volume.pieces: VolumeSurface::pieceCells()
 FidelitySetting drillErosionSetting();     // drill.erosion: DrillSetup::erosion
 
-// Returns the chosen method.
+// Returns the voxel method that the values select.
 VoxelMethod voxelMethodOf(const FidelityValues& values);
-// Returns the number of cells for a value of volume.pieces.
+// Returns the number of cells per piece for a value of volume.pieces.
 int pieceCellsOf(double value);
-// Returns the erosion for a value of drill.erosion.
+// Returns the erosion (DrillSetup::erosion) for a value of drill.erosion.
 double erosionOf(double value);
 
 }  // namespace handwheel

@@ -8,28 +8,28 @@
 
 namespace handwheel {
 
-// Returns an error if a volume needs more memory than the system has left: VolumeErrors::TooLarge. voxel: mm.
+// Returns the error VolumeErrors::TooLarge if a volume needs more memory than the system has left. voxel: mm.
 std::optional<Error> memoryRefusal(double voxel, double bytes);
 
-// Returns true if a volume of so many bytes needs the user's consent: it takes more than a quarter of the free memory.
+// Returns true if a volume of this size needs the user's consent, as it takes more than a quarter of the free memory.
 bool needsConsent(double bytes);
 
-// Returns an error if the volume needs consent that was not given: VolumeErrors::NeedsConsent, or TooLarge if it
-// exceeds the free memory. As a prediction may be too high, with consent only the volume itself is refused, once it is
-// too large.
+// Returns an error if a volume needs consent that was not given: VolumeErrors::NeedsConsent, or TooLarge if it exceeds
+// the free memory. With consent, returns no error: the prediction may be too high, so the volume is refused only if it
+// becomes too large while it is made.
 std::optional<Error> consentRefusal(double voxel, double bytes, bool isAgreed);
 
-// Limits the growth of a volume that is being edited to the memory that the system has left.
+// Limits the growth of a volume during editing to the memory that the system has left.
 class VolumeGrowth {
  public:
   static constexpr double kBetweenLooks =
       64e6;  // bytes of growth between two checks; a check reads a file of the system
 
-  // voxel: mm. bytes: the initial size of the volume.
+  // voxel: size of a voxel, mm. bytes: initial size of the volume.
   VolumeGrowth(double voxel, double bytes) : m_voxel(voxel), m_bytes(bytes) {}
 
-  // Takes the present size in bytes; to be called often. Returns VolumeErrors::TooLarge if the system has less memory
-  // left than the volume has grown by since the last check.
+  // Checks the current size in bytes; should be called often. Returns VolumeErrors::TooLarge if the system has less
+  // memory left than the volume has grown by since the last check.
   std::optional<Error> refusalAt(double bytes);
 
  private:

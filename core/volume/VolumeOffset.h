@@ -8,10 +8,11 @@
 
 namespace handwheel {
 
-// Offsets of volumes, by distances of any length. Distances are exact to the surface that surfaceOf() returns. They are
-// evaluated near the new surface only, block by block from coarse to fine, so that neither memory nor time grow with
-// the distance. Growing rounds edges, shrinking keeps them. Results may be empty. All lengths are in mm. On all threads
-// of the arena; O(blocks of the surfaces, log n each).
+// Offsets of volumes by distances of any length. Distances are measured exactly, to the surface that surfaceOf()
+// returns. They are evaluated near the new surface only, block by block from coarse to fine, so that neither memory nor
+// time grows with the distance. An outward offset rounds convex edges, which an inward one keeps sharp. Results may be
+// empty. All lengths are in mm. The functions use all threads of the arena, and take O(b log n) for b blocks near the
+// surfaces and n triangles.
 //
 // Errors: ValueOutOfRange (for a distance), VolumeErrors::TooFine (too many voxels along an axis), TooLarge (for the
 // memory that is left); Cancelled.
@@ -24,7 +25,7 @@ enum class WallSide { Inside, Outside, Middle };
 // Returns the wall along the surface. Additional error: VolumeErrors::WallTooThin for less than two voxels.
 Result<SparseVolume> shellOf(const SparseVolume& volume, double wall, WallSide side, Progress progress = {});
 
-// Returns the least memory that these functions need in addition to a volume of so many blocks; bytes.
+// Returns the least number of bytes that these functions need, in addition to a volume with this number of blocks.
 double predictedOffsetBytes(double blocks);
 
 // Morphological closing: fills gaps, cracks, holes and pits that a ball of this radius cannot enter. Only adds

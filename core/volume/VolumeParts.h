@@ -14,29 +14,30 @@
 
 namespace handwheel {
 
-// The connected parts of a volume (voxels connected by faces), the largest first. Parts of equal size are in the order
-// of their first blocks. Holds a copy of the volume, and a label for each voxel near its surface.
+// The connected parts of a volume, the largest first. Voxels are connected by their faces. Parts of equal size are in
+// the order of their first blocks. The object holds a copy of the volume, and a label for each voxel near its surface.
 class VolumeParts {
  public:
-  // Returns TooLarge if there is not enough memory for the parts of a volume and one of them as a volume of its own.
+  // Returns VolumeErrors::TooLarge if there is not enough memory for the parts of a volume, and for one of them as a
+  // separate volume.
   static std::optional<Error> refusal(const SparseVolume& volume);
-  // O(voxels of the blocks with samples). Must not be used if cancelled.
+  // Finds the parts. O(voxels of the blocks with samples). The object must not be used if cancelled.
   explicit VolumeParts(const SparseVolume& volume, Progress progress = {});
 
   // Number of voxels of each part.
   const std::vector<std::uint64_t>& voxels() const { return m_voxels; }
-  // Returns the number of parts with at least so many voxels; these are the first.
+  // Returns the number of parts with at least this number of voxels. They are the first parts.
   std::size_t countFrom(std::uint64_t voxels) const;
-  // Returns the volume of the parts [first, end). Their surface stays as it is; depths outside that referred to removed
-  // parts become distances to the remaining ones. On all threads of the arena; O(blocks of the other parts).
+  // Returns the volume of the parts [first, end). Their surface is unchanged; outside depths that referred to removed
+  // parts become distances to the remaining parts. Runs on all threads of the arena; O(blocks of the other parts).
   SparseVolume only(std::size_t first, std::size_t end, Progress progress = {}) const;
 
  private:
-  using Labels = std::array<std::uint16_t, VolumeBlock::kCount>;  // from 1 on within a block; 0: outside
+  using Labels = std::array<std::uint16_t, VolumeBlock::kCount>;  // labels within a block, from 1 on; 0: outside
   struct Labelled {
     VoxelIndex at;
-    std::uint32_t first = 0;         // number of its first label
-    std::unique_ptr<Labels> labels;  // null: full, one label
+    std::uint32_t first = 0;         // index in m_parts of label 1 of the block
+    std::unique_ptr<Labels> labels;  // null: the block is full and has one label
   };
 
   std::uint32_t numberOf(const Labelled& block, std::size_t voxel) const {
@@ -45,7 +46,7 @@ class VolumeParts {
 
   SparseVolume m_volume;
   std::vector<Labelled> m_blocks;      // blocks with material
-  std::vector<std::uint32_t> m_parts;  // part of each label number
+  std::vector<std::uint32_t> m_parts;  // part of each label; see Labelled::first
   std::vector<std::uint64_t> m_voxels;
 };
 

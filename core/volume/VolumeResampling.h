@@ -9,12 +9,12 @@
 namespace handwheel {
 
 // Resamples a volume on another grid. origin: the centre of any voxel, mm. voxel: its edge length, mm, above 0. Depths
-// are interpolated linearly between eight samples; for coarser voxels they are turned into distances again in steps of
+// are interpolated linearly between eight samples; for coarser voxels, they are converted back to distances in steps of
 // at most a factor of two. Walls thinner than a voxel may vanish. If the grids differ by whole blocks, the blocks are
-// shared and nothing is interpolated. On all threads of the arena; O(blocks of the result near the surface).
+// shared and nothing is interpolated. Runs on all threads of the arena; O(blocks of the result near the surface).
 //
-// Errors: VolumeErrors::TooFine (beyond the largest index of a volume), TooLarge (for the memory that is left);
-// Cancelled.
+// Errors: VolumeErrors::TooFine (if indices would exceed the largest index of a volume), TooLarge (for the memory that
+// the system has left); Cancelled.
 Result<SparseVolume> resampled(const SparseVolume& volume, const Vec3& origin, double voxel, Progress progress = {});
 
 }  // namespace handwheel

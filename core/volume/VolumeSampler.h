@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Reads single samples of a volume, with a cache of the last blocks. The volume must outlive it and must not change.
-// For one thread; it neither locks nor allocates.
+// Reads single samples of a volume, with a cache of the last blocks. The volume must outlive the sampler and must not
+// change. A sampler must be used by one thread only; it neither locks nor allocates.
 class VolumeSampler {
  public:
   explicit VolumeSampler(const SparseVolume& volume) : m_volume(volume) {}
@@ -27,15 +27,15 @@ class VolumeSampler {
   // A depth below the surface and its gradient.
   struct Depth {
     double depth = 0.0;            // mm; limited to nearly four voxels inside and outside
-    Vec3 gradient = Vec3::Zero();  // points inwards; of length 1 near a smooth surface, 0 far from it
+    Vec3 gradient = Vec3::Zero();  // points inwards; its length is 1 near a smooth surface, 0 far from it
   };
-  // Returns the depth at any point, by linear interpolation between the eight samples around it. Points that are not
-  // finite, or beyond the largest index of a volume, are empty.
+  // Returns the depth at any point, interpolated linearly between the eight samples around it. Points that are not
+  // finite, or beyond the largest index of a volume, are outside.
   Depth depthAt(const Vec3& p) const;
-  // Returns the depth alone, in voxels, at a point in voxels.
+  // Returns only the depth, in voxels, at a point given in voxels.
   double depthInVoxels(const Vec3& at) const;
-  // Returns the direction in which the depth decreases, from central differences of samples: smooth where the surface
-  // is. Zero far from the surface.
+  // Returns the direction in which the depth decreases, from central differences of samples. It varies smoothly where
+  // the surface is smooth. The vector is zero far from the surface.
   Vec3 normalAt(const Vec3& p) const;
 
  private:
@@ -55,13 +55,14 @@ class VolumeSampler {
   mutable std::array<Known, 8> m_known;
 };
 
-// The first intersection of a ray from outside with the surface of a volume. direction: any length above 0; the
-// distance is in lengths of it. O(blocks along the ray).
+// The intersection of a ray with the surface of a volume.
 struct VolumeHit {
-  Vec3 point;   // mm
-  Vec3 normal;  // unit vector, outwards
-  double distance;
+  Vec3 point;       // mm
+  Vec3 normal;      // unit vector, outwards
+  double distance;  // in units of the length of the ray's direction
 };
+// Returns the first intersection of a ray from outside with the surface of a volume. direction: any vector except zero.
+// O(blocks along the ray).
 std::optional<VolumeHit> firstHit(const SparseVolume& volume, const Vec3& origin, const Vec3& direction);
 
 }  // namespace handwheel

@@ -18,28 +18,28 @@ struct XmlAttribute {
   std::string value;
 };
 
-// An XML element with its attributes, text and child elements. Names are as written, prefix included; text is UTF-8.
+// An XML element with its attributes, text and child elements. Names include their prefixes; text is UTF-8.
 struct XmlElement {
   std::string name;
   std::vector<XmlAttribute> attributes;
-  std::string text;  // directly inside, its pieces joined; empty where there are only blanks
+  std::string text;  // text directly inside the element, joined from its pieces; empty if there are only blanks
   std::vector<XmlElement> children;
-  std::uint64_t line = 0;  // from 1
+  std::uint64_t line = 0;  // line number, from 1
 
-  const std::string* attribute(std::string_view wanted) const;  // null when there is none
-  const XmlElement* child(std::string_view wanted) const;       // the first of that name, or null
+  const std::string* attribute(std::string_view wanted) const;  // null: no such attribute
+  const XmlElement* child(std::string_view wanted) const;       // first child of this name; null: none
 };
 
 // Limits on the size of an XML document.
 struct XmlLimits {
   std::size_t bytes = std::size_t{16} << 20;
-  std::size_t elements = 200'000;  // and eight times as many attributes
+  std::size_t elements = 200'000;  // the limit for attributes is eight times this
   std::size_t depth = 64;
 };
 
-// Parses an XML document from untrusted bytes. Entities that it defines are refused, so it does not grow; elements are
-// nested no deeper than the limit, so functions may recurse over them. O(bytes). Errors: FileTooLarge, ElementMalformed
-// (with the line), Unsupported, OutOfMemory, Cancelled.
+// Parses an XML document from untrusted bytes. Entities defined in the document are refused, so that it cannot grow.
+// Elements are nested no deeper than the limit, so that functions may recurse over them. O(bytes). Errors:
+// FileTooLarge, ElementMalformed (with the line), Unsupported, OutOfMemory, Cancelled.
 Result<XmlElement> readXml(std::string_view bytes, const XmlLimits& limits, Progress progress = {});
 
 // Creates an error about an element, with its line.

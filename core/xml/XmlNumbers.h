@@ -10,13 +10,14 @@
 
 namespace handwheel {
 
-// Removes and returns the next word of a text. Words are separated by blanks and line ends. Empty at the end.
+// Removes the next word from a text and returns it. Words are separated by blanks and line ends. The result is empty at
+// the end of the text.
 std::string_view takeWord(std::string_view& text);
 
-// Parses a number as parseDecimal() does. Errors: NumberMalformed, NumberNotFinite (out of the range of a double).
+// Parses a number like parseDecimal(). Errors: NumberMalformed, NumberNotFinite (outside the range of a double).
 Result<double> parseNumber(std::string_view word);
 
-// Parses exactly as many finite numbers as the span has room for. Errors: NumberMalformed, NumberNotFinite,
+// Parses a text with as many finite numbers as the span has elements. Errors: NumberMalformed, NumberNotFinite,
 // CountMismatch.
 Status parseNumbers(std::string_view text, std::span<double> numbers);
 

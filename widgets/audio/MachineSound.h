@@ -14,11 +14,11 @@ namespace handwheel {
 
 class SoundPlayer;
 
-// Plays the sound of a machine on the default output of the computer. Off until it is switched on. The output is opened
-// with the first state and given back when no state came for kHeldMs. Everything that may wait, looking for devices and
-// opening one, is done on a thread of its own; without a device it stays silent and tries again after such a pause. The
-// state is to be set some ten times a second while the machine runs: the sound ends half a second after the last one.
-// Window thread; calls return at once.
+// The sound of a machine, played on the default output of the computer. The sound is off until it is switched on. The
+// output is opened for the first state and released if no state is set for kHeldMs. Devices are found and opened on a
+// separate thread, because this may take long. Without a device the sound is silent, and devices are looked for again
+// after a pause of kHeldMs. The state is to be set about ten times a second while the machine runs: the sound ends half
+// a second after the last state. All calls must be made on the window thread, and return at once.
 class MachineSound : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class MachineSound : public QObject {
   void setState(const MachineSoundState& state);
 
  signals:
-  // Emitted with the name of the device that plays; empty: it was given back.
+  // Emitted with the name of the device that plays; empty: the device was released.
   void deviceChanged(const QString& device);
 
  private:

@@ -14,8 +14,8 @@ namespace handwheel {
 
 class SoundStream;
 
-// Plays the sound of a machine on its default output. Lives on a thread that may wait for devices; all calls there.
-// Without a device it does nothing.
+// Player of a machine's sound on the default output of the computer. The player lives on a thread that may wait for
+// devices, and all calls must be made on that thread. Without a device it does nothing.
 class SoundPlayer : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class SoundPlayer : public QObject {
   void setState(const MachineSoundState& state);
 
  signals:
-  void deviceChanged(const QString& device);  // empty: none
+  void deviceChanged(const QString& device);  // name: the device that plays; empty: none
 
  private:
   std::unique_ptr<SoundStream> m_stream;

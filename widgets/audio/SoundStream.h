@@ -9,8 +9,9 @@
 
 namespace handwheel {
 
-// The samples of a machine's sound as a device that audio outputs read from. When it has received no state for
-// kPatience of played sound it fades to silence, so that a machine that stands still is not heard for ever. One thread.
+// The samples of a machine's sound as a device that audio outputs read from. If it receives no state for kPatience of
+// played sound, it fades to silence, so that the sound ends when the machine stops. Its functions must be called by one
+// thread.
 class SoundStream : public QIODevice {
   Q_OBJECT
 
@@ -18,7 +19,7 @@ class SoundStream : public QIODevice {
   enum class Format { Float, Int16 };       // samples in native byte order
   static constexpr double kPatience = 0.5;  // s
 
-  // channels: 1 to 8, all with the same sound.
+  // channels: the number of channels, 1 to 8. All have the same sound.
   SoundStream(double sampleRate, int channels, Format format, QObject* parent = nullptr);
 
   void setState(const MachineSoundState& state);

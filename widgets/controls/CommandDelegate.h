@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Draws a row of the command palette. It has icon, title, menu path and keys, and below them the reason if the command
-// is disabled.
+// A delegate that draws the rows of the command palette. A row shows icon, title, menu path and keys, and below them
+// the reason if the command is disabled.
 class CommandDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

@@ -14,11 +14,11 @@ class QAction;
 
 namespace handwheel {
 
-// Name of the action property with the reason why the action is disabled, translated. Without this property the tool
-// tip is shown.
+// Name of the action property with the translated reason why the action is disabled. For an action without this
+// property, the tooltip is shown.
 inline constexpr const char* kDisabledReason = "disabledReason";
 
-// The list of actions that match the search text, best first.
+// A list model of the actions that match the search text, best first.
 class CommandModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class CommandModel : public QAbstractListModel {
 
   using QAbstractListModel::QAbstractListModel;
 
-  // Invisible actions are left out.
+  // Sets the actions and their menu paths. Invisible actions are omitted.
   void setActions(const QList<QAction*>& actions, const QHash<const QAction*, QString>& paths);
   void setRecent(const QStringList& ids) { m_recent = ids; }
   void setQuery(const QString& query);

@@ -14,8 +14,8 @@ namespace handwheel {
 
 class CommandModel;
 
-// A popup that finds and runs any action of the window by name. A few letters suffice. It is shown over the top of the
-// window; Esc or a click elsewhere closes it. The last used actions are stored in the settings.
+// A popup that finds and runs any action of the window by name. A few letters of the name suffice. The popup is shown
+// over the top of the window; Esc or a click elsewhere closes it. The last used actions are stored in the settings.
 class CommandPalette : public QFrame {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class CommandPalette : public QFrame {
   QLineEdit* m_query;
   QListView* m_list;
   QLabel* m_nothing;
-  QPointer<QWidget> m_before;  // widget that had the focus
+  QPointer<QWidget> m_before;  // widget that had the focus before the palette was opened
 };
 
 }  // namespace handwheel

@@ -10,9 +10,9 @@ namespace handwheel {
 
 // The searchable texts of a command.
 struct CommandText {
-  QString id;        // English, in camel case: "saveAs"
+  QString id;        // id of the action: English, in camel case ("saveAs")
   QString title;     // displayed text
-  QString path;      // menus
+  QString path;      // menu path
   QString hint;      // tooltip
   QString shortcut;  // displayed text
 };
@@ -22,17 +22,18 @@ class CommandSearch {
  public:
   void setCommands(const std::vector<CommandText>& commands);
 
-  // Returns the indices of the commands that match, best first: those whose title begins with the query, then those
-  // where the query's letters begin words of the title ("sa" for "Save as"), then those that contain it, then those
-  // that contain its letters in order; last, those where all its words begin words of id, menus, shortcut or tooltip.
-  // Equal matches are sorted by recent use (ids, last first), then by length of the title. Without a query: the recent
-  // ones, then all in order.
+  // Returns the indices of the commands that match, best first. First are commands whose title begins with the query,
+  // second titles with words that begin with the query's letters ("sa" for "Save as"), third titles that contain the
+  // query, and fourth titles that contain its letters in order. Last are commands for which each word of the query
+  // begins a word of id, menus, shortcut or tooltip. Equal matches are sorted by recent use, then by length of the
+  // title. recent: ids of the recently used commands, the last one first. For an empty query, returns the recent
+  // commands, then all others in order.
   std::vector<int> find(const QString& query, const QStringList& recent) const;
 
  private:
   struct Entry {
     QString id;
-    QString title;         // case-folded and without accents, as the others
+    QString title;         // case-folded and without accents, like the other texts
     QString englishTitle;  // the id as words
     QStringList words;     // words of all texts
   };

@@ -6,13 +6,15 @@
 
 namespace handwheel {
 
-// An action that is available only within a scope, such as a tool. While it is added to no widget, Qt does not handle
-// its shortcut; the code that receives the key events of the scope looks them up here.
+// An action that is available only within a scope, such as a tool. While such an action is not added to a widget, Qt
+// does not handle its shortcut. In this case, the code that receives the key events of the scope compares them with the
+// shortcuts of its actions.
 class ContextAction : public QAction {
   Q_OBJECT
 
  public:
-  // scope: its displayed name, "Select faces"; path: shown before the text in lists, "Tools › Select faces".
+  // scope: the displayed name of the scope, such as "Select faces"; path: the text shown before the name of the action
+  // in lists, such as "Tools › Select faces".
   ContextAction(const QString& text, QString scope, QString path, QObject* parent);
 
   const QString& scope() const { return m_scope; }
@@ -23,8 +25,8 @@ class ContextAction : public QAction {
   QString m_path;
 };
 
-// Returns true if the sequence uses Return, Enter or Esc. These end the present operation: they are reserved for the
-// commands that have them by default.
+// Returns true if the sequence uses Return, Enter or Esc. These keys end the present operation, and are reserved for
+// the commands that have them by default.
 bool isEndingKey(const QKeySequence& keys);
 
 }  // namespace handwheel

@@ -4,9 +4,9 @@
 
 namespace handwheel {
 
-// Commits the text of the field that has the focus, if any. The effect is that of leaving the field, but it keeps the
-// focus. To be called before the subject of the field is saved, closed or no longer shown: keys, tabs and menus do that
-// without taking the focus first. Nothing happens for fields of dialogs. Window thread.
+// Commits the text of the field that has the focus, if any. The effect is the same as leaving the field, but the field
+// keeps the focus. To be called before the object that the field edits is saved, closed or hidden, because keys, tabs
+// and menus do this without moving the focus. Fields of dialogs are not committed. Must be called on the window thread.
 void commitFocusedField();
 
 }  // namespace handwheel

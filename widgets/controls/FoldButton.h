@@ -16,7 +16,7 @@ class FoldButton : public QToolButton {
   bool isOpen() const { return m_isOpen; }
 
  signals:
-  void toggledOpen(bool isOpen);  // emitted for the user only
+  void toggledOpen(bool isOpen);  // emitted only for changes by the user
 
  private:
   void setOpen(bool isOpen);

@@ -13,9 +13,10 @@ namespace handwheel {
 
 class NumberLineEdit;
 
-// An input field for a number with a unit. Accepts expressions ("25.4/2", "1 in + 2mm"); the arrow keys and, with the
-// focus, the wheel step it (Shift: ten steps, Ctrl: a tenth). Invalid input stays in the line with the reason below,
-// until it is corrected or Esc restores the value. Values are in mm and radian, independent of the displayed unit.
+// An input field for a number with a unit. It accepts expressions ("25.4/2", "1 in + 2mm"). The arrow keys, and the
+// mouse wheel if the field has the focus, change the value by a step (Shift: ten steps, Ctrl: a tenth). Invalid input
+// stays in the field, with the reason below it, until it is corrected or Esc restores the value. Values are in mm and
+// radian, independent of the displayed unit.
 class NumberField : public QWidget {
   Q_OBJECT
 
@@ -24,20 +25,20 @@ class NumberField : public QWidget {
 
   void setQuantity(Quantity quantity, LengthUnit unit);
   void setRange(double least, double largest);  // no range when least > largest
-  void setPrefix(const QString& prefix);        // "⌀", "R"
+  void setPrefix(const QString& prefix);        // text before the number: "⌀", "R"
   void setLabel(const QString& label);          // accessible name
   void setStep(double step) { m_step = step; }  // 0: depends on the magnitude of the value
-  // Does not replace a text that is being edited.
+  // Sets the value, but does not replace a text that is being edited.
   void setValue(double value);
 
   double value() const { return m_value; }
-  QString problem() const;  // empty: none
+  QString problem() const;  // reason why the text is invalid; empty: it is valid
 
  signals:
-  // Emitted for each change by the user. During a run of steps stillDragging is true; the last value is sent once more
-  // with false.
+  // Emitted for each change by the user. During a run of steps stillDragging is true; at its end the last value is
+  // emitted once more with false.
   void valueEdited(double value, bool stillDragging);
-  // Emitted while a text is being typed that is a valid value.
+  // Emitted while the user is typing, whenever the text is a valid value.
   void valueTyped(double value);
 
  protected:

@@ -6,9 +6,10 @@
 
 namespace handwheel {
 
-// Returns the factor by which held modifier keys change a step. Shift makes it ten, Ctrl a tenth.
+// Returns the factor by which held modifier keys change a step. Shift multiplies a step by ten, Ctrl divides it by ten.
 double stepFactor(Qt::KeyboardModifiers modifiers);
-// Returns the rotation of the wheel in notches, upwards or to the right. Smooth wheels turn by parts of one.
+// Returns the rotation of the wheel in notches, positive upwards or to the right. Smooth wheels turn by fractions of a
+// notch.
 double wheelNotches(const QWheelEvent& event);
 
 // The line edit of a NumberField. Prefix and unit are shown in its margins, so that only the number is edited.

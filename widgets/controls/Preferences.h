@@ -12,7 +12,7 @@ namespace handwheel {
 struct Preferences {
   QString navigation;                              // id of a preset of mouse navigation; empty: the program's default
   LengthUnit lengthUnit = LengthUnit::Millimetre;  // unit of new documents
-  QString language = QStringLiteral("system");     // or a code: "de"
+  QString language = QStringLiteral("system");     // code of a language, such as "de", or "system"
   int autosaveSeconds = 20;                        // 0: never
   bool hasSpaceMouse = true;                       // a space mouse moves the view
   int spaceMouseSpeed = 100;                       // speed of this motion, percent
@@ -29,7 +29,8 @@ inline constexpr int kLargestSpaceMouseSpeed = 500;
 inline constexpr int kLeastMachineVolume = 5;  // percent
 inline constexpr int kLargestMachineVolume = 100;
 
-// Loads the preferences from the program's settings. Invalid values count as not set.
+// Loads the preferences from the program's settings. Invalid values are replaced by the defaults, and numbers out of
+// range by the nearest limit.
 Preferences loadPreferences();
 // Stores the preferences in the program's settings.
 void storePreferences(const Preferences& preferences);

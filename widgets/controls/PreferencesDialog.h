@@ -15,15 +15,16 @@ namespace handwheel {
 
 class ShortcutModel;
 
-// A preset of mouse navigation that the user can choose. The caller supplies them, because this dialog does not know
-// the viewport.
+// A preset of mouse navigation that the user can choose. The caller supplies the presets, because the dialog does not
+// depend on the viewport.
 struct NavigationChoice {
   QString id;
   QString name;
   QString description;  // "Middle: orbit, Shift+middle: pan"
 };
 
-// The dialog for keys, mouse, units, language and autosave. Not modal; every change is stored and applied at once.
+// The dialog for keys, mouse, units, language and autosave. It is not modal; every change is stored and applied at
+// once.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
 

@@ -16,12 +16,12 @@ double perShownUnit(Quantity quantity, LengthUnit unit);
 QString unitSymbol(Quantity quantity, LengthUnit unit);
 
 // Formats a number with the fewest digits. The result is within one millionth of the value, in the locale's digits and
-// without thousands separators. Very large and very small values have an exponent; "∞" and "—" stand for values that
-// are not finite.
+// without thousands separators. Very large and very small values have an exponent; infinite values are written as "∞"
+// or "−∞", and NaN as "—".
 QString numberText(double value, const QLocale& locale);
 
-// Returns the number of a value in mm or radian in the displayed unit, without its symbol. Angles below a billionth of
-// a degree are rounding errors, and shown as 0.
+// Formats a value in mm or radian as a number in the displayed unit, without the unit symbol. Angles below a billionth
+// of a degree are rounding errors and are written as 0.
 QString quantityNumber(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
 
 // Formats a value in mm or radian with its unit: "12.7 mm", "90°".
@@ -29,8 +29,8 @@ QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLo
 
 // Returns the same text with the decimal separator of the locale in its numbers: "±0,05", "1,5; 2".
 QString withLocalNumbers(const QString& text, const QLocale& locale);
-// Returns the inverse, for files: numbers with the decimal separator of the locale, a comma or a point become numbers
-// with a point. No separators of thousands.
+// Returns the same text with a point as decimal separator in its numbers, for files. Numbers may have the decimal
+// separator of the locale, a comma or a point, but no thousands separators.
 QString withPoints(const QString& text, const QLocale& locale);
 
 }  // namespace handwheel

@@ -6,16 +6,16 @@
 
 namespace handwheel {
 
-// Scrolls a panel if the window has little room. It asks for the usual size of the panel and can do with a small one,
-// so that panels do not make the smallest size of the window larger than screens are.
+// A scroll area that scrolls a panel if the window has little room. Its size hint is that of the panel, but its minimum
+// size is small, so that panels do not make the minimum size of the window larger than a screen.
 class ScrolledPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  // Scroll directions. Across a direction without scrolling the panel keeps its smallest size.
+  // Scroll directions. In a direction without scrolling, the panel is never smaller than its minimum size.
   enum class Directions { Vertical, Both };
 
-  // Takes ownership of the panel.
+  // Creates the scroll area, which takes ownership of the panel.
   ScrolledPanel(QWidget* panel, Directions directions, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;

@@ -17,18 +17,18 @@ struct ServiceStatus {
   double ticksPerSecond = 0.0;
   double microsecondsPerTick = 0.0;
   Budget budget = Budget::None;
-  double share = 0.0;   // fraction of the budget; 1: all of it
-  double behind = 0.0;  // fraction of the time by which it is behind
-  int dropped = 0;      // inputs that it had no room for
+  double share = 0.0;   // fraction of the budget that is used; 1: all of the budget
+  double behind = 0.0;  // seconds lost by late ticks, per second; 0: the service is fast enough
+  int dropped = 0;      // number of inputs that the service did not accept in time
 };
 
-// A table model of the background services. New statistics of the same services keep rows and selection.
+// A table model of the background services. Setting new statistics of the same services keeps rows and selection.
 class ServiceModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { Name, State, Ticks, Cost, Share, ColumnCount };
-  enum Role { ShareRole = Qt::UserRole };  // share of the budget, as a number; none without a budget
+  enum Role { ShareRole = Qt::UserRole };  // used fraction of the budget, as a number; invalid: no budget
 
   using QAbstractTableModel::QAbstractTableModel;
 

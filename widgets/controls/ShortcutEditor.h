@@ -25,7 +25,7 @@ class ShortcutEditor : public QWidget {
  private:
   void buildKeyLine(QLayout& column);
   void buildFileLine(QLayout& column);
-  int row() const;  // row of the model; -1: none is selected
+  int row() const;  // selected row of the model; -1: none
   void showRow();
   void useKey();
   void importFile();

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Shortcuts that differ from the defaults, by the id of the action. They are in Qt's portable form ("Ctrl+Shift+Z").
-// Empty list: no key.
+// Shortcuts that differ from the defaults, by the id of the action. They are written in Qt's portable form
+// ("Ctrl+Shift+Z"). An empty list means that the action has no shortcut.
 using ShortcutChanges = QMap<QString, QStringList>;
 
 inline constexpr qint64 kLargestShortcutFile = 1 << 20;  // bytes

@@ -23,9 +23,9 @@ class ShortcutModel : public QAbstractTableModel {
   enum Column { Command, Keys, ColumnCount };
   enum Role {
     ConflictRole = Qt::UserRole,  // the names of the rows that conflicts() returns
-    AmbiguousRole,                // true if one of these is active at the same time, so that neither works
+    AmbiguousRole,  // true if a conflicting command is active at the same time, so that the key triggers no command
     ChangedRole,
-    FixedRole,  // its key cannot be changed
+    FixedRole,  // true if the shortcut cannot be changed
     IdRole,
     PathRole,
   };
@@ -33,13 +33,13 @@ class ShortcutModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   // Sets the actions; only commands are listed. The present keys of new actions become their defaults; then the user's
-  // keys are applied, as far as the command may have them. To be called again when actions were added.
+  // keys are applied, except those that the command may not have. To be called again after actions have been added.
   void setActions(const QList<QAction*>& actions, const QMenuBar* menus);
 
   QList<QKeySequence> keys(int row) const;
-  // Sets the keys, without those that the row may not have.
+  // Sets the keys of a row, except those that the row may not have.
   void setKeys(int row, const QList<QKeySequence>& keys);
-  // Returns the reason why the row may not have the key, as a sentence; empty when it may.
+  // Returns a sentence that states why the row may not have the key. The result is empty if the key is allowed.
   QString objection(int row, const QKeySequence& key) const;
   void reset(int row);
   void resetAll();
@@ -47,11 +47,11 @@ class ShortcutModel : public QAbstractTableModel {
   // Returns the other rows that a key of this row, or a prefix of it, also triggers. Commands of two scopes are never
   // active at the same time.
   QList<int> conflicts(int row) const;
-  // Removes from the conflicting rows the keys they share with this row.
+  // Removes the keys that conflict with this row from the other rows.
   void resolveInFavourOf(int row);
 
   ShortcutChanges changes() const;
-  // Replaces all changes; unknown ids are skipped.
+  // Replaces all changes of the shortcuts. Unknown ids are skipped.
   void setChanges(const ShortcutChanges& changes);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -65,7 +65,7 @@ class ShortcutModel : public QAbstractTableModel {
     QString id;
     QString title;
     QString path;
-    QString scope;  // empty: always active
+    QString scope;  // name of the scope; empty: always active
     QList<QKeySequence> defaults;
   };
   Entry entryOf(QAction* action, const QString& path) const;

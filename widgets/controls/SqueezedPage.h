@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// The page of a ScrolledPanel with lists or plots. They fill the available room, and the page is scrolled only if they
-// would become smaller than their least size. Another page with wrapped lines gets the height of its size hint, and is
-// scrolled although there is room.
+// The page of a ScrolledPanel with lists or plots. The lists or plots fill the available room, and the page is scrolled
+// only if they would become smaller than their minimum size. Without this class, a page with wrapped lines gets the
+// height of its size hint, and is scrolled even if there is room.
 class SqueezedPage : public QWidget {
  public:
   using QWidget::QWidget;

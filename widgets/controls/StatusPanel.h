@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A panel with the running services and their costs. Queries the statistics twice a second, and only while it is
+// A panel with the running services and their costs. It queries the statistics twice a second, and only while it is
 // visible.
 class StatusPanel : public QWidget {
   Q_OBJECT

@@ -8,7 +8,7 @@ class QAction;
 
 namespace handwheel {
 
-// A push button for an action. Text, tooltip, enabled and checked state are those of the action.
+// A push button for an action. Its text, tooltip, enabled and checked state follow the action.
 class ActionButton : public QPushButton {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ActionButton : public QPushButton {
   QAction* action() const { return m_action; }
 
  signals:
-  // Emitted when the pointer or the focus came to the button, or left it.
+  // Emitted when the pointer or the focus comes to the button, or leaves it.
   void pointed(bool isPointed);
 
  protected:

@@ -9,8 +9,8 @@ class QToolButton;
 
 namespace handwheel {
 
-// The title bar of a dock widget. It has its name and two buttons, which float and hide the dock. The dock is dragged
-// by it; a double click floats it or docks it again. A floating dock keeps it.
+// The title bar of a dock widget. It shows the name of the dock widget and two buttons, which float and hide the dock.
+// Dragging the title bar moves the dock, and a double click floats or docks it. A floating dock keeps its title bar.
 class DockTitle : public QFrame {
   Q_OBJECT
 

@@ -24,14 +24,14 @@ class DocumentsPanel : public QWidget {
   void addDocument(Document* document);
   void removeDocument(Document* document);
   void setCurrent(Document* document);
-  // Sets a picture instead of the icon of its kind; a null one changes nothing.
+  // Shows a picture of a document instead of the icon of its kind. A null picture changes nothing.
   void setPicture(const Document* document, const QPixmap& picture);
 
   // Returns the action that hides or shows the surface of the current document.
   QAction* visibilityAction() { return &m_visibility; }
 
  signals:
-  void chosen(handwheel::Document* document);     // emitted for a choice in the list, which keeps the focus
+  void chosen(handwheel::Document* document);     // emitted when a row is chosen by keyboard; the list keeps the focus
   void activated(handwheel::Document* document);  // emitted for a click or Return
   void visibilityChanged(handwheel::Document* document, bool visible);
 

@@ -16,8 +16,8 @@ struct Hint {
   bool operator==(const Hint&) const = default;
 };
 
-// The bar at the bottom that shows the effect of each input. If not all hints fit, those of inputs that are not
-// available are left out, and as many of the others are shown as fit, in order; the tooltip has all of them.
+// The bar at the bottom that shows the effect of each input. If not all hints fit, those of unavailable inputs are
+// omitted, and the first of the others are shown as far as they fit. The tooltip contains all hints.
 class HintBar : public QWidget {
   Q_OBJECT
 

@@ -14,8 +14,8 @@ namespace handwheel {
 
 class JobLine;
 
-// Shows the running jobs in the status bar. The first has name, progress and a cancel button; the others are behind a
-// button.
+// A widget that shows the running jobs in the status bar. The first job is shown with name, progress and a cancel
+// button; a button opens the list of the others.
 class JobBar : public QWidget {
   Q_OBJECT
 

@@ -10,9 +10,9 @@ namespace handwheel {
 struct JobStatus {
   quint64 id = 0;
   QString name;
-  double fraction = -1.0;  // 0…1; below zero: unknown
-  bool isWaiting = false;  // it waits for earlier jobs
-  int seconds = 0;         // working time
+  double fraction = -1.0;  // finished fraction, 0…1; below zero: unknown
+  bool isWaiting = false;  // the job waits for earlier jobs
+  int seconds = 0;         // working time so far, s
 };
 
 }  // namespace handwheel

@@ -20,32 +20,34 @@ struct LessonStep {
   QString text;            // instructions; plain text
   QStringList hints = {};  // shown one after another, on request
   State state = State::Open;
-  bool byHand = false;  // done when the user says so; else the program finds out
-  int shownHints = 0;   // number of hints requested before
+  bool byHand = false;  // true: the user marks the step as done; false: the program checks it
+  int shownHints = 0;   // number of hints that were already requested
 };
 
-// Leads through the steps of a lesson, with hints on demand and the time. The current step is the first that is open,
-// until the user chooses another one. The panel only displays: the owner of the lesson sets the states.
+// A panel that leads through a lesson, with hints on demand and the time. The shown step is the first one that is not
+// done, until the user chooses another one. The panel only displays: the owner of the lesson sets the states.
 class LessonPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LessonPanel(QWidget* parent = nullptr);
 
-  // Begins a lesson, or continues one.
+  // Shows a lesson that is begun or continued.
   void setLesson(const QString& title, std::vector<LessonStep> steps);
   void setStepState(std::size_t step, LessonStep::State state);
-  // Sets the seconds since the beginning, and those allowed; 0: no limit. Less than zero counts as zero.
+  // Sets the time since the lesson began and the allowed time, s. An allowed time of 0 means no limit. Negative times
+  // count as zero.
   void setTime(double elapsed, double allowed);
 
   std::size_t steps() const { return m_steps.size(); }
-  int shownStep() const { return m_shown; }  // -1: none
+  int shownStep() const { return m_shown; }  // index of the shown step; -1: none
   bool isHintShown() const;
 
  signals:
   void stepShown(int step);
-  void hintShown(int step, int count);  // one more hint: `count` hints of the step are shown now
-  void stepDone(int step);              // the user has finished a step that is done by hand
+  // Emitted when the user requests one more hint. count: the number of hints shown for the step.
+  void hintShown(int step, int count);
+  void stepDone(int step);  // the user has finished a step that is done by hand
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -17,8 +17,8 @@ struct LogEntry {
   QString command;  // the equivalent command line; empty if there is none
 };
 
-// A table model of the events since the program was started. Newest last; with time, event, and the equivalent command
-// line.
+// A table model of the events since the program was started. Each row shows the time, the event, and the equivalent
+// command line. The newest event is last.
 class LogModel : public QAbstractTableModel {
   Q_OBJECT
 

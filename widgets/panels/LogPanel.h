@@ -10,7 +10,7 @@ namespace handwheel {
 
 class LogModel;
 
-// Shows the log; rows can be copied with Ctrl+C.
+// A panel that shows the log. Rows can be copied with Ctrl+C.
 class LogPanel : public QWidget {
   Q_OBJECT
 

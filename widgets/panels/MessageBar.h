@@ -14,7 +14,7 @@ namespace handwheel {
 
 class Document;
 
-// A message to the user with up to two actions. It gives the event, its reason, and a remedy.
+// A message to the user with up to two actions. It states the event, its reason, and a remedy.
 struct Message {
   enum class Weight { Info, Warning, Error };
   Weight weight = Weight::Info;
@@ -25,17 +25,20 @@ struct Message {
   std::function<void()> action = {};
   QString otherText = {};
   std::function<void()> other = {};
-  const Document* about = nullptr;    // removed with this document; null: about no open document
-  QString topic = {};                 // withdraw() with this topic removes it; empty: it cannot be withdrawn
-  bool comesFirst = false;            // shown before others, and not removed unread: data may be lost
-  std::function<bool()> isOver = {};  // called after changes of `about` and before new messages; true: removed
+  const Document* about = nullptr;  // the message is removed with this document; null: it is about no open document
+  QString topic = {};               // withdraw() with this topic removes the message; empty: it cannot be withdrawn
+  bool comesFirst = false;          // shown before others and never removed unread, because data may be lost
+  // The function that is called after changes of `about` and before new messages. If it returns true, the message is
+  // removed.
+  std::function<bool()> isOver = {};
 };
 
-// Shows messages over the upper edge of the viewport. The view does not change; the latest message is first. They are
-// not modal. Each stays until it is closed. A message about a document is visible while that document is current, and
-// also over the one that was current when it arrived, so that errors in the background are noticed; it is removed with
-// its document. A message about no document is removed when another document becomes current and there was time to read
-// it. A later message with the same title about the same document replaces the earlier one: its cause may be mended.
+// A bar that shows messages over the upper edge of the viewport. The view does not move when messages appear. The
+// messages are not modal, and the latest is shown first. Each message stays until it is closed or its cause is gone. A
+// message about a document is visible while that document is current, and also over the document that was current when
+// the message arrived, until another one becomes current, so that errors in the background are noticed. It is removed
+// with its document. A message about no document is removed when another document becomes current, if there was time to
+// read it. A later message with the same title about the same document replaces the earlier one.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -47,7 +50,7 @@ class MessageBar : public QFrame {
   void showMessage(const Message& message);
   // Sets the current document; null: none.
   void setDocument(const Document* document);
-  // Removes the messages about a document that have this topic, because their reason is gone.
+  // Removes the messages about a document that have this topic, because their cause is gone.
   void withdraw(const Document* about, const QString& topic);
   // Removes the messages of a document that is about to close.
   void forget(const Document* document);
@@ -61,28 +64,29 @@ class MessageBar : public QFrame {
  private:
   struct Entry {
     Message message;
-    const Document* arrivedOver;  // the current document at that time
+    const Document* arrivedOver;  // the document that was current when the message arrived
     QElapsedTimer since;
   };
 
   void removeOver();
-  const Entry* latest() const;  // the latest visible message, one that comes first if any; null: none
+  // Returns the latest visible message, preferably one with comesFirst; null: no message is visible.
+  const Entry* latest() const;
   std::size_t seenCount() const;
   bool isSeen(const Entry& entry) const;
-  Message takeLatest();  // there must be one
+  Message takeLatest();  // removes and returns the latest message; there must be one
   void act(std::function<void()> Message::*what);
   void showLatest();
   void showNext();
   void drawIcon();
   void place();
 
-  std::vector<Entry> m_messages;         // the latest last
+  std::vector<Entry> m_messages;         // messages in the order of their arrival
   const Document* m_document = nullptr;  // the current document
-  int m_readingTime = 5000;              // ms
-  QWidget* m_area = nullptr;             // the sibling below it; null: a layout determines its position
+  int m_readingTime = 5000;              // time needed to read a message, ms
+  QWidget* m_area = nullptr;  // the sibling that the bar covers; null: a layout determines the position of the bar
   QLabel* m_icon;
   QLabel* m_text;
-  QPushButton* m_more;  // the number of further messages; shows the next
+  QPushButton* m_more;  // shows the number of further messages; a click shows the next one
   QPushButton* m_action;
   QPushButton* m_other;
 };

@@ -18,8 +18,8 @@ struct ResultCell {
   QString reason = {};  // tool tip
 };
 
-// A table of results as a model, sorted by any column. Numbers by value, texts as the locale sorts them, empty cells
-// last in both directions; rows that are equal keep their order.
+// A table of results as a model that can be sorted by any column. Numbers are sorted by value and texts in the order of
+// the locale. Empty cells come last in both directions, and equal rows keep their order.
 class ResultModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -27,10 +27,11 @@ class ResultModel : public QAbstractTableModel {
   using Row = std::vector<ResultCell>;
   using QAbstractTableModel::QAbstractTableModel;
 
-  // Sets the table. Rows that are too short end with empty cells. The sorting stays.
+  // Sets the table. Rows that are too short are filled up with empty cells. The present sorting is applied to the new
+  // table.
   void setTable(QStringList headings, std::vector<Row> rows);
 
-  // Returns the row of the table that was set for a displayed row.
+  // Returns the index in the table passed to setTable() of a displayed row.
   std::size_t source(int row) const { return m_order[static_cast<std::size_t>(row)]; }
   bool isNumber(int row, int column) const { return cell(source(row), column).number.has_value(); }
 
@@ -47,7 +48,7 @@ class ResultModel : public QAbstractTableModel {
   QStringList m_headings;
   std::vector<Row> m_rows;
   std::vector<std::size_t> m_order;
-  int m_sorted = -1;  // column; -1: not sorted
+  int m_sorted = -1;  // sorted column; -1: not sorted
   Qt::SortOrder m_direction = Qt::AscendingOrder;
 };
 

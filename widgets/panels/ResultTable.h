@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // A table of results, such as the marks of a class. The first column, which names the owners of the results, stays
-// visible while the others scroll. A click on a heading sorts, or the menu of the table; Ctrl+C copies the selected
+// visible while the others scroll. Clicks on headings and the menu of the table sort it. Ctrl+C copies the selected
 // rows with the headings, separated by tabs for spreadsheets.
 class ResultTable : public QTreeView {
   Q_OBJECT
@@ -23,7 +23,7 @@ class ResultTable : public QTreeView {
   QString copyText() const;
 
  signals:
-  void rowActivated(std::size_t row);  // row of the table that was set
+  void rowActivated(std::size_t row);  // row: index in the table that was set
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -35,7 +35,7 @@ class ResultTable : public QTreeView {
   void placeFirstColumn();
 
   ResultModel* m_model;
-  QTreeView* m_first;  // the first column, over the others
+  QTreeView* m_first;  // a view of the first column that lies over the others
 };
 
 }  // namespace handwheel

@@ -31,9 +31,9 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  // Returns the thumbnail of a file; null when there is none.
+  // Function that returns the thumbnail of a file, or a null pixmap if there is none.
   using Pictures = std::function<QPixmap(const QString& path)>;
-  // Returns the icon name for a file without a thumbnail.
+  // Function that returns the icon name for a file without a thumbnail.
   using IconNames = std::function<QString(const QString& path)>;
 
   explicit StartPage(QWidget* parent = nullptr);

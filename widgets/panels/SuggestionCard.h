@@ -21,22 +21,23 @@ struct Suggestion {
   QString title;
   QString detail;
   std::vector<QAction*> actions;
-  bool isFirstObvious = true;  // the first action stands out because most users want it
-  // Called when pointer or focus come to the button of an action, or leave it. May be empty.
+  bool isFirstObvious = true;  // true: the first action is emphasised, because most users want it
+  // The function that is called when the pointer or the focus comes to the button of an action, or leaves it. It may be
+  // empty.
   std::function<void(const QAction* action, bool isPointed)> pointed = {};
 
   bool isEmpty() const { return title.isEmpty(); }
 };
 
-// A card over the lower edge of the viewport with the suggested next step. Its width keeps it low, and it can be folded
-// to one line with the first action; it stays folded for the steps that follow, in all documents.
+// A card over the lower edge of the viewport with the suggested next step. The card is wide and low. It can be folded
+// to one line with the first action, and then stays folded for the following steps of all documents.
 class SuggestionCard : public QFrame {
   Q_OBJECT
 
  public:
   explicit SuggestionCard(QWidget* over);
 
-  void showStep(const Suggestion& step);  // hides if the step is empty
+  void showStep(const Suggestion& step);  // hides the card if the step is empty
 
  signals:
   void dismissed();
@@ -59,8 +60,8 @@ class SuggestionCard : public QFrame {
   QLabel* m_title;
   QLabel* m_detail;
   QToolButton* m_fold;
-  QHBoxLayout* m_first;    // the first action, in the line of the title; for a folded card
-  QGridLayout* m_buttons;  // all actions; for an unfolded card
+  QHBoxLayout* m_first;    // contains the first action, in the line of the title; for a folded card
+  QGridLayout* m_buttons;  // contains all actions; for an unfolded card
 };
 
 }  // namespace handwheel

@@ -16,8 +16,8 @@ class Tile : public QAbstractButton {
   Tile(const QString& iconName, const QString& title, const QString& text, QWidget* parent = nullptr);
 
   void setLine(const QString& text);
-  // Sets a picture instead of the icon, cropped to this size (logical pixels). Without a picture the icon is centred in
-  // it.
+  // Sets a picture instead of the icon, cropped to this size (logical pixels). If the picture is null, the icon is
+  // centred in this area.
   void setPicture(const QPixmap& picture, const QSize& size);
 
  protected:

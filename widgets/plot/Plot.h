@@ -15,16 +15,17 @@ namespace handwheel {
 struct PlotAxis {
   QString title;                   // "CPU time of a fill"
   QString unit;                    // "ms"; shown in parentheses after the title
-  bool logarithmic = false;        // only if all values are above zero; else it is linear
+  bool logarithmic = false;        // logarithmic if all values are above zero, else linear
   std::vector<double> shown = {};  // values that the axis includes in any case
 };
 
 // A series of points, drawn as a line or as bars.
 struct PlotSeries {
   QString name;
-  std::vector<QPointF> points;    // in units of the axes; not finite: left out; a gap in lines without markers
-  bool joined = true;             // connected by lines, in order
-  double barWidth = 0.0;          // above zero: drawn as bars of this width, in units of x, instead
+  // The points in units of the axes. Points that are not finite are omitted, and interrupt lines without markers.
+  std::vector<QPointF> points;
+  bool joined = true;             // the points are connected by lines, in order
+  double barWidth = 0.0;          // if above zero, the points are drawn as bars of this width, in units of x
   std::vector<QColor> bars = {};  // colours of the bars; empty: the colour of the series
   bool dotted = true;             // each point has a marker; false for lines with too many points
 };

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// The layout of a plot in a rectangle of the screen or page. Shared by painting and by the cursor read-out.
+// The layout of a plot in a rectangle of the screen or page. It is shared by painting and the cursor read-out.
 class PlotLayout {
  public:
   PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF& metrics);
@@ -20,17 +20,18 @@ class PlotLayout {
   const PlotScale& x() const { return m_x; }
   const PlotScale& y() const { return m_y; }
 
-  // Returns the indices of the x ticks whose labels fit side by side below the frame: each second or third if
-  // necessary, including the one at zero.
+  // Returns the indices of the x ticks whose labels fit side by side below the frame: every second or third tick if
+  // necessary, including the tick at zero.
   std::vector<std::size_t> labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const;
 
-  // Returns the indices of the y ticks whose labels fit above each other beside the frame, chosen likewise.
+  // Returns the indices of the y ticks whose labels fit above each other beside the frame, chosen by the same rule as
+  // the x ticks.
   std::vector<std::size_t> labelledRows(const QFontMetricsF& metrics) const;
 
   QPointF toScreen(const QPointF& value) const;
-  bool isShown(const QPointF& value) const;  // finite, and above zero on a logarithmic axis
+  bool isShown(const QPointF& value) const;  // true if the value is finite, and above zero on a logarithmic axis
 
-  // The point of a series nearest to a screen position, if one is within reach (pixels).
+  // A point of a series that is displayed in the read-out.
   struct Reading {
     std::size_t series;
     std::size_t point;

@@ -11,8 +11,9 @@ class QPainter;
 
 namespace handwheel {
 
-// Draws a plot into a rectangle. Uses the painter's font. Draws title, legend, two axes with titles and units, series
-// distinguished by colour and by marker shape, and annotated points. Draws nothing when there is not enough room.
+// Draws a plot into a rectangle. The plot consists of title, legend, two axes with titles and units, series
+// distinguished by colour and marker shape, and annotated points. Texts are in the painter's font. Draws nothing if
+// there is not enough room.
 void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, ThemeKind theme);
 
 }  // namespace handwheel

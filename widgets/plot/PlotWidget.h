@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // A widget that shows a plot with a read-out. The point nearest to the cursor is marked and its values are shown. The
-// arrow keys move along the points, up and down between the series; Escape hides the read-out.
+// left and right arrow keys move along the points, the up and down keys between the series. Escape hides the read-out.
 class PlotWidget : public QWidget {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class PlotWidget : public QWidget {
   void setPlot(Plot plot);
   const Plot& plot() const { return m_plot; }
 
-  // Returns the displayed read-out: "sphere: 10 ms, 0.05 mm"; empty when there is none.
+  // Returns the displayed read-out: "sphere: 10 ms, 0.05 mm". The result is empty if no point is read out.
   QString reading() const;
 
   QSize sizeHint() const override;
@@ -38,7 +38,7 @@ class PlotWidget : public QWidget {
  private:
   PlotLayout layoutNow() const;
   void read(std::optional<PlotLayout::Reading> reading);
-  // Returns the next displayable point from this one on.
+  // Returns the next displayable point, starting from a reading in the given direction.
   std::optional<PlotLayout::Reading> neighbour(PlotLayout::Reading from, int alongSeries, int alongPoints) const;
 
   Plot m_plot;

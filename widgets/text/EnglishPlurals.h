@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// A translator that forms English plurals of source texts ("%n hole(s)", "%n body(ies)"). Installed before any other
-// translator, so that it is used only when there is no translation.
+// A translator that forms English plurals of source texts ("%n hole(s)", "%n body(ies)"). It must be installed before
+// any other translator: Qt asks the one installed last first, so this one is asked only if there is no translation.
 class EnglishPlurals : public QTranslator {
  public:
   using QTranslator::QTranslator;

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Translates an argument of an error for use in a sentence. Phrases of the core are translated; anything else, which
-// may quote a damaged file, is only shortened.
+// Translates an argument of an error for use in a sentence. Phrases of the core are translated; other text, which may
+// be a quotation from a damaged file, is only shortened.
 QString errorArgument(const QString& english);
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@ namespace handwheel {
 // Returns the names of the file content that a document does not keep. Examples: "colours", "texture coordinates",
 // "quality"…
 QStringList lostNames(const DocumentFile& file);
-// Returns the same as a part of a sentence: "colours, texture coordinates, “quality”"
+// Returns the names of lostNames() as a part of a sentence: "colours, texture coordinates, “quality”".
 QString lostText(const DocumentFile& file);
 
 }  // namespace handwheel

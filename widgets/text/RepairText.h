@@ -16,29 +16,31 @@ QString fillMethodName(FillMethod method);
 // Returns one sentence on when to choose a fill method.
 QString fillMethodHint(FillMethod method);
 
-// Returns the reason for a person to look at a patch; empty if it is like its surroundings.
+// Returns the reason why the user should inspect a patch. The result is empty if the patch resembles its surroundings.
 QString patchWarning(const PatchComparison& shape);
 // Returns a sentence about material that a repair removed from the outside.
 QString removalWarning(const FarthestRemovedVertex& removed, LengthUnit unit);
-// Returns the name of a boundary loop, "Hole 3" or "Outer boundary 1". number: by LoopNumbers.
+// Returns the name of a boundary loop, "Hole 3" or "Outer boundary 1". number: the number from LoopNumbers.
 QString boundaryLoopName(bool isSheetBoundary, int number);
 // Returns the reason why a hole stayed open, as the end of a sentence. Example: "every patch would intersect the part".
 QString fillFailureReason(FillFailure failure);
 
 // Returns a phrase for each outcome of the holes and outer boundaries: "26 of 28 holes filled", "2 could not be
-// filled". Empty if there are none.
+// filled". The result is empty if there are no holes and no outer boundaries.
 QStringList outcomeTexts(const LoopCounts& loops);
-// Returns the changes of a repair besides filling, one phrase for each kind. Empty when there were none.
+// Returns the changes of a repair besides filling, one phrase for each kind. The result is empty if there were no such
+// changes.
 QStringList repairSummary(const RepairReport& report, LengthUnit unit = LengthUnit::Millimetre);
-// Formats a thickness as "0.01 to 0.05 mm", or "0.01 mm" if both are written alike. Adds the number of vertices with
-// less than requested.
+// Formats a thickness as "0.01 to 0.05 mm", or "0.01 mm" if both limits have the same text. Adds the number of vertices
+// at which the sheet is thinner than requested.
 QString thicknessText(const SheetThickness& thickness, LengthUnit unit);
 
-// Formats outcomes as "3 of 4 thickened by 0.01 mm; 1 sheet left open: " and the reason; for each reason.
+// Describes the outcomes for sheets: "3 of 4 thickened by 0.01 mm; 1 sheet left open: …", with one phrase for each
+// reason to leave sheets open.
 QString sheetsText(const SheetOutcomes& sheets, LengthUnit unit);
 
-// Describes the state of a surface. "closed, manifold, oriented, free of self-intersections, one piece", or the
-// properties that do not hold; those that were not examined are left out.
+// Describes the state of a surface. The result is "closed, manifold, oriented, free of self-intersections, one piece",
+// with the opposite word for each property that does not hold. Properties that were not examined are omitted.
 QString stateText(const MeshState& state);
 
 // Formats an area with three significant digits, or as a whole number: "12.3 mm²".

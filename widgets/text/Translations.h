@@ -14,18 +14,19 @@ namespace handwheel {
 // A language of the user interface.
 struct Language {
   QString code;  // "de", "zh_CN"
-  QString name;  // in the language itself
+  QString name;  // name of the language in the language itself
 };
 
 // Returns the languages of the user interface; English, the language of the source texts, is first.
 QList<Language> windowLanguages();
 
-// Returns the language code for a setting. A setting of "system" gives the first available one of the wanted languages,
-// else English. The wanted ones are written as in QLocale::uiLanguages.
+// Returns the language code for a setting. For the setting "system", returns the first available one of the wanted
+// languages, or English if none is available. wanted: language codes in the form of QLocale::uiLanguages().
 QString languageFor(const QString& setting, const QStringList& wanted);
 
-// Installs the translators and the locale of a language for its lifetime. To be created before the first widget, so a
-// change of the setting takes effect at the next start. The command line is always English and creates none.
+// Installs the translators and the locale of a language for its lifetime. It must be created before the first widget,
+// so a change of the setting takes effect at the next start. The command line creates no such object and is always in
+// English.
 class Translations {
  public:
   explicit Translations(const QString& setting);

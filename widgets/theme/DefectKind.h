@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The kinds of mesh defects, in the order of the panel. Their colours and icons are below.
+// The kinds of mesh defects, in the order of the panel.
 enum class DefectKind {
   Hole,
   KeptOpen,
@@ -15,13 +15,14 @@ enum class DefectKind {
   NonManifoldVertex,
   OneSided,
   InsideOut,
-  Inconsistent,  // single triangles; opening reverses them, so they exist only after undoing that
+  // Single triangles that face the wrong side. Opening a file reverses them, so they exist only after that is undone.
+  Inconsistent,
   NearVertex,
   Degenerate,
   Duplicate,
   SelfIntersection,
   Debris,
-  Flipped,  // already mended on opening
+  Flipped,  // triangles that were reversed when the file was opened
 };
 inline constexpr int kDefectKinds = 13;
 

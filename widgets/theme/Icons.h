@@ -8,10 +8,10 @@
 namespace handwheel {
 
 // Returns an icon from resources/icons, by file name without extension. It is drawn with the text colour of the present
-// palette (the accent when checked), so it follows a change of theme by itself.
+// palette (the accent when checked), so it follows a change of the theme automatically.
 QIcon icon(const QString& name);
 
-// Returns the same icon in a given colour, for defects and states.
+// Returns an icon in a fixed colour, for defects and states.
 QIcon icon(const QString& name, const QColor& colour);
 
 }  // namespace handwheel

@@ -13,15 +13,16 @@ class QWidget;
 namespace handwheel {
 
 // Updates the widgets after a change of the application's palette. The style sheet refers to roles of the palette. Qt
-// resolves a role once for each widget and caches the result, and setting the style sheet again costs three times as
-// much: it also processes hidden panels, menus and closed cards, and lays everything out again. Here the visible
-// widgets are updated at once, so that no frame shows a mixture of themes; the hidden ones when they are shown, or when
-// the application is idle. Window thread.
+// resolves a role once for each widget and caches the result, so the widgets must be updated. Setting the style sheet
+// again would cost three times as much, because it also processes hidden panels, menus and closed cards, and repeats
+// all layouts. This class updates the visible widgets at once, so that no frame shows a mixture of themes, and each
+// hidden widget when it is shown or the application is idle. Must be used on the window thread.
 class Restyling : public QObject {
   Q_OBJECT
 
  public:
-  // Starts the update. The object is owned by the application. Starts over if an earlier update is not finished.
+  // Starts the update. An update that is not finished is started again. The object that performs the update is owned by
+  // the application.
   static void restyle(QApplication& application);
 
  protected:

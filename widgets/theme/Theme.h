@@ -11,7 +11,7 @@ namespace handwheel {
 // The colour themes of the program.
 enum class ThemeKind { Light, Dark };
 
-// The colours of one theme. Everything the program draws itself takes its colours from here.
+// The colours of one theme. All drawing code of the program uses these colours.
 struct ThemeColours {
   QColor window;  // bars and panels
   QColor base;    // lists and fields
@@ -21,7 +21,7 @@ struct ThemeColours {
   QColor text;
   QColor muted;       // secondary text, contrast at least 4.5:1 on window
   QColor accent;      // selection, the main button, progress
-  QColor accentText;  // on accent
+  QColor accentText;  // text on the accent colour
   QColor success;
   QColor warning;
   QColor error;

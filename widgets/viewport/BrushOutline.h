@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// Projects the circle of a brush onto the surface. Returns a closed line of points, at most radius above or below the
-// tangent plane of the surface at the centre. When the line would jump from one part to another, it is a plain circle
-// in that plane; when there is no surface, or it is not yet searchable, a circle with the normal `towards`. At
-// most a millisecond: one ray for each point.
+// Projects the circle of a brush onto the surface. Returns the points of a closed line, at most the radius above or
+// below the tangent plane of the surface at the centre. If the line would jump from one part to another, the result is
+// a plane circle in the tangent plane. If there is no surface, or it is not yet searchable, the result is a circle with
+// the normal `towards`. Cost: one ray for each point, at most a millisecond.
 std::vector<Vec3> brushOutline(const Pickable& pickable, const BrushCircle& brush, const Vec3& towards);
 
 }  // namespace handwheel

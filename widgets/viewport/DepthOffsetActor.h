@@ -14,22 +14,22 @@
 
 namespace handwheel {
 
-// Sets a VTK clipping plane. VTK keeps the side of its normal.
+// Sets a VTK clipping plane. VTK keeps the half-space into which the normal points.
 void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point);
 
-// Sets the material of actors over the model: hardly shaded.
+// Sets the material of actors over the model, which are hardly shaded.
 void setOverlayMaterial(vtkProperty* property);
 
 // An actor over the model, coloured by point data. It is offset towards the viewer by the length of some pixels, which
 // changes only its depth.
 class DepthOffsetActor {
  public:
-  // lift: logical pixels towards the viewer; a higher actor hides a lower one.
+  // lift: logical pixels towards the viewer; an actor with a larger lift hides one with a smaller lift.
   DepthOffsetActor(LayerProps& props, double lift);
 
   void setData(vtkPolyData* data);
-  // Draws it in front of everything; among such actors, a higher one hides a lower one. To be called before it is
-  // drawn.
+  // Makes the actor visible in front of everything. Among such actors, the one with the largest lift is in front.
+  // To be called before the first frame with the actor.
   void drawOverAll();
   void hide() { m_props.show(m_actor, false); }
   void prepare(const LayerFrame& frame);

@@ -6,8 +6,9 @@
 
 namespace handwheel {
 
-// An X display connection that checks whether VTK can render. VTK itself would end the program. Keep it until VTK has
-// rendered: an X server without any client may reset itself, and refuses connections meanwhile.
+// An X display connection that checks whether VTK can render. If VTK cannot render, it ends the program. The connection
+// must be kept until VTK has rendered, because an X server without clients may reset itself and refuse connections
+// meanwhile.
 class DisplayCheck {
  public:
   DisplayCheck();
@@ -15,8 +16,8 @@ class DisplayCheck {
   DisplayCheck(const DisplayCheck&) = delete;
   DisplayCheck& operator=(const DisplayCheck&) = delete;
 
-  // Returns the reason why nothing can be rendered, in English for the log; empty when the display and GLX are
-  // available.
+  // Returns the reason why nothing can be rendered, in English for the log; the result is empty if the display and GLX
+  // are available.
   const std::string& problem() const { return m_problem; }
 
  private:

@@ -12,18 +12,19 @@ class vtkRenderer;
 namespace handwheel {
 
 // Lets VTK render into a QOpenGLWidget. VTK renders to its own framebuffers, which are then copied to that of the
-// widget. All calls except the constructor need the widget's context to be current.
+// widget. The widget's context must be current in all calls except the constructor.
 class GlWindow {
  public:
   explicit GlWindow(vtkRenderer* renderer);
   ~GlWindow();
 
-  // To be called for each new context of the widget; it gets another when it moves to another window.
+  // Attaches to a widget. To be called for each new context of the widget, which gets another one when it moves to
+  // another window.
   void attach(QOpenGLWidget* widget);
   // Frees the resources of the context; to be called before it is destroyed.
   void detach();
   bool isAttached() const { return m_widget != nullptr; }
-  // Renders a frame. size: in device pixels.
+  // Renders a frame. size: the size in device pixels.
   void draw(const QSize& size);
   // Shows the last frame again; costs only a copy.
   void drawAgain();

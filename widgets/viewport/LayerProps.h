@@ -10,7 +10,7 @@ class vtkRenderer;
 
 namespace handwheel {
 
-// The VTK props of one layer, in a renderer or in none yet. They are hidden together and keep their uploaded data.
+// The VTK props of one layer, which may be in a renderer. They are hidden together and keep their uploaded data.
 class LayerProps {
  public:
   LayerProps() = default;
@@ -18,13 +18,13 @@ class LayerProps {
   LayerProps(const LayerProps&) = delete;
   LayerProps& operator=(const LayerProps&) = delete;
 
-  // Moves all props to this renderer; null: to none.
+  // Moves all props to a renderer; null: removes them from the present one.
   void attach(vtkRenderer* renderer);
   void setVisible(bool visible);
 
   void add(vtkProp* prop);
   void remove(vtkProp* prop);
-  // Shows or hides one prop, which is drawn when the layer is visible, too.
+  // Shows or hides one prop. It is drawn only if the layer is visible, too.
   void show(vtkProp* prop, bool isShown);
 
  private:
@@ -36,7 +36,7 @@ class LayerProps {
 
   vtkRenderer* m_renderer = nullptr;
   bool m_isVisible = true;
-  std::vector<Entry> m_entries;  // translucent ones are blended in this order
+  std::vector<Entry> m_entries;  // translucent props are blended in this order
 };
 
 }  // namespace handwheel

@@ -28,11 +28,11 @@ struct SceneColours {
 // Returns the colours for the light or dark theme.
 SceneColours sceneColours(bool dark);
 
-// Mixes two colours. share: of b, 0…1.
+// Mixes two colours. share: the weight of b, 0…1.
 QColor mixed(const QColor& a, const QColor& b, float share);
 
-// Adds three lights that turn with the camera, as in photography. Key from the upper left, fill from the right, head
-// light from the viewer. They show the relief of scans from any view direction.
+// Adds three lights that turn with the camera, as in studio photography. The key light comes from the upper left, the
+// fill light from the right, and the head light from the viewer. They show the relief of scans from any view direction.
 void addStudioLights(vtkRenderer* renderer);
 
 }  // namespace handwheel

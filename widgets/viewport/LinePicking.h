@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Adds a pick hit for each segment of a polyline near the cursor. The segment is within kHolePickRadius, and the hit is
-// its point nearest to the cursor on the screen. closed: the last point is connected to the first.
+// Adds a hit for each segment of a polyline within kHolePickRadius of the cursor. The hit is the point of the segment
+// nearest to the cursor on the screen. closed: true if the last point is connected to the first.
 void findNearLine(std::span<const Vec3> points, bool closed, std::uint64_t element, const CameraNavigation& view,
                   const Vec2& cursor, std::vector<LayerHit>& found);
 

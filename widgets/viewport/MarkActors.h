@@ -36,22 +36,23 @@ class MarkActors {
   void setLineMarks(std::vector<LineMark> marks);
   void setSection(std::vector<SectionMark> section);
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
-  // Sets the selected faces, and those that a tool highlights, until the next call. Returns false when they are
+  // Set the faces that are selected or highlighted by a tool, until the next call. Return false if the faces are
   // unchanged.
   bool setSelectedFaces(const FaceSelection& faces);
   bool setHighlightedFaces(const FaceSelection& faces) { return m_highlighted.set(faces); }
   const std::vector<LoopMark>& loops() const { return m_loops; }
 
-  // The loops to be drawn as hovered and the face under the cursor; -1 and kNone for none.
+  // Sets the loops to be drawn as hovered and the face under the cursor; -1 and kNone: none.
   void setHovered(int listLoop, int cursorLoop, Face face);
   void setColours(const SceneColours& colours);
-  // The mesh that face marks refer to, and the model point at the origin of the drawing.
+  // Sets the mesh that face marks refer to, and the model point at the origin of the drawing.
   void setMesh(const HalfEdgeMesh& mesh, const Vec3& origin);
 
-  // Builds some of these faces that are not yet drawn. Returns the approximate cost in triangles; 0: all are drawn.
+  // Builds some of the face marks that are not yet drawn. Returns the approximate cost in triangles, or 0 if all are
+  // drawn.
   std::size_t buildPendingFaces();
   bool hasPendingFaces() const { return m_selected.isStale() || m_highlighted.isStale(); }
-  // Rebuilds the other marks that have changed since the last frame: once, independent of the number of calls.
+  // Rebuilds the other marks that have changed since the last frame. Each is rebuilt once, however often it was set.
   void prepare(const LayerFrame& frame);
 
  private:
@@ -68,7 +69,7 @@ class MarkActors {
   void rebuildSelectedEdges();
   void addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const;
 
-  HalfEdgeMesh m_mesh;  // shares pages with the copy of the layer
+  HalfEdgeMesh m_mesh;  // the mesh that face marks refer to; shares its pages with the copy of the layer
   Vec3 m_origin = Vec3::Zero();
   SceneColours m_colours;
   std::vector<LoopMark> m_loops;
@@ -78,7 +79,7 @@ class MarkActors {
   std::vector<SectionMark> m_sectionMarks;
   std::vector<Vec3> m_previewPoints;
   std::vector<Triangle> m_previewTriangles;
-  std::vector<Face> m_outlined;  // the selected faces, when these are few
+  std::vector<Face> m_outlined;  // the selected faces, if they are few
   int m_listLoop = -1;
   int m_cursorLoop = -1;
   Face m_hoveredFace = kNone;

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// All pickable objects: the visible layers, without the parts that the plane clips.
+// The pickable layers: the visible ones, without the regions that the plane clips.
 struct Pickable {
   std::vector<const ViewLayer*> layers = {};
   ClipPlane clip = {};
@@ -15,11 +15,11 @@ struct Pickable {
   Box bounds() const;
 };
 
-// Returns the first element along the ray that is not clipped. The direction has unit length.
+// Returns the first element along a ray that is not clipped. The direction must have unit length.
 Pick pickAlong(const Pickable& pickable, const Vec3& origin, const Vec3& direction);
 
-// Picks the element at the cursor. It is the nearest of those within some pixels that no surface hides, else the first
-// along the ray.
+// Picks the element at the cursor. The result is the nearest element within some pixels that no surface hides, or else
+// the first along the ray.
 Pick pickAt(const Pickable& pickable, const CameraNavigation& view, const Vec2& cursor);
 
 }  // namespace handwheel

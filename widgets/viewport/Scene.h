@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A renderer with layers, lights and background. Used by the viewport widget, and for pictures without a widget.
+// A renderer with layers, lights and background. It is used by the viewport widget, and for pictures without a widget.
 class Scene {
  public:
   Scene();
@@ -20,7 +20,7 @@ class Scene {
 
   vtkRenderer* renderer() { return m_renderer; }
 
-  // listener: called for changes of the layer until it is removed.
+  // Adds a layer. listener: the function that is called for changes of the layer until the layer is removed.
   void add(std::shared_ptr<ViewLayer> layer, ViewLayer::Listener listener = {});
   void remove(const ViewLayer& layer);
   // Returns the visible layers.
@@ -29,7 +29,7 @@ class Scene {
   // Tells the layers which of their elements is under the cursor.
   void setHovered(const Pick& pick);
 
-  Box bounds() const;  // bounds of the visible layers
+  Box bounds() const;  // bounding box of the visible layers
   // Returns some thousand points of the layers, enough to estimate their extent in any direction.
   std::vector<Vec3> outline() const;
 
@@ -40,19 +40,19 @@ class Scene {
   const ClipPlane& clipPlane() const { return m_clip; }
   const SceneColours& colours() const { return m_style.colours; }
 
-  // Uploads geometry, as much as the next frame may. Returns false if none was waiting.
+  // Uploads waiting geometry, at most the amount allowed per frame. Returns false if no geometry was waiting.
   bool uploadPendingGeometry();
-  // Uploads marks, which are drawn in the next frame. Returns true if some are left.
+  // Uploads marks, which are drawn in the next frame. Returns true if some marks remain to be uploaded.
   bool takeMarks();
   // Waits until the workers have built all geometry, and uploads it.
   void finish();
-  // Shows simplified layers.
+  // Sets whether the layers are shown in simplified versions.
   void setCoarseShown(bool isReduced);
   // Returns the number of geometry builds of all present layers.
   int builtCount() const;
-  // Sets camera and line widths for the next frame. size in logical pixels.
+  // Sets camera and line widths for the next frame. size: the size of the view in logical pixels.
   void prepare(const CameraState& camera, const Vec2& size, double pixelRatio);
-  // Paints the overlays of the layers, such as a legend, over the frame. size in logical pixels.
+  // Paints the overlays of the layers, such as a legend, over the frame. size: the size of the view in logical pixels.
   void paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit) const;
 
  private:
@@ -66,9 +66,9 @@ class Scene {
   std::vector<std::shared_ptr<ViewLayer>> m_layers;
   SurfaceStyle m_style;
   ClipPlane m_clip;
-  vtkNew<vtkPlane> m_clipPlane;  // the same, about the origin
+  vtkNew<vtkPlane> m_clipPlane;  // the clipping plane relative to m_origin
   Vec3 m_origin = Vec3::Zero();  // the model point at the origin of the drawing
-  bool m_isPlaced = false;       // the origin is near the model
+  bool m_isPlaced = false;       // m_origin has been set near the model
 };
 
 }  // namespace handwheel

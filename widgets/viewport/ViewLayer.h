@@ -25,23 +25,24 @@ struct SurfaceStyle;
 // An element of a layer that was found by a ray or near the cursor.
 struct LayerHit {
   std::uint64_t element = 0;  // its meaning is defined by the layer
-  Vec3 point = Vec3::Zero();  // on the element
-  double distance = 0.0;      // from the origin of the ray in lengths of its direction; from the cursor in pixels
+  Vec3 point = Vec3::Zero();  // point on the element
+  // Distance from the origin of the ray in lengths of its direction, or from the cursor in pixels.
+  double distance = 0.0;
 };
 
 // A change that a layer reports to its view.
 enum class LayerChange {
-  Look,         // it is drawn differently
-  Elements,     // and its elements are no longer those that were picked before
-  Model,        // and it shows another model: the next move of the camera is not animated
-  Search,       // its search structure is ready
-  OutOfMemory,  // some of it will never be shown
+  Look,         // the layer is drawn differently
+  Elements,     // like Look, and earlier element numbers are no longer valid
+  Model,        // like Elements, and another model is shown: the next camera move is not animated
+  Search,       // the search structure of the layer is ready
+  OutOfMemory,  // some of the geometry will never be shown
 };
 
 // Base class of layers, which draw, bound and pick one kind of geometry. The content is set through the derived class,
-// before or after it was added to a view; the functions below attach() are called by the view. Geometry is built on
-// workers, and uploaded piece by piece, so that no frame takes long. All calls must be made on the window thread.
-// Positions are those of the model, mm.
+// before or after the layer was added to a view. The functions from attach() on are called by the view. Geometry is
+// built on workers, and uploaded piece by piece, so that no frame takes long. All calls must be made on the window
+// thread. Positions are in the coordinates of the model, mm.
 class ViewLayer {
  public:
   ViewLayer();
@@ -58,7 +59,7 @@ class ViewLayer {
   void attach(vtkRenderer* renderer, Listener listener);
   void detach();
 
-  // Returns the bounds for fitting and picking; empty if there is nothing.
+  // Returns the bounds for fitting and picking; the result is empty if the layer has no geometry.
   virtual Box bounds() const = 0;
   // Returns the bounds of the drawn geometry, for the near and far planes.
   virtual Box drawnBounds() const { return bounds(); }
@@ -66,33 +67,34 @@ class ViewLayer {
   virtual std::vector<Vec3> outline() const = 0;
 
   virtual void setStyle(const SurfaceStyle& style) = 0;
-  // Shows a simplified version, if there is one, while the camera moves on a slow display.
+  // Sets whether a simplified version is shown, if there is one. The view requests it while the camera moves on a slow
+  // display.
   virtual void setCoarseShown(bool isReduced) { (void)isReduced; }
-  // Uploads one piece of waiting geometry. Returns its cost in triangles, at least 1; 0 when none was waiting.
+  // Uploads one piece of waiting geometry. Returns its cost in triangles, at least 1, or 0 if no geometry was waiting.
   virtual std::size_t takePiece() { return 0; }
-  // Uploads one piece of the marks of the geometry, such as a selection, which must be complete in the frame that draws
-  // it.
+  // Uploads one piece of the marks of the geometry, such as a selection, all of which must be uploaded before a frame
+  // is drawn. Returns the cost like takePiece().
   virtual std::size_t takeMarks() { return 0; }
   virtual bool owesMarks() const { return false; }
-  // Waits for the workers, so that everything can be uploaded.
+  // Waits until the workers have built all geometry, so that it can be uploaded.
   virtual void finish() {}
   // Returns the number of geometry builds since construction.
   virtual int builtCount() const { return 0; }
-  // Called before each frame.
+  // Adapts the layer to a frame. Called before each frame.
   virtual void prepare(const LayerFrame& frame) = 0;
-  // Paints over the finished frame, such as a legend. size: in logical pixels.
+  // Paints overlays, such as a legend, over the finished frame. size: the size of the view in logical pixels.
   virtual void paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit, const SceneColours& colours) const;
 
   // Returns false while a search structure is being built; until then the elements concerned are not found.
   virtual bool isSearchable() const { return true; }
-  // Returns the first element along a ray. The direction has unit length.
+  // Returns the first element along a ray. The direction must have unit length.
   virtual std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const;
-  // Adds elements that are some pixels from the cursor, such as lines. If no surface hides them, they take precedence
-  // over the hits of a ray.
+  // Adds elements that are some pixels from the cursor, such as lines. If no surface hides such an element, it takes
+  // precedence over the hit of a ray.
   virtual void findNear(const CameraNavigation& view, const Vec2& cursor, std::vector<LayerHit>& found) const;
-  // Returns the unit normal of the surface nearest to p; zero when there is none.
+  // Returns the unit normal of the surface nearest to p; the result is zero if there is no surface.
   virtual Vec3 normalNear(const Vec3& p) const;
-  // Sets the element under the cursor; none if it is not of this layer.
+  // Sets the element under the cursor. It has no value if the cursor is not over this layer.
   virtual void setHovered(std::optional<std::uint64_t> element) { (void)element; }
 
  protected:

@@ -21,30 +21,30 @@ namespace handwheel {
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
  public:
-  // To be called once before QApplication is constructed: sets the surface format and selects GLX, the only window
-  // system interface that the renderer supports.
+  // Sets the surface format and selects GLX, the only window system interface that the renderer supports. To be called
+  // once before QApplication is constructed.
   static void prepareApplication();
 
-  // Returns the reason why this application cannot show a viewport at all, as a translated sentence; empty when it can.
-  // To be called before one is constructed: on Qt's offscreen platform, a window with a QOpenGLWidget in it crashes
-  // (seen with Qt 6.4).
+  // Returns a translated sentence that states why this application cannot show viewports. The result is empty if it
+  // can. To be called before a viewport is constructed: on Qt's offscreen platform, a window with a QOpenGLWidget in it
+  // crashes (seen with Qt 6.4).
   static QString platformProblem();
 
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  // Shows a layer until it is removed. The view knows no layer by name.
+  // Shows a layer until it is removed. The view does not depend on the kinds of layers.
   void addLayer(std::shared_ptr<ViewLayer> layer);
   void removeLayer(const ViewLayer& layer);
-  Box bounds() const;  // bounds of the visible layers
+  Box bounds() const;  // bounding box of the visible layers
 
   // Draws lines over everything, such as a lasso or a ruler.
   void setPolylines(std::vector<std::vector<Vec3>> lines);
   // Draws the circle of a brush, which follows the surface around its centre.
   void setBrush(const std::optional<BrushCircle>& brush);
 
-  // Draws the cursor of a haptic device over everything. The view computes its shadow and whether it is hidden. None:
-  // no device. The model is not redrawn for it.
+  // Draws the cursor of a haptic device over everything. The view computes the shadow of the cursor and whether the
+  // model hides it. cursor: nothing if there is no device. The model is not redrawn when the cursor moves.
   void setDeviceCursor(const std::optional<DeviceCursor>& cursor);
 
   void setShading(Shading shading);
@@ -58,21 +58,22 @@ class Viewport : public QOpenGLWidget {
   void setDisplayUnit(LengthUnit unit);
   void setViewCubeVisible(bool visible);
 
-  // Sets the orientation of standard views and the view cube: rotates the sides of the coordinate axes. Identity at
-  // first.
+  // Sets the rotation of the standard views and the view cube relative to the coordinate axes. The initial rotation is
+  // the identity.
   void setViewFrame(const Eigen::Quaterniond& frame);
-  void setStandardView(StandardView view);  // the whole model from this side, animated
-  void fit();                               // the whole model from the present side, animated
-  // Sets the number of pixels at the lower edge that are covered: fitting avoids them. A model that was fitted and not
-  // moved since is fitted again at once.
+  void setStandardView(StandardView view);  // shows the whole model from a side, animated
+  void fit();                               // shows the whole model from the present side, animated
+  // Sets the number of pixels at the lower edge that are covered, which fitting avoids. If the camera has not moved
+  // since the last fit, the model is fitted again at once.
   void setCovered(int pixels);
-  // Looks at the box from outside, animated. outward need not be of unit length; zero keeps the direction.
+  // Moves the camera, animated, so that it looks at a box from outside. outward: the direction from the box to the
+  // viewer, not necessarily of unit length; zero: keep the present direction.
   void flyTo(const Box& box, const Vec3& outward);
   CameraState camera() const;  // the present camera, or the goal of its animation
   void setCamera(const CameraState& camera);
-  // Moves the camera as if the model were carried. The model turns by a rotation vector about pivot, moves by shares of
-  // the height of the view, and is enlarged by exp(shift.z). Along the axes of the view: x right, y up, z towards the
-  // viewer.
+  // Moves the camera as if the model were carried. The model turns about pivot by the rotation vector `turn`, moves by
+  // shift.x and shift.y times the height of the view, and is enlarged by exp(shift.z). Vectors are in the axes of the
+  // view: x right, y up, z towards the viewer.
   void moveByHand(const Vec3& pivot, const Vec3& shift, const Vec3& turn);
   // Changes the projection and keeps the scale at the focus. The projection is part of the camera state: setCamera()
   // may change it, too.
@@ -85,21 +86,21 @@ class Viewport : public QOpenGLWidget {
   std::vector<std::pair<QString, QString>> navigationHints() const;
   // Sets a function that gets mouse events before the camera and returns whether it accepts them. After it has accepted
   // a press it gets all moves and the release, until that button is released. It gets no events of a drag that moves
-  // the camera. Null for none.
+  // the camera. Null: no function.
   void setPointerSink(std::function<bool(const PointerInput&)> sink);
 
   // Returns the view as an image, in device pixels. Waits until the whole model is uploaded.
   QImage grabImage();
-  // Picks the element at this position of the widget. Elements that a layer is still making searchable are not picked.
+  // Picks the element at this position of the widget. Elements that are not yet searchable are not picked.
   Pick pickAt(const QPointF& position) const;
-  // Returns the first element along a ray, for tools. The direction has unit length.
+  // Returns the first element along a ray, for tools. The direction must have unit length.
   Pick pickAlong(const Vec3& origin, const Vec3& direction) const;
   bool isPickingReady() const;
   ViewRay rayAt(const QPointF& position) const;
 
-  // Returns the reason why nothing can be drawn, as a translated sentence; empty when there is no problem.
+  // Returns a translated sentence that states why nothing can be drawn. The result is empty if there is no problem.
   QString graphicsProblem() const;
-  // Return the numbers of geometry builds of the layers and of drawn frames since construction; for tests.
+  // Return the numbers of geometry builds of the layers and of drawn frames since construction. They are for tests.
   int blocksBuilt() const;
   int framesDrawn() const;
   CpuTimes timeDrawing() const;  // total time in the renderer, for measurements
@@ -107,7 +108,7 @@ class Viewport : public QOpenGLWidget {
   QSize sizeHint() const override;
 
  signals:
-  void hovered(const handwheel::Pick& pick);  // also emitted when nothing is hovered any more
+  void hovered(const handwheel::Pick& pick);  // pick: the element under the cursor, if any
   void clicked(const handwheel::Pick& pick, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const handwheel::Pick& pick);
   void cameraChanged();
@@ -129,7 +130,7 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  // Redraws the model; other repaints show the last frame again.
+  // Requests that the model is drawn again. Other repaints show the last frame again.
   void update();
 
   class Private;

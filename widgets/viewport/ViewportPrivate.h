@@ -15,7 +15,7 @@ class QSinglePointEvent;
 
 namespace handwheel {
 
-// The private data of Viewport, shared by its source files. Some draw, others handle the mouse.
+// The private data of Viewport, shared by its source files. Some of these files draw, others handle the mouse.
 class Viewport::Private {
  public:
   explicit Private(Viewport* widget);
@@ -55,33 +55,33 @@ class Viewport::Private {
 
   // Functions for tools.
   void layBrush();
-  void cast(DeviceCursor& shown) const;  // computes its shadow, and sets whether the model hides it
+  void cast(DeviceCursor& shown) const;  // computes the shadow of the cursor, and sets whether the model hides it
 
   Viewport* q;
   Scene scene;
   GlWindow glWindow;
   CameraState camera;
-  Eigen::Quaterniond viewFrame = Eigen::Quaterniond::Identity();  // setViewFrame()
+  Eigen::Quaterniond viewFrame = Eigen::Quaterniond::Identity();  // set by setViewFrame()
   int fittedFor = 0;                  // pixels at the lower edge that were covered when `fitted` was chosen
   std::optional<CameraState> fitted;  // camera of the last fit of the whole model
   CameraFlight flight;
   QString problem;
-  bool isSeen = false;       // a frame of this model was drawn; before, camera moves are not animated
-  int covered = 0;           // pixels at the lower edge
+  bool isSeen = false;       // a frame of this model was drawn; camera moves are animated only after the first frame
+  int covered = 0;           // number of covered pixels at the lower edge
   double fullFrameMs = 0.0;  // duration of the last frame in full detail
   bool isStale = true;       // the last frame is outdated
   int framesDrawn = 0;
   CpuTimes timeDrawing;
-  QTimer rest;  // runs shortly after each turn of the wheel
+  QTimer rest;  // runs for a short time after each turn of the wheel
 
   NavigationPreset preset = NavigationPreset::Handwheel;
   std::function<bool(const PointerInput&)> sink;
-  std::optional<double> pressure;  // pressure of the pen, last reported
+  std::optional<double> pressure;  // last reported pressure of the pen
   Qt::MouseButtons taken;          // held buttons whose press the sink accepted
   Qt::MouseButtons followed;       // held buttons whose press the camera got
   bool isClick = false;            // the press may still become a click
   bool isOnBackground = false;
-  NavigationGesture intended = NavigationGesture::None;  // starts once the mouse has moved far enough
+  NavigationGesture intended = NavigationGesture::None;  // gesture that starts when the mouse has moved far enough
   NavigationGesture gesture = NavigationGesture::None;
   Vec2 pressed = Vec2::Zero();
   Vec2 last = Vec2::Zero();

@@ -13,8 +13,8 @@ namespace handwheel {
 // The drawing styles of surfaces.
 enum class Shading { Shaded, ShadedWithEdges, Wireframe };
 
-// The standard view directions. x is to the right and z up when seen from the front. Lathe: the view of the operator of
-// a lathe, which turns about z: the chuck on the left, the tool between work and viewer.
+// The standard view directions. In the front view, x is to the right and z is up. Lathe is the view of the operator of
+// a lathe, whose axis is z: the chuck is on the left, and the tool between work and viewer.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric, Lathe };
 
 // The circle of a brush on the surface.
@@ -32,18 +32,18 @@ class ViewLayer;
 struct Pick {
   const ViewLayer* layer = nullptr;  // null: nothing was hit
   std::uint64_t element = 0;
-  Vec3 point = Vec3::Zero();  // on the element; undefined when nothing was hit
-  double distance = 0.0;      // from the origin of the ray, mm; from the cursor, pixels
-  bool isNear = false;        // near the cursor (lines, for example), not on the ray
+  Vec3 point = Vec3::Zero();  // point on the element; undefined if nothing was hit
+  double distance = 0.0;      // distance from the origin of the ray, mm, or from the cursor if isNear, pixels
+  bool isNear = false;        // the element is near the cursor (a line, for example), not on the ray
 
   bool isNothing() const { return layer == nullptr; }
 };
 
 // The pick ray through a position of the view.
 struct ViewRay {
-  Vec3 origin = Vec3::Zero();  // the eye; under parallel projection a point in front of the whole model
+  Vec3 origin = Vec3::Zero();  // the eye, or under parallel projection a point in front of the whole model
   Vec3 direction = -Vec3::UnitZ();
-  std::optional<Vec3> eye;  // none under parallel projection
+  std::optional<Vec3> eye;  // position of the eye; none under parallel projection
   double pixel = 0.0;       // mm per logical pixel, at the focus of the view
 };
 
@@ -53,7 +53,7 @@ struct PointerInput {
     Move,
     Press,
     Release,
-    Click,  // pressed and released without a move, after the press was not accepted
+    Click,  // the button was pressed and released without a move, and the press was not accepted
     DoubleClick,
     Wheel,
     Leave,
@@ -61,12 +61,13 @@ struct PointerInput {
   Kind kind = Kind::Move;
   QPointF position;                       // logical pixels from the upper left corner
   Qt::MouseButton button = Qt::NoButton;  // the button that was pressed, released or clicked
-  Qt::MouseButtons held;                  // held after the event
+  Qt::MouseButtons held;                  // buttons that are held after the event
   Qt::KeyboardModifiers modifiers;
-  double wheel = 0.0;  // degrees; positive away from the user
-  // Time of the event by the clock of the window system, s; not the time when the window processed it. None: unknown.
+  double wheel = 0.0;  // rotation of the wheel, degrees; positive away from the user
+  // Time of the event by the clock of the window system, s; not the time when the window processed the event. It has no
+  // value if it is unknown.
   std::optional<double> time = {};
-  std::optional<double> pressure = {};  // 0 to 1 for a pen that reports it; none for other pointers
+  std::optional<double> pressure = {};  // pressure of a pen that reports it, 0 to 1; none for other pointers
 };
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // Runs work(promise) on a worker thread and returns a watcher of its future. Destroying the watcher drops pending
-// results. When memory runs out, the work ends with fewer results and is not marked as cancelled.
+// results. When memory runs out, the work ends with fewer results, and the future is not marked as cancelled.
 template <class T, class Work>
 std::unique_ptr<QFutureWatcher<T>> runOnWorker(Work work) {
   auto promise = std::make_shared<QPromise<T>>();

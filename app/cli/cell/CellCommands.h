@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the commands of the command line for robot cells.
+// Returns all commands of the command line for robot cells.
 std::vector<Command> cellCommands();
 
 }  // namespace handwheel

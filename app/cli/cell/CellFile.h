@@ -14,24 +14,25 @@ namespace handwheel {
 struct CellFile {
   OpenedFile opened;
   std::shared_ptr<const RobotCellSnapshot> cell;  // Content of the opened document
-  // The robot that its plans were for, if another was chosen for this command; the file keeps it.
+  // Name of the robot that the plans of the file are for, if another robot was chosen for the command. Saving keeps it.
   std::optional<std::string> ownArm = {};
 };
 
-// Returns a cell with a built-in robot (ShippedDocument).
+// Returns a document with a built-in robot (ShippedDocument); nothing if the program has none with this name.
 std::optional<OpenedFile> shippedRobot(const std::string& name, const DocumentKinds& kinds);
 
-// Opens a cell: a document, a robot description, or a built-in robot by its name. Reports losses. Errors: those of
-// DocumentKinds::open(); Unsupported for other kinds of documents.
+// Opens a cell: a document, a robot description, or a built-in robot by its name. Reports losses. Errors: the errors of
+// DocumentKinds::open(), and Unsupported for other kinds of documents.
 Result<CellFile> openCell(const std::string& name, const DocumentKinds& kinds);
 
 // Returns the option --arm of commands that work with one of the robots of a cell.
 OptionSpec armOption();
-// Opens the cell of the first operand with the robot of --arm as the one that is planned for; without the option, the
-// robot of the path with this name, if the cell has one. Errors: those of openCell(); ArmMissing.
+// Opens the cell of the first operand with the robot that --arm names as the one that is planned for. Without the
+// option, it is the robot of the path with the name `path`, if the cell has such a path. Errors: the errors of
+// openCell(), and ArmMissing.
 Result<CellFile> openCellForArm(const Arguments& arguments, const DocumentKinds& kinds, const std::string& path = {});
 
-// Writes the cell with other content. Reports errors and notes. Returns the exit code.
+// Writes the cell with other content, and reports errors and notes. Returns the exit code.
 int saveCell(const CellFile& file, const RobotCellSnapshot& content, const std::filesystem::path& output);
 
 }  // namespace handwheel

@@ -8,11 +8,12 @@
 
 namespace handwheel {
 
-// Returns compared paths as a report. names: of the critical configurations. Keys of a path: critical, optimised,
-// solved, and if solved those of a planned path.
+// Returns compared paths as a report. names: the names of the critical configurations. The keys of a path are critical,
+// optimised and solved. A solved path also has the keys of PathReport.h, seconds and checks; an unsolved path also has
+// the key reason.
 nlohmann::ordered_json toJson(const CellScene& scene, std::span<const ComparedPath> paths,
                               std::span<const std::string> names);
-// Returns the same as a table.
+// Returns compared paths as a table. names: the names of the critical configurations.
 std::string comparisonText(std::span<const ComparedPath> paths, std::span<const std::string> names);
 
 }  // namespace handwheel

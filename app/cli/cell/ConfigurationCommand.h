@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the command handwheel configuration.
+// Returns the command "configuration", which edits the plans of a cell.
 Command configurationCommand();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the command handwheel ik. It finds joint values for a pose of a robot's flange.
+// Returns the command "ik". It finds joint values for a pose of a robot's flange.
 Command ikCommand();
 
 }  // namespace handwheel

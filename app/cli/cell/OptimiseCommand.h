@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the command "optimise-path".
+// Returns the command "optimise-path", which optimises a path of a cell.
 Command optimiseCommand();
 
 }  // namespace handwheel

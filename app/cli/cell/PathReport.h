@@ -11,27 +11,28 @@
 namespace handwheel {
 
 // Returns the measurements of a path for reports. Keys: certified, length_rad, waypoints, min_clearance_mm,
-// manipulability, security_mm, limit_margin, cycle_s, robots_moved, outdated, collisions, not_checked (pairs of names).
+// manipulability, security_mm, limit_margin, cycle_s, robots_moved, collisions, outdated, not_checked (pairs of names).
 nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 // Returns the reasons why a path is out of date, as phrases.
 std::vector<std::string> reasonsOf(const OutdatedReasons& outdated);
-// Warns on stderr about the limits of a proof: links without meshes, simplified shapes.
+// Warns on stderr about the limitations of a proof: links without meshes, simplified shapes.
 void warnOfShapes(const CellScene& scene);
 
-// Reads the options of the verification: "resolution" and "step". Returns the error, or nothing.
+// Reads the options of the verification: "resolution" and "step". Returns the error message; empty if there is none.
 std::string readProof(const Arguments& arguments, PathCheckSettings& settings);
 OptionSpec resolutionOption();
 
-// Returns the path as a file: joints, waypoints in their order, certified, and the waypoints in full.
+// Returns the content of a path file. It contains the names of the joints, their values at each waypoint, the waypoints
+// in full, and "certified", which is true if the path was proven free of collisions.
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 
-// Returns a path of a cell by its name, or read from a file: as JSON, or a program of a controller. Errors:
-// PathMissing, those of pathFromFile(). remarks: receives those of programRemarks().
+// Returns a path of a cell by its name, or a path that is read from a file: JSON, or the program of a controller.
+// remarks: receives the remarks of programRemarks(). Errors: PathMissing, the errors of pathFromFile().
 Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name,
                              std::vector<std::string>& remarks);
 
-// Prints these remarks as warnings.
+// Prints the remarks on a program as warnings.
 void warnOfProgram(const std::vector<std::string>& remarks);
 
 }  // namespace handwheel

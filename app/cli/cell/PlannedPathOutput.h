@@ -13,18 +13,18 @@ namespace handwheel {
 
 // Output of the commands that plan paths.
 
-// A path under its name, verified and measured.
+// A planned path with its name, verified and measured.
 struct PlannedAndChecked {
   PlannedPath path;
   CheckedPath checked;
 };
 
-// Names the path after the values, then verifies it with their clearance, or that of the path. Errors: those of
-// checkPath().
+// Names a planned path and verifies it. values: the options of the command, which may contain the name and the
+// clearance; the defaults are a free name and the clearance of the path. Errors: the errors of checkPath().
 Result<PlannedAndChecked> checkedAs(PlannedPath path, const OperationValues& values, const CellScene& scene,
                                     const RobotCellSnapshot& cell, Progress progress);
 
-// Additions of a command to the report of a path.
+// Additions of a command to the report on a path.
 struct PathRemarks {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text = {};
@@ -35,10 +35,10 @@ struct PathRemarks {
 int outputPath(const PlannedAndChecked& planned, const CellScene& scene, const CellFile& file,
                const Arguments& arguments, const PathRemarks& remarks = {});
 
-// Reports the reason why no path was planned: as JSON, too, for scripts. Returns the exit code.
+// Reports the reason why no path was planned, also as JSON for scripts if requested. Returns the exit code.
 int outputUnsolved(const Error& error, const Arguments& arguments);
 
-// Returns the options that these commands share, after those of their operation.
+// Returns the options of a command that plans a path: those of its operation, and the common ones after these.
 std::vector<OptionSpec> pathOptions(const Operation& operation);
 
 }  // namespace handwheel

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Reads a planning set from a file or folder. It may be a JSON file; a YAML file of MotionBenchMaker, with the other
-// one of its pair (scene0001.yaml, request0001.yaml) beside it; or a folder of such pairs. Errors: those of
-// readFileBytes(), readPlanningSet() and readMoveItProblem(), with the file.
+// Reads a planning set from a file or folder. The file may be JSON, or one of a pair of YAML files of MotionBenchMaker
+// (scene0001.yaml and request0001.yaml); a folder may contain such pairs. Errors: the errors of readFileBytes(),
+// readPlanningSet() and readMoveItProblem(), with the file as subject.
 Result<PlanningSet> readPlanningFiles(const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the command handwheel post.
+// Returns the command "post", which writes a path as a program for a controller.
 Command postCommand();
 
 }  // namespace handwheel

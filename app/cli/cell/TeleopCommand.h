@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the command handwheel teleop.
+// Returns the command "teleop", which lets a robot follow a hand.
 Command teleopCommand();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the command handwheel verify.
+// Returns the command "verify", which verifies paths of a cell.
 Command verifyCommand();
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@ namespace handwheel {
 
 // Syntax of "handwheel convert", which writes a document in another format.
 CommandSpec convertSpec();
-// Returns the formats that each kind can be written in, as lines of the help page.
+// Returns the formats in which each kind of document can be written, as lines of the help page.
 std::string convertDetails(const DocumentKinds& kinds);
 int runConvert(const Arguments& arguments, const DocumentKinds& kinds);
 

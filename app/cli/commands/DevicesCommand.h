@@ -9,7 +9,7 @@ namespace handwheel {
 
 // Syntax of "handwheel devices", which lists the connected haptic and pointing devices.
 CommandSpec devicesSpec();
-// Runs the command. drivers: the built-in ones.
+// Runs the command and returns the exit code. drivers: the built-in drivers.
 int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDriver>> drivers);
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel measure", which measures error and cost of the accuracy settings.
+// Syntax of "handwheel measure", which measures the errors and costs of the accuracy settings.
 CommandSpec measureSpec();
 int runMeasure(const Arguments& arguments, const DocumentKinds& kinds);
 

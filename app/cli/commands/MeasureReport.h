@@ -21,21 +21,22 @@ struct MeasuredSetting {
   FidelitySetting setting;
   std::vector<FidelityRow> rows;
   std::vector<CurvePoint> curve;  // costs and errors of the worst case
-  std::vector<CurvePoint> front;  // Pareto front of the relative curve
-  std::optional<double> knee;
+  std::vector<CurvePoint> front;  // Pareto front of relativeCurveOf()
+  std::optional<double> knee;     // value at the knee of the front (kneeOf()); none: no knee
 };
 
-// The budget of a scene by unit of cost: {"ms", 16}.
+// The largest permitted cost of a setting, by unit of cost. An example is {"ms", 16}.
 using FidelityBudgets = std::map<std::string, double>;
 
-// Formats rows as a table with aligned columns. Columns are as wide as their widest cell; the first two are
-// left-aligned, numbers right-aligned.
+// The cells of a row of a table.
 using TableRow = std::vector<std::string>;
+// Formats rows as a table. Columns are as wide as their widest cell; the first two are left-aligned, the others
+// right-aligned.
 std::string alignedTable(const std::vector<TableRow>& rows);
 
 // Formats the measurements and the derived values for people. Numbers have three digits.
 std::string readableText(const MeasuredSetting& measured, const FidelityBudgets& budgets);
-// Returns the same values as JSON.
+// Returns the measurements and the derived values as JSON.
 nlohmann::ordered_json toJson(const MeasuredSetting& measured, const FidelityBudgets& budgets);
 
 // Returns a plot of error over cost with one series per case. Presets are marked at the case with the largest cost.

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel new", which writes a document of default size. "new" and "set" provide the functions of the
-// Properties panel without a window.
+// Syntax of "handwheel new", which writes a document of default size. The commands "new" and "set" provide the
+// functions of the Properties panel without a window.
 CommandSpec newSpec();
 // Returns the kinds that "new" can create, as lines of the help page.
 std::string newDetails(const DocumentKinds& kinds);

@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// The commands for exercises: exercise, mark.
+// Returns the commands for exercises, which are 'exercise' and 'mark'.
 std::vector<Command> exerciseCommands();
 
-// The operation of the command 'exercise', with its parameters, one of which selects the action.
+// Returns the operation of the command 'exercise'. One of its parameters selects the action.
 const Operation& exerciseOperation();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command 'mark', which marks submissions of students.
+// Returns the command 'mark', which marks submissions of students.
 Command markCommand();
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel compare", which measures the distances between a mesh and a scan.
+// Returns the syntax of "handwheel compare", which measures distances between a mesh and a scan.
 CommandSpec compareSpec();
 int runCompare(const Arguments& arguments, const DocumentKinds& kinds);
 

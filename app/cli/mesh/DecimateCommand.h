@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel decimate", which reduces the number of triangles of a mesh.
+// Returns the syntax of "handwheel decimate", which reduces the number of triangles of a mesh.
 CommandSpec decimateSpec();
 int runDecimate(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -9,7 +9,7 @@ namespace handwheel {
 
 class DocumentKinds;
 
-// Syntax of "handwheel edit", which applies editing steps to a mesh (tools/mesh/MeshScript.h).
+// Returns the syntax of "handwheel edit", which applies editing steps to a mesh (tools/mesh/MeshScript.h).
 CommandSpec editSpec();
 // Returns a reader for the meshes that steps name.
 MeshFileReader meshFileReader(const DocumentKinds& kinds);

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel feel", which computes the haptic forces along a path over a mesh.
+// Returns the syntax of "handwheel feel", which computes haptic forces along a path.
 CommandSpec feelSpec();
 int runFeel(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -17,11 +17,11 @@ struct SnapRequest {
   double stiffness = 0.3;  // N/mm
 };
 
-// Parses --snap and --snap-method. Returns the error as a sentence, or nothing.
+// Parses --snap and --snap-method. Returns an error as a sentence, or an empty string.
 std::string readSnap(const Arguments& arguments, SnapRequest& request);
 
-// Builds the snap forces for all boundary edges of a mesh. They reach as far as the snap distance, which is snap.radius
-// times the mean length of the edges. Nothing if there are no boundary edges.
+// Builds the snap forces for all boundary edges of a mesh. The forces reach as far as the snap distance, which is
+// snap.radius times the mean length of the edges. Returns nothing if there are no boundary edges.
 std::optional<SnapAttraction> snapAttraction(const SnapRequest& request, const HalfEdgeMesh& mesh,
                                              std::span<const BoundaryLoop> loops, const FidelityValues& values,
                                              Progress progress);

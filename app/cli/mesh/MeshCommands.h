@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The commands for meshes only.
+// Returns the commands that apply to meshes only.
 std::vector<Command> meshCommands();
 
 }  // namespace handwheel

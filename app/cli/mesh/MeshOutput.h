@@ -8,15 +8,16 @@
 
 namespace handwheel {
 
-// The option -o of commands that write a mesh.
+// Returns the option -o of commands that write a mesh.
 OptionSpec meshOutputOption();
 // Returns the words of the formats of meshes, as --format takes them: "stl, ply, obj, off or 3mf".
 std::string meshFormatWords(bool withContainer);
-// Returns the names of these formats: "STL, PLY, OBJ, OFF or 3MF".
+// Returns the names of the mesh formats: "STL, PLY, OBJ, OFF or 3MF".
 std::string meshFormatNames();
 
 // Writes a mesh that was computed from an input file. The format is a mesh format, or a container with its own
-// numbering, since vertices and loops differ from those of the input. Errors: those of exportMesh() and saveDocument().
+// numbering, since vertices and loops differ from those of the input. Errors: the errors of exportMesh() and
+// saveDocument().
 Status writeMesh(const Input& input, const HalfEdgeMesh& mesh, const std::filesystem::path& output,
                  Progress progress = {});
 

@@ -19,25 +19,27 @@
 
 namespace handwheel {
 
-// Restores the haptic scenes of a recording. They are made from its notes: the surface of a mesh with its edits, or the
-// parts of other documents at their poses. Other sources of force, such as snapping, are not restored, but counted.
+// Restores the haptic scenes of a recording. The scenes are made from the notes of the recording: the surface of a mesh
+// with its edits, or the parts of other documents at their poses. Other sources of force, such as snapping, are not
+// restored; their ids are listed in leftOut().
 class RecordedScenes {
  public:
-  // document: that of the mesh in the state of its file; it is edited. All arguments outlive this object.
+  // document: the document of the mesh in the state of its file. The document is edited. recording and document must
+  // outlive the object.
   RecordedScenes(const Recording& recording, MeshDocument& document, MeshFileReader readMesh, Progress progress);
 
-  // parts: those of the file; only parts whose shapes were felt in the recording can be felt again.
+  // parts: the parts of the file. Only parts whose shapes were felt in the recording can be felt again.
   RecordedScenes(const Recording& recording, DisplayModel parts, Progress progress);
 
-  // Returns the scene of a tick; the ticks of a recording are passed in order. Null if the scene, or the contact it
-  // began with, is unknown.
+  // Returns the scene of a tick. The ticks of a recording must be passed in order. Returns null if the scene, or the
+  // contact with which it began, is unknown.
   ForceRenderer* at(const RecordedTick& tick);
 
   std::size_t sceneCount() const { return m_sceneCount; }
   std::size_t editCount() const { return m_editCount; }
-  // Ids of the sources of force that were left out, sorted.
+  // Returns the ids of the sources of force that were left out, sorted.
   const std::set<std::string>& leftOut() const { return m_leftOut; }
-  // The reason why the rest of the recording cannot be felt again, as a sentence. Empty: it can.
+  // Returns the reason why the rest of the recording cannot be felt again, as a sentence, or an empty string.
   const std::string& problem() const { return m_problem; }
 
  private:
@@ -54,15 +56,15 @@ class RecordedScenes {
   DisplayModel m_parts;
   std::map<std::string, const TriangleSoup*> m_shapes;  // shapes of the parts, by digest
   std::map<std::string, ContactSurface> m_surfaces;     // surfaces of the shapes felt so far, by digest
-  std::vector<std::pair<std::string, ContactSurface::Placed>> m_placed;  // with names
+  std::vector<std::pair<std::string, ContactSurface::Placed>> m_placed;  // placed parts with their names
   Progress m_progress;
   std::size_t m_nextEvent = 0;
-  // Steps applied to the document, and steps undone, the last one at the end.
+  // Steps applied to the document, and steps undone. The last step is at the end of the list.
   std::vector<std::string> m_steps, m_undone;
   std::optional<ContactSurface> m_surface;
   MeshHaptics m_felt;  // the contents of m_scene
   std::unique_ptr<SceneForces> m_scene;
-  bool m_isKnown = false;  // the state of m_scene is known
+  bool m_isKnown = false;  // true if the state of m_scene is known
   std::size_t m_sceneCount = 0, m_editCount = 0;
   std::set<std::string> m_leftOut;
   std::string m_problem;

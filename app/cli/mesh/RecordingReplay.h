@@ -10,7 +10,8 @@
 namespace handwheel {
 
 // Runs 'handwheel feel MESH --path RECORDING.csv': replays a haptic recording on a mesh. Each scene of the recording is
-// simulated again and compared with the recorded forces. text: the table of the recording. Returns the exit code.
+// simulated again and compared with the recorded forces. text: the contents of the recording's table. Returns the exit
+// code.
 int replayRecording(const Arguments& arguments, std::string_view text, const DocumentKinds& kinds);
 
 }  // namespace handwheel

@@ -7,13 +7,14 @@
 
 namespace handwheel {
 
-// Parses the options of the repair and of reading a file. Returns the error as a sentence, or nothing.
+// Parses the options for reading a file and for repairing it. Returns the error as a sentence, or an empty string.
 std::string readRepairOptions(const Arguments& arguments, RepairRequest& request);
 
-// Parses the arguments for a single file, including IN and OUT. Returns the error as a sentence, or nothing.
+// Parses the arguments for a single file, including IN and OUT. Returns the error as a sentence, or an empty string.
 std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, RepairRequest& request);
 
-// Returns the unit that the user gave for the files. Nothing is scaled by it.
+// Returns the unit that the user gave for the coordinates in the files, "mm" by default. It only labels them: nothing
+// is scaled.
 std::string unitOf(const Arguments& arguments);
 
 }  // namespace handwheel

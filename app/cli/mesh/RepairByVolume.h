@@ -21,12 +21,12 @@ struct VolumeRepairRequest {
   std::filesystem::path input, output;
   ReadOptions read;
   std::optional<double> voxel;  // mm
-  double gaps = 0.0;            // mm
-  double wall = 0.0;            // mm, thickness of walls made of the triangles; 0: the triangles enclose the volume
+  double gaps = 0.0;            // mm; gaps that a ball of this radius cannot enter are filled; 0: none
+  double wall = 0.0;            // thickness of walls made of the triangles, mm; 0: the triangles enclose the volume
   FidelityValues values;
 };
 
-// The result of such a repair.
+// The result of a repair by volume.
 struct RepairedByVolume {
   VolumeRepair repair;
   double voxel = 0.0;   // mm
@@ -34,19 +34,19 @@ struct RepairedByVolume {
   MeshReport after;
 };
 
-// The options of 'repair' by volume.
+// Returns the options of 'repair' by volume.
 std::vector<OptionSpec> volumeRepairOptions();
 
-// Parses the arguments for a repair by volume except for the options of other repairs. Returns the error as a sentence,
-// or nothing.
+// Parses the arguments of a repair by volume. Options of other repairs are not examined. Returns an error as a
+// sentence, or an empty string.
 std::string readVolumeRequest(const Arguments& arguments, VolumeRepairRequest& request);
 
-// Repairs the input and writes nothing. Errors: those of repairByVolume(), deviation() and MemoryNotice::begin();
+// Repairs the input and writes nothing. Errors: the errors of repairByVolume(), deviation() and MemoryNotice::begin();
 // Unsupported if the output is a document and the input is not a mesh.
 Result<RepairedByVolume> repairInputByVolume(const Input& input, const VolumeRepairRequest& request,
                                              MemoryNotice& notice, Progress progress);
 
-// Writes the result in the format of the output. Errors: those of writeMesh() and exportMesh().
+// Writes the result in the format of the output. Errors: the errors of writeMesh() and exportMesh().
 Status writeRepairedByVolume(const Input& input, const RepairedByVolume& repaired, const VolumeRepairRequest& request,
                              Progress progress);
 

@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel repair", which fills holes and removes other defects of meshes.
+// Returns the syntax of "handwheel repair", which fills holes and removes other defects of meshes.
 CommandSpec repairSpec();
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds);
 
-// Reports the reason why a repair has no output. Returns the exit code.
+// Reports the reason why a repair wrote no output. Returns the exit code.
 int reportNothingWritten(const RepairRun& run, const RepairRequest& request);
 
 }  // namespace handwheel

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Repairs one file by triangles and by volume, compares the results and writes one. It writes the result by triangles,
-// which keeps all that need not change, unless only the other is sound and has lost nothing. For several files, or a
-// folder, it prints one table, and writes it to the file of --report. Returns the exit code.
+// Repairs a file by triangles and by volume, and compares the results. Writes the result by triangles, which keeps
+// everything that need not change, unless only the result by volume is sound and has lost nothing. For several files,
+// or a folder, prints one table and writes it to the file of --report. Returns the exit code.
 int runRepairComparison(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

@@ -22,9 +22,9 @@ struct RepairRequest {
   std::filesystem::path output;
   ReadOptions read;
   RepairOptions options;
-  bool inspectInput = false;  // required for the report
+  bool inspectInput = false;  // inspects the input, as the report requires
   bool compare = false;       // measures the deviation
-  // Unit of the numbers of the input. Written into formats that have units; nothing is scaled.
+  // Unit of the numbers of the input. It is written into formats that have units; nothing is scaled.
   LengthUnit unit = LengthUnit::Millimetre;
 };
 
@@ -32,17 +32,17 @@ struct RepairRequest {
 struct RepairRun {
   MeshReport before;    // report on the input as it was read, if it is inspected
   MeshReport after;     // report on the bytes of the output, read again
-  RepairReport repair;  // including the faces flipped while building the mesh, and the vertices split by the export
+  RepairReport repair;  // report with the faces flipped while building the mesh and the vertices split by the export
   std::vector<Vertex> modified;        // vertices of the input that were moved, merged or split
-  bool unmodifiedIdentical = false;    // measured on the output bytes
+  bool unmodifiedIdentical = false;    // true if all other vertices have the same bits in the output
   std::optional<Deviation> deviation;  // deviation of the result from the input, if they are compared
-  DocumentFile file;                   // with the losses of reading the input
-  double roundingMove = 0.0;           // mm; the largest move of an input point by rounding to the output's number type
+  DocumentFile file;                   // the document, with the losses of reading the input
+  double roundingMove = 0.0;           // largest move of an input point by rounding to the output's number type, mm
   double seconds = 0.0;
   std::string output;             // the bytes to write
-  std::vector<int> unknownLoops;  // loops to be kept open, but not found: then nothing was repaired
-  std::string refusal;            // the reason why the output must not be replaced: then nothing was repaired
-  bool nothingLeft = false;       // every face was removed: then there is nothing to write
+  std::vector<int> unknownLoops;  // loops to keep open that do not exist; if any, nothing was repaired
+  std::string refusal;            // reason not to replace the output; if set, nothing was repaired
+  bool nothingLeft = false;       // true if every face was removed, so that there is nothing to write
 };
 
 // Reads and repairs a mesh file and produces the bytes of the output. Reads these bytes again to measure them. Writes

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel section", which cuts a mesh by a plane and draws the outlines.
+// Returns the syntax of "handwheel section", which draws a plane section of a mesh.
 CommandSpec sectionSpec();
 int runSection(const Arguments& arguments, const DocumentKinds& kinds);
 

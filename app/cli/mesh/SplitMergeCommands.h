@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// Syntax of "handwheel split", which writes each shell of a mesh to its own file.
+// Returns the syntax of "handwheel split", which writes each shell to its own file.
 CommandSpec splitSpec();
 int runSplit(const Arguments& arguments, const DocumentKinds& kinds);
-// Syntax of "handwheel merge", which writes several meshes to one file.
+// Returns the syntax of "handwheel merge", which writes several meshes to one file.
 CommandSpec mergeSpec();
 int runMerge(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// 'boolean': unites, subtracts or intersects the material of two documents.
+// Returns the command "handwheel boolean", which unites, subtracts or intersects the material of two documents.
 Command booleanCommand();
 
 }  // namespace handwheel

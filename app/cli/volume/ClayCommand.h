@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// "handwheel clay": sculpts a part along recorded strokes of a hand.
+// Returns the command "handwheel clay", which sculpts a part along recorded strokes of a hand.
 Command clayCommand();
 
 }  // namespace handwheel

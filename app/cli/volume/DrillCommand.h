@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// "handwheel drill": drills a part along the recorded path of a head.
+// Returns the command "handwheel drill", which drills a part along a recorded path.
 Command drillCommand();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Repeats the reference runs of drilling.
+// Returns the command that repeats the reference runs of drilling (DrillExperiments.h).
 Command drillExperimentCommand();
 
 }  // namespace handwheel

@@ -16,10 +16,10 @@ namespace handwheel {
 
 class MemoryNotice;
 
-// The voxels that were made of triangles.
+// The voxels that were made from the triangles of a part.
 struct MadeVoxels {
-  bool isHybrid = false;                                  // made only near the head
-  std::size_t blocks = 0, mostBlocks = 0, mostBytes = 0;  // total, and maxima at one time
+  bool isHybrid = false;                                  // true if voxels were made only near the drill head
+  std::size_t blocks = 0, mostBlocks = 0, mostBytes = 0;  // all blocks made; the most blocks and bytes at one time
 };
 
 // The result of "handwheel drill".
@@ -29,17 +29,17 @@ struct DrillAnswer {
   Drilled drilled;
   DrillSetup setup;
   double voxel = 0.0;
-  std::shared_ptr<const VolumeSnapshot> before;  // content of a part that is a volume
+  std::shared_ptr<const VolumeSnapshot> before;  // content of the part, if it is a volume
   std::optional<MadeVoxels> made;                // voxels of any other part
-  std::optional<DrilledTriangles> joined;        // triangles of the part with the hole, if a mesh is written
-  std::string notJoined;                         // reason for writing the surface of all voxels instead
+  std::optional<DrilledTriangles> joined;        // triangles of the part with the hole, if a mesh was written
+  std::string notJoined;                         // reason why the surface of all voxels was written instead
 };
 
-// Returns the reason why the hole cannot be cut into the triangles of the part; empty: it can.
+// Returns the reason why the hole cannot be cut into the triangles of the part. The text is empty if it can.
 std::string notJoinedReason(SubtractionProblem problem);
-// Returns thrust and torque of each cycle, as CSV.
+// Returns the thrust and the torque of each cycle, as CSV.
 std::string drillForces(const Drilled& drilled);
-// Returns the figures, as JSON and as text.
+// Return the figures of a drilled hole, as JSON and as text.
 nlohmann::ordered_json drillReport(const DrillAnswer& done, const MemoryNotice& notice);
 std::string drillText(const DrillAnswer& done);
 

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Returns true if the extension of a path is in a list (".vdb"), ignoring case.
+// Returns true if a path has one of these extensions (such as ".vdb"), ignoring case.
 bool hasOneOf(const std::filesystem::path& path, const std::vector<std::string>& endings);
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "segment": makes a volume or surface of a range of image values.
+// Returns the command "handwheel segment". It makes a volume or surface from a range of image values.
 Command segmentCommand();
 
 }  // namespace handwheel

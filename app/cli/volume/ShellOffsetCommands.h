@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// 'shell' and 'offset': volumes by distances from a surface.
+// Returns the commands "shell" and "offset", which make volumes by distances from a surface.
 std::vector<Command> shellOffsetCommands();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The commands for volumes.
+// Returns the commands of the command line for volumes.
 std::vector<Command> volumeCommands();
 
 }  // namespace handwheel

@@ -9,14 +9,14 @@
 
 namespace handwheel {
 
-// A bar as an argument of the command line, such as "cylinder:40x100". That is a bar of 40 mm diameter and 100 mm
-// length, whose upper end is at z = 0.
+// A bar as an argument of the command line, such as "cylinder:40x100". The example is a bar of 40 mm diameter and 100
+// mm length, whose upper end is at z = 0.
 struct BarStockArgument {
   std::optional<StockCylinder> bar;
-  std::string problem;  // a sentence, if the word should be a bar but is invalid
+  std::string problem;  // sentence about an invalid bar; empty: no problem
 };
 
-// Returns neither bar nor problem for words that do not begin with "cylinder:".
+// Reads a word as a bar. Returns neither a bar nor a problem for words that do not begin with "cylinder:".
 BarStockArgument readBar(const std::string& word);
 
 }  // namespace handwheel

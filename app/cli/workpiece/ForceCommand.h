@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// The command "force": the forces of a cut by each law, and broken rules.
+// Returns the command "force". It calculates the forces of a cut by each law and by a trained network, and lists the
+// rules of cutting that the cut breaks.
 Command forceCommand();
 
 }  // namespace handwheel

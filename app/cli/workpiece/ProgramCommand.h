@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The command "handwheel program": writes a program for a lathe. The program has the passes of a workpiece, or cycles
-// for a target.
+// Returns the command "program", which writes a program for a lathe. The program contains the passes of a workpiece, or
+// cycles for a target.
 Command programCommand();
 
 }  // namespace handwheel

@@ -6,9 +6,11 @@
 
 namespace handwheel {
 
-// The command "target": the target of a workpiece, which is the part to be turned. Reads one from STEP, DXF, SVG or a
-// workpiece, lists its dimensions, measures a workpiece against it, draws it, or sets it as the target of a workpiece.
+// Returns the command "target". The target of a workpiece is the part to be turned. The command reads a target from
+// STEP, DXF, SVG or a workpiece, lists its dimensions, measures a workpiece against it, draws it, or sets it as the
+// target of a workpiece.
 Command targetCommand();
+// Runs the command "target" and returns the exit code.
 int runTarget(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

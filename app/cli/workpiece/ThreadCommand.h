@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "thread": cuts a thread into a workpiece.
+// Returns the command "thread", which cuts a thread into a workpiece.
 Command threadCommand();
 
 }  // namespace handwheel

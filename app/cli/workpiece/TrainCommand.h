@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The command "train": trains a model of cutting forces on a table of cuts.
+// Returns the command "train", which trains a model of cutting forces on measured cuts.
 Command trainCommand();
 
 }  // namespace handwheel

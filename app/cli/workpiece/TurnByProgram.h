@@ -7,8 +7,9 @@
 
 namespace handwheel {
 
-// Returns the workpiece after the program of the request, in the chuck of its lathe. remarks: receives notes and
-// collisions, with their lines. Errors: those of the files, of runProgram(), Cancelled.
+// Runs the program of a request on the lathe of a workpiece. Returns the workpiece with the cuts. remarks: receives
+// notes and collisions with their lines in the program. Errors: the errors of reading the files and of runProgram(),
+// Cancelled.
 Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnRequest& request,
                                         TurnStatistics& figures, std::vector<std::string>& remarks, Progress progress);
 

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Returns the workpiece after the recording of the request is replayed on it. Forces are those at one spindle speed.
-// unreadable: a sentence about the file, which is not shortened as arguments of an Error are; empty if it was read.
-// Errors: those of the file, Cancelled.
+// Returns the workpiece after the recording of the request is replayed on it. Forces are calculated at one spindle
+// speed. unreadable: receives a sentence about a file that cannot be read, or an empty string; unlike the arguments of
+// an Error, the sentence is not shortened. Errors: the errors of reading the file, Cancelled.
 Result<WorkpieceSnapshot> turnByRecording(const WorkpieceSnapshot& workpiece, const TurnRequest& request,
                                           TurnStatistics& figures, std::string& unreadable, Progress progress);
 

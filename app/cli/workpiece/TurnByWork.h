@@ -7,8 +7,9 @@
 
 namespace handwheel {
 
-// Cuts the recorded passes of another workpiece in this one. The other was turned, ground, bored or threaded by hand in
-// the window. On the same bar the result is the same part, bit for bit; recorded crashes are copied. Error: Cancelled.
+// Cuts the recorded passes of another workpiece in this one. The other workpiece was turned, ground, bored or threaded
+// by hand in the window. On the same bar, the result is the same part bit for bit. Recorded crashes are copied. Error:
+// Cancelled.
 Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const WorkpieceSnapshot& work,
                                      const TurnRequest& request, TurnStatistics& figures, Progress progress);
 

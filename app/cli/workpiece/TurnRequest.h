@@ -15,15 +15,15 @@
 
 namespace handwheel {
 
-// The arguments of 'handwheel turn'. Lengths in mm.
+// The arguments of 'handwheel turn'. Lengths are in mm.
 struct TurnRequest {
-  std::string input;                 // a file, or the word for a bar
+  std::string input;                 // path of a file, or the word for a bar
   std::optional<StockCylinder> bar;  // the bar of `input`
   std::filesystem::path recording, program, tools, target, output;
   std::optional<double> noseRadius;  // mm
   double spacing = turnSpacingSetting().standard;
   double spindle = 500.0;               // r/min, for a recording
-  std::optional<TurningMethod> method;  // for a recording; none: the method that it names, else Trim
+  std::optional<TurningMethod> method;  // for a recording; none: the method in the recording, or Trim
   std::optional<double> resolution;     // mm, for TurningMethod::Poles
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
   WorkMaterial material;
@@ -31,7 +31,7 @@ struct TurnRequest {
   bool asJson = false;
 };
 
-// Reads the arguments. Returns a problem, or an empty string.
+// Reads the arguments of 'handwheel turn'. Returns a sentence about a problem, or an empty string.
 std::string readTurnRequest(const Arguments& arguments, TurnRequest& request);
 
 }  // namespace handwheel

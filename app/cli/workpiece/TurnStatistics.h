@@ -15,15 +15,16 @@ namespace handwheel {
 // The figures that 'handwheel turn' reports.
 struct TurnStatistics {
   double removed = 0.0;                   // mm³
-  double force = 0.0, power = 0.0;        // N, kW: largest values
+  double force = 0.0, power = 0.0;        // N, kW; largest values
   std::optional<std::size_t> collisions;  // none: not checked
   double time = 0.0;                      // s
   std::optional<double> profileError;     // mm, deviation from a target
   nlohmann::json finish;                  // finishJson() of the part; null if nothing was cut
 };
 
-// Adds the time of a pass and its peaks on a part that has this profile before it. spindle: r/min, for a pass without
-// its own speed. Threads and abrasives have no force here, since Kienzle's law does not cover them. False: cancelled.
+// Adds the time and the peak loads of a pass. profile: the profile of the part before the pass; spindle: the speed for
+// a pass without a recorded speed, r/min. Threads and abrasives add no force, since Kienzle's law does not cover them.
+// Returns false if cancelled.
 bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
              const WorkMaterial& material, double spindle, Progress progress);
 
@@ -32,11 +33,12 @@ bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const Turnin
 std::string statisticsAsJson(const TurnStatistics& figures);
 std::string statisticsAsText(const TurnStatistics& figures);
 
-// Reads the target from a file: a drawing as DXF or SVG, or a workpiece. Errors: those of the readers, FormatUnknown.
+// Reads the target from a file: a drawing as DXF or SVG, or a workpiece. Errors: the errors of the file readers,
+// FormatUnknown.
 Result<TargetProfile> readTarget(const std::filesystem::path& path, const DocumentKinds& kinds, Progress progress);
 
-// Returns the largest deviation of a part from its target between the ends of the target, mm. The upper ends of both
-// are aligned.
+// Returns the largest deviation of a part from its target between the ends of the target, mm. The upper ends of the
+// part and of the target are aligned.
 double profileError(const TargetProfile& target, const TurnedProfile& part);
 
 }  // namespace handwheel

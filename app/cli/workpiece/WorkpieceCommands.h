@@ -6,10 +6,11 @@
 
 namespace handwheel {
 
-// The commands for workpieces: turn, train and force.
+// Returns the commands for workpieces, such as 'turn', 'train' and 'force'.
 std::vector<Command> workpieceCommands();
 
-// Cuts a workpiece along a recorded path of the tool, or repeats its passes and compares. Returns the exit code.
+// Runs the command 'turn', which cuts a workpiece by a program or a recording, or repeats its passes and compares the
+// result with the part. Returns the exit code.
 int runTurn(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

@@ -8,15 +8,16 @@
 
 namespace handwheel {
 
-// Texts that all forms of a marking report share.
+// Returns the unit of a criterion as text.
 std::string unitOf(const SubmissionsReport& report, const MarkingCriterion& criterion);
 // The following texts are in the language of the program, unlike the output of the command line.
-std::string pointsText(const Marking& marking);  // "12 of 20 points"
+std::string pointsText(const Marking& marking);  // returns the points as "12 of 20 points"
 std::string translatedText(const ExerciseText& text);
-std::string translatedHeading(
-    const std::string& heading);  // heading of the table of a class, or the manner of production of the work
-std::string momentOf(const ReportEvent& event);  // "0:05 min: "; empty: it has no time
-std::string localTime(const std::string& utc);   // local time; other texts unchanged
+std::string translatedHeading(const std::string& heading);  // translates the heading of a table of marks, or the manner
+                                                            // in which the work was made
+std::string momentOf(const ReportEvent& event);  // returns the time as "0:05 min: "; empty: the event has no time
+std::string localTime(
+    const std::string& utc);  // converts to local time; a text that is not a time is returned unchanged
 // Returns the marks of one student as cells: criterion, limits, measured, points, reason.
 std::vector<std::array<std::string, 5>> rowsOf(const SubmissionsReport& report, const Marking& marking);
 

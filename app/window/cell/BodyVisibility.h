@@ -8,14 +8,16 @@ namespace handwheel {
 
 class Viewport;
 
-// The visibility of a body from the camera, or from its goal during a flight.
+// The visibility of a body from the camera. While the camera is animated, the view at the end of the animation is
+// judged.
 enum class BodyVisibility {
   Seen,
-  Covered,  // Covered by other parts
-  Outside,  // Outside the view, or without a surface
+  Covered,  // other parts cover it
+  Outside,  // it has no surface, or its surface is outside the view
 };
 
-// Returns the visibility, from some points of the surface. Parts that cannot be searched yet cover nothing.
+// Returns the visibility of a body, judged by some points of its surface. Parts of the scene that cannot be searched
+// yet cover nothing.
 BodyVisibility visibilityOf(const Body& body, const Viewport& view);
 
 }  // namespace handwheel

@@ -30,8 +30,9 @@ class CellBodies : public QObject {
   BodySelection& selection() { return m_selection; }
   const BodySelection& selection() const { return m_selection; }
   QList<QAction*> all();
-  void placeBeside(BodyId id);  // In front of all other objects, on the floor; does nothing if a link carries the body
-  QList<QAction*> adding();     // Actions that add a body
+  // Moves a body in front of all other objects, onto the floor. Does nothing if a link carries the body.
+  void placeBeside(BodyId id);
+  QList<QAction*> adding();            // Actions that add a body
   QMenu& menu() { return *m_menu; }    // Menu of all actions
   BodyList* list() { return m_list; }  // Owned by the window
 
@@ -50,12 +51,12 @@ class CellBodies : public QObject {
   const Box& robotAtRest(const RobotCellSnapshot& content);
   bool standBeside(const RobotCellSnapshot& content, Body& body, OperationValues& values);
   void placeAsInFile(BodyId id);
-  void place(BodyId id, const Pose& pose, const QString& text);  // text: with %1 for the body's name
+  void place(BodyId id, const Pose& pose, const QString& text);  // text: undo text, with %1 for the name of the body
   void askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen);
   void setVisible(const std::set<BodyId>& ids, bool visible);
   void removeSelected();
   void mountSelected();
-  void setCentreAtTip(BodyId id);  // The tool centre point at the tip of the body
+  void setCentreAtTip(BodyId id);  // Sets the tool centre point to the tip of the body
   void carry(const std::set<BodyId>& ids, std::uint32_t link);
   void rename(BodyId body, const QString& name);
   void applyToSelected(const char* verb);

@@ -11,8 +11,8 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// The collisions in the current cell, at present and while the robot is dragged. Prepares the cell on a worker whenever
-// its robot, bodies or allowed pairs have changed. Window thread.
+// The collisions in the current cell, at present and while the robot is dragged. A worker prepares the cell whenever
+// its robot, bodies or allowed pairs have changed. The functions must be called on the window thread.
 class CellCollisions : public QObject {
   Q_OBJECT
 
@@ -20,21 +20,23 @@ class CellCollisions : public QObject {
   CellCollisions(const WindowContext& parts, QObject* parent);
 
   void setDocument(DocumentTab* document);
-  // Returns the present cell prepared for planning with the robot that is planned for; null while it is being prepared,
-  // or if that is impossible.
+  // Returns the present cell prepared for planning with the robot that is planned for; null while the cell is being
+  // prepared, or if that is impossible.
   std::shared_ptr<const CellScene> scene() const;
-  // Returns the same for another robot, by its number; also null while the other robots are being prepared.
+  // Returns the present cell prepared for planning with another robot, given by its number. The result is also null
+  // while the scenes of other robots are being prepared.
   std::shared_ptr<const CellScene> sceneFor(std::size_t arm) const;
-  bool isReady() const { return m_document && isPrepared() && areOthersPrepared(); }  // True if prepared for all robots
+  // Returns true if the cell is prepared for all robots.
+  bool isReady() const { return m_document && isPrepared() && areOthersPrepared(); }
   const std::shared_ptr<CollisionMeshes>& meshes() const { return m_meshes; }
-  // Prepares the cell if that was cancelled. Called by any client that needs scene() while it is null.
+  // Prepares the cell if its preparation was cancelled. Clients call this function if they need scene() and it is null.
   void prepareIfIdle();
 
-  // Colours the collisions of a displayed cell: of the robot at these joint values, or if a body is being moved (null:
-  // none) of that body alone. Does nothing while the cell is not prepared. Returns the collisions.
+  // Colours the collisions of a displayed cell: those of the robot at these joint values, or, if `moved` is not null,
+  // only those of this body, which is being moved. Does nothing while the cell is not prepared. Returns the collisions.
   std::vector<CellCollision> mark(DisplayModel& shown, const JointValues& joints, const Body* moved = nullptr) const;
-  // Does the same while a robot is moved as a whole by this displacement, with all bodies that it carries. If this
-  // takes longer than a frame, the rest keeps its colour.
+  // Colours the collisions of a displayed cell while a robot is moved as a whole by this displacement, with all bodies
+  // that it carries. If this takes longer than a frame, the remaining parts keep their colour. Returns the collisions.
   std::vector<CellCollision> markMoved(DisplayModel& shown, std::size_t robot, const Pose& displacement) const;
 
  signals:
@@ -53,8 +55,8 @@ class CellCollisions : public QObject {
   DocumentTab* m_document = nullptr;
   std::shared_ptr<const CellScene> m_scene;
   bool m_isUnderWay = false;
-  // Scenes of the other robots, in order, for collisions while these are dragged. Null if preparing failed. Until they
-  // are replaced they may be of former joint values.
+  // Scenes of the other robots, in order, for collisions while these robots are dragged. An element is null if its
+  // preparation failed. Until they are replaced, the scenes may have former joint values.
   std::vector<std::shared_ptr<const CellScene>> m_others;
   std::set<std::pair<std::string, std::string>> m_allowed;  // Allowed pairs of m_scene
 };

@@ -13,13 +13,13 @@ namespace handwheel {
 
 class ContactLayer;
 
-// Marks the contacts in the displayed cell, also while its objects move. A worker computes them, always for the latest
-// display. Window thread.
+// Marks the contacts in the displayed cell, also while its objects move. A worker computes the marks, always for the
+// latest display. The functions must be called on the window thread.
 class CellContactMarks : public QObject {
   Q_OBJECT
 
  public:
-  // The source of the displayed cell: a replay hides what a tool shows, and a tool hides the document.
+  // The source of the displayed cell. A replay hides the display of a tool, which hides the document.
   enum class Source { Document, Tool, Replay };
   using Collisions = std::vector<CellCollision>;
 
@@ -28,9 +28,9 @@ class CellContactMarks : public QObject {
 
   QAction* action() { return &m_action; }
   void setVisible(bool isVisible);
-  // Sets the collisions of the cell as the source shows it; empty: none.
+  // Sets the collisions of the cell in the display of the source; empty: none.
   void show(Source source, Collisions collisions);
-  // Called when the source shows nothing any more.
+  // Removes the collisions of the source. Must be called when the source displays nothing any more.
   void clear(Source source);
   void clearAll();
 
@@ -45,7 +45,7 @@ class CellContactMarks : public QObject {
   std::array<std::optional<Collisions>, 3> m_sources;
   std::uint64_t m_cell = 0;  // Counts the cells that were shown
   bool m_isUnderWay = false;
-  bool m_isStale = false;  // True if the display has changed since the running computation began
+  bool m_isStale = false;  // True if the display has changed since the present computation began
   JobRunner m_finding;
 };
 

@@ -10,8 +10,8 @@ namespace handwheel {
 
 class PathLayer;
 
-// The outline of the workspace of the current arm. It lies in the upright plane through the base of the arm and its
-// tool. Shown on demand; computed by a worker. Window thread.
+// The outline of the workspace of the current arm. The outline lies in the upright plane through the base of the arm
+// and its tool. It is shown on demand and computed by a worker. The functions must be called on the window thread.
 class CellReachOutline : public QObject {
   Q_OBJECT
 

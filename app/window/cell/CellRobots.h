@@ -16,26 +16,26 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// The robots of the current cell. Adds one beside the other objects, removes one, and lets the user choose the one that
-// is planned for. Window thread.
+// The robots of the current cell. The object adds a robot beside the other objects, removes one, and lets the user
+// choose the robot that is planned for. The functions must be called on the window thread.
 class CellRobots : public QObject {
   Q_OBJECT
 
  public:
-  // selected: returns the name of the robot that is selected in the list; empty: none.
+  // selected: returns the name of the robot that is selected in the list, or an empty text.
   CellRobots(const WindowContext& parts, std::function<std::string()> selected, QObject* parent);
 
   void setDocument(DocumentTab* document);
   QList<QAction*> all() { return {&m_add, &m_addBuiltIn, &m_remove}; }
   QComboBox* box() const { return m_box; }  // owned by the window; hidden for a cell with one robot
 
-  // Choose or remove a robot by its name; an unknown name does nothing.
+  // Choose or remove a robot by its name. They do nothing if the cell has no such robot.
   void choose(const std::string& name);
   void remove(const std::string& name);
 
  signals:
   void message(const handwheel::Message& message);
-  void added();  // A robot was added to the cell in view
+  void added();  // Emitted when a robot was added to the cell in view
 
  private:
   using Reading = std::function<Result<OpenedFile>(Progress)>;

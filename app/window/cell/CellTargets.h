@@ -18,8 +18,8 @@ struct TargetReach {
   QString remark;  // "out of reach"
 };
 
-// The targets of the current cell, drawn as axes like its frames, and their reachability. A worker computes the latter.
-// Window thread.
+// The targets of the current cell, drawn as axes like its frames, and their reachability. A worker computes the
+// reachability. The functions must be called on the window thread.
 class CellTargets : public QObject {
   Q_OBJECT
 
@@ -31,7 +31,8 @@ class CellTargets : public QObject {
   void setVisible(bool isVisible);
   // Sets the selected target and frame by their names; empty: none. The selected ones have longer axes.
   void setSelected(const std::string& target, const std::string& frame);
-  const std::map<std::string, TargetReach>& reach() const { return m_reach; }  // By target; only those already computed
+  // Returns the reachability by the names of the targets, as far as it is already computed.
+  const std::map<std::string, TargetReach>& reach() const { return m_reach; }
 
  signals:
   void reachChanged();
@@ -44,7 +45,7 @@ class CellTargets : public QObject {
     std::vector<NamedFrame> frames;
     Pose tool = Pose::Identity();
     double clearance = 0.0;
-    JointValues joints;  // Set if a target is on a body that a robot carries; else empty
+    JointValues joints;  // The joint values if a robot carries the body of a target; otherwise empty
     bool operator==(const Question& other) const;
   };
 

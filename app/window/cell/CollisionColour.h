@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Gives the links and bodies of these pairs a warning colour.
+// Gives the links and bodies of colliding pairs a warning colour.
 void markColliding(DisplayModel& model, const CellScene& scene, std::span<const RobotScene::Nearest> pairs);
 
 }  // namespace handwheel

@@ -10,14 +10,15 @@
 
 namespace handwheel {
 
-// The surfaces of bodies, prepared for curves on them. A worker prepares each at its first use. Window thread.
+// The surfaces of bodies, prepared for curves on them. A worker prepares each surface at its first use. The functions
+// must be called on the window thread.
 class PartSurfaces : public QObject {
   Q_OBJECT
 
  public:
   PartSurfaces(JobRunner& jobs, QObject* parent) : QObject(parent), m_jobs(jobs) {}
 
-  // Returns the surface; null while it is being prepared, and prepared() follows.
+  // Returns the surface of a body; null while it is being prepared. prepared() is emitted afterwards.
   std::shared_ptr<const PartSurface> of(const BodyPointer& body);
   void clear();
 

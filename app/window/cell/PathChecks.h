@@ -19,28 +19,32 @@ namespace handwheel {
 // The result of a verification of a path.
 struct PathResult {
   PathBasis basis;
-  std::optional<PathFindings> found;           // Nothing: it could not be verified
-  QString problem = {};                        // The reason in that case
+  std::optional<PathFindings> found;           // Findings; nothing: the path could not be verified
+  QString problem = {};                        // The reason why the path could not be verified
   std::shared_ptr<const CheckedPath> checked;  // Null: not verified in this session
   QDateTime at = {};
-  BasisChange changedBefore = BasisChange::Nothing;  // The change of a stored result before the document was opened
-  BasisDigests digests = {};                         // Digests of the basis
+  // For a result that was read from the file: the input that was changed between its verification and the opening of
+  // the document.
+  BasisChange changedBefore = BasisChange::Nothing;
+  BasisDigests digests = {};  // Digests of the basis
 };
 
-// The verification results of the paths of the open cells. A path is verified on a worker, one at a time. Its last
-// results are kept, also while another path or document is shown. A result holds while all its inputs are unchanged, so
-// undo makes it valid again. The valid one is stored with the cell in brief, with digests of its inputs. Window thread.
+// The verification results of the paths of the open cells. A worker verifies paths, one at a time. Their last results
+// are kept while other paths or documents are shown. A result is valid while all its inputs are unchanged, so undo
+// makes it valid again. A summary of the valid result is stored with the cell, with digests of its inputs. The
+// functions must be called on the window thread.
 class PathChecks : public QObject {
   Q_OBJECT
 
  public:
   // The present verification state of a path.
   struct State {
-    const PathResult* last = nullptr;  // The valid result, else the last one; null: never verified
+    const PathResult* last = nullptr;  // The valid result, or else the last one; null: never verified
     BasisChange change = BasisChange::Nothing;
     bool isUnderWay = false;
   };
-  // Again: even if the result is known, and verified() follows. OfAll: one of all paths, on the user's request.
+  // The kind of a request. Known: a path with a known result is not verified. Again: the path is verified even if its
+  // result is known, and verified() is emitted. OfAll: like Known, for a path of verifyAll().
   enum class Request { Known, Again, OfAll };
 
   PathChecks(const WindowContext& parts, CellCollisions& collisions, QObject* parent);
@@ -53,15 +57,17 @@ class PathChecks : public QObject {
     m_interrupted.erase(document);
   }
 
-  // Begins to verify a path, unless its result is known. A running verification of another path, or another state of
-  // this one, ends. Does nothing if the cell is not prepared for its robot.
+  // Begins to verify a path, unless its result is known. A running verification of another path, or of another state of
+  // this one, ends; it is repeated later if it belongs to verifyAll(). Does nothing if the cell is not prepared for the
+  // robot of the path.
   void verify(const RobotPath& path, Request request = Request::Known);
-  // Verifies all paths of all robots without a known result, one after the other; allVerified() follows.
+  // Verifies all paths of all robots whose results are not known, one after the other. allVerified() is emitted
+  // afterwards.
   void verifyAll();
-  // Must be called after a path was renamed: its stored results take the new name.
+  // Stores the results of a path under its new name. Must be called after the path was renamed.
   void renamed(const std::string& from, const std::string& to);
   State stateOf(const RobotPath& path) const;
-  // Returns the result that is valid for the present path and cell; null: none.
+  // Returns the result that is valid for the present path and cell; null if there is none.
   std::shared_ptr<const CheckedPath> of(const RobotPath& path) const;
 
  signals:
@@ -76,7 +82,7 @@ class PathChecks : public QObject {
     bool isOfAll = false;
     std::uint64_t number = 0;
   };
-  // The remaining verifications of a document that is not in view: they continue when it is shown again.
+  // The remaining verifications of a document that is not in view. They continue when the document is shown again.
   struct Interrupted {
     std::optional<std::string> asked;  // Name of the path
     std::deque<std::string> waiting;
@@ -104,13 +110,13 @@ class PathChecks : public QObject {
   CellCollisions& m_collisions;
   DocumentTab* m_document = nullptr;
   QMetaObject::Connection m_changes;                               // Changes of the document
-  using Results = std::map<std::string, std::vector<PathResult>>;  // By the name of the path, the latest last
+  using Results = std::map<std::string, std::vector<PathResult>>;  // Results by the name of the path, the latest last
   std::map<const DocumentTab*, Results> m_results;
   std::set<const DocumentTab*> m_recalled;  // Documents whose stored results have all been recalled
   std::optional<Run> m_run;
   std::uint64_t m_runs = 0;            // Number of runs begun
   std::deque<std::string> m_waiting;   // Names of the paths that are to be verified next
-  bool m_isAllAsked = false;           // True from verifyAll() until all are done
+  bool m_isAllAsked = false;           // True from verifyAll() until all paths are verified
   std::optional<std::string> m_asked;  // The path that the user asked for before another document came into view
   std::map<const DocumentTab*, Interrupted> m_interrupted;
   std::shared_ptr<const PathDigests> m_digests;  // The last digests of the document

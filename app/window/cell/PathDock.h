@@ -24,9 +24,9 @@ class TimeLinePanel;
 struct CheckedPath;
 struct TimeLineRecording;
 
-// The dock “Path”, which plays a path of the robot on a time line. Clearance, manipulability and margin to the limits
-// are curves along it, collisions are marks. While it is open the view shows the robot at the current time. Window
-// thread.
+// The dock “Path”, which plays a path of the robot on a time line. The time line shows clearance, manipulability and
+// margin to the limits as curves, and collisions as marks. While the dock is open, the view shows the robot at the
+// current time. The functions must be called on the window thread.
 class PathDock : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,8 @@ class PathDock : public QObject {
   void close() { open(false); }
 
  signals:
-  // Sets the parts that the view shows before all others, and their collisions; null: none.
+  // Emitted when the replay shows other parts, which hide all others in the view, with their collisions. parts: null if
+  // it shows none.
   void partsShown(const std::shared_ptr<const handwheel::DisplayModel>& parts,
                   const std::vector<handwheel::CellCollision>& collisions);
 
@@ -61,14 +62,15 @@ class PathDock : public QObject {
   QAction m_toggle;
   bool m_isOpen = false;
   DocumentTab* m_document = nullptr;
-  JointValues m_standing;   // Joint values of the document when it was opened
+  JointValues m_standing;   // Joint values of the document when the dock was opened
   std::string m_countedIn;  // The frame of the displayed coordinates; empty: the cell
   QPointer<QDockWidget> m_dock;
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;
   std::shared_ptr<const CheckedPath> m_shown;
-  std::unique_ptr<TimedPath> m_timed;  // m_shown in time
-  // A collision to show once its path is verified, by its index in stretchesOf().
+  std::unique_ptr<TimedPath> m_timed;  // Times of the path m_shown
+  // A collision to show once its path is verified: the name of the path, and the index of the collision in
+  // stretchesOf().
   std::optional<std::pair<std::string, std::size_t>> m_wanted;
 };
 

@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// The trajectory of the tool centre point along the path last asked for. It is computed by a worker. Window thread.
+// The trajectory of the tool centre point along the path that was last requested. A worker computes the trajectory. The
+// functions must be called on the window thread.
 class PathGuides : public QObject {
   Q_OBJECT
 
@@ -15,8 +16,8 @@ class PathGuides : public QObject {
   PathGuides(JobRunner& jobs, const CellCollisions& collisions, QObject* parent)
       : QObject(parent), m_jobs(jobs), m_collisions(collisions) {}
 
-  // Returns the curve; null while it is being computed, or the cell prepared, and prepared() follows. Cheap if nothing
-  // has changed.
+  // Returns the curve along a path. The result is null while the cell is being prepared, and while the curve is being
+  // computed; prepared() is emitted when the curve is ready. The call is cheap if nothing has changed.
   std::shared_ptr<const GuideCurve> of(const std::string& path, const std::shared_ptr<const CellPlans>& plans);
   void clear();
 

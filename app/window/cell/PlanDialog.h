@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "controls/property/PropertyList.h"
 #include "tools/cell/path/PlanOperation.h"
@@ -15,12 +15,13 @@ class QPushButton;
 
 namespace handwheel {
 
-// A dialog that asks for a path. It asks for its ends, the configurations in between, and the options of planning.
+// A dialog that asks for a path. The user chooses its ends, the configurations in between, and the options of planning.
 class PlanDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // robot: the robots of the cell. before: the values of the previous path; all but ends and name are offered again.
+  // robot: the robots of the cell. before: the values of the previous path, which are proposed again except for ends
+  // and name.
   PlanDialog(const CellRobot& robot, const CellPlans& plans, const FidelityValues& fidelity,
              const std::optional<OperationValues>& before, LengthUnit unit, QWidget* parent);
 
@@ -32,7 +33,7 @@ class PlanDialog : public QDialog {
   void accept() override;
   void keyPressEvent(QKeyEvent* event) override;
 
-  std::vector<std::string> m_waypoints;  // Names that can be chosen, "here" first
+  std::vector<std::string> m_waypoints;  // Names that can be chosen; the first is "here", the present joint values
   OperationValues m_values;
   double m_clearance;     // mm, clearance of the cell
   bool m_hasPlainShapes;  // True if the robot has simplified shapes

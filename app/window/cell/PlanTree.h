@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// A tree of the planned content of a cell. It lists its configurations, its paths with their waypoints, its targets,
-// and if there are any its frames, and its robots if there are several. It only requests changes.
+// A tree of the planned content of a cell. It lists configurations, paths with their waypoints, and targets, frames if
+// there are any, and robots if there are several. The tree only requests changes.
 class PlanTree : public QTreeWidget {
   Q_OBJECT
 
  public:
-  // The item of a row.
+  // The identification of a row.
   struct Entry {
     enum class Kind { None, Configuration, Path, Waypoint, Target, Frame, Robot };
     Kind kind = Kind::None;
@@ -27,8 +27,8 @@ class PlanTree : public QTreeWidget {
 
   explicit PlanTree(QWidget* parent = nullptr);
 
-  // statuses: of the verification of each path, by its name; reach: of targets; remarks: on frames. robot: null if
-  // there is no cell.
+  // Sets the content. robot: null if there is no cell. statuses: the verification states by the names of the paths.
+  // reach: the reachability by the names of the targets. remarks: remarks by the names of the frames.
   void setPlans(const CellPlans& plans, const CellRobot* robot, const std::map<std::string, PathStatus>& statuses,
                 const std::map<std::string, TargetReach>& reach, const std::map<std::string, QString>& remarks = {});
   Entry current() const;
@@ -36,7 +36,7 @@ class PlanTree : public QTreeWidget {
 
  signals:
   void currentChanged();
-  void activated(const handwheel::PlanTree::Entry& entry);  // By a double click or Return
+  void activated(const handwheel::PlanTree::Entry& entry);  // Emitted at a double click or the key Return
   void renameRequested(const handwheel::PlanTree::Entry& entry, const QString& name);
   void removalRequested();
 

@@ -26,8 +26,8 @@ namespace handwheel {
 class RobotCellKind;
 struct Pick;
 
-// The user interface of robot cells. It has the list of bodies and joint sliders, and drags the robot and the bodies
-// beside it.
+// The user interface of robot cells. It contains the list of bodies and the joint sliders, and drags the robots and the
+// bodies.
 class RobotCellUi : public RigidPartsUi {
   Q_OBJECT
 
@@ -76,7 +76,7 @@ class RobotCellUi : public RigidPartsUi {
   void markShown(DisplayModel& shown, const JointValues& joints,
                  const Body* moved = nullptr);  // Marks the collisions of a model that a tool shows
   void select(const Pick& pick);
-  void followRow(bool isChosen);  // isChosen: by the user
+  void followRow(bool isChosen);  // isChosen: true if the user chose the row
   std::string selectedRobot() const;
   void selectRobot(std::uint32_t link);
   void selectRobotToPlace(std::size_t number);
@@ -84,9 +84,9 @@ class RobotCellUi : public RigidPartsUi {
   void lookAgain();
   void reveal(BodyId id, bool isNew);
 
-  // Counters of the messages about a document, from 1.
+  // The latest messages about a document, which are numbered from 1 in the order in which they are shown.
   struct SaidLast {
-    std::uint64_t number = 0, news = 0;  // The last message, and the last that was no error or warning
+    std::uint64_t number = 0, news = 0;  // Numbers of the last message and of the last information
     QString title = {};
   };
 
@@ -106,9 +106,9 @@ class RobotCellUi : public RigidPartsUi {
   QTimer m_replayFields;      // Runs until the fields show the joint values of the time line
   bool m_isReplayed = false;  // True if the view shows the robot on a path
   std::map<const DocumentTab*, std::vector<HandGuidingTrial>> m_trials;
-  bool m_showsRow = true;         // True if the panel shows the row instead of the selected body: it was selected later
+  bool m_showsRow = true;         // True if the panel shows the selected row of the plans instead of the body
   bool m_isCovered = false;       // True if the selected body was covered at the last test
-  std::optional<Body> m_dragged;  // The body at its dragged pose
+  std::optional<Body> m_dragged;  // The dragged body at its present pose
   std::map<const Document*, SaidLast> m_said;
 };
 

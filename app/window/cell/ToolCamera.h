@@ -12,7 +12,8 @@ namespace handwheel {
 
 class RobotCellDocument;
 
-// A camera at the tool centre point, which moves with the robot. It looks along the tool. Window thread.
+// A camera at the tool centre point, which moves with the robot. The camera looks along the tool. The functions must be
+// called on the window thread.
 class ToolCamera : public QObject {
   Q_OBJECT
 
@@ -21,7 +22,7 @@ class ToolCamera : public QObject {
 
   QAction* action() { return &m_action; }
   void setDocument(DocumentTab* document);
-  // Follows the robot as a tool or a played path shows it; null: as in the document.
+  // Follows the robot in the display of a tool or a played path; null: the robot of the document.
   void follow(const DisplayModel* shown);
 
  private:
@@ -33,10 +34,10 @@ class ToolCamera : public QObject {
   WindowContext m_parts;
   DocumentTab* m_document = nullptr;
   QAction m_action;
-  std::optional<CameraState> m_before;  // The camera to return to; nothing: the view is not the tool's
+  std::optional<CameraState> m_before;  // The camera to return to; nothing: the camera of the tool is off
 };
 
-// Returns the camera of a tool at this pose: its z axis goes into the picture, its x axis to the right.
+// Returns the camera of a tool at this pose. The z axis of the tool points into the picture, its x axis to the right.
 CameraState cameraOfTool(const Pose& tool);
 
 }  // namespace handwheel

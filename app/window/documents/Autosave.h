@@ -25,19 +25,19 @@ class ToolHost;
 class WindowServices;
 struct DocumentTab;
 
-// Saves modified documents to the recovery folder. A document is saved soon after each edit, so that a kill takes
-// nothing that was finished; the unfinished work of a tool is saved at intervals. Documents that take long to save are
-// saved less often, but at least once in the interval. The file is removed when its document is saved or closed. The
-// files of a killed session are offered at the next start, until they are recovered or discarded; those of a session
-// whose lock is not yet released then are offered soon after.
+// Saves modified documents to the recovery folder. A document is saved soon after each edit, so that no finished edit
+// is lost if the program is killed; the unfinished work of a tool is saved at intervals. Documents that take long to
+// save are saved less often, but at least once in the interval. The recovery file is removed when its document is
+// saved or closed. The files of a killed session are offered at the next start, until they are recovered or discarded.
+// If the killed session has not yet released its lock, its files are offered soon after the start.
 class Autosave : public QObject {
   Q_OBJECT
 
  public:
   Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
 
-  void setInterval(int seconds);  // longest interval; 0: never
-  // Also saves the unfinished work of the tools of a window.
+  void setInterval(int seconds);  // longest interval between autosaves; 0: no autosave
+  // Enables saving the unfinished work of the tools of a window.
   void watch(ToolHost& tools);
   void offerRecovery();
 
@@ -49,7 +49,7 @@ class Autosave : public QObject {
   // A document whose changes are saved.
   struct Followed {
     std::uint64_t key = 0;
-    std::unique_ptr<QTimer> timer;      // started by the first change after an autosave
+    std::unique_ptr<QTimer> timer;      // runs from the first change after an autosave
     std::chrono::milliseconds cost{0};  // duration of the last autosave, wall-clock time
     bool isFailing = false;             // the last autosave failed
   };
@@ -78,9 +78,9 @@ class Autosave : public QObject {
   LogModel& m_log;
   WindowServices& m_services;
   ToolHost* m_tools = nullptr;
-  QThreadPool m_pool;  // own pool, so that long jobs do not delay it
+  QThreadPool m_pool;  // separate pool, so that long jobs do not delay autosaves
   JobRunner m_jobs;
-  QTimer m_timer;        // timer for unfinished work; its interval is the longest
+  QTimer m_timer;        // timer for unfinished work, with the longest interval
   ServiceHandle m_need;  // held while there is something to save
   std::shared_ptr<RecoverySession> m_session;
   std::map<const DocumentTab*, Followed> m_followed;

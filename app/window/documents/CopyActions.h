@@ -19,7 +19,7 @@ class JobRunner;
 struct DocumentTab;
 struct Message;
 
-// The actions that open the surface of the current document as another kind. For example, a mesh as a volume, and back.
+// The actions that open the surface of the current document as another kind. One of them opens a mesh as a volume.
 // Kinds may ask for the parameters (KindUi::askToCopy()).
 class CopyActions : public QObject {
   Q_OBJECT
@@ -30,7 +30,7 @@ class CopyActions : public QObject {
   CopyActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
               Open open);
 
-  // Returns one action for each kind that is made of surfaces.
+  // Returns one action for each kind that can be made from a surface.
   QList<QAction*> actions() const;
 
  signals:

@@ -25,9 +25,9 @@ class DocumentProperties : public QObject {
   explicit DocumentProperties(PropertyList& list, QObject* parent = nullptr);
 
   using Listed = std::function<std::vector<Property>(const Document&)>;
-  // Sets the document; null: none. listed: makes the properties that are shown now.
+  // Sets the document; null: none. listed: the function that returns the properties to show.
   void setDocument(Document* document, Listed listed);
-  // Updates the list after other properties are to be listed.
+  // Updates the list. To be called when other properties are to be listed.
   void show();
 
  private:

@@ -14,7 +14,7 @@ namespace handwheel {
 
 class KindUi;
 
-// An open document with its window state. Kinds of documents derive from it.
+// An open document with its window state. Document kinds may derive their own types from it.
 struct DocumentTab {
   DocumentTab(std::unique_ptr<Document> made, KindUi& of) : owned(std::move(made)), document(*owned), ui(of) {}
   virtual ~DocumentTab() = default;
@@ -22,14 +22,15 @@ struct DocumentTab {
   const std::unique_ptr<Document> owned;
   Document& document;
   KindUi& ui;                         // interface of the document's kind
-  std::optional<CameraState> camera;  // absent until it is first shown
+  std::optional<CameraState> camera;  // none: the document has not been shown yet
   QString tool;                       // id of the active tool; empty: the default tool
   bool visible = true;
-  bool written = false;  // its file was written by this program, so it holds nothing else than the document
+  bool written = false;  // the file was written by this program, so it contains nothing but the document
   bool cardDismissed = false;
-  QString reportedLosses;       // the losses of its file, as last reported to the user
-  std::uint64_t autosaved = 0;  // revision of the document in its autosave
-  // The properties in its file, or of a new document. Absent after a recovery, as they are unknown then.
+  QString reportedLosses;       // the losses in reading the file that were last reported to the user
+  std::uint64_t autosaved = 0;  // revision of the document that the autosave contains
+  // The properties in the file, or those of a new document when it was created. None after a recovery, because they are
+  // unknown.
   std::optional<std::vector<Property>> inFile;
 };
 

@@ -24,19 +24,19 @@ class DocumentTabs : public QFrame {
   DocumentTab* current() const;
   const std::vector<std::unique_ptr<DocumentTab>>& all() const { return m_documents; }
   bool contains(const DocumentTab* document) const;
-  DocumentTab* withPath(const QString& path) const;  // null if it is not open
-  // Returns true if a document other than this one, which may be null, has the file.
+  DocumentTab* withPath(const QString& path) const;  // null: no document has this path
+  // Returns true if the file is open in a document other than the given one. document: may be null.
   bool isOpenBeside(const Document* document, const QString& path) const;
 
   void add(std::unique_ptr<DocumentTab> document);  // also makes it current
   void setCurrent(const DocumentTab* document);
-  void step(int count);                  // moves to the right, cyclically
-  void close(DocumentTab* document);     // closes it without asking
-  void setCloseTip(const QString& tip);  // tool tip of the button in each tab
+  void step(int count);                  // makes the tab this many positions to the right current, cyclically
+  void close(DocumentTab* document);     // closes the document without asking
+  void setCloseTip(const QString& tip);  // tool tip of the close button in each tab
 
  signals:
   void added(handwheel::DocumentTab* document);
-  void currentChanged(handwheel::DocumentTab* document);  // null if none is left
+  void currentChanged(handwheel::DocumentTab* document);  // null: no document is open
   void closing(handwheel::DocumentTab* document);         // the last signal for which the pointer is valid
   void closeRequested(handwheel::DocumentTab* document);
 

@@ -37,16 +37,17 @@ class FileActions : public QObject {
   // Adds the start actions of a kind of document, in the order of the calls.
   void add(const std::string& kind, KindUi& ui);
   std::vector<StartTile> tiles() const;
-  // Runs the start action of a tile, by its name.
+  // Runs the start action of the tile with this name.
   void begin(const QString& tile);
 
-  QString iconNameFor(const QString& path) const;  // icon for a file
+  QString iconNameFor(const QString& path) const;  // name of the icon for a file
   void openPaths(const QStringList& paths);
-  // Closes a document; if it is modified the user is asked first. then: called once it is closed. A second request
-  // while the user is asked, or the document is saved, waits for the same answer.
+  // Closes a document; if it is modified the user is asked first. then: the function that is called when the document
+  // is closed. A second request while the user is being asked, or the document is being saved, waits for the same
+  // answer.
   void requestClose(DocumentTab* document, std::function<void()> then = {});
-  // Asks about each modified document, and closes all once no file is being written, unless the user cancels or saving
-  // fails. then: called when none is left.
+  // Asks about each modified document. Closes all documents when no file is being written, unless the user cancels or
+  // saving fails. then: the function that is called when all are closed.
   void requestCloseAll(std::function<void()> then);
 
  signals:
@@ -59,17 +60,19 @@ class FileActions : public QObject {
   void askForFiles();
   bool offerBeside(const QString& path);
   void saveCurrent();
-  // ended: as for FileSaver::save(); also called if no name was chosen.
+  // Saves a document; asks for a name if one is needed. ended: as for FileSaver::save(); it is also called if no name
+  // was chosen.
   void saveOrAsk(DocumentTab* document, std::function<void(bool)> ended);
   void askForName(DocumentTab* document, std::function<void(bool)> ended, bool asContainer = false);
   void offerAnotherName(DocumentTab* document, Message message);
   void offerContainer(DocumentTab* document, Message message);
   static bool wouldLose(const DocumentTab& document);
-  // Asks what to do with the changes that a document would lose. decided: false if the user cancels, or saving fails.
+  // Asks what to do with the changes that a document would lose. decided: the function that is called with the result:
+  // false if the user cancels or saving fails.
   void decide(DocumentTab* document, std::function<void(bool)> decided);
   void endClosing(DocumentTab* document, bool close);
-  // decided: the revisions of documents at the user's answers about them. Documents that change later are asked about
-  // again.
+  // Asks about the next modified document. decided: the revision of each document when the user answered the question
+  // about it. If a document changes later, the user is asked again.
   void decideNext(std::map<const DocumentTab*, std::uint64_t> decided, std::function<void()> then);
   void followDocument();
   void fillRecentMenu();
@@ -83,9 +86,10 @@ class FileActions : public QObject {
   RecentFiles& m_recent;
   FileLoader m_loader;
   FileSaver m_saver;
-  // Documents being asked about or saved before closing, with the callbacks for after closing.
+  // Documents that the user is being asked about or that are being saved before closing, with the functions to call
+  // when they are closed.
   std::map<const DocumentTab*, std::vector<std::function<void()>>> m_closing;
-  QMetaObject::Connection m_afterSaving;  // closes all once no file is being written
+  QMetaObject::Connection m_afterSaving;  // connection that closes all documents when no file is being written
   QAction m_open;
   std::vector<std::pair<StartAction, QAction*>> m_startActions;
   QAction m_save;

@@ -11,22 +11,22 @@ namespace handwheel {
 
 class Document;
 
-// The initial folder of file dialogs. Window thread.
+// Functions for the initial folder of file dialogs. They must be called on the window thread.
 
-// Returns the folder that was used last in any dialog; at first that of the user's documents. Never that of the
-// samples.
+// Returns the folder that was used last in any dialog; before the first use, the user's documents folder. The folder of
+// the samples is never returned.
 QString lastFolder();
 // Remembers the folder of a file that was chosen.
 void rememberFolder(const QString& path);
-// Returns the folder of the document's file; if it has no file, or is a sample, the folder that was used last.
+// Returns the folder of the document's file. If the document has no file, or is a sample, returns lastFolder().
 QString folderFor(const Document& document);
 
-// Sets the initial folder of a dialog to the one that was used last for this purpose, a word for the settings; at first
-// to the one that was used last at all. The chosen folder is remembered.
+// Sets the initial folder of a dialog to the one that was used last for this purpose; before the first use, to
+// lastFolder(). The chosen folder is remembered. purpose: the key of the folder in the settings.
 void beginInFolderOf(QFileDialog& dialog, const QString& purpose);
 
-// Returns a dialog for an existing file, in the folder for the document; the chosen folder is remembered. It is owned
-// by the window and destroyed when it is closed; the caller opens it.
+// Returns a dialog for an existing file, that starts in folderFor() the document; the chosen folder is remembered. The
+// dialog is owned by the window and destroyed when it is closed. The caller must open it.
 QFileDialog* openingDialog(QWidget* window, const Document& document, const QString& title, const QString& filter);
 
 }  // namespace handwheel

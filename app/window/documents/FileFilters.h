@@ -12,20 +12,23 @@ namespace handwheel {
 // Returns the extension of the native file format.
 QString containerEnding();  // ".handwheel"
 
-// Returns the foreign format of the kind by the path's extension; none for a container.
+// Returns the format of the kind that has the path's extension. The result is empty if there is none, as for the native
+// file format.
 std::optional<FileFormat> formatOf(const DocumentKind& kind, const QString& path);
-// Returns the extension of a path with its dots, as in the formats of the kind; for other paths the part after the last
-// dot.
+// Returns the extension of a path. If the path has the extension of a format of the kind, which may contain dots,
+// returns that extension; otherwise the part after the last dot.
 QString endingOf(const DocumentKind& kind, const QString& path);
 // Returns true if documents of the kind can be written in the format of the path.
 bool canWrite(const DocumentKind& kind, const QString& path);
 
-// Returns the icon name for a file. It is that of the kind that reads, or else writes, its extension.
+// Returns the icon name for a file. It is the icon of the kind that can read its extension, or else of one that can
+// write it.
 QString iconNameFor(const DocumentKinds& kinds, const QString& path);
 
-// Returns the name filters of the open dialog: all readable files, then one per kind.
+// Returns the name filters of the open dialog: one for all readable files, then one for each kind. beside: further
+// filters, for files that are opened beside a document (CompanionFiles).
 QStringList openFilters(const DocumentKinds& kinds, const QStringList& beside = {});
-// Returns the name filters of the save dialog: all formats of the kind, then each.
+// Returns the name filters of the save dialog: one for all formats of the kind, then one for each format.
 QStringList saveFilters(const DocumentKind& kind);
 
 }  // namespace handwheel

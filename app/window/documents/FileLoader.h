@@ -25,8 +25,8 @@ struct DocumentTab;
 
 using KindUis = std::map<std::string, std::unique_ptr<KindUi>>;  // by the id of the kind
 
-// The topic of messages about the file that a document was opened from. It ends once the document has been saved as
-// another file.
+// The topic of messages about the file that a document was opened from. The messages are removed when the document is
+// saved as another file.
 inline const QString kOpeningTopic = QStringLiteral("opening");
 
 // Opens files on a worker thread and reports losses and damage.
@@ -41,11 +41,12 @@ class FileLoader : public QObject {
   void load(const QString& path, const ReadOptions& options = {});
   // Shows an opened file as a document, and makes it current.
   DocumentTab* open(OpenedFile opened);
-  // Shows a document that would be lost if it were closed without being saved. It keeps its unit.
+  // Shows a document that has not been saved to a file. The document keeps its unit.
   DocumentTab* openUnsaved(OpenedFile opened);
-  // Creates a document of default size, of a kind that supports it.
+  // Creates a document of default size. The kind must support new documents.
   void create(const std::string& kind);
-  // Opens the autosave of a document, which info describes. then: called with the document when it is open.
+  // Opens the autosave of a document. info: the description of the autosave. then: the function that is called with the
+  // document when it is open.
   void recover(const std::filesystem::path& file, const AutosaveInfo& info, std::function<void(DocumentTab*)> then);
 
   // Adds the findings of reading a file to the log: damage, losses and notes.

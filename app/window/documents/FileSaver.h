@@ -16,12 +16,12 @@ class LogModel;
 class RecentFiles;
 struct DocumentTab;
 
-// The topic of messages about saving; the next success removes them.
+// The topic of messages about saving. They are removed when the document is next saved successfully.
 inline const QString kSavingTopic = QStringLiteral("saving");
 
-// Writes documents to files on a worker thread. Afterwards the new file is complete and checked, or the old one is
-// unchanged. The file of another open document is never written: that document would no longer match its file. Writing
-// a format from which the document cannot be read back is an export: the document stays unsaved.
+// Writes documents to files on a worker thread. Either the new file is complete and checked, or the old one is
+// unchanged. The file of another open document is never overwritten, because that document would no longer match its
+// file. Writing a format from which the document cannot be read back is an export; the document then stays unsaved.
 class FileSaver : public QObject {
   Q_OBJECT
 
@@ -31,18 +31,20 @@ class FileSaver : public QObject {
   // Treatment of a file that another program wrote since the document was opened or saved.
   enum class Changed { Refuse, Replace };
 
-  // ended: always called at the end; true if the file holds the present state of the document, and the user already
-  // knows what the file lacks.
+  // Writes a document to a file. ended: the function that is always called at the end. Its argument is true if the file
+  // contains the present state of the document and the user already knows what the file lacks.
   void save(DocumentTab* document, const QString& path, std::function<void(bool)> ended = {},
             Changed changed = Changed::Refuse);
 
  signals:
   void message(const handwheel::Message& message);
-  // Saving failed; the document is still open and unsaved. message: describes it, without an action.
+  // Emitted when saving failed; the document is still open and unsaved. message: describes the failure, without an
+  // action.
   void failed(handwheel::DocumentTab* document, const handwheel::Message& message);
-  // The document was saved: messages about it with this topic are over.
+  // Emitted when the document was saved. Messages about it with this topic are to be removed.
   void succeeded(const handwheel::Document* document, const QString& topic);
-  // The file was written, but its format cannot hold all of the document. message: describes it, without an action.
+  // Emitted when the file was written, but its format cannot store all of the document. message: describes the losses,
+  // without an action.
   void incomplete(handwheel::DocumentTab* document, const handwheel::Message& message);
 
  private:
@@ -52,12 +54,12 @@ class FileSaver : public QObject {
     std::uint64_t revision;
     std::vector<Property> properties;
     LengthUnit displayUnit;
-    std::optional<FileTimestamp> stamp;  // timestamp of the file afterwards
+    std::optional<FileTimestamp> stamp;  // timestamp of the file after writing
   };
   void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
   bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);
   void reportExport(const DocumentTab& document, const QString& name, QStringList losses);
-  // document: null if it is closed by now.
+  // Reports that saving was cancelled. document: null if it has been closed.
   void reportCancelled(DocumentTab* document, const QString& path);
   void reportFailure(DocumentTab* document, const QString& path, const Error& error);
 

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The recently opened or saved files, newest first. They are remembered over restarts.
+// The recently opened or saved files, newest first. They are stored in the settings.
 class RecentFiles : public QObject {
   Q_OBJECT
 

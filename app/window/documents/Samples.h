@@ -8,10 +8,10 @@ class QFileInfo;
 
 namespace handwheel {
 
-// Returns the path of a sample shipped with the program; empty if it is missing.
+// Returns the path of a sample shipped with the program. The result is empty if the sample is missing.
 QString samplePath(const QString& name);
 
-// Returns true if the file is one of these samples.
+// Returns true if the file is a sample shipped with the program.
 bool isSample(const QFileInfo& file);
 
 }  // namespace handwheel

@@ -18,9 +18,9 @@ class Thumbnails : public QObject {
  public:
   explicit Thumbnails(QThreadPool& pool, QObject* parent = nullptr) : QObject(parent), m_pool(pool) {}
 
-  static QImage pictureOf(const QImage& view);             // the middle of a view, scaled down
+  static QImage pictureOf(const QImage& view);             // returns the middle of a view, scaled down
   void store(const QString& path, const QImage& picture);  // writes a scaled-down picture, on a worker thread
-  static QPixmap of(const QString& path);                  // null if there is none
+  static QPixmap of(const QString& path);                  // null: there is no thumbnail
 
  signals:
   void stored();

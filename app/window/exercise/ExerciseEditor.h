@@ -35,14 +35,14 @@ class ExerciseEditor : public QTabWidget {
   void showTargetActions(const QList<QAction*>& actions);
 
  private:
-  // A list of rows with the properties of the selected one below it.
+  // A list of rows with the properties of the selected row below the list.
   struct Rows {
     QWidget* page = nullptr;
     QListWidget* list = nullptr;
     PropertyList* properties = nullptr;
     QToolButton* remove = nullptr;
     QToolButton *up = nullptr, *down = nullptr;
-    QLabel* sum = nullptr;  // the sum over all rows
+    QLabel* sum = nullptr;  // shows the sum over all rows
   };
   Rows makeRows(const QString& name, const QString& addTip, const std::function<void(QToolButton*)>& setUpAdding);
   void fillRows(Rows& rows, const QStringList& names, const std::vector<Property>& properties,
@@ -56,7 +56,7 @@ class ExerciseEditor : public QTabWidget {
   void addHint();
   void changeHint(std::size_t hint, const std::string& text);
   void removeHint(std::size_t hint);
-  // Returns the exercise with other hints of the shown step; none: no step is shown.
+  // Returns the exercise with changed hints of the shown step. Returns nothing if no step is shown.
   std::optional<ExerciseSnapshot> withHints(const std::function<void(std::vector<std::string>&)>& changing) const;
   std::string partOfHint(std::size_t hint) const;
   void change(const QString& text, ExerciseSnapshot exercise);

@@ -15,18 +15,18 @@ namespace handwheel {
 class LessonPanel;
 class ScrolledPanel;
 
-// The panel with which a student works on an exercise. It has the task, sizes of the drawing, steps with their hints,
-// time, measured sizes, and the submission.
+// The panel with which a student works on an exercise. It shows the task, the sizes of the drawing, the steps with
+// their hints, the time and the measured sizes, and has a button to submit the work.
 class ExerciseLesson : public QWidget {
   Q_OBJECT
 
  public:
   explicit ExerciseLesson(QWidget* parent = nullptr);
 
-  // isRunning: the work has begun.
+  // Shows an exercise and an attempt at it. isRunning: true if the work has begun.
   void setExercise(const ExerciseSnapshot& shown, const Attempt& attempt, bool isRunning);
   void setSeconds(double seconds, double allowed);
-  // Ticks the steps whose criteria are met. Other steps with criteria are unticked.
+  // Ticks the steps whose criteria are met. All other steps with criteria are unticked.
   void setMet(const ExerciseSnapshot& measured, const Marking& marking);
   // Shows the measured value of each size of the drawing; the ticks are unchanged.
   void setMeasured(const ExerciseSnapshot& exercise, const Marking& marking);
@@ -53,10 +53,10 @@ class ExerciseLesson : public QWidget {
   QLineEdit* m_name;
   QPushButton* m_handIn;
   bool m_isRunning = false;
-  bool m_isMeasured = false;  // the sizes are those of the present part
+  bool m_isMeasured = false;  // true: the shown sizes were measured on the present part
 };
 
-// Returns true if all criteria of a step are met; false for a step without any.
+// Returns true if all criteria of a step are met; false for a step without criteria.
 bool isMet(const ExerciseStep& step, const Marking& marking);
 
 }  // namespace handwheel

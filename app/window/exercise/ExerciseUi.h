@@ -69,7 +69,7 @@ class ExerciseUi : public RigidPartsUi {
   void reportMarked(const std::vector<ReportedWork>& works);
   void removeWorks(const std::vector<std::size_t>& works);
   void showClass();
-  // name: suggested name, without extension.
+  // Asks for a file and calls `chosen` with its path. name: the suggested name without extension.
   void chooseFile(const QString& title, const QString& filter, const QString& name, const QString& suffix,
                   const std::function<void(const QString& path)>& chosen);
   enum class ClassFile { Report, Table, Comparison };
@@ -85,7 +85,7 @@ class ExerciseUi : public RigidPartsUi {
   std::shared_ptr<const MarkedSubmissions> m_shownClass;
   std::string m_shownScheme;
   TaskPointer m_shownTask;
-  // The shown model, and the data it was made from.
+  // The shown model, and the data from which it was made.
   mutable DisplayModel m_displayed;
   mutable TaskPointer m_displayedTask;
   mutable SnapshotPointer m_displayedWork;

@@ -12,15 +12,16 @@ class QVBoxLayout;
 
 namespace handwheel {
 
-// Edits the lists of an exercise step: its criteria and its hints. The criteria that tick the step are a list of check
-// boxes; hints have a row each.
+// A widget that edits the criteria and the hints of an exercise step. The criteria that tick the step are chosen in a
+// list of check boxes; each hint has its own row.
 class InstructionEditor : public QWidget {
   Q_OBJECT
 
  public:
   explicit InstructionEditor(QWidget* parent = nullptr);
 
-  // exercise: in the language of the window. step: -1 for none.
+  // Shows a step of an exercise. exercise: the exercise in the language of the window; step: the index of the step, or
+  // -1 for no step.
   void show(const Exercise& exercise, int step);
 
  signals:

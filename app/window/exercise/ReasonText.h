@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// An exercise text in the language of the program.
+// Returns an exercise text in the language of the program.
 QString exerciseText(const ExerciseText& text);
-// Returns the reason of a mark, with the position of the measurement or the reason why there is none: "it could not be
-// measured (the first face is missing)".
+// Returns the reason for a mark, with the position of the measurement or the reason why there is no measurement. An
+// example is "it could not be measured (the first face is missing)".
 QString reasonText(const Mark& mark);
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // moc cannot read <numbers>, which Units.h includes, without this before it
 
 #include "controls/property/PropertyList.h"
 #include "document/exercise/RoundTarget.h"
@@ -15,7 +15,7 @@ class QPushButton;
 
 namespace handwheel {
 
-// A dialog to round an exercise's target, with a preview of the change. Rounding is a job.
+// A dialog to round an exercise's target, with a preview of the change. The rounding runs as a job.
 class RoundTargetDialog : public QDialog {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ namespace handwheel {
 class ResultTable;
 class TimeLinePanel;
 
-// The submissions of a class as a table that sorts by each column. The recordings of up to two of them are on a time
-// line.
+// The submissions of a class as a table that sorts by each column. The recordings of up to two selected submissions are
+// shown on a time line.
 class SubmissionsView : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class SubmissionsView : public QWidget {
   void setReport(SubmissionsReport report);
   // Returns the report with the works in the order of the table.
   SubmissionsReport shownReport() const;
-  // Returns the same with the two selected works only.
+  // Returns the report with only the selected works that were marked.
   SubmissionsReport comparedReport() const;
 
  signals:
@@ -38,7 +38,7 @@ class SubmissionsView : public QWidget {
  private:
   void showRecordings();
   std::vector<std::size_t> selected() const;        // indices in the report
-  std::vector<std::size_t> selectedMarked() const;  // indices of those that were marked
+  std::vector<std::size_t> selectedMarked() const;  // indices of selected works that were marked
 
   SubmissionsReport m_report;
   ResultTable* m_table;

@@ -13,7 +13,7 @@ namespace handwheel {
 class BenchmarkRunner;
 class FidelityChoice;
 
-// Shows the origin of the measured curves and starts a calibration. While one runs it shows the progress.
+// Shows the origin of the measured curves and starts a calibration. The progress is shown while a calibration runs.
 class CalibrationRow : public QWidget {
   Q_OBJECT
 

@@ -22,26 +22,27 @@ class FidelityChoice : public QObject {
   double of(std::string_view id) const;  // value of a registered setting
 
   void use(const FidelityValues& values);
-  // Sets a value. Values out of range change nothing.
+  // Sets a value. A value that is out of range is ignored.
   void set(const std::string& id, double value);
 
-  // The measured curve of a setting: of this machine, or else of the one from which the presets were derived; empty if
-  // there is none.
+  // The measured curve of a setting. It was measured on this machine, or else on the one from which the presets were
+  // derived; empty: there is no curve.
   const std::vector<CurvePoint>& curve(const std::string& id) const { return known(id).curve; }
-  // The machine and the date of the measurement.
+  // The stored measurement of a setting, with its machine and date.
   const CurveFile& measurement(const std::string& id) const { return known(id).file; }
-  // Returns the error and cost of a value of a registered setting, predicted by that curve. Interpolates linearly on
-  // logarithmic scales between measured points. None without a curve.
+  // Returns the error and cost of a value of a registered setting, predicted by curve(). Interpolates linearly on
+  // logarithmic scales between measured points. Returns nothing if there is no curve.
   std::optional<CurvePoint> predicted(const std::string& id, double value) const;
 
-  // Returns the predicted duration (us) of a tick in contact for a loop of this rate (Hz). None without curves.
+  // Returns the predicted duration (us) of a tick in contact for a loop of this rate (Hz). Returns nothing if there are
+  // no curves.
   std::optional<double> predictedTick(double rate) const;
 
   // The measurements on this machine, which replace the curves that come with the program.
   const Calibration& calibration() const { return m_calibration; }
   void setCalibration(const Calibration& calibration);
 
-  // Returns the preset Fit, by the present curves. Cheap except for the first call.
+  // Returns the preset Fit according to the present curves. The result is cached until the curves change.
   const FidelityFit& fit() const;
   bool isFit() const;  // returns true if the present values are those of Fit
 

@@ -15,10 +15,10 @@ class FidelityChoice;
 class PlotWidget;
 class PropertyList;
 
-// The panel that shows and edits the accuracy settings. It has the preset and each setting. For the setting that has
-// the focus, or had it last, it shows a slider on its own scale, the predicted error and cost, the presets, and the
-// measured curve with the present value. These follow the slider while it is dragged; the value is applied when the
-// slider is released.
+// The panel that shows and edits the accuracy settings. It lists the preset and each setting. For the setting that has
+// the focus, or had it last, the panel shows a slider, the predicted error and cost, the presets, and the measured
+// curve with the present value. The prediction and the curve follow the slider while it is dragged; the value is
+// applied when the slider is released.
 class FidelityPanel : public SqueezedPage {
   Q_OBJECT
 
@@ -39,12 +39,12 @@ class FidelityPanel : public SqueezedPage {
   FidelityChoice& m_choice;
   PropertyList* m_list;
   QLabel* m_fit;    // the limits of the preset Fit
-  QLabel* m_title;  // title of the setting shown below
+  QLabel* m_title;  // title of the setting that the slider edits
   QSlider* m_slider;
   QLabel* m_prediction;
   PlotWidget* m_curve;
   QVBoxLayout* m_below;
-  std::string m_shown;  // id of the setting
+  std::string m_shown;  // id of the setting that the slider edits
 };
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Describes the limits that the preset Fit keeps, and those it exceeds. A few sentences.
+// Describes the limits that the preset Fit meets and those that it exceeds. The text has a few sentences.
 QString fitText(const FidelityFit& fit, const QLocale& locale);
 
 }  // namespace handwheel

@@ -11,8 +11,8 @@ namespace handwheel {
 class FidelityChoice;
 class Viewport;
 
-// Shows the drawing time of a frame as a share of the frame interval. Shows beside it the predicted time of the other
-// work between two frames after an edit. Visible once a frame was drawn while the panel was visible.
+// Shows the drawing time of a frame as a fraction of the frame interval. It also shows the predicted time of the other
+// work between two frames after an edit. The text appears when a frame has been drawn while the panel is visible.
 class FrameTiming : public QLabel {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class FrameTiming : public QLabel {
   Viewport& m_viewport;
   FidelityChoice& m_choice;
   std::deque<double> m_frames;  // latest drawing times, ms
-  int m_drawn = 0;              // number of frames at the last sample
+  int m_drawn = 0;              // number of frames that had been drawn at the last sample
   double m_spent = 0.0;         // drawing time of these frames, ms
   QTimer m_pause;               // limits how often the text changes
 };

@@ -16,17 +16,17 @@ inline QString nameOf(const DeviceInfo& listing) {
 // The part of a session that exists only while a device is open.
 struct HapticSession::ActiveDevice {
   DeviceCapabilities capabilities;
-  MouseDevice* mouse = nullptr;  // the device of the loop, if it is a mouse
+  MouseDevice* mouse = nullptr;  // the open device; null: it is not a mouse
   SimulatedDevice* hand = nullptr;
   ServiceHandle need;
   std::uint64_t ticksBefore = 0;  // ticks of the service before this device was opened
   std::shared_ptr<ServoLoop> loop;
-  std::unique_ptr<ForceRecorder> recorder;  // destroyed before its loop
+  std::unique_ptr<ForceRecorder> recorder;  // declared after the loop, so that it is destroyed before the loop
   std::optional<ServoSample> sample;
-  std::optional<double> failedAt;            // s by the clock of the loop; time since which it has failed
-  bool isMoving = false;                     // the view is being changed
+  std::optional<double> failedAt;            // s by the clock of the loop; start of the present failure of the device
+  bool isMoving = false;                     // the view is being changed, and scenes are stored in movedScene
   std::unique_ptr<HapticScene> movedScene;   // scene for the new view
-  std::optional<std::uint64_t> jumpedAfter;  // tick of the last jump of the tip, which may not have happened yet
+  std::optional<std::uint64_t> jumpedAfter;  // last tick before a requested jump of the tip; none: the jump is done
   std::optional<double> isChangingSince;     // s by the clock of the loop; start of a change of its settings
 };
 

@@ -11,11 +11,12 @@ namespace handwheel {
 inline constexpr const char* kSimulatedDriver = "simulated";
 inline constexpr const char* kSimulatedAddress = "hand";
 
-// Returns the devices that need no hardware. The window creates them itself, because it controls their motion. Their
-// names are translated.
+// Returns the devices that need no hardware. The window creates these devices itself, because it controls their motion.
+// Their names are translated.
 std::vector<DeviceInfo> builtInDevices();
 
-// Creates a built-in device; null for any other driver. The clock must outlive the device. Any thread.
+// Creates a built-in device; returns null for any other driver. The clock must outlive the device. May be called on any
+// thread.
 std::unique_ptr<Device> makeBuiltIn(const DeviceInfo& listing, ServoClock& clock);
 
 }  // namespace handwheel

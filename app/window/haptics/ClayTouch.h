@@ -11,12 +11,12 @@ namespace handwheel {
 
 class HapticSceneBuilder;
 
-// Makes voxels touchable: the force source kClaySource in the haptic scene. Window thread.
+// Makes voxels touchable by the force source kClaySource in the haptic scene. Must be used on the window thread.
 class ClayTouch {
  public:
   explicit ClayTouch(HapticSceneBuilder& scene) : m_scene(scene) {}
 
-  // Sets the channel of a simulation, or of a volume at rest, and the feel of its tool. Null: no force.
+  // Sets the channel of a simulation, or of a volume at rest, and the feel of its tool. channel: null: no force.
   void set(const std::shared_ptr<ClayChannel>& channel, const ClayFeel& feel);
 
  private:

@@ -10,21 +10,22 @@
 namespace handwheel {
 
 // Searches for connected devices on a worker thread, because querying them may be slow. The first search loads the
-// plugins, so a program that never uses a device never loads one. Window thread.
+// plugins, so a program that never uses a device never loads one. Must be used on the window thread.
 class DeviceFinder : public QObject {
   Q_OBJECT
 
  public:
-  // drivers: the built-in ones, in addition to those of plugins.
+  // drivers: the built-in drivers, in addition to those of plugins.
   DeviceFinder(QThreadPool& pool, std::vector<std::unique_ptr<DeviceDriver>> drivers, QObject* parent = nullptr);
 
   const std::vector<DeviceInfo>& found() const { return m_found; }
   // The result of loading each plugin; empty before the first search.
   const std::vector<PluginInfo>& plugins() const { return m_plugins; }
-  // Switches a repeated search every two seconds.
+  // Switches a repeated search, every two seconds, on or off.
   void setWatching(bool isOn);
   void look();
-  // Creates a device, on any thread; null if it is not connected. May outlive the finder.
+  // A function that creates a device; it returns null if the device is not connected. It may be called on any thread,
+  // and may outlive the finder.
   using Maker = std::function<std::unique_ptr<Device>()>;
   Maker maker(const std::string& driver, const std::string& address) const;
 

@@ -7,10 +7,12 @@
 
 namespace handwheel {
 
-// Messages to the user about devices, translated.
+// Functions that return translated messages about devices.
+
+// Returns the message that a device could not be opened.
 Message notOpenedMessage(const QString& name, const Error& error);
-// status: Absent or Failed, after the device was there. The caller adds the action, which opens the device again: a
-// device that its driver always lists never seems to return.
+// Returns the message that an open device is lost. status: Absent or Failed. The caller adds an action that opens the
+// device again, because the return of a device that its driver always lists cannot be detected.
 Message lostMessage(const QString& name, DeviceStatus status);
 Message unusedPluginMessage(const PluginInfo& plugin);  // includes the error of the plugin
 

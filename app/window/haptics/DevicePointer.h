@@ -16,10 +16,10 @@ class Viewport;
 struct PointerEvent;
 struct ServoSample;
 
-// Converts the motion of a haptic device to pointer events for the tools. It does so sixty times a second, from the
-// pose of the device and its first two buttons; the springs of the tool are felt while the first button is held. If the
-// mouse is the device, it keeps its normal pointing, the tip lies on the surface under the mouse, and the wheel moves
-// the tip along the pick ray; with Ctrl the wheel moves the camera.
+// Converts the motion of a haptic device to pointer events for the tools. An event is created sixty times a second from
+// the pose of the device and its first two buttons. The springs of the tool are felt while the first button is held. If
+// the mouse is the device, it still points as usual; the tip lies on the surface under the mouse, and the wheel moves
+// the tip along the pick ray, or the camera if Ctrl is held.
 class DevicePointer : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class DevicePointer : public QObject {
   PointerDepth m_depth;        // depth of the mouse
   Vec3 m_last = Vec3::Zero();  // position of the last event, mm
   Vec3 m_lastProxy = Vec3::Zero();
-  bool m_isPointing = false;  // the tool has got events of the device, and no leave event yet
+  bool m_isPointing = false;  // the tool has received events of the device and no leave event yet
   bool m_isHeld = false;      // the first button is held
   bool m_isSecondHeld = false;
 };

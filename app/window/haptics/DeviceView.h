@@ -22,7 +22,7 @@ class DeviceView : public QObject {
 
   // Moves the tip to the position of the device in front of the model, after another model is shown.
   void followModel();
-  // Shows the cursor of a recording instead of the device's; none: the device's again.
+  // Shows the cursor of a recording instead of the device cursor; none: shows the device cursor again.
   void showInstead(const std::optional<DeviceCursor>& cursor);
 
  private:

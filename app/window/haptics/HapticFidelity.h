@@ -10,9 +10,9 @@ class FidelityChoice;
 class HapticSession;
 class HapticSceneBuilder;
 
-// Applies the chosen accuracy settings to the haptic device. These are rate and velocity window of its loop, stiffness
-// and tolerance of the contact. The stiffness in the device panel and the setting are kept equal in both directions.
-// Window thread.
+// Applies the chosen accuracy settings to the haptic device. They are the rate and velocity window of its loop, and the
+// stiffness and tolerance of the contact. The stiffness in the device panel and the accuracy setting follow each other.
+// Must be used on the window thread.
 class HapticFidelity : public QObject {
   Q_OBJECT
 

@@ -18,41 +18,43 @@ class HapticSession;
 
 // The context in which force sources are made when the scene is published.
 struct TouchContext {
-  const WorkspaceMapping& mapping;  // mapping for stiffnesses, which are those at the device
+  const WorkspaceMapping& mapping;  // mapping from the device to the scene; stiffnesses are given at the device
   const TouchSettings& touch;
-  ContactOptions contact;         // with the chosen tolerance and friction
+  ContactOptions contact;         // options with the chosen tolerance and friction
   std::size_t snapFeatures;       // number of features that may attract at once
-  Vec3 comesFrom = Vec3::Zero();  // towards the viewer
+  Vec3 comesFrom = Vec3::Zero();  // direction towards the viewer, from which the tip approaches
 };
 
-// Builds the haptic scene from the force sources of kinds of documents and tools. The scene is passed to the servo loop
-// as a whole with each change; nothing is passed while no device is open. Window thread.
+// Builds the haptic scene from the force sources of kinds of documents and tools. With each change the whole scene is
+// passed to the servo loop; nothing is passed while no device is open. Must be used on the window thread.
 class HapticSceneBuilder : public QObject {
   Q_OBJECT
 
  public:
   explicit HapticSceneBuilder(HapticSession& session, QObject* parent = nullptr);
 
-  // Makes a source for the present view and settings; called again whenever these change. Null: nothing now.
+  // A function that creates a source for the present view and settings. It is called again whenever these change, and
+  // returns null if the source exerts no force at present.
   using MakeSource = std::function<std::unique_ptr<ForceSource>(const TouchContext&)>;
-  // Adds a source to the scene or replaces the one of the same id; null removes it. isEdit: it is the same object after
-  // an edit, which takes effect at once; otherwise the force ramps up.
+  // Adds a source to the scene or replaces the source with the same id. make: null: removes the source. isEdit: the
+  // source belongs to the same object after an edit, so it takes effect at once; otherwise the force ramps up.
   void setSource(const std::string& id, MakeSource make, bool isEdit);
 
-  // Describes the contents of a source, for a recording of the device. Called only while a recording runs, whenever the
-  // scene changes.
+  // A function that describes the contents of a source for a recording of the device. It is called whenever the scene
+  // changes during a recording.
   using Describe = std::function<QJsonObject()>;
 
-  // Sets the contact surface, the source kSurfaceSource. describe: describes the object with this surface; may be null.
+  // Sets the contact surface, the source kSurfaceSource. describe: the function that describes the object with this
+  // surface; may be null.
   void setSurface(std::optional<ContactSurface> surface, bool isEdit, Describe describe = {});
   // Sets the snap field, the source kSnapSource. It attracts the tip within `distance` (mm in the scene) unless
   // something is held or snapping is switched off.
   void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
   void setHolding(bool isHolding);
-  // Sets the springs of the tool, the source kSpringSource; stiffnesses are those at the device.
+  // Sets the springs of the tool, the source kSpringSource; stiffnesses are given at the device.
   void setSprings(const std::vector<DeviceSpring>& terms);
 
-  // Sets the contact tolerance and the number of features that attract at once: proxy.tolerance and snap.features.
+  // Sets the contact tolerance (proxy.tolerance) and the number of features that attract at once (snap.features).
   void setFidelity(const FidelityValues& values);
 
  private:

@@ -20,16 +20,17 @@ class ForceRecorder;
 class MouseDevice;
 class WindowServices;
 
-// The chosen haptic device with the servo loop that drives it. The loop runs while the device is open: without one
-// there is no thread, no timer and no scene. A device that is unplugged, or has failed for some seconds, is closed, and
-// opened again when it is plugged in again. The choice and its mapping are stored in the settings. Window thread.
+// The chosen haptic device with the servo loop that drives it. The loop runs while the device is open; while no device
+// is open there is no thread, no timer and no scene. A device that is unplugged, or has failed for some seconds, is
+// closed; it is opened again when it is plugged in again. The choice and its mapping are stored in the settings. Must
+// be used on the window thread.
 class HapticSession : public QObject {
   Q_OBJECT
 
  public:
   // The objects of the program that a session uses. The clock must outlive the session.
   struct Parts {
-    JobRunner& jobs;  // opening and closing; shown to the user
+    JobRunner& jobs;  // opens and closes devices as jobs that the user sees
     QThreadPool& pool;
     WindowServices& services;
     ServoClock& clock;
@@ -45,20 +46,20 @@ class HapticSession : public QObject {
   void setWatching(bool isOn);
   const std::vector<PluginInfo>& plugins() const { return m_finder.plugins(); }
 
-  // Opens a device in a job, replacing the previous one.
+  // Opens a device in a job. It replaces the previous device.
   void choose(const std::string& driver, const std::string& address);
   void close();
-  // Opens the device that was in use when the program ended. No message if it is not connected.
+  // Opens the device that was in use when the program ended. Shows no message if the device is not connected.
   void takeUp();
   bool isOpen() const { return m_open != nullptr; }
   DeviceInfo chosen() const {
     return m_chosen;
-  }                                         // the device being opened, open, or waited for; all members empty: none
-  DeviceStatus status() const;              // status of the chosen device
+  }                             // the device that is open, being opened or waited for; all members empty: none
+  DeviceStatus status() const;  // status of the chosen device
   DeviceCapabilities capabilities() const;  // capabilities of the open device
 
-  // The latest tick at the last sampled(); null: no device is open, or no tick has passed. Valid until the next
-  // sampled().
+  // Returns the latest tick at the last sampled(); null: no device is open, or no tick has passed. The pointer is valid
+  // until the next sampled().
   const ServoSample* latest() const;
   const ServoStatistics* measure() const;  // null: no device is open
   RealTimeState realTime() const;
@@ -78,8 +79,8 @@ class HapticSession : public QObject {
   // The present mapping from the device to the scene.
   WorkspaceMapping mappingInScene() const;
 
-  // Rate and velocity window of the loop. A running loop releases the force and applies them within about 50 ms; the
-  // force then ramps up again.
+  // The rate and velocity window of the loop. When they change, a running loop releases the force, applies them within
+  // about 50 ms, and ramps the force up again.
   const ServoSettings& servo() const { return m_servo; }
   void setServo(const ServoSettings& servo);
 
@@ -90,26 +91,28 @@ class HapticSession : public QObject {
   bool isForceOn() const { return m_isForceOn; }
   void setForceOn(bool isOn);
   // Starts a test that pulls gently along each axis of the device. The force is at most kTestForce and passes through
-  // the safety chain; the forces of the scene are off meanwhile.
+  // the safety chain; the forces of the scene are off during the test.
   void startForceTest();
   bool isTesting() const { return m_testEnd.has_value(); }
   static constexpr double kTestForce = 0.5;  // N
 
-  // Starts recording every tick. Ends with stopRecording(), when the device is closed, or at ForceRecorder::kMostTicks;
-  // recorded() is then emitted. Does nothing if no device is open, or a recording is running already.
+  // Starts recording every tick. The recording ends with stopRecording(), when the device is closed, or at
+  // ForceRecorder::kMostTicks; recorded() is then emitted. Does nothing if no device is open or a recording is already
+  // running.
   void startRecording();
   void stopRecording();
   const ForceRecorder* recorder() const;  // null: nothing is being recorded
   // Adds an event to the running recording, if there is one.
   void mark(const QString& event);
 
-  // Sets the scene whose forces are felt from the next tick on. Dropped if no device is open, and during a force test;
-  // sceneRequested() then requests it again. note: the contents of the scene, for a recording: a JSON object.
+  // Sets the scene whose forces are felt from the next tick on. The scene is dropped if no device is open, or during a
+  // force test; sceneRequested() later requests a scene again. note: the contents of the scene for a recording, as a
+  // JSON object.
   void setScene(std::unique_ptr<HapticScene> scene, const std::string& note = "{}");
   // Tells the servo loop that the force may change abruptly; starts the force ramp.
   void announceDiscontinuity();
 
-  // Null unless that is the open device.
+  // Return the open device if it is the mouse, or the simulated device; otherwise null.
   MouseDevice* mouse() const;
   SimulatedDevice* simulatedHand() const;
 
@@ -119,13 +122,14 @@ class HapticSession : public QObject {
   void sampled();        // 60 times a second while a device is open
   void sceneRequested();
   void forceOnChanged(bool isOn);
-  void mappingChanged();  // the user's settings
-  // mappingInScene() and the camera have changed. A scene that is set during this signal takes effect in the same tick
-  // as the view.
+  void mappingChanged();  // the user's settings of the mapping have changed
+  // Emitted when mappingInScene() and the camera have changed. A scene that is set during this signal takes effect in
+  // the same tick as the view.
   void viewChanged();
   void touchChanged();
   void recordingStarted();
-  // forceLimit: that of the device, N in the scene by the scale at the end.
+  // Emitted when a recording has ended. forceLimit: the force limit of the device, N, converted to the scene with the
+  // scale at the end of the recording.
   void recorded(const handwheel::Recording& recording, const QString& device, double forceLimit);
   void message(const handwheel::Message& message);
 
@@ -164,11 +168,11 @@ class HapticSession : public QObject {
   QElapsedTimer m_rateClock;
   std::uint64_t m_rateTick = 0;
   bool m_isForceOn = true;
-  std::optional<double> m_testEnd;  // s, by the clock of the loop
+  std::optional<double> m_testEnd;  // end of the force test, s by the clock of the loop; none: no test runs
   std::size_t m_pluginsReported = 0;
   bool m_isWatched = false;            // a list of devices is visible
-  std::optional<DeviceStatus> m_lost;  // status in which the chosen device was lost, if its return is waited for
-  bool m_isMissed = false;             // the lost device has been absent from the list since
+  std::optional<DeviceStatus> m_lost;  // status in which the chosen device was lost; none: its return is not waited for
+  bool m_isMissed = false;             // the lost device has been absent from the list since it was lost
 };
 
 }  // namespace handwheel

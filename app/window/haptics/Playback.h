@@ -12,13 +12,13 @@
 
 namespace handwheel {
 
-// Plays back a recording by moving the device cursor at the recorded speed. Nothing runs while no recording is loaded,
-// or it is paused. Window thread.
+// Plays back a recording by moving the device cursor at the recorded speed. No timer runs while no recording is loaded
+// or playing is paused. Must be used on the window thread.
 class Playback : public QObject {
   Q_OBJECT
 
  public:
-  explicit Playback(ServoClock& clock, QObject* parent = nullptr);  // the clock must outlive it
+  explicit Playback(ServoClock& clock, QObject* parent = nullptr);  // the clock must outlive this object
 
   void takeUp(const StoredRecording& recording);  // loads a recording, paused at its beginning
   void leave();
@@ -32,11 +32,12 @@ class Playback : public QObject {
   double position() const { return m_player ? m_player->position() : 0.0; }  // s
   double duration() const { return m_player ? m_player->duration() : 0.0; }
 
-  // Returns the cursor at the present position. None: no recording is loaded, or the device had no valid position.
+  // Returns the cursor at the present position. The result is empty if no recording is loaded or the device had no
+  // valid position.
   std::optional<DeviceCursor> cursor() const;
 
  signals:
-  void moved();  // the position has changed, or playing started or stopped, or the recording was unloaded
+  void moved();  // the position has changed, playing started or stopped, or the recording was unloaded
 
  private:
   void follow();

@@ -8,12 +8,14 @@ namespace handwheel {
 
 class HapticSession;
 
-// A status bar button that shows the duration of the running recording of the device. Hidden while nothing is recorded.
+// A status bar button that shows the duration of the running recording of the device. It is hidden while nothing is
+// recorded.
 class RecordingIndicator : public QToolButton {
   Q_OBJECT
 
  public:
-  explicit RecordingIndicator(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
+  explicit RecordingIndicator(HapticSession& session,
+                              QWidget* parent = nullptr);  // the session must outlive the button
 
  private:
   void refresh();

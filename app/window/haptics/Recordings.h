@@ -17,8 +17,9 @@ class HapticSession;
 class JobRunner;
 class LogModel;
 
-// Manages the haptic recordings of the current document. Provides the commands for recording, playing, writing as CSV,
-// renaming and deleting. A recording is added to the document in which it was started, as an undo step. Window thread.
+// Manages the haptic recordings of the current document. It provides the commands for recording, playing, writing as
+// CSV, renaming and deleting. A recording is added as an undo step to the document in which it was started. Must be
+// used on the window thread.
 class Recordings : public QObject {
   Q_OBJECT
 
@@ -32,16 +33,17 @@ class Recordings : public QObject {
   };
   explicit Recordings(const Parts& parts, QObject* parent = nullptr);
 
-  // Sets the current document; null: none. A recording for another document ends.
+  // Sets the current document; null: no document. A running recording for another document is ended.
   void setDocument(Document* document);
   // Ends a running recording and adds it to its document.
   void finish();
 
-  // Notes the active tool by its recordedName(); empty: none. A change is stored in the recording.
+  // Sets the name of the active tool (its recordedName()); empty: no tool. A change of the tool is stored in the
+  // running recording.
   void noteTool(const std::string& name);
 
   std::vector<StoredRecording> all() const;  // recordings of the current document
-  const StoredRecording* chosen() const;     // null: none
+  const StoredRecording* chosen() const;     // null: no recording is chosen
   void choose(const std::string& key);
   void rename(const std::string& key, const QString& name);
   Playback& playback() { return m_playback; }
@@ -75,9 +77,9 @@ class Recordings : public QObject {
   Playback m_playback;
   QPointer<Document> m_document;
   QPointer<Document> m_recorded;  // document in which the recording was started
-  std::string m_chosen;           // key
-  std::string m_tool;             // its recordedName()
-  bool m_isNamedStop = false;     // present texts of the actions
+  std::string m_chosen;           // key of the chosen recording
+  std::string m_tool;             // recordedName() of the active tool
+  bool m_isNamedStop = false;     // m_record is labelled "Stop recording"
   bool m_isNamedPause = false;
   QAction m_record, m_play, m_leave, m_export, m_rename, m_remove;
 };

@@ -18,19 +18,21 @@ class Viewport;
 struct HandPose;
 struct ServoSample;
 
-// One step of a scripted demonstration. It runs begin, waits until isReady, moves the tip to goal, and rests.
+// One step of a scripted demonstration. The demonstration calls begin, waits until isReady returns true, moves the tip
+// to the goal, and rests.
 struct DemoStep {
-  QString caption;  // description of the step; empty: as in the step before
-  QString detail;   // instructions for the user; only with a caption
+  QString caption;  // description of the step; empty: the description of the previous step
+  QString detail;   // instructions for the user; ignored if there is no caption
   std::function<void()> begin;
-  std::function<bool()> isReady;              // condition before the tip moves; none: at once
-  std::function<std::optional<Vec3>()> goal;  // goal of the tip, mm, called when ready; none: it stays
-  std::uint32_t buttons = 0;                  // buttons held during the motion
-  double rest = 0.0;                          // s, pause at the goal
+  std::function<bool()> isReady;  // condition for the motion of the tip; none: the tip moves at once
+  std::function<std::optional<Vec3>()>
+      goal;                   // returns the goal of the tip, mm; called when isReady; none: the tip stays unchanged
+  std::uint32_t buttons = 0;  // buttons held during the motion
+  double rest = 0.0;          // s, pause at the goal
 };
 
 // Plays a scripted demonstration with the simulated haptic device. The tip is moved through space and the buttons are
-// pressed, so that everything between the servo loop and the tools works as with a real device. Window thread.
+// pressed, so that the servo loop and the tools work as with a real device. Must be used on the window thread.
 class ScriptedDeviceDemo : public QObject {
   Q_OBJECT
 
@@ -45,7 +47,7 @@ class ScriptedDeviceDemo : public QObject {
   bool isRunning() const { return m_isRunning; }
   const QString& caption() const { return m_caption; }
   const QString& detail() const { return m_detail; }
-  // Speed factor; for tests.
+  // Sets the speed factor, for tests.
   void setPace(double pace) { m_pace = pace; }
 
  signals:
@@ -74,7 +76,7 @@ class ScriptedDeviceDemo : public QObject {
   std::string m_driver, m_address;  // driver and address of the device that was in use
 
   Phase m_phase = Phase::Waiting;
-  int m_samples = 0;             // samples since the end of the motion, or at rest
+  int m_samples = 0;  // servo samples since m_duration was over (in Moving), or since the goal was reached (in Resting)
   QElapsedTimer m_clock;         // time since the beginning of the phase
   Vec3 m_from, m_to;             // start and end of the motion of the tip, in the scene; mm
   double m_duration = 0.0;       // s

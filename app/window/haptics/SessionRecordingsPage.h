@@ -14,7 +14,7 @@ class SessionRecordingsPage : public RecordingsPage {
   Q_OBJECT
 
  public:
-  // Both must outlive it.
+  // The recordings and the session must outlive the page.
   SessionRecordingsPage(Recordings& recordings, HapticSession& session, QWidget* parent = nullptr);
 
  private:

@@ -17,30 +17,31 @@ namespace handwheel {
 class HapticSession;
 class Viewport;
 
-// Moves the view with all connected space mice; none needs to be chosen. A space mouse is opened beside the haptic
-// device, if there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for
-// there is no force. A space mouse that is chosen as the haptic device moves the tip instead. Window thread.
+// Moves the view with all connected space mice; none needs to be chosen. Each space mouse is open in addition to the
+// haptic device and is read sixty times a second. It has a thread that reads its connection, but no servo loop, because
+// it exerts no force. A space mouse that is chosen as the haptic device moves the tip instead. Must be used on the
+// window thread.
 class SpaceMouseNavigation : public QObject {
   Q_OBJECT
 
  public:
-  // session and viewport outlive it.
+  // The session and the viewport must outlive this object.
   SpaceMouseNavigation(HapticSession& session, Viewport& viewport, QThreadPool& pool, QObject* parent);
   ~SpaceMouseNavigation() override;
 
-  // Starts looking for devices: now, and whenever a node "hidraw*" or "spnav.sock" appears in these folders or
-  // disappears. While there is none, no plugin is loaded.
+  // Searches for devices now, and again whenever a node "hidraw*" or "spnav.sock" appears in these folders or
+  // disappears. No plugin is loaded while there is no such node.
   void watch(const QStringList& folders);
-  // speed: 1 is usual.
+  // Switches the motion of the view on or off. speed: factor; 1: the default speed.
   void setMotion(bool isOn, double speed);
-  // Sets a receiver for the translation of the cap, instead of the view, such as the slides of a machine. It gets the
-  // displacement in the scene, in heights of the view. Empty: the view again.
+  // A receiver of the translation of the cap, such as the slides of a machine. displacement: in the scene, in units of
+  // the height of the view. While a receiver is set, the view is not translated; empty: the view is translated again.
   using Taker = std::function<void(const Vec3& displacement)>;
   void setTaker(Taker taker) { m_taker = std::move(taker); }
   std::vector<std::string> names() const;  // names of the open devices
 
  signals:
-  void changed();  // another set of devices is open
+  void changed();  // the set of open devices has changed
   void message(const handwheel::Message& message);
 
  private:
@@ -48,7 +49,7 @@ class SpaceMouseNavigation : public QObject {
     DeviceInfo listing;
     std::shared_ptr<Device> device;
     WorkspaceMapping mapping;
-    double reach = 1.0;  // mm
+    double reach = 1.0;  // radius of the workspace of the cap, mm
   };
   // Motion of the model per second, along the axes of the view.
   struct Motion {
@@ -77,10 +78,10 @@ class SpaceMouseNavigation : public QObject {
   QTimer m_settling;  // delay of the next search: the permissions of a new node are set after its creation
   QStringList m_nodes;
   std::vector<OpenDevice> m_devices;
-  std::map<std::string, int> m_tries;  // number of attempts for each present listing, by address
+  std::map<std::string, int> m_tries;  // number of attempts to open each listed device, by address
   QTimer m_timer;
   QElapsedTimer m_sinceMove;
-  std::optional<Vec3> m_pivot;  // while the view is moved
+  std::optional<Vec3> m_pivot;  // pivot of the rotation while the view is moved
   Taker m_taker;
   bool m_isOn = true;
   double m_speed = 1.0;

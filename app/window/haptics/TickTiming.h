@@ -10,9 +10,9 @@ namespace handwheel {
 class FidelityChoice;
 class HapticSession;
 
-// Shows the duration of a servo tick as a share of its period. Shows beside it the duration that the curves predict for
-// a tick in contact. Visible while a device is open. Computed exactly from the latest ticks, while ServoStatistics
-// counts in bins of 5 us.
+// Shows the duration of a servo tick as a share of its period. Beside it stands the duration that the measured cost
+// curves of the fidelity settings predict for a tick in contact. The label is visible while a device is open. The
+// durations are medians of the latest ticks. ServoStatistics would be too coarse, because it counts in bins of 5 µs.
 class TickTiming : public QLabel {
   Q_OBJECT
 

@@ -10,13 +10,13 @@ namespace handwheel {
 
 class HapticSession;
 
-// The page of the device panel with the haptic surface properties. It includes the command that switches snapping. It
-// is connected to the session, which stores the settings, and available with or without a device.
+// The page of the device panel with the haptic surface properties. It includes the command that switches snapping. The
+// session stores the settings. The page is available even if no device is open.
 class TouchPage : public PropertyList {
   Q_OBJECT
 
  public:
-  explicit TouchPage(HapticSession& session, QWidget* parent = nullptr);  // the session must outlive it
+  explicit TouchPage(HapticSession& session, QWidget* parent = nullptr);  // the session must outlive the page
 
  private:
   void showTouch();

@@ -13,8 +13,8 @@ class CompanionFiles {
  public:
   virtual ~CompanionFiles() = default;
 
-  // The message of the window about such a file while no document of this kind is current: it offers a new document, or
-  // one that is open. Nothing for other files.
+  // The message of the window about a companion file while no document of this kind is current. It offers a new
+  // document, or one that is open.
   struct Offer {
     QString title, detail, advice, action;
   };

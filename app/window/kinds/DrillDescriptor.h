@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the descriptor of the tool that drills by hand, which several kinds offer.
+// Returns the descriptor of the tool for drilling by hand, which several kinds offer.
 ToolDescriptor drillToolDescriptor(std::function<std::unique_ptr<Tool>()> make);
 
 }  // namespace handwheel

@@ -19,15 +19,15 @@ namespace handwheel {
 class KindUi;
 
 // Adds menus, panels and tool bars of the kinds of documents to the window. Each kind has a menu, which is visible
-// while a document of that kind is current; panel and tool bar are shared.
+// while a document of that kind is current. All kinds share the panel dock and the tool bar.
 class KindMenus {
  public:
-  // dock: contains the stack of the panels.
+  // dock: the dock that contains the stack of the panels.
   KindMenus(QDockWidget& dock, QStackedWidget& panels, QToolBar& bar);
 
-  // before: the menu to insert in front of.
+  // before: the menu that follows the new one.
   void add(const std::string& id, KindUi& kind, const QList<QAction*>& tools, QMenuBar& menus, QMenu& before);
-  // kind: null: no document is open.
+  // kind: the kind of the current document; null: no document is open.
   void show(KindUi* kind);
 
  private:

@@ -8,7 +8,7 @@ namespace handwheel {
 
 // Raises the panel of the kind above the panels that share its dock area. A panel closed by the user stays closed.
 void raiseKindPanel(const WindowContext& window);
-// Shows it even if it was closed, for kinds whose work is done in it.
+// Raises the panel even if the user has closed it, for kinds whose work is done in the panel.
 void showKindPanel(const WindowContext& window);
 
 }  // namespace handwheel

@@ -13,12 +13,12 @@ class PartsLayer;
 class PropertyList;
 class RigidPartsHaptics;
 
-// Base class for documents shown as rigid parts and edited through properties. Used by robot cells and workpieces.
+// Base class for documents shown as rigid parts and edited through properties. Robot cells and workpieces use it.
 class RigidPartsUi : public KindUi {
   Q_OBJECT
 
  public:
-  // groups: of the properties that the panel of the kind shows. firstView: of a document that was never viewed.
+  // groups: the groups of properties in the panel of the kind. firstView: the view of a document that was never viewed.
   RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups,
                StandardView firstView = StandardView::Isometric);
   ~RigidPartsUi() override;
@@ -37,33 +37,36 @@ class RigidPartsUi : public KindUi {
   DocumentTab* document() const { return m_document; }
   const WindowContext& parts() const { return m_parts; }
   ToolDescriptor measureParts() const;
-  // Sets if the displayed parts are felt as they are: not while a tool has its own forces for them.
+  // Sets if the haptic device feels the surfaces of the displayed parts. Must be false while a tool applies its own
+  // forces.
   void setFelt(bool isFelt);
-  // Returns the properties in the panel of the kind. By default those of its groups.
+  // Returns the properties in the panel of the kind. By default these are the properties of its groups.
   virtual std::vector<Property> panelProperties(const Document& document) const;
-  // Returns the groups in that panel that can be folded away, and true for those that are open at first. By default
-  // none.
+  // Returns the groups in the panel of the kind that can be folded, with true for those that are unfolded at first. By
+  // default there are none.
   virtual std::map<std::string, bool> foldingGroups(const Document& document) const {
     (void)document;
     return {};
   }
-  // Returns true if the document is of work in a lathe, whose axis is level in all standard views.
+  // Returns true if the document shows work in a lathe, whose axis is level in all standard views.
   virtual bool isOfLathe() const { return m_firstView == StandardView::Lathe; }
-  // Takes an edit in that panel that does not belong to the document; false: it does.
+  // Handles an edit in the panel of the kind that does not belong to the document. Returns false if it belongs to the
+  // document.
   virtual bool takeEdit(const std::string& id, const PropertyValue& value, bool stillDragging) {
     (void)id, (void)value, (void)stillDragging;
     return false;
   }
-  // Returns the display model of the document. By default that of its kind.
+  // Returns the display model of the document. By default it is that of DocumentKind::display().
   virtual DisplayModel displayed(const Document& document) const;
-  void show();  // Must be called after it changed
-  // Shows other parts instead of those of the document, unless a tool shows its own; null: the document's.
+  void show();  // Updates the display; must be called after the model has changed
+  // Shows other parts instead of those of the document, unless a tool shows parts of its own; null: those of the
+  // document.
   void showInstead(const std::shared_ptr<const DisplayModel>& model);
-  // Shows other parts before all others, such as those of a replay; null: none.
+  // Shows other parts, such as those of a replay, instead of all others; null: none.
   void showPast(const std::shared_ptr<const DisplayModel>& model);
   PartsLayer& layer() { return *m_layer; }
   void refreshPanel();
-  std::vector<QAction*> panelActions() const;  // Offered by the next step when the panel is hidden
+  std::vector<QAction*> panelActions() const;  // Actions of suggestion(); empty unless the panel is hidden
 
  private:
   void showParts();

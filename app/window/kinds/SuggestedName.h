@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Returns a file name made from user text. It is valid on any system: "Your first shoulder, Ada.handwheel". ending:
-// without the dot.
+// Returns a file name made from words of the user. It is valid on any system: "Your first shoulder, Ada.handwheel".
+// ending: the extension without the dot.
 QString fileNameOf(const QStringList& words, const QString& ending);
 
 }  // namespace handwheel

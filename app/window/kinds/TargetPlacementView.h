@@ -16,7 +16,7 @@ class TargetPlacementView : public QWidget {
  public:
   explicit TargetPlacementView(QWidget* parent = nullptr);
 
-  // Sets the picture, in which the axis is horizontal and the free end on the right. Null: hides the view.
+  // Sets the picture, in which the axis is horizontal and the free end is on the right. A null picture hides the view.
   void setPicture(const QImage& picture);
 
  signals:

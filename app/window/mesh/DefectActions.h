@@ -20,13 +20,13 @@ struct MeshTab;
 struct DefectRow;
 struct OfferedFix;
 
-// The actions that repair selected defects other than holes. They apply to one defect or all of a kind, as selected in
-// the list.
+// The actions that repair selected defects other than holes. They apply to one defect, or to all of a kind, as selected
+// in the list.
 class DefectActions : public QObject {
   Q_OBJECT
 
  public:
-  // shown: gets the offered fix.
+  // shown: receives the offered fix to preview it.
   DefectActions(LoopSelection& selection, RepairJobs& jobs, const HolePreview& preview, FixPreview& shown,
                 const FidelityChoice& fidelity, QObject* parent = nullptr);
 
@@ -36,13 +36,13 @@ class DefectActions : public QObject {
   // Sets the action whose button is under the pointer. The preview then shows the effect of this action, not the patch.
   void pointAt(const QAction* action, bool isPointed);
 
-  // Returns the thickness that sheets will get, mm: the one set for this document, or else the default. A mesh must be
-  // in view.
+  // Returns the thickness that sheets will get, mm: the thickness that was set for this document, or else the default.
+  // A mesh must be in view.
   double thickness() const;
   void setThickness(double thickness);
 
   QAction* fix() { return &m_fix; }                      // hidden if there is nothing to fix
-  QAction* thickenSheet() { return &m_thickenSheet; }    // makes a thin body of the selected sheet, or of all
+  QAction* thickenSheet() { return &m_thickenSheet; }    // turns the selected sheet, or all sheets, into thin bodies
   QAction* cutAndClose() { return &m_cutAndClose; }      // hidden unless a patch would intersect the part
   QAction* reverseBodies() { return &m_reverseBodies; }  // reverses all bodies that are inside out
   QAction* resolveIntersections() { return &m_resolveIntersections; }  // resolves all intersections
@@ -52,7 +52,7 @@ class DefectActions : public QObject {
   }
 
  signals:
-  // The thickness that sheets will get may have changed.
+  // Emitted when the thickness that sheets will get may have changed.
   void thicknessChanged();
 
  private:
@@ -69,7 +69,7 @@ class DefectActions : public QObject {
   MeshChange cutting() const;
   std::optional<OfferedFix> offeredBy(const QAction* action) const;
   std::optional<OfferedFix> offered() const;
-  int selectedLoop() const;         // -1 for none
+  int selectedLoop() const;         // -1: none
   std::vector<int> sheets() const;  // loop ids
   FillOptions options() const;
 
@@ -81,7 +81,7 @@ class DefectActions : public QObject {
   const FidelityChoice& m_fidelity;
   std::optional<DefectKind> m_kind;
   int m_row = -1;
-  bool m_mayFix = false, m_mayCut = false;  // unless the preview shows that it would change nothing
+  bool m_mayFix = false, m_mayCut = false;  // false if the preview shows that the action would change nothing
   const QAction* m_pointed = nullptr;       // action whose button has the pointer
   double m_thickness = 0.0;                 // mm; 0: the proposed one
   QAction m_fix;

@@ -14,8 +14,8 @@ class Viewport;
 struct MeshTab;
 struct Pick;
 
-// Shows the mesh of the current document with its defects in the viewport. Keeps surface, defect marks and selection up
-// to date.
+// Shows the mesh of the current document with its defects in the viewport. It keeps the surface, defect marks and
+// selection up to date.
 class DefectScene : public QObject {
   Q_OBJECT
 
@@ -23,14 +23,14 @@ class DefectScene : public QObject {
   DefectScene(Viewport& viewport, MeshLayer& layer, LoopSelection& selection, DefectModel& defects,
               QObject* parent = nullptr);
 
-  void setDocument(MeshTab* document);         // the camera is stored with the previous document
+  void setDocument(MeshTab* document);         // stores the camera with the previous document
   void showLoop(int loop);                     // moves the camera to the loop
   void showDefect(const QModelIndex& defect);  // moves the camera to the defect if it is not well visible
   void markChosen(const QModelIndex& defect);  // marks the defect among the others of its kind; invalid: none
-  void refreshVisibility();                    // after MeshTab::visible was changed
+  void refreshVisibility();                    // to be called when MeshTab::visible was changed
 
  private:
-  int loopAt(const Pick& pick) const;  // also if the cursor is inside the hole, not on its rim
+  int loopAt(const Pick& pick) const;  // returns the loop whose rim or hole is under the cursor
   void drawLoops();
   bool isChosen(Face f) const;
   void flyTo(const Box& box, const Vec3& outward);

@@ -16,8 +16,8 @@ class FidelityChoice;
 class WindowServices;
 struct MeshTab;
 
-// The data that a fill can reuse from the preview. It has the filler cache unless a worker is using it, the attempt
-// that the preview showed if there is one, and the options that the user has chosen.
+// The data that a fill can reuse from the preview. It contains the filler cache unless a worker is using the cache, the
+// attempt that the preview showed if there is one, and the options that the user has chosen.
 struct PreparedFill {
   std::shared_ptr<HoleFillerCache> cache;
   std::optional<FillAttempt> attempt;
@@ -31,31 +31,33 @@ class HolePreview : public QObject {
  public:
   HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent = nullptr);
 
-  // Requests a preview. Does nothing if it is already shown or being computed. loop -1 or no document: no preview.
+  // Requests a preview. Does nothing if the preview is already shown or being computed. If document is null or loop is
+  // -1, the preview is removed.
   void request(MeshTab* document, int loop);
   void clear() { request(nullptr, -1); }
-  // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only.
+  // Sets the bridges that the user drew across a loop; empty: automatic bridges. They apply to this loop only.
+  // key: keyOf() of the loop (BoundaryLoops.h).
   void setUserBridges(Vertex key, std::vector<HoleBridge> bridges);
   // Requests the shown preview anew, if the options have changed.
   void refresh() { request(m_document, m_loop); }
 
-  // The options for filling holes one by one; the tool changes them. They are separate from the settings of fidelity,
-  // by which "Repair all" works: a value follows its setting only while it is the same.
+  // The options for filling holes one by one; the tool changes them. They are separate from the fidelity settings,
+  // which "Repair all" uses. A value follows its fidelity setting only while the two are equal.
   const std::shared_ptr<OperationValues>& choice() const { return m_choice; }
   FillMethod method() const { return fillOptionsOf(*m_choice).method; }
   // Clears the preview and drops all cached data, because the document changes.
   void forget();
 
   const PreviewState& state() const { return m_state; }
-  const FillAttempt* attempt() const;  // null unless ready or failed
+  const FillAttempt* attempt() const;  // null: the preview is neither ready nor failed
 
-  // Computes the results of all fill methods for the shown hole, once its preview is ready. They are valid until
-  // another hole is shown.
+  // Computes the results of all fill methods for the shown hole when its preview is ready. They are valid until another
+  // hole is shown.
   void compare();
   const std::vector<MethodTrial>& trials() const { return m_trials; }
 
-  // Hands over the options and the results for a hole; the fill uses the filler cache exclusively. The next request
-  // starts over, unless returnCache() returns the cache, updated to the document with the patch.
+  // Hands over the options and the results for a hole. The fill uses the filler cache exclusively. The next request
+  // builds a new cache, unless returnCache() returns this one, updated to the document with the patch.
   PreparedFill take(Vertex key);
   void returnCache(MeshTab* document, std::shared_ptr<HoleFillerCache> cache);
 
@@ -79,7 +81,7 @@ class HolePreview : public QObject {
   int m_loop = -1;
   FillOptions m_options;
   std::shared_ptr<OperationValues> m_choice;
-  FillOptions m_usual;           // the settings of fidelity that the choice has followed
+  FillOptions m_usual;           // the fidelity settings that the choice last followed
   Vertex m_bridgedLoop = kNone;  // the key of the loop with the user's bridges
   std::vector<HoleBridge> m_bridges;
   std::uint64_t m_request = 0;

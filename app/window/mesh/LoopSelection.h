@@ -8,15 +8,15 @@ namespace handwheel {
 
 struct MeshTab;
 
-// The selected loop and the hovered loop of the current document. Shared by list and viewport.
+// The selected loop and the hovered loop of the current document. It is shared by the list and the viewport.
 class LoopSelection : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  int loop() const { return m_loop; }        // -1 for none
-  int hovered() const { return m_hovered; }  // -1 for none
+  int loop() const { return m_loop; }        // -1: none
+  int hovered() const { return m_hovered; }  // -1: none
 
   // Restores the selection that the document had when it was last shown. Null: no document is open.
   void setDocument(MeshTab* document);

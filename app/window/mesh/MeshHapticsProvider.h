@@ -32,7 +32,7 @@ class MeshHapticsProvider : public QObject {
   explicit MeshHapticsProvider(const WindowContext& parts, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
-  // A hidden mesh cannot be felt.
+  // Must be called after the mesh was shown or hidden; a hidden mesh cannot be felt.
   void refreshVisibility() { rebuild(false); }
   bool isSettled() const { return m_making.isIdle() && m_gathering.isIdle(); }
 
@@ -65,7 +65,7 @@ class MeshHapticsProvider : public QObject {
   bool m_isOpen = false;                    // state of the session at its last signal
   double m_side = 0.0;                      // mm, the mean length of an edge of the mesh
   SnapTargets m_snapTargets;                // snap features in the scene, or being gathered
-  bool m_asCurves;                          // rims attract as curves (TouchSettings)
+  bool m_asCurves;                          // boundary loops attract as curves (TouchSettings)
 
   // Position at which the snap features were gathered, and distance that the tip may move from there (mm).
   struct Near {
@@ -74,10 +74,10 @@ class MeshHapticsProvider : public QObject {
   };
   std::optional<Near> m_near;
 
-  // State of the mesh in the notes of a running recording: the file, and the steps from it.
+  // State of the mesh as noted in a running recording: a file, and the editing steps since it.
   struct Noted {
     OperationsOrigin base;
-    std::optional<std::vector<std::string>> steps;      // steps to the present surface; none: an edit has no step
+    std::optional<std::vector<std::string>> steps;      // steps to the present surface; none: some edit has no step
     std::optional<std::vector<std::string>> lastNoted;  // steps in the last note
   };
   std::optional<Noted> m_noted;

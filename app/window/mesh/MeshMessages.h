@@ -13,25 +13,30 @@ namespace handwheel {
 class Document;
 class MeshDocument;
 
-// Messages about a mesh, translated. Each ends when it is no longer true. The document outlives them.
+// Functions that return messages about a mesh, translated. Each message is removed when it is no longer true. The
+// document must outlive the messages.
 
-// A change did nothing. what: the requested change; why: the reason.
+// Reports that a change did nothing. what: the requested change; why: the reason.
 Message nothingChangedMessage(const MeshDocument& document, const QString& what, const QString& why);
-// A change had its effect on some of the sheets only.
+// Reports that a change had an effect on only some of the sheets. what: the requested change; how: the affected sheets,
+// and the reason for the others.
 Message partlyChangedMessage(const MeshDocument& document, const QString& what, const QString& how);
-// Reports the effect of a change, until the next one. how: a list of phrases.
+// Reports the effect of a change, until the next change. how: a list of phrases.
 Message changeMessage(const MeshDocument& document, const QString& text, const QString& how);
-// A change removed a part of the outside. warning: removalWarning().
+// Reports that a change removed a part of the outer surface. warning: the result of removalWarning(). undo: the
+// function that undoes the change.
 Message partRemovedMessage(const MeshDocument& document, const QString& what, const QString& warning,
                            std::function<void()> undo);
-// A deletion left nothing of some connected pieces.
+// Reports that a deletion removed some connected pieces completely.
 Message piecesDeletedMessage(const MeshDocument& document, std::size_t pieces, std::size_t faces,
                              std::function<void()> undo);
-// A mesh cannot be drilled. why: a phrase. makeVolume: makes a volume of it, which can be drilled.
+// Reports that a mesh cannot be drilled. why: a phrase. makeVolume: the function that makes a volume from the mesh,
+// which can be drilled.
 Message notDrilledMessage(const MeshDocument& document, const QString& why, std::function<void()> makeVolume);
-// A job failed; nothing was changed. job: its name.
+// Reports that a job failed and nothing was changed. job: the name of the job.
 Message jobFailedMessage(const Document& document, const QString& job, const Error& error);
-// The size of a mesh that was just opened is unlikely in mm; none if it is likely. The caller adds its action.
+// Reports that the size of a mesh that was just opened is unlikely in mm. Returns nothing if the size is likely. The
+// caller adds the action to the message.
 std::optional<Message> implausibleUnitMessage(const MeshDocument& document);
 
 }  // namespace handwheel

@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// Reads the mesh in a file. Errors: those of the readers; NoTriangles if it holds no mesh. Any thread.
+// Reads the mesh in a file. Errors: the errors of the readers; NoTriangles if the file contains no mesh. May be called
+// on any thread.
 Result<HalfEdgeMesh> readMesh(const DocumentKinds& kinds, const QString& path, Progress progress);
 
 }  // namespace handwheel

@@ -14,8 +14,8 @@ namespace handwheel {
 
 struct MeshDeviation;
 
-// An open mesh document with its window state. `document` hides that of the base class: it is the same object with its
-// own type.
+// An open mesh document with its window state. The member `document` hides that of the base class; it refers to the
+// same object as a MeshDocument.
 struct MeshTab : DocumentTab {
   MeshTab(std::unique_ptr<Document> made, KindUi& of)
       : DocumentTab(std::move(made), of),
@@ -31,21 +31,20 @@ struct MeshTab : DocumentTab {
   MeshDocument& document;
   DefectList defectList;
   const HalfEdgeMesh asOpened;               // shares unchanged pages with the present mesh
-  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null for none
+  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null: none
   Vertex selected = kNone;                   // DefectList::keyOf() of the selected loop
   std::optional<HistoryPoint> repairedAt;    // state after the last "Repair all"
   FidelityValues repairedWith;               // settings of the last "Repair all"
   std::optional<HistoryPoint> fixedAt;  // state after the last "Repair all" or fix of a defect that changed the mesh
-  std::map<HistoryPoint, RepairFindings> findings;  // findings after each of them, for undo and redo
+  std::map<HistoryPoint, RepairFindings> findings;  // findings after each repair or fix, for undo and redo
 
-  std::size_t faceSlots = document.mesh().faceSlots();  // number at the last change
+  std::size_t faceSlots = document.mesh().faceSlots();  // number of face slots at the last change
   FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
 
-  // Number of changes of the mesh, including undo and redo, and this number when the mesh last equalled its file.
-  std::uint64_t changes = 0;
-  std::uint64_t changesInFile = 0;
-  std::vector<OperationsOrigin> bases;  // the newest last
-  // touched: as in MeshDocument::meshChanged.
+  std::uint64_t changes = 0;            // number of changes of the mesh, including undo and redo
+  std::uint64_t changesInFile = 0;      // value of `changes` when the mesh last equalled its file
+  std::vector<OperationsOrigin> bases;  // the files from which the command line of the edits can start; the newest last
+  // Updates the counters and the newest faces after a change. touched: as in MeshDocument::meshChanged.
   void meshChanged(const std::vector<Face>& touched) {
     ++changes;
     FaceSelection added;
@@ -57,7 +56,9 @@ struct MeshTab : DocumentTab {
   }
   // Stores the findings after a repair or fix of the present mesh.
   void keepFindings() { findings[presentPoint(document)] = defectList.findings(); }
-  bool isRepaired() const { return repairedAt == presentPoint(document); }  // "Repair all" was the last step
+  bool isRepaired() const {
+    return repairedAt == presentPoint(document);
+  }  // returns true if "Repair all" was the last step
   // Returns true if the last change, or the last redone one, was "Repair all" or the fix of a defect, and it changed
   // something.
   bool isJustRepaired() const { return fixedAt == presentPoint(document); }

@@ -18,8 +18,8 @@ class LoopSelection;
 class ToolHost;
 struct MeshTab;
 
-// Creates the mesh tools and connects them to the window. Provides them with jobs and picking on the document, and
-// synchronises the hole of the tool with the one selected in the list.
+// Creates the mesh tools and connects them to the window. It provides the tools with jobs and picking on the document,
+// and synchronises the hole of the tool with the hole that is selected in the list.
 class MeshTools : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class MeshTools : public QObject {
   void setDocument(MeshTab* document);
   // Sets the method for holes that are filled one by one.
   void chooseMethod(FillMethod method);
-  // Hides the patch of the hole while the preview of another method to close it is shown.
+  // Hides the patch of the hole while the preview of another method of closing the hole is shown.
   void setPatchHidden(bool isHidden);
   // Shows the fill options after a change that the tool did not make.
   void showChoice();
@@ -39,7 +39,7 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> selectTool();
   std::unique_ptr<Tool> boundaryTool();
   std::unique_ptr<Tool> makeFaceTool();
-  // Works on the selected faces, or else on those that the last edit added.
+  // Creates the sculpting tool for the selected faces, or else for those that the last edit added.
   std::unique_ptr<Tool> sculptTool();
   std::unique_ptr<Tool> measureTool();
   std::unique_ptr<Tool> decimateTool();
@@ -57,7 +57,7 @@ class MeshTools : public QObject {
   void followTool();
   MeshServices services();
 
-  QWidget* m_window;  // parent of questions
+  QWidget* m_window;  // parent of message boxes
   ToolHost& m_host;
   const MeshLayer& m_layer;
   LoopSelection& m_selection;

@@ -31,12 +31,12 @@ class MeshLayer;
 class VolumeLayer;
 struct ClayState;
 
-// The user interface of meshes: defects in panel and viewport, and repair actions.
+// The user interface of meshes: the defects in panel and viewport, and the repair actions.
 class MeshUi : public KindUi {
   Q_OBJECT
 
  public:
-  // kind: must outlive this object.
+  // The kind must outlive this object.
   MeshUi(const WindowContext& parts, MeshKind& kind);
   ~MeshUi() override;
 
@@ -78,7 +78,7 @@ class MeshUi : public KindUi {
   MeshKind& m_kind;
   std::shared_ptr<MeshLayer> m_layer;
   std::shared_ptr<VolumeLayer> m_voxelLayer;  // voxels of a tool
-  std::shared_ptr<const ClayState> m_voxels;  // contents of the voxel layer; null: nothing
+  std::shared_ptr<const ClayState> m_voxels;  // contents of the voxel layer; null: the layer is empty
   LoopSelection m_selection;
   HolePreview m_preview;
   SelfIntersectionSearch m_search;
@@ -91,7 +91,7 @@ class MeshUi : public KindUi {
   QPointer<DefectsPanel> m_panel;
   DeviationView m_deviation;
   SectionView m_section;
-  QPointer<QStackedWidget> m_panels;  // shows one of the two panels
+  QPointer<QStackedWidget> m_panels;  // shows the defects panel or the deviation panel
   DefectScene* m_scene;
   MeshTools m_tools;
   MeshHapticsProvider m_touch;

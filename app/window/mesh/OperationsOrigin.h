@@ -9,13 +9,13 @@
 
 namespace handwheel {
 
-// A file from which editing steps lead to later states of a mesh. It holds a state with its numbering: the file that
-// was opened, or a container that was saved. Other formats renumber vertices and faces.
+// A file from which editing steps lead to later states of a mesh. It is the file that was opened, or a container that
+// was saved. Only these preserve the numbering of vertices and faces; saving in another format renumbers them.
 struct OperationsOrigin {
   QString path;
   HistoryPoint state;
   LengthUnit displayUnit = LengthUnit::Millimetre;
-  bool isReplaced = false;  // overwritten by a later state: usable only by those who kept a copy
+  bool isReplaced = false;  // the file was overwritten by a later state; only a copy of it is usable
 };
 
 }  // namespace handwheel

@@ -8,7 +8,8 @@ namespace handwheel {
 
 struct MeshTab;
 
-// The action "Save steps", which writes the editing steps of a mesh. "handwheel edit" reads the file.
+// The action "Save steps", which writes the editing steps of a mesh to a file. The command "handwheel edit" executes
+// them.
 class ScriptExport : public QObject {
   Q_OBJECT
 

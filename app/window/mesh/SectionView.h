@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "document/Property.h"
 #include "mesh/measure/Section.h"
@@ -15,7 +15,8 @@ class Viewport;
 struct MeshTab;
 
 // Shows the section of the mesh by the clipping plane. The outline is shown in the viewport, its length and area in a
-// panel. It follows plane and mesh; the mesh is cut on a worker thread, so neither has to wait.
+// panel. The section follows the plane and the mesh. It is computed on a worker thread, so the window does not have to
+// wait.
 class SectionView : public QObject {
   Q_OBJECT
 
@@ -23,7 +24,8 @@ class SectionView : public QObject {
   SectionView(Viewport& viewport, MeshLayer& layer, QThreadPool& pool, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
-  // Length, and area of a closed outline; none without a plane.
+  // Returns the length of the outline and, if it is closed, its area. The result is empty if there is no clipping
+  // plane.
   std::vector<Property> statistics() const;
 
  signals:

@@ -12,8 +12,9 @@ namespace handwheel {
 class WindowServices;
 struct MeshTab;
 
-// Searches for self-intersections of the current mesh on a worker thread. It starts when the mesh has not changed for a
-// while. It searches the mesh that the file holds: once saved in fewer digits, the rounded mesh.
+// Searches for self-intersections of the current mesh on a worker thread. The search starts when the mesh has not
+// changed for a while. It applies to the mesh as the file stores it: if coordinates were rounded in saving, to the
+// rounded mesh.
 class SelfIntersectionSearch : public QObject {
   Q_OBJECT
 

@@ -10,7 +10,7 @@ namespace handwheel {
 
 struct MeshTab;
 
-// The actions that a next step may offer.
+// The actions that a suggestion of the next step may offer.
 struct SuggestedActions {
   QAction* repairAll;
   QAction* undoRepair;

@@ -19,16 +19,16 @@ class ToolChoice : public QObject {
   void add(KindUi& kind);
   QList<QAction*> actions(const KindUi& kind) const { return m_actions.at(&kind); }
 
-  // Starts a tool of the current document for the user; an empty id: the default tool.
+  // Starts a tool of the current document for the user; id: empty: the default tool.
   void choose(const QString& id);
-  // Stops the tool; to be called before another document becomes current, and before the current one is destroyed.
+  // Stops the tool. To be called before another document becomes current, and before the current one is destroyed.
   void putAway();
   // Starts the tool of the new current document; null: no document is open.
   void takeUp(DocumentTab* document);
 
  signals:
   void defaultChosen();
-  void otherChosen();  // the user chose another tool, whose settings are to be shown
+  void otherChosen();  // the user chose a tool other than the default, whose settings are to be shown
 
  private:
   const ToolDescriptor* offer(const QString& id) const;  // descriptor of a tool of the current document's kind

@@ -30,33 +30,36 @@ class ToolHost : public QObject {
 
   void start(std::unique_ptr<Tool> tool, Document& document);
   void stop() { m_runner.stop(); }
-  // Updates the display after the preview of the tool has changed without an input.
+  // Updates the display. To be called when the preview of the tool has changed without an input.
   void refresh() { showSoon(); }
   // Shows or hides the previews of tools, with the document.
   void setVisible(bool visible);
-  // Changes a setting of a tool, for the running one and for later starts of it.
+  // Changes a setting of a tool, for the running tool and for later starts.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
   // Sets the effect of Esc in the view if the tool has nothing to revert, such as cancelling a job. The function
   // returns true if it did anything; otherwise the key goes to the tool.
   void setEscape(std::function<bool()> escape) { m_escape = std::move(escape); }
   ToolRunner& runner() { return m_runner; }
-  // Returns true if the tool has unfinished work in a document that is not in its value yet.
+  // Returns true if the tool has unfinished work that the value of the document does not contain yet.
   bool isUnderWay(const Document& document) const;
-  // Returns the value of a document with the unfinished work; null: there is none. Strokes already made are then
-  // recorded in the document by the work, so it must not be called from within the tool.
+  // Returns the value of a document with the unfinished work; null: there is none. This call completes the present
+  // strokes of the tool, so it must not be called from within the tool.
   SnapshotPointer valueWithGesture(const Document& document);
   ToolKeys& keys() { return m_keys; }
-  // Passes a pointer event of a haptic device; those of the mouse arrive by themselves.
+  // Passes a pointer event of a haptic device; events of the mouse are passed automatically.
   void point(const PointerEvent& event) { m_runner.pointer(event); }
-  // Called while the mouse is the haptic device, with each input before the tool gets it. Returns the pose of the tip;
-  // none while the mouse is only a mouse. The wheel then moves the tip; with Ctrl it moves the camera.
+  // The function that is called with each mouse input before the tool receives it, while the mouse is the haptic
+  // device. It returns the pose of the tip, or nothing if the mouse does not move a tip. While the mouse is the device,
+  // its wheel moves the tip, or the camera if Ctrl is held.
   using MouseDevicePose = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
-  // isOn: returns true while the mouse is the device.
+  // Sets the function for the mouse as haptic device. isOn: the function that returns true while the mouse is the
+  // device.
   void setMouseDevice(MouseDevicePose pose, std::function<bool()> isOn) {
     m_mouseDevice = std::move(pose);
     m_isMouseDevice = std::move(isOn);
   }
-  // Called with each right click before the tool gets it. Returns true if it has opened a menu.
+  // Sets the function that is called with each right click before the tool receives it. It returns true if it has
+  // opened a menu.
   void setContextMenu(std::function<bool(const QPointF& position)> menu) { m_menu = std::move(menu); }
 
   // The present bindings of pointer and keys, translated.
@@ -64,7 +67,8 @@ class ToolHost : public QObject {
 
  signals:
   void updated();  // the hints or the display of the tool have changed
-  // The present preview of the tool; empty when it has ended. The kind of the document shows its part of it.
+  // Emitted with the present preview of the tool, which is empty when the tool has ended. The user interface of the
+  // document's kind shows its own part of the preview.
   void previewed(const handwheel::ToolPreview& preview);
 
  protected:
@@ -104,7 +108,7 @@ class ToolHost : public QObject {
   using Chosen = std::map<std::string, PropertyValue>;
   std::map<std::string, Chosen> m_chosen;  // chosen settings, by tool
   std::map<std::pair<std::string, std::string>, Chosen>
-      m_chosenOfDocument;  // chosen settings, by the document's id and tool
+      m_chosenOfDocument;  // chosen settings, by the id of the document and the tool
 };
 
 }  // namespace handwheel

@@ -51,8 +51,9 @@ class ToolKeys : public QObject {
   std::map<std::string, QPointer<QAction>> m_commands;
 };
 
-// Returns true if the tool gets the key before the commands of the window. The window comes first if both do the same,
-// and if a key ends something: a selection in a list is ended before an operation of the tool.
+// Returns true if the tool gets the key before the commands of the window. The window comes first if the action is one
+// of its commands, or if the key is Return, Enter or Esc, which then end a selection in a list before they end an
+// operation of the tool.
 bool comesFirst(const ToolAction& action, const QKeyEvent& event);
 
 }  // namespace handwheel

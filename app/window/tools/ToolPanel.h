@@ -25,8 +25,8 @@ class ToolPanel : public QWidget {
   explicit ToolPanel(QWidget* parent = nullptr);
 
   PropertyList& settings() { return *m_settings; }
-  // Shows buttons for the actions with an id; buttons are kept while the ids are the same. keyOf: the key text of an
-  // action, or nothing.
+  // Shows buttons for the actions with an id; buttons are kept while the ids are the same. keyOf: the function that
+  // returns the key of an action as text, or an empty text.
   void setActions(const std::vector<ToolAction>& actions, const std::function<QString(const ToolAction&)>& keyOf);
 
  signals:
@@ -36,7 +36,7 @@ class ToolPanel : public QWidget {
   PropertyList* m_settings;
   QVBoxLayout* m_column;
   std::vector<std::pair<std::string, QPushButton*>> m_buttons;
-  std::map<std::string, std::string> m_effects;  // effects of the buttons, by action
+  std::map<std::string, std::string> m_effects;  // effects shown on the buttons, by action
 };
 
 }  // namespace handwheel

@@ -17,7 +17,7 @@ class ToolReadout : public QLabel {
 
   // Shows the read-only settings; hides if there are none.
   void show(const std::vector<Property>& settings, LengthUnit unit, const QPoint& cursor);
-  // Shows the values of a tool beside its position in the view, to a hundredth of a millimetre.
+  // Shows the values of a tool at this position in the view, to a hundredth of a millimetre.
   void show(const ToolLabel& label, LengthUnit unit, const QPoint& position);
 
  protected:

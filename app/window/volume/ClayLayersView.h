@@ -23,8 +23,8 @@ namespace handwheel {
 class VolumeDocument;
 
 // The panel of the layers of clay. The topmost layer is first. Layers are renamed and turned on and off in the list;
-// the slider sets the strength. The resulting volume is computed on another thread; of changes in the meantime, the
-// last one counts. Window thread.
+// the slider sets the strength. The resulting volume is computed on another thread; of the changes made during the
+// computation, only the last one is applied. All functions must be called on the window thread.
 class ClayLayersView : public QObject {
   Q_OBJECT
 
@@ -32,8 +32,8 @@ class ClayLayersView : public QObject {
   ClayLayersView(const WindowContext& parts, QObject* parent);
 
   QAction* action() { return &m_toggle; }  // shows and hides the panel
-  // Sets the current document. null: no volume is current, or it must not be changed, for this reason (translated). A
-  // volume with layers shows the panel.
+  // Sets the current document. null: no volume is current, or it must not be changed. reason: the translated reason why
+  // the volume must not be changed. The panel is shown for a volume with layers.
   void setDocument(DocumentTab* document, const QString& reason);
   // Tells the user why the topmost layer accepts no strokes.
   void refuse();
@@ -42,7 +42,7 @@ class ClayLayersView : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  // A share of a layer that is not yet applied to the volume.
+  // A requested change of a layer's strength or state that is not yet applied to the volume.
   struct Wanted {
     int layer;
     const char* what;  // the changed property: "strength" or "on"
@@ -58,7 +58,7 @@ class ClayLayersView : public QObject {
     QString text;  // text of the undo step
     StepOf of;
     std::size_t layer;
-    std::size_t count;  // number of layers at the start; if unchanged, the index still refers to the same layer
+    std::size_t count;  // number of layers at the start; if it is unchanged, the index still refers to the same layer
     quint64 number;     // sequence number of the step
 
     bool isPossible(const VolumeSnapshot& volume) const {
@@ -68,7 +68,7 @@ class ClayLayersView : public QObject {
 
   VolumeDocument& volume() const;
   const std::vector<ClayLayer>& layers() const;
-  int chosen() const;  // index of the selected layer, the lowest being 0; -1: none
+  int chosen() const;  // index of the selected layer, 0 for the lowest; -1: none
   void makeDock();
   void show();
   void refresh();
@@ -84,7 +84,7 @@ class ClayLayersView : public QObject {
   void want(Wanted wanted);
   void compute();
   bool isStrokeLive() const;
-  // isLate: the result had to wait for a stroke.
+  // isLate: true if the result had to wait for the end of a stroke.
   void take(const std::shared_ptr<const PreparedShare>& share, const Wanted& wanted, bool isLate = false);
   void applyWanted();  // applies the request and the step immediately, on this thread
   void apply(const Wanted& wanted);

@@ -17,7 +17,8 @@ namespace handwheel {
 class PlotWidget;
 
 // The presentation of the Drill tool in the window. It consists of the dock with thrust and torque over time, the
-// warnings of an exercise, and the sound. It serves all tools that drill, also in meshes. Window thread.
+// warnings of an exercise, and the sound. It serves all tools that drill, including those for meshes. All functions
+// must be called on the window thread.
 class DrillView : public QObject {
   Q_OBJECT
 
@@ -38,7 +39,7 @@ class DrillView : public QObject {
   void warn(const HandDrill& tool, const DrillState& hole);
   void sound();
 
-  // The messages that were sent about the present hole.
+  // The messages that were sent about the current hole.
   struct Warned {
     std::size_t moments = 0;
     bool besidePath = false, breakthrough = false, forbidden = false;
@@ -52,13 +53,13 @@ class DrillView : public QObject {
   PlotWidget* m_torque = nullptr;
   QTimer m_sounding;
   QElapsedTimer m_plotted;
-  std::shared_ptr<const DrillState> m_shown;  // state plotted last
+  std::shared_ptr<const DrillState> m_shown;  // state that was plotted last
   Warned m_warned;
   bool m_isRunning = false;
 };
 
-// Returns a short verdict on the hole; empty: none. In an exercise it reports an entered forbidden region, a
-// breakthrough, or a deviation from the path. isDrilling: the drill can still be stopped.
+// Returns a short verdict on the hole. In an exercise, it reports a forbidden region that was entered, a breakthrough,
+// or a deviation from the path; otherwise the text is empty. isDrilling: true if the drill can still be stopped.
 QString drillVerdict(const DrillState& hole, bool isDrilling);
 
 }  // namespace handwheel

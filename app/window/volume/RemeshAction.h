@@ -13,8 +13,8 @@ namespace handwheel {
 class PropertyDialog;
 struct VolumeSnapshot;
 
-// The command “Make mesh…” of volumes. It asks for the number of triangles, predicts it, and opens the mesh as a new
-// document. Window thread.
+// The command “Make mesh…” of volumes. It asks for the largest error or the number of triangles, predicts this number,
+// and opens the mesh as a new document. All functions must be called on the window thread.
 class RemeshAction : public QObject {
   Q_OBJECT
 
@@ -42,10 +42,10 @@ class RemeshAction : public QObject {
   QAction m_action;
   DocumentTab* m_document = nullptr;
   QPointer<PropertyDialog> m_dialog;
-  std::shared_ptr<const VolumeSnapshot> m_volume;  // volume of the dialog
+  std::shared_ptr<const VolumeSnapshot> m_volume;  // volume of the open dialog
   Goal m_goal = Goal::Distance;
   OperationValues m_values;
-  std::optional<double> m_predicted;  // triangles; none: they are being counted
+  std::optional<double> m_predicted;  // predicted number of triangles; none: they are still being counted
   JobRunner m_predicting;
 };
 

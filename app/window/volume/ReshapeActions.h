@@ -13,7 +13,7 @@ namespace handwheel {
 class VolumeDocument;
 
 // The entries of the Volume menu that change a volume as a whole. They provide their tool with services of the window:
-// jobs with progress, the other documents, files. Window thread.
+// jobs with progress, the other documents, and files. All functions must be called on the window thread.
 class ReshapeActions : public QObject {
   Q_OBJECT
 
@@ -21,10 +21,10 @@ class ReshapeActions : public QObject {
   ReshapeActions(const WindowContext& parts, QObject* parent);
 
   QList<QAction*> all();
-  // Sets the current document. null: no volume is current. reason: translated reason why it must not be changed; empty:
-  // it may be.
+  // Sets the current document. null: no volume is current. reason: translated reason why the volume must not be
+  // changed; empty: the volume may be changed.
   void setDocument(DocumentTab* document, const QString& reason);
-  // Updates the actions after the running tool may have changed.
+  // Updates the actions after a possible change of the running tool.
   void followTool();
   ToolDescriptor tool();
 
@@ -41,7 +41,7 @@ class ReshapeActions : public QObject {
   std::array<QAction, ReshapeTool::kChanges> m_actions;
   ReshapeTool::Change m_change = ReshapeTool::Change::Shell;  // initial change of the tool
   DocumentTab* m_document = nullptr;
-  QStringList m_files;  // files chosen for this document
+  QStringList m_files;  // files chosen for the current document
 };
 
 }  // namespace handwheel

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The command that loads a stamp for the clay tool from a file. Loaded stamps stay until the program ends.
+// The command that loads a stamp for the clay tool from a file. Loaded stamps are available until the program ends.
 class StampAction : public QObject {
   Q_OBJECT
 

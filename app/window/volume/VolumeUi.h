@@ -19,7 +19,7 @@ class VolumeLayer;
 class VoxelizeQuestion;
 struct VolumeSnapshot;
 
-// The user interface of volumes: their layer, the clay tool and their haptics.
+// The user interface of volumes: their layer, the clay tool and the haptics of volumes.
 class VolumeUi : public RigidPartsUi {
   Q_OBJECT
 
@@ -58,17 +58,18 @@ class VolumeUi : public RigidPartsUi {
   VolumeKind& m_kind;
   std::shared_ptr<VolumeLayer> m_volumeLayer;
   Segmentation* m_segmentation;
-  std::shared_ptr<const void> m_drawn;  // volume in the layer, of the document or of a tool
+  std::shared_ptr<const void> m_drawn;  // volume shown in the layer: that of the document or of a tool
   ClayLayersView* m_layers;
   DrillView* m_drillView;
   ReshapeActions* m_reshape;
   RemeshAction* m_remesh;
   StampAction* m_stamp;
   VoxelizeQuestion* m_voxelize;
-  std::shared_ptr<const ClayState> m_live;  // present result of a tool; null: none
-  std::shared_ptr<ClayChannel> m_still;     // state of the document without a tool
+  std::shared_ptr<const ClayState> m_live;  // current result of a tool; null: none
+  std::shared_ptr<ClayChannel> m_still;     // state of the document while no tool is active
   ClayTouch m_touch;
-  // The displayed plan of the document's exercise, and the JSON that it was made from.
+  // The planned path and forbidden region of the document's drilling exercise as displayed, and the JSON of the
+  // exercise from which they were made.
   mutable std::shared_ptr<const nlohmann::json> m_plannedBy;
   mutable DisplayModel m_planned;
 };

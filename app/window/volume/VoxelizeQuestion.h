@@ -13,16 +13,18 @@ class JobRunner;
 class PropertyDialog;
 class VolumeKind;
 
-// The dialog that asks how a volume is made of the surface of another document. It shows the predicted cost while
-// numbers are typed, and does not remember its settings. A job measures the surface before. Window thread.
+// The dialog that asks how to make a volume from the surface of another document. It shows the predicted cost while
+// numbers are typed, and does not store its settings. A job measures the surface before the dialog opens. All functions
+// must be called on the window thread.
 class VoxelizeQuestion : public QObject {
   Q_OBJECT
 
  public:
-  // kind: the kind of the result; it must outlive this object.
+  // kind: the document kind of the result; it must outlive this object.
   VoxelizeQuestion(QWidget* window, JobRunner& jobs, const VolumeKind& kind, QObject* parent);
 
-  // start: called with the function that makes the volume, unless the user declines.
+  // Asks for the settings. start: function that receives the function that makes the volume; it is not called if the
+  // user declines.
   void ask(const Document& from, VoxelizeSettings::Purpose purpose, std::function<void(MakeOfSurface)> start);
 
  signals:
@@ -38,7 +40,7 @@ class VoxelizeQuestion : public QObject {
   JobRunner& m_jobs;
   const VolumeKind& m_kind;
   QPointer<PropertyDialog> m_dialog;
-  std::optional<VoxelizeSettings> m_settings;  // while the dialog is open
+  std::optional<VoxelizeSettings> m_settings;  // settings of the open dialog
 };
 
 }  // namespace handwheel

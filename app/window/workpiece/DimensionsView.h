@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Shows the dimensions of a turned part in the view. They are those of its drawing, in the plane that faces the
-// operator of the lathe. Window thread.
+// Shows the dimensions of a turned part in the view. They are the dimensions of its drawing, shown in the plane that
+// faces the operator of the lathe. It must be used on the window thread.
 class DimensionsView : public QObject {
   Q_OBJECT
 

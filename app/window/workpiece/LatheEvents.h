@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// Returns a broken rule of cutting as a translated sentence with value and limit.
+// Returns a translated sentence about a broken rule of cutting, with value and limit.
 QString textOfRule(const CutWarning& warning);
 
-// The log of a manual lathe's crashes and cut warnings, in chronological order. Window thread.
+// The log of a manual lathe's crashes and cut warnings, in chronological order. It must be used on the window thread.
 class LatheEvents : public QListWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class LatheEvents : public QListWidget {
  private:
   std::vector<LatheCollision> m_crashes;
   std::vector<LatheWarning> m_warnings;
-  double m_zero = 0.0;  // mm, zero of their Z
+  double m_zero = 0.0;  // mm, zero of Z in the log
 };
 
 }  // namespace handwheel

@@ -19,26 +19,28 @@ class LatheReadout;
 class NumberField;
 class ToolPostRow;
 
-// The controls and displays of a manual lathe. Levers and handwheels are in sections that fold, with its read-out, the
-// figures of the cut, its crashes and warnings. Controls emit commands; show() displays the state. Window thread.
+// The controls and displays of a manual lathe. Sections that fold contain the levers and handwheels, the read-out, the
+// figures of the cut, and the crashes and warnings. Controls emit commands, and show() displays the state of the lathe.
+// It must be used on the window thread.
 class LathePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LathePanel(QWidget* parent = nullptr);
 
-  // Prepares the panel for a tool: sets the rings of the dials, none: to zero. touch: the number for touching off.
+  // Prepares the panel for a tool. rings: the adjustable zeros of the handwheel dials (LatheWheels::Rings); none: all
+  // dials show zero. touch: the number for touching off, mm.
   void begin(const ManualLatheTool& tool, const std::optional<LatheWheels::Rings>& rings, double touch);
   LatheWheels::Rings rings() const { return m_wheels->rings(); }
   double touchValue() const;  // the entered number for touching off, mm
-  // Updates the display. To be called some times a second while the lathe runs.
+  // Updates the display. The caller must call it several times a second while the lathe runs.
   void show(const ManualLatheTool& tool);
 
  signals:
   void commanded(const handwheel::LatheCommand& command);
   void touchOffRequested(bool isX, double value);  // mm, X as displayed
   void folded();                                   // the panel needs more or less room than before
-  void mountRequested(const QString& tool);        // id, for the side of the post in use; empty: none
+  void mountRequested(const QString& tool);        // id, for the side of the post in use; empty: no tool
 
  private:
   QWidget* section(const QString& title, const char* name, QWidget& content, bool isOpenAtFirst);
@@ -49,7 +51,8 @@ class LathePanel : public QWidget {
   QWidget* makeFeed();
   QWidget* makeThreadAndRapid();
   QPushButton* button(const QString& text, const char* name, const QString& tip);
-  // meaning: zero and direction of the number; remedy: advice while there is no zero.
+  // Shows the read-out of an axis. meaning: a text on the zero and the direction of the number; remedy: advice that is
+  // shown while there is no zero.
   void showAxis(QLabel& label, const QString& axis, const QString& read, const QString& meaning, const QString& remedy);
   void sendSpeed();
   void sendFeed(int direction);

@@ -11,15 +11,16 @@ class QLabel;
 
 namespace handwheel {
 
-// The figures of a cut on a manual lathe in one line. They are force, power and torque with the limits of the machine,
-// speeds, depth, feed, and the law of the force. Window thread.
+// A line that shows the figures of a cut on a manual lathe. The figures are force, power and torque with the limits of
+// the machine, speeds, depth, feed, and the formula by which the force is computed. It must be used on the window
+// thread.
 class LatheReadout : public QWidget {
   Q_OBJECT
 
  public:
   explicit LatheReadout(QWidget* parent = nullptr);
 
-  // forceLimit: N, of the exercise; 0: none.
+  // Shows the present figures. forceLimit: the force limit of the exercise, N; 0: no limit.
   void show(const ManualLatheTool& tool, double forceLimit);
 
  private:

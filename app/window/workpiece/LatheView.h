@@ -19,8 +19,9 @@ namespace handwheel {
 class LathePanel;
 class PathLayer;
 
-// The manual lathe in the window. It has its tool, its panel in a dock that exists while the tool runs, its forces on
-// the device, and its sound and that of the Turn tool. A space mouse moves its slides. Window thread.
+// The user interface of the manual lathe. It makes the tool of the lathe, shows the panel in a dock while the tool
+// runs, applies the forces to the haptic device, and plays the sounds of the lathe and of the Turn tool. A space mouse
+// moves the slides. It must be used on the window thread.
 class LatheView : public QObject {
   Q_OBJECT
 
@@ -28,9 +29,10 @@ class LatheView : public QObject {
   LatheView(const WindowContext& window, QObject* parent);
   ~LatheView() override;
 
-  // Makes the tool for a document; called when the user chooses it. forceLimit: N, of its exercise; 0: none.
+  // Makes the tool for a document. It is called when the user chooses the tool. forceLimit: the force limit of the
+  // document's exercise, N; 0: no limit.
   std::unique_ptr<Tool> make(WorkpieceDocument& document, double forceLimit);
-  // Returns true if the tool of the lathe runs.
+  // Returns true if the tool of the lathe is running.
   bool isOn() const { return tool() != nullptr; }
 
  signals:
@@ -59,25 +61,25 @@ class LatheView : public QObject {
   WindowContext m_window;
   QPointer<QDockWidget> m_dock;
   QPointer<LathePanel> m_panel;
-  QTimer m_refresh;   // while the lathe runs
-  QTimer m_sounding;  // while something turns
+  QTimer m_refresh;   // active while the lathe runs
+  QTimer m_sounding;  // active while something turns
   TurningSound m_turning;
   std::shared_ptr<PathLayer> m_zeroLayer;
-  std::pair<double, double> m_zero;  // mm: z of the drawn zero, and its size; 0: none is drawn
+  std::pair<double, double> m_zero;  // mm: z and size of the drawn zero; size 0: no zero is drawn
   // State of the lathe of a document when its tool ended.
   struct Left {
     std::shared_ptr<std::optional<ManualLatheTool::Left>> machine;
     std::optional<LatheWheels::Rings> rings;
     double touch = 0.0;  // mm, the number for touching off
   };
-  std::map<const QObject*, Left> m_left;          // by document
+  std::map<const QObject*, Left> m_left;          // states by document
   const WorkpieceDocument* m_document = nullptr;  // document of the last lathe
-  const WorkpieceDocument* m_ringsOf = nullptr;   // document of the rings in the panel
-  int m_returns = 0;                              // return count of the tool when it was last reported
-  std::pair<bool, bool> m_was;                    // last state: live, and with a pass under motion
-  bool m_isPushed = false;                        // a space mouse moves the slides
-  int m_quiet = 0;                                // timeouts of m_sounding since the lathe was last live
-  std::shared_ptr<LatheChannel> m_felt;           // null: the device feels no lathe
+  const WorkpieceDocument* m_ringsOf = nullptr;   // document whose dial rings the panel shows
+  int m_returns = 0;                     // number of times that undo or redo had moved the tool, at the last report
+  std::pair<bool, bool> m_was;           // at the last refresh: the lathe was running (isLive()), and its pass had cut
+  bool m_isPushed = false;               // true: a space mouse moves the slides
+  int m_quiet = 0;                       // timeouts of m_sounding since the lathe last ran
+  std::shared_ptr<LatheChannel> m_felt;  // null: the device feels no lathe
   std::shared_ptr<const LatheMaterial> m_feltMaterial;
 };
 

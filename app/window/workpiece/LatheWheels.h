@@ -14,8 +14,9 @@ namespace handwheel {
 
 class HandwheelDial;
 
-// The handwheels of a manual lathe. Turned clockwise, as on the usual engine lathe, the carriage goes away from the
-// chuck, cross slide and compound slide go in, and the quill comes out; dials count clockwise. Window thread.
+// The handwheels of a manual lathe. When a wheel is turned clockwise, the carriage moves away from the chuck, the cross
+// slide and the compound slide move in, and the quill comes out, as on a usual engine lathe. The dials count clockwise.
+// It must be used on the window thread.
 class LatheWheels : public QWidget {
   Q_OBJECT
 
@@ -26,7 +27,7 @@ class LatheWheels : public QWidget {
   // Positions of the rings of the dials: the travel of each slide at which its dial shows zero, mm.
   using Rings = std::array<double, kLatheAxes>;
   Rings rings() const;
-  // Sets the rings, without a signal; none: to zero at the present travel of the slides.
+  // Sets the rings without a signal. If `rings` is none, the dials show zero at the present travel of the slides.
   void setRings(const ManualLatheTool& tool, const std::optional<Rings>& rings);
 
  signals:

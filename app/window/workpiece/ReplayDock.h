@@ -22,9 +22,10 @@ class TimeLinePanel;
 class WorkpieceDocument;
 struct TurnedPart;
 
-// The dock “Replay”, which plays and scrubs the passes that cut a part. It has a time line with forces, deviation and
-// crashes, and can show those of another workpiece below the first. While it is open the view shows the part at the
-// chosen time; once it is closed or a tool begins to work, the view shows the present part again. Window thread.
+// The dock “Replay”, which plays and scrubs the passes that cut a part. Its time line shows forces, deviation and
+// crashes; those of another workpiece can be shown below for comparison. While the dock is open, the view shows the
+// part at the chosen time. When it is closed or a tool begins to work, the view shows the present part again. It must
+// be used on the window thread.
 class ReplayDock : public QObject {
   Q_OBJECT
 
@@ -37,7 +38,7 @@ class ReplayDock : public QObject {
 
  signals:
   void message(const handwheel::Message& message);
-  // Emits a part that the view shows before all else; null: nothing.
+  // Emits the part that the view has to show instead of any other; null: no part.
   void partShown(const std::shared_ptr<const handwheel::DisplayModel>& part);
 
  private:
@@ -52,7 +53,7 @@ class ReplayDock : public QObject {
     TimeLineRecording recording;
   };
   using PlayedPointer = std::shared_ptr<const Played>;
-  // Returns null if nothing was cut, or it was cancelled. Any thread.
+  // Prepares a workpiece for the replay. Returns null if nothing was cut or if cancelled. May be called on any thread.
   static PlayedPointer playedOf(const QString& name, const WorkpieceSnapshot& work, Progress progress);
   void begin(PlayedPointer played);
   void askForOther();
@@ -67,18 +68,18 @@ class ReplayDock : public QObject {
   WindowContext m_parts;
   QAction m_toggle;
   bool m_isOpen = false;
-  bool m_wasLive = false;  // the tool was live
+  bool m_wasLive = false;  // true: the tool was working (Tool::isLive()) at the previous check
   QPointer<QDockWidget> m_dock;
   QPointer<QLabel> m_text;
   QPointer<TimeLinePanel> m_line;
   DocumentTab* m_document = nullptr;
   QPointer<QPushButton> m_compare;
   PlayedPointer m_played, m_other;               // null: none is shown
-  std::shared_ptr<const TurnedPart> m_replayed;  // the part of m_played, also while that is being made
-  std::unique_ptr<LatheDisplay> m_lathe;         // with the tools of m_played
+  std::shared_ptr<const TurnedPart> m_replayed;  // the part of m_played; set while m_played is still being made
+  std::unique_ptr<LatheDisplay> m_lathe;         // the lathe with the tools of m_played
   JobRunner m_views;
   double m_wanted = 0.0;     // s, time to show
-  bool m_isShowing = false;  // a job is making the part of a time
+  bool m_isShowing = false;  // true: a job is making the part at a time
 };
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "document/workpiece/target/TargetImport.h"
@@ -19,7 +19,8 @@ namespace handwheel {
 
 class WorkpieceDocument;
 
-// The commands and measurements of a workpiece's target. Imports it, removes it, shows the deviation in colours.
+// The commands and measurements for the target of a workpiece. The commands import, turn and remove the target, and
+// show its outline and the deviation or roughness in colours.
 class TargetActions : public QObject {
   Q_OBJECT
 
@@ -31,7 +32,7 @@ class TargetActions : public QObject {
   void setVisible(bool isVisible);  // visibility of the document
   QList<QAction*> actions() { return {&m_import, &m_turn, &m_remove, &m_outline, &m_colours, &m_roughness}; }
   QWidget* panel() { return m_panel; }
-  // Returns the workpiece in the colours of its deviation or its roughness; none if colours are off.
+  // Returns the workpiece in the colours of its deviation or its roughness. Returns nothing if colours are off.
   std::optional<DisplayModel> display(const WorkpieceSnapshot& workpiece) const;
   bool isSettled() const { return m_measuring.isIdle(); }
 
@@ -64,10 +65,10 @@ class TargetActions : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   std::shared_ptr<LegendLayer> m_legend;
   std::shared_ptr<const WorkpieceTarget> m_outlined;  // the target in m_layer
-  // the target in the outline while the user chooses its position; null: none
+  // target whose outline is shown while the user chooses its position; null: none
   std::shared_ptr<const WorkpieceTarget> m_proposed;
   bool m_isVisible = true;
-  double m_range = 0.1;  // mm, of the colours
+  double m_range = 0.1;  // mm, range of the colours
 };
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "base/Units.h"
 #include "machining/target/ProfileFeatures.h"
@@ -25,21 +25,21 @@ struct PartMeasurement {
   std::vector<ProfileFeature> features;
   std::vector<ProfileFeature> wanted = {};   // dimensions of the target
   std::optional<TargetDeviation> deviation;  // none without a target
-  double zero = 0.0;                         // mm, zero of displayed Z: that of drawing, programs and read-out
+  double zero = 0.0;                         // mm, zero of displayed Z, as in drawings, programs and the read-out
 };
 
-// The panel with a part's dimensions, its deviation from the target and the colour legend. The dimensions are measured;
-// the legend is that of the deviation's colours.
+// The panel with a part's dimensions, its deviation from the target, and the colour legend. The dimensions are measured
+// on the part; the legend explains the colours in the view.
 class TargetPanel : public QWidget {
   Q_OBJECT
 
  public:
-  // actions: shown as buttons.
+  // actions: the actions that the panel shows as buttons.
   TargetPanel(const QList<QAction*>& actions, QWidget* parent = nullptr);
 
-  // target: its name; empty for none.
+  // Shows measurements. target: the name of the target; empty: no target.
   void show(const PartMeasurement& measurement, const QString& target, LengthUnit unit);
-  // Sets the scale of the colours in the view, and a text on its ends; none while colours are off.
+  // Shows the scale of the colours in the view and a text on its ends. Without a scale, the legend is hidden.
   void setLegend(const std::optional<ColourScale>& scale, const QString& ends);
   static QString deviationLegend(double range, LengthUnit unit);  // range: mm
 
@@ -53,7 +53,7 @@ class TargetPanel : public QWidget {
   QListWidget* m_dimensions;
 };
 
-// Returns a dimension in short form: "⌀ 40 mm · Z 0 mm … 30 mm"; Z from `zero`, mm.
+// Returns a dimension in short form, such as "⌀ 40 mm · Z 0 mm … 30 mm". Z counts from `zero`, mm.
 QString dimensionText(const ProfileFeature& feature, double zero, LengthUnit unit, const QLocale& locale);
 
 }  // namespace handwheel

@@ -9,14 +9,15 @@
 
 namespace handwheel {
 
-// A text as the outlines of its letters, drawn as lines in the view. x to the right, y up, from (0, 0) on its base
-// line.
+// A text as the outlines of its letters, drawn as lines in the view. x points to the right and y up; the text begins at
+// (0, 0) on its base line.
 struct TextOutlines {
   std::vector<std::vector<Vec2>> lines;
   double width = 0.0;
 };
 
-// height: height of a capital letter, in the unit of the outlines. Any thread.
+// Returns the outlines of a text. height: the height of a capital letter, in the unit of the outlines. May be called on
+// any thread.
 TextOutlines textOutlines(const QString& text, double height);
 
 }  // namespace handwheel

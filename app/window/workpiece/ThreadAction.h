@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "machining/TurningPass.h"
 #include "window/JobRunner.h"
@@ -24,7 +24,7 @@ class ThreadAction : public QObject {
 
  private:
   void ask();
-  // Cuts as a job, with one undo step.
+  // Cuts the thread in a job, as one undo step.
   void cut(DocumentTab* document, const TurningPass& pass);
 
   WindowContext m_parts;

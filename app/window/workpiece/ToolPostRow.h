@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace handwheel {
 
-// The controls of the tool post of a manual lathe. They choose the side in use, and mount another tool there from a
-// menu. Drills go into the tailstock. Window thread.
+// The controls of the tool post of a manual lathe. They choose the side of the post that is in use, and mount another
+// tool on it from a menu. Drills are mounted in the tailstock. It must be used on the window thread.
 class ToolPostRow : public QWidget {
   Q_OBJECT
 

@@ -14,14 +14,15 @@ class TurnTool;
 // Returns the present sound of a manual lathe.
 MachineSoundState soundOf(const ManualLatheTool& lathe);
 
-// The sound of the Turn tool. Spindle speed and force are assumed: the part turns at kSpindle, and the force is that of
-// mild steel for the material removed in a second. Window thread.
+// The sound of the Turn tool. The spindle speed and the force are assumptions. The part turns at kSpindle, and the
+// force is that of mild steel at the present rate of removal. It must be used on the window thread.
 class TurningSound {
  public:
   static constexpr double kSpindle = 600.0;          // r/min
   static constexpr double kSpecificEnergy = 2000.0;  // N/mm², chip of mild steel
 
-  // To be called some ten times a second. seconds: since the previous call.
+  // Returns the present sound of the tool. The caller must call it some ten times a second. seconds: the time since the
+  // previous call.
   MachineSoundState next(const TurnTool& tool, double seconds);
 
  private:

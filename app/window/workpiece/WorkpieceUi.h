@@ -17,15 +17,15 @@ namespace handwheel {
 class TurnTool;
 struct TurningTask;
 
-// The user interface of workpieces: the stock and its dimensions.
+// The user interface of workpieces, with their panel, commands and tools.
 class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   Q_OBJECT
 
  public:
   explicit WorkpieceUi(const WindowContext& window);
 
-  // Opens a document; a new one starts with the chord tolerance that the user chose, and later changes are made by its
-  // own property.
+  // Opens a document. A new document starts with the chord tolerance from the settings of the user; later, a property
+  // of the document changes it.
   std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
   void setDocument(DocumentTab* document) override;
   void forget(DocumentTab* document) override;
@@ -84,7 +84,7 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   std::shared_ptr<const TurnedPart> m_partedPart;  // the part when its pieces were last counted
   std::shared_ptr<const TurnedPart> m_loadedPart;  // part of m_loaded whose passes have been checked
   std::size_t m_passes = 0;                // number of passes of the current document when followTool() last ran
-  bool m_isLathe = false;                  // the tool of the lathe runs
+  bool m_isLathe = false;                  // true: the tool of the lathe runs
   std::shared_ptr<TurningChannel> m_felt;  // channel of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;
   double m_feltBase = 0.0;  // mm, TurnTool::base()

@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// Returns the symbol of a zero on the axis of a lathe, with its name. Arrows show the positive directions: X outward,
-// on the side of the tool, Z away from the chuck. zero: mm, z in the scene; size: mm, radius of its circle. Any thread.
+// Returns the symbol of a zero on the axis of a lathe, with its name. Arrows show the positive directions. X points
+// outward on the side of the tool, and Z away from the chuck. zero: z in the scene, mm; size: radius of the symbol's
+// circle, mm. May be called on any thread.
 PathLayer::Lines zeroSymbol(double zero, double size, const QString& name);
 
 }  // namespace handwheel

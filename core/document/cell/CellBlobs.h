@@ -9,14 +9,15 @@
 
 namespace handwheel {
 
-// Writes a robot cell to a container. It holds all that the cell needs: the description in the blob "cell/robot.urdf",
-// and of each mesh the points (three floats each, mm) and triangles (three indices each) in "cell/surfaces/NNNN/…". The
-// manifest has the value of each joint by its name; rad, mm. The bodies are stored as in writeBodies().
+// Writes a robot cell to a container, with all that the cell needs. The blob "cell/robot.urdf" contains the
+// description, the blobs "cell/surfaces/NNNN/…" the points (three floats each, mm) and triangles (three indices each)
+// of the meshes. The manifest contains the joint values by the names of the joints; rad, mm. writeBodies() writes the
+// bodies.
 void writeCell(const RobotCellSnapshot& cell, Container& container);
 
-// Reads a robot cell from a container. Missing and invalid parts are left out, and the joints are brought within their
-// limits. shapeSides: number of sides of round shapes, as in surfaceOf(). Errors: EntryMissing {cell/robot.urdf}, those
-// of readUrdf(), Cancelled.
+// Reads a robot cell from a container. Missing and invalid parts are omitted and added to damage, and joint values are
+// brought within their limits. shapeSides: number of sides of round shapes, as in surfaceOf(). Errors: EntryMissing
+// {cell/robot.urdf}, the errors of readUrdf(), Cancelled.
 Result<SnapshotPointer> readCell(const Container& container, std::uint32_t shapeSides, std::vector<Error>& damage,
                                  Progress progress);
 

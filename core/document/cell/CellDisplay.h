@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// Creates the display model of a robot for given joint values. It has one part for each visual shape, or each collision
-// shape of a robot that has no visual ones. Parts keep their names and surfaces while the joints move.
+// Creates the display model of a robot for given joint values. It has one part for each visual shape, or for each
+// collision shape of a robot without visual shapes. Parts keep their names and surfaces while the joints move.
 DisplayModel displayOf(const CellRobot& robot, const JointValues& joints);
 
-// Creates the display model of the robots and all bodies, including those that they carry.
+// Creates the display model of the robots and of all bodies, including bodies that the robots carry.
 DisplayModel displayOf(const CellRobot& robot, const JointValues& joints, const BodySet& bodies);
 
 // Returns the link that a part belongs to; kNone for an unknown part.

@@ -22,8 +22,8 @@ struct ImportedCell {
   std::size_t unlistedDamage = 0;
 };
 
-// Reads a robot description, as URDF or a table after Denavit and Hartenberg, and every mesh it names, joints at rest.
-// shapeSides: number of sides of round shapes, as in surfaceOf(). Errors: those of reading the description.
+// Reads a robot description, a URDF file or a Denavit-Hartenberg table, and the meshes that it names. The joints are at
+// rest. shapeSides: number of sides of round shapes, as in surfaceOf(). Errors: the errors of reading the description.
 Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides = kShapeSides,
                                 Progress progress = {});
 
@@ -34,9 +34,10 @@ std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint3
 // shapes.
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides);
 
-// Returns the surface of a shape, placed, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by content,
-// of at most 256 MiB; their paths are those of locateMesh(). damage receives the parts that could not be read. Errors:
-// those of the readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with the file as subject.
+// Returns the surface of a shape at its pose, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by
+// content, of at most 256 MiB; locateMesh() resolves their paths. damage: receives the errors of the parts that could
+// not be read. Errors: the errors of the readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with
+// the file as subject.
 Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path& folder, std::vector<Error>& damage,
                                  Progress progress = {});
 

@@ -11,7 +11,8 @@
 
 namespace handwheel {
 
-// Bounding hierarchies of meshes for collisions, each built once and kept while its mesh exists. Any thread.
+// Bounding hierarchies of meshes for collisions. Each is built once and kept while its mesh exists. The functions may
+// be called on any thread.
 class CollisionMeshes {
  public:
   std::shared_ptr<const CollisionMesh> of(const std::shared_ptr<const TriangleSoup>& soup);
@@ -25,57 +26,59 @@ class CollisionMeshes {
   std::unordered_map<const TriangleSoup*, Entry> m_entries;
 };
 
-// Returns the shape of a body for collisions; empty if it has no triangles.
+// Returns the shape of a body for collisions. The result is empty if the body has no triangles.
 CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& meshes);
 
 // A robot cell prepared for planning. The joints between the base of one robot and its tool are planned, the others do
-// not move. All bodies are obstacles, including hidden ones; those that a link carries are links of their own, fixed to
-// it. Other robots, with the bodies that they carry, are obstacles at their present joint values. Immutable; any
-// thread.
+// not move. All bodies are obstacles, including hidden ones; each body that a link carries is an additional link, fixed
+// to its carrier. Other robots, with the bodies that they carry, are obstacles at their present joint values. A scene
+// is immutable and may be used on any thread.
 struct CellScene {
   RobotScene scene;
-  SerialArm arm;                         // From the root to the link that carries the tool
+  SerialArm arm;                         // Joints from the root to the link that carries the tool
   std::vector<std::uint32_t> dofs;       // Degree of freedom of the robot for each planned joint
   JointValues others;                    // Joint values of all robots, for the joints that are not planned
-  std::set<LinkPair> alwaysMeeting;      // Ignored pairs of links: they meet at all joint values, or at rest
-  std::vector<std::uint32_t> shapeless;  // Links whose meshes are missing: their collisions are not found
+  std::set<LinkPair> alwaysMeeting;      // Ignored pairs of links, which meet at all joint values or at rest
+  std::vector<std::uint32_t> shapeless;  // Links whose meshes are missing, so that their collisions are not found
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;
-  std::vector<BodyId> carried;  // Bodies that are links after those of the robot, in order
+  std::vector<BodyId> carried;  // Bodies that are additional links after those of the robot, in order
   std::size_t armNumber = 0;    // Index of the planned robot in CellRobot::arms
   std::shared_ptr<Roadmap> roadmap = std::make_shared<Roadmap>();  // Roadmap of the planner "prm", kept between plans
 
   ArmValues planned(const JointValues& joints) const;
   JointValues whole(const ArmValues& values) const;
-  // Returns the names of the nearest pair: a link, and a link or body. Both are empty if there is none.
+  // Returns the names of the nearest pair: a link, and a link or body. The names are empty if there is no pair.
   std::pair<std::string, std::string> namesOf(const RobotScene::Nearest& nearest) const;
-  // Returns the body that this link of the scene stands for; nothing if it is a link of the robot.
+  // Returns the body that a link of the scene represents; nothing if it is a link of the robot.
   std::optional<BodyId> bodyOfLink(std::uint32_t link) const;
-  // Returns the links that a carried body is not tested against while it is moved by hand: the link that stands for the
-  // body at its former pose, and its carrier. Empty if it is not carried.
+  // Returns the links that a carried body is not tested against while it is moved by hand: the link that represents the
+  // body at its former pose, and its carrier. The result is empty if no link carries the body.
   std::vector<std::uint32_t> ownLinksOf(BodyId body) const;
-  // Obstacles with these owners are links of other robots, by their numbers in the model; all others are bodies.
+  // First owner number of obstacles that are links of other robots. The owner number of such a link is the sum of this
+  // value and the number of the link in the model; smaller owner numbers denote bodies.
   static constexpr std::uint32_t kLinkOwners = 0x8000'0000;
   static std::uint32_t linkOfOwner(std::uint32_t owner) {
     return owner == kNone || owner < kLinkOwners ? kNone : owner - kLinkOwners;
   }
-  // Returns true if all joints that are not planned have the same values here as in the scene.
+  // Returns true if all joints that are not planned have the same values as in the scene.
   bool areUnplannedJointsAt(const JointValues& joints) const;
-  // Returns true if those of the planned robot itself, such as a gripper's, have the same values.
+  // Returns true if the unplanned joints of the planned robot itself, such as those of a gripper, have the same values
+  // as in the scene.
   bool areOwnUnplannedJointsAt(const JointValues& joints) const;
-  // Returns true if the cell is unchanged since this scene was made. allowed: the pairs that were allowed to touch
-  // then.
+  // Returns true if the cell is unchanged since this scene was made. allowed: the pairs that were allowed to touch when
+  // it was made.
   bool holdsFor(const RobotCellSnapshot& now, const std::set<std::pair<std::string, std::string>>& allowed) const;
-  // Returns the names of the other robots that have other joint values at some waypoint, or whose bases were moved
-  // since the path was planned.
+  // Returns the names of the other robots whose joint values in the scene differ from those in a waypoint of the path,
+  // or whose bases were moved since the path was planned.
   std::set<std::string> robotsElsewhere(const RobotPath& path) const;
   const RobotArm& plannedArm() const { return robot->arms[armNumber]; }
-  // Returns the same arm starting at its own base, as its controller counts.
+  // Returns the arm relative to its own base, as its controller measures poses.
   SerialArm armFromBase() const;
 };
 
-// Prepares the scene for the robot that is planned for, or for another one by its number. Errors: those of
-// SerialArm::of() and RobotScene::isSound().
+// Prepare the scene for the robot that is planned for, or for the robot with the index `arm` in CellRobot::arms.
+// Errors: the errors of SerialArm::of() and RobotScene::isSound().
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes);
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes, std::size_t arm);
 

@@ -29,8 +29,8 @@ class ColladaIds {
   std::map<std::string_view, const XmlElement*> m_elements;
 };
 
-// Reads the geometry elements of a COLLADA document. Damage in a primitive is recorded, and the rest of the primitive
-// left out.
+// Reads the geometry elements of a COLLADA document. Damage in a primitive is recorded; polygons that cannot be read
+// are left out.
 class ColladaGeometry {
  public:
   ColladaGeometry(const ColladaIds& ids, std::vector<Error>& damage, Progress progress);

@@ -16,9 +16,9 @@ struct ColladaMesh {
   std::vector<Error> damage;  // Parts that could not be understood and were left out
 };
 
-// Reads the triangles and polygons of a COLLADA 1.4 or 1.5 document. Instances are placed as in its scene. The
-// document's unit is applied, once; its up axis is not, as in robot descriptions everywhere. Materials, skins and
-// animations are left out. O(bytes + triangles), both bounded. Errors: those of readXml(), NoTriangles.
+// Reads the triangles and polygons of a COLLADA 1.4 or 1.5 document. Instances are placed as in its scene. Its unit is
+// applied; its up axis is ignored, as is usual for robot descriptions. Materials, skins and animations are left out.
+// O(bytes + triangles); both numbers are limited. Errors: those of readXml(), NoTriangles.
 Result<ColladaMesh> readCollada(std::string_view bytes, Progress progress = {});
 
 // Returns true if the first bytes of a file look like COLLADA.

@@ -17,11 +17,11 @@ class JointEdit : public Edit {
     double value;  // rad, mm; within the limits
   };
 
-  // moves: at least one, no joint twice.
+  // moves: at least one move; no joint may occur twice.
   explicit JointEdit(std::vector<Move> moves) : m_moves(std::move(moves)) {}
 
   void exchange(Document& document) override;
-  bool absorb(const Edit& later) override;  // Only an edit of the same joints
+  bool absorb(const Edit& later) override;  // Absorbs only an edit of the same joints
   std::size_t bytes() const override { return sizeof *this + m_moves.size() * sizeof(Move); }
 
  private:

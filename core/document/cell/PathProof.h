@@ -16,65 +16,65 @@ namespace handwheel {
 
 struct Container;
 
-// The inputs of a path's verification, in the order in which a change is named. Nothing: no input has changed.
+// The inputs of a path's verification, in the order in which their changes are reported. Nothing: no input has changed.
 enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets, Configurations };
 
 // Returns the name of the input in files and reports; null for Nothing.
 const char* keyOf(BasisChange change);
 
-// A digest of each input (SHA-256, hexadecimal digits), in order, without Nothing.
+// A digest of each input (SHA-256, hexadecimal digits), in the order of BasisChange, without Nothing.
 using BasisDigests = std::array<std::string, 9>;
 
 // Measures of a whole path, from PathMetrics.
 struct PathMeasures {
-  double length = 0.0;    // rad, slides in metres
+  double length = 0.0;    // length of the path in joint space, rad; a metre of a prismatic joint counts as a radian
   double security = 0.0;  // mm
   double manipulability = 0.0;
   bool operator==(const PathMeasures&) const = default;
 };
 
-// Summary of the verification of a path. Lengths in mm, times in s.
+// Summary of the verification of a path. Lengths are in mm, times in s.
 struct PathFindings {
   struct Meeting {
     std::size_t waypoint = 0;  // Index of the waypoint at the end of the motion, from 0
     std::string link, other;
-    double distance = 0.0;  // Above 0: the distance of two that do not collide, but are too close
+    double distance = 0.0;  // Above 0: the distance of a pair that does not collide, but is too close
     bool operator==(const Meeting&) const = default;
   };
   static constexpr std::size_t kMostListed = 5;
 
   bool isCertified = false;
   std::optional<std::size_t> stopsAt = {};  // Index of the waypoint that a line cannot be followed to
-  std::size_t collisions = 0;               // Number of stretches that collide or are too close
-  std::size_t tooNear = 0;                  // Number of these that are only too close
+  std::size_t collisions = 0;               // Number of stretches of the path with a collision or too small a distance
+  std::size_t tooNear = 0;                  // Number of these stretches without a collision
   std::vector<Meeting> listed = {};         // The first stretches, at most kMostListed
   double clearance = 0.0;                   // Required clearance
   double leastClearance = 0.0;
   double seconds = 0.0;
-  std::optional<PathMeasures> measures = {};  // Nothing if stored by a version of the program that did not keep them
-  bool hasShapeless = false;                  // True if links without meshes were left out
+  std::optional<PathMeasures> measures = {};  // Nothing: stored by a version that computed none
+  bool hasShapeless = false;                  // True if links without meshes were omitted
   std::set<std::string> robotsMoved = {};
   OutdatedReasons outdated = {};
-  // Links and bodies, by their names at that time, that are allowed to touch and were therefore not checked.
+  // Links and bodies, by their names at the time of the verification, that may touch and were therefore not checked.
   std::vector<std::pair<std::string, std::string>> notChecked = {};
 
   bool operator==(const PathFindings&) const = default;
 };
 
-// The findings of a path's verification and digests of its inputs. They are stored with the cell as a note of an
-// earlier session: exported paths are verified again.
+// The findings of a path's verification and digests of its inputs. A proof is stored with the cell as a note of an
+// earlier session; exported paths are verified again.
 struct PathProof {
   PathFindings found;
-  std::string at;  // Time of the verification, UTC after ISO 8601
+  std::string at;  // Time of the verification, UTC according to ISO 8601
   BasisDigests basis;
 
   bool operator==(const PathProof&) const = default;
 };
 
-using PathProofs = std::map<std::string, PathProof>;  // By the names of the paths
+using PathProofs = std::map<std::string, PathProof>;  // Proofs by the names of the paths
 
-// Write the proofs of these paths into the container of a cell, and read them. A proof that is incomplete, or made by a
-// version of the program that verifies by another method, is left out: the path then counts as not verified.
+// Write the proofs of paths to the container of a cell, and read them. Proofs that are incomplete, or were made by a
+// version of the program with another method of verification, are omitted: their paths count as not verified.
 void writeProofs(const PathProofs& proofs, const std::set<std::string>& paths, Container& container);
 PathProofs readProofs(const Container& container);
 

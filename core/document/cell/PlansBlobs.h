@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Write the plans of a cell into its container, and read them. Null if the container has none. Parts that cannot be
-// read are left out and listed as damage.
+// Write the plans of a cell to its container, and read them. Reading returns null if the container has no plans; parts
+// that cannot be read are omitted and added to damage.
 void writePlans(const CellPlans& plans, const RobotModel& robot, Container& container);
 std::shared_ptr<const CellPlans> readPlans(const Container& container, const RobotModel& robot,
                                            const JointValues& others, std::vector<Error>& damage);

@@ -11,7 +11,7 @@ namespace handwheel {
 // Edit that exchanges the plans of a cell: configurations, paths, frames, targets and tools.
 class PlansEdit : public Edit {
  public:
-  explicit PlansEdit(std::shared_ptr<const CellPlans> plans) : m_plans(std::move(plans)) {}  // Not null
+  explicit PlansEdit(std::shared_ptr<const CellPlans> plans) : m_plans(std::move(plans)) {}  // plans: not null
 
   void exchange(Document& document) override;
   std::size_t bytes() const override { return sizeof *this + m_plans->bytes(); }
@@ -20,7 +20,8 @@ class PlansEdit : public Edit {
   std::shared_ptr<const CellPlans> m_plans;
 };
 
-// Returns the error CellError::PlansFull if the plans have more entries than a cell can hold, and a file be read with.
+// Returns the error CellError::PlansFull if the plans have more entries than a cell can hold, as reading a file would
+// refuse them.
 Status checkCounts(const CellPlans& plans);
 
 }  // namespace handwheel

@@ -13,47 +13,47 @@ namespace handwheel {
 
 struct BaseField;
 
-// Document of a robot cell: robots with their joint values, and the bodies beside them.
+// Document of a robot cell. It contains the robots with their joint values, and the bodies.
 class RobotCellDocument : public Document, public BodyOwner {
   Q_OBJECT
 
  public:
-  // opened: its content must be a RobotCellSnapshot.
+  // opened: an opened file, whose content must be a RobotCellSnapshot.
   explicit RobotCellDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const CellRobot& robot() const { return *m_robot; }
   const JointValues& joints() const { return m_joints; }
   const std::shared_ptr<const CellPlans>& plans() const { return m_plans; }  // Never null
 
-  // Returns the findings of path verifications with the state of the cell that they hold for. They are stored with the
-  // cell; changing them is no edit.
+  // Returns the findings of path verifications with the digests of their inputs. They are stored with the cell;
+  // changing them is no edit.
   const PathProofs& proofs() const { return *m_proofs; }
-  // Sets these findings. isChange: marks the document as modified; otherwise the proofs are merely saved at the next
-  // occasion.
+  // Sets the findings of path verifications. isChange: marks the document as modified; otherwise the findings are saved
+  // only when the document is saved for another reason.
   void setProofs(PathProofs proofs, bool isChange);
 
   SnapshotPointer snapshot() const override;
-  // Returns those of cellProperties(), of bodyProperties(), of the frames and targets, then those of every document.
+  // Returns the properties of the cell (cellProperties()), of the bodies (bodyProperties()), of the frames and targets,
+  // and of every document.
   std::vector<Property> properties() const override;
-  // Returns the same properties, but only those of these bodies: there may be very many.
+  // Returns the same properties as properties(), but of the bodies only those of `shown`, as a cell may have very many.
   std::vector<Property> propertiesWith(std::span<const Body> shown) const;
-  // Returns the properties of one body: those of propertiesOf(), and its carrier.
+  // Returns the properties of one body: propertiesOf() and its carrier.
   std::vector<Property> propertiesOfBody(const Body& body) const;
   // Returns the data that the poses of frames and targets depend on.
   CellPlacement placement() const { return {*m_plans, bodies(), m_robot->model, m_joints}; }
-  // Returns a property. A body may be given by its name, too: "body.Table.x"; the property then has the id with the
-  // number.
+  // Returns a property. A body may also be given by its name, "body.Table.x"; the id of the result contains the number.
   std::optional<Property> property(const std::string& id) const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
-  // Makes an edit that moves the joints to these values, kept within their limits; null if nothing moves. Values must
-  // be finite.
+  // Makes an edit that moves the joints to these values, clamped to their limits. Returns null if nothing moves. The
+  // values must be finite.
   std::unique_ptr<Edit> jointEdit(const JointValues& joints) const;
-  // Makes an edit that replaces the plans; null if they are the same.
+  // Makes an edit that replaces the plans. Returns null if they are the same.
   std::unique_ptr<Edit> plansEdit(CellPlans plans) const;
   // Makes an edit that replaces the robots, with their joints, plans and the bodies that they carry (RobotChanges.h).
-  // The bodies must be those of the document, at most changed. moved: the number of the robot, if moving it is the only
-  // change.
+  // The bodies must be those of the document, at most changed. moved: the number of the robot, if moving this robot is
+  // the only change.
   std::unique_ptr<Edit> robotsEdit(RobotCellSnapshot changed, std::optional<std::size_t> moved = {}) const;
 
  private:

@@ -11,17 +11,18 @@ namespace handwheel {
 
 struct RobotCellSnapshot;
 
-// Document kind of robot cells. A cell is a URDF description, its meshes and joint values, and bodies beside it.
+// Document kind of robot cells. A cell consists of a URDF description, meshes, joint values and bodies.
 class RobotCellKind : public DocumentKind {
  public:
-  // Sets cell.shape_sides for the robots that are opened from now on. Any thread.
+  // Sets cell.shape_sides for the robots that are opened from now on. The function may be called on any thread.
   void setShapeSides(std::uint32_t sides) { m_shapeSides = sides; }
 
   std::string id() const override { return "cell"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
-  // A robot always opens; its missing or damaged meshes are left out.
+  // Imports a robot from a URDF file or a table of Denavit-Hartenberg parameters. Missing or damaged meshes do not
+  // prevent the import; they are omitted.
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
   // Exports the displayed surfaces as one mesh.
@@ -42,7 +43,8 @@ class RobotCellKind : public DocumentKind {
   std::atomic<std::uint32_t> m_shapeSides = kShapeSides;
 };
 
-// Returns the key "robots" of describe(): an array with name, title, position and planned of each robot, among others.
+// Returns the value of the key "robots" of describe(): an array with the name, title, position and other data of each
+// robot, and whether it is the planned one.
 nlohmann::json describeRobots(const RobotCellSnapshot& cell);
 
 }  // namespace handwheel

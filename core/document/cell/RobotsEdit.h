@@ -9,15 +9,16 @@
 
 namespace handwheel {
 
-// Edit that replaces the robots of a cell and everything that depends on them. These are joint values, plans, and the
-// bodies that they carry.
+// An edit that replaces the robots of a cell and everything that depends on them. This covers the joint values, the
+// plans, and the bodies that the robots carry.
 class RobotsEdit : public Edit {
  public:
-  // bodies: the bodies that change, too. moved: the number of the robot, if moving it is the only change.
+  // bodies: the bodies that change together with the robots. moved: the number of the robot, if moving it is the only
+  // change.
   RobotsEdit(RobotCellSnapshot other, std::vector<BodyEdit::Change> bodies, std::optional<std::size_t> moved);
 
   void exchange(Document& document) override;
-  bool absorb(const Edit& later) override;  // Only an edit that moves the same robot
+  bool absorb(const Edit& later) override;  // absorbs only an edit that moves the same robot
   std::size_t bytes() const override;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// Limit on the number of triangles and points of a robot. A short description can use a large mesh a thousand times.
+// Limit on the number of triangles and points of a robot. A short description may use a large mesh a thousand times.
 class SurfaceBudget {
  public:
   explicit SurfaceBudget(const RobotModel& robot) : m_placements(robot.shapes.size()) {
@@ -20,8 +20,8 @@ class SurfaceBudget {
     }
   }
 
-  // Reserves the surface of a shape for all of its placements. Returns false, and reserves nothing, if that exceeds the
-  // limit.
+  // Reserves the surface of a shape for all of its placements. Returns false, and reserves nothing, if the surface
+  // would exceed the limit.
   bool take(std::size_t shape, const TriangleSoup& surface) {
     const std::size_t wanted = m_placements[shape] * std::max(surface.triangles.size(), surface.points.size());
     if (wanted > kMost - m_taken) return false;

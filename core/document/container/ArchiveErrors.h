@@ -4,11 +4,11 @@
 
 #include "base/Error.h"
 
-// The codes of errors of ZIP archives.
+// The error codes of ZIP archives.
 namespace handwheel::ArchiveError {
 
 extern const ErrorDescription Malformed;     // {library's reason} not a ZIP archive, or one that cannot be read at all
-extern const ErrorDescription EntryMissing;  // {name} an entry that the archive should hold
+extern const ErrorDescription EntryMissing;  // {name} an entry that the archive should contain
 extern const ErrorDescription EntryDamaged;  // {name} an entry that cannot be unpacked, or differs from its checksum
 
 }  // namespace handwheel::ArchiveError

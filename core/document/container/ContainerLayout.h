@@ -11,11 +11,11 @@
 // Constants and functions for both writing and reading containers; docs/format.md describes the format.
 namespace handwheel::layout {
 
-// Name of the manifest. It is the first entry of the archive, so that a truncated file still has it, and is repeated at
-// the end.
+// Names of the manifest and of its copy. The manifest is the first entry of the archive, so that a truncated file still
+// contains it; the copy is the last entry.
 inline const std::string kManifest = "manifest.json";
 inline const std::string kManifestCopy = "manifest.copy.json";
-// Largest manifest, bytes; a parsed manifest takes up to about thirty times as much memory.
+// Limit of the size of a manifest, bytes. A parsed manifest takes up to about thirty times this amount of memory.
 inline constexpr std::size_t kLargestManifest = 16 << 20;
 inline constexpr UnpackLimits kLimits{.largest = kLargestContainer, .allowance = std::uint64_t{1} << 30};
 
@@ -23,11 +23,11 @@ inline bool isManifestName(std::string_view name) {
   return name == kManifest || name == kManifestCopy;
 }
 
-// Returns true if a name is valid for a blob. Printable ASCII, relative, with slashes, no part empty, "." or "..": so
-// unpacking the archive writes only below the target folder, on any system.
+// Returns true if a name is valid for a blob. Valid names are relative, in printable ASCII, with slashes, and no part
+// is empty, "." or "..". Unpacking the archive therefore writes only below the target folder, on any system.
 bool isBlobName(std::string_view name);
 
-// Returns the CRC-32 (as in ZIP) of bytes, as eight hexadecimal digits.
+// Returns the CRC-32 of bytes (the one of ZIP) as eight hexadecimal digits.
 std::string checksumText(std::string_view bytes);
 
 // Creates the error FileTooLarge.
@@ -35,7 +35,7 @@ inline Error tooLarge(const char* what, std::uint64_t count, std::uint64_t limit
   return {ErrorCode::FileTooLarge, {what, std::to_string(count), std::to_string(limit)}, {}, {}};
 }
 
-// Runs work and converts running out of memory to an OutOfMemory error.
+// Runs work and returns its result, or the error OutOfMemory if the work runs out of memory.
 template <class Work>
 auto catchOutOfMemory(const Work& work) -> decltype(work()) {
   try {

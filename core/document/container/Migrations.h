@@ -11,14 +11,13 @@ namespace handwheel {
 
 struct Container;
 
-// Converts a container from one version of the format to the next. Errors: ElementMalformed.
+// A function that converts a container from one version of the format to the next. Errors: ElementMalformed.
 using Migration = std::function<Status(Container&)>;
 
-// Returns the migrations of this program. Number i converts version i + 1 to i + 2; there are kContainerVersion - 1 of
-// them.
+// Returns the kContainerVersion - 1 migrations of this program. Element i converts version i + 1 to version i + 2.
 std::span<const Migration> migrations();
 
-// Converts a container from `version` to the last version of the chain. That is one more than the chain's length.
+// Converts a container from `version` to the last version of the chain, which is one more than the length of the chain.
 Status migrate(Container& container, std::uint64_t version, std::span<const Migration> chain);
 
 }  // namespace handwheel

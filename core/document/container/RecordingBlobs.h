@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// Storage of recordings in a container. Their metadata is in the manifest's object "recordings", by key, and their
-// ticks are in the blobs "recordings/KEY/0000", …, each a recording of its own (haptics/RecordingBytes.h): a damaged
-// byte loses at most one blob.
+// Storage of recordings in a container. Their metadata is in the manifest's object "recordings", by key. Their ticks
+// are in the blobs "recordings/KEY/0000", …. Each blob is a recording of its own (haptics/recording/RecordingBytes.h),
+// so a damaged byte destroys at most one blob.
 inline constexpr const char* kRecordingFolder = "recordings/";
 
 // Writes the metadata of recordings to the manifest.
@@ -19,8 +19,8 @@ void listRecordings(const std::vector<StoredRecording>& recordings, nlohmann::js
 // Writes the ticks of recordings to blobs.
 void writeRecordings(const std::vector<StoredRecording>& recordings, Container& container);
 
-// Reads the recordings of a container. Accepts any input, and returns everything that can be recovered. For each with
-// missing ticks, damage gets their number: DataTruncated.
+// Reads the recordings of a container. Accepts any input, and returns everything that can be recovered. For each
+// recording with missing ticks, a DataTruncated error with their number is added to `damage`.
 std::vector<StoredRecording> readRecordings(const Container& container, std::vector<Error>& damage);
 
 }  // namespace handwheel

@@ -8,15 +8,15 @@
 
 namespace handwheel {
 
-// Limits on the unpacked size of an archive. A ZIP of a few kilobytes can announce, and deliver, gigabytes.
+// Limits on the unpacked size of an archive. An archive of a few kilobytes can announce and contain gigabytes.
 struct UnpackLimits {
   std::uint64_t largest = 0;    // bytes of all entries together, for any archive
-  std::uint64_t allowance = 0;  // bytes that even the smallest archive may unpack to,
-  std::uint64_t ratio = 100;    // plus this many per byte of the archive
+  std::uint64_t allowance = 0;  // bytes that even the smallest archive may unpack to
+  std::uint64_t ratio = 100;    // further bytes that may be unpacked per byte of the archive
   std::size_t entries = 100'000;
 
   std::uint64_t budget(std::uint64_t archiveBytes) const {
-    // No overflow: an archive in memory is smaller than 2^57 bytes.
+    // This cannot overflow, because an archive in memory is smaller than 2^57 bytes.
     return std::min(largest, allowance + ratio * archiveBytes);
   }
 };

@@ -13,32 +13,34 @@
 
 namespace handwheel {
 
-// Reads an untrusted ZIP archive from memory. If its directory is lost or wrong, entries are found by their local
-// headers. The bytes must outlive it; one thread at a time. May throw bad_alloc.
+// A reader of an untrusted ZIP archive in memory. If the archive's directory is lost or wrong, entries are found by
+// their local headers. The bytes must outlive the reader. It must not be used on two threads at the same time. Its
+// functions may throw std::bad_alloc.
 class ZipReader {
  public:
-  // progress: for cancelling only.
+  // Opens an archive. progress: used for cancelling only.
   ZipReader(std::string_view archive, const UnpackLimits& limits, Progress progress = {});
   ~ZipReader();
 
-  // Returns the names of the entries, from the directory or else from the headers; each once, in their order. They are
-  // not validated.
+  // Returns the names of the entries, from the directory or else from the local headers. Each name is listed once, in
+  // the order of the archive. The names are not validated.
   const std::vector<std::string>& names() const;
 
-  // Returns the size of the entry as declared in the directory or its header, correct or not; 0 if it does not exist.
+  // Returns the unpacked size of an entry as the directory or its header declares it, which may be wrong; 0 if the
+  // entry does not exist.
   std::uint64_t announcedSize(const std::string& name) const;
 
-  // Returns the entry, whole and with the right checksum. Errors: EntryMissing {name}, EntryDamaged {name},
-  // FileTooLarge {"bytes", "", limit}, Cancelled.
+  // Returns the bytes of an entry, complete and with the right checksum. Errors: EntryMissing {name}, EntryDamaged
+  // {name}, FileTooLarge {"bytes", "", limit}, Cancelled.
   Result<std::string> read(const std::string& name);
-  // Returns the part of a damaged entry that can be unpacked, from its beginning; possibly empty.
+  // Returns the first part of a damaged entry, as far as it can be unpacked; it may be empty.
   std::string readDamaged(const std::string& name);
 
-  // Returns the reason why the directory cannot be used; empty if it can.
+  // Returns the reason why the directory cannot be used; empty if it can be used.
   const std::string& directoryProblem() const;
-  // Returns names that the directory lists more than once; the first is read.
+  // Returns the names that the directory lists more than once. The first entry of a name is the one that is read.
   const std::vector<std::string>& duplicates() const;
-  // Returns true if an entry was read that the directory does not lead to.
+  // Returns true if an entry was read that is not in the directory.
   bool hasSalvaged() const;
 
  private:

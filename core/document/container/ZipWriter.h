@@ -20,8 +20,8 @@ struct ZipEntry {
   std::string_view bytes;
 };
 
-// Creates a ZIP archive with these entries in this order. Equal input gives equal bytes: no clock, no time zone. Works
-// in memory only. Errors: Cancelled, OutOfMemory, LibraryFailed.
+// Creates a ZIP archive in memory with these entries in this order. Equal input gives equal bytes, because no time is
+// stored. Errors: Cancelled, OutOfMemory, LibraryFailed.
 Result<std::string> writeZip(std::span<const ZipEntry> entries, Compression compression, Progress progress = {});
 
 }  // namespace handwheel

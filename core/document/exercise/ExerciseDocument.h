@@ -20,12 +20,14 @@ class ExerciseDocument : public Document {
   SnapshotPointer snapshot() const override { return m_exercise; }
   // Returns the properties of exerciseProperties(), then those of every document.
   std::vector<Property> properties() const override;
-  // Errors: Fixed for a student's copy.
+  // Returns an edit that changes a property. Errors: Fixed for a student's copy, and the errors of
+  // withExerciseProperty().
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
   // Replaces the value of the document, as one undo step.
   void change(const QString& text, ExerciseSnapshot exercise);
-  // Does the same as the begin or end of a gesture: the next change of the same `part` is merged into this undo step.
+  // Replaces the value of the document as a phase of a gesture. Changes of the same `part` in a gesture are merged into
+  // one undo step.
   void change(const QString& text, ExerciseSnapshot exercise, std::string part, DragPhase gesture);
 
  private:
@@ -34,11 +36,11 @@ class ExerciseDocument : public Document {
   std::shared_ptr<const ExerciseSnapshot> m_exercise;
 };
 
-// An edit that replaces the value of an exercise. Versions share task, solution and work.
+// An edit that replaces the value of an exercise. Versions of the document share the task, the solution and the work.
 class ExerciseEdit : public Edit {
  public:
-  // property: the property that the edit changes. Edits of one property within a gesture are merged. Empty: never
-  // merged.
+  // property: the property that the edit changes. Edits of the same property within a gesture are merged. If `property`
+  // is empty, the edit is never merged.
   explicit ExerciseEdit(ExerciseSnapshot exercise, std::string property = {});
 
   void exchange(Document& document) override;

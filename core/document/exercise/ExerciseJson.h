@@ -9,13 +9,13 @@
 
 namespace handwheel {
 
-// Exercises and attempts as JSON, as in containers and descriptions; docs/format.md lists the keys.
+// Convert exercises and attempts to JSON for containers and descriptions. docs/format.md lists the keys.
 nlohmann::json toJson(const Exercise& exercise);
 nlohmann::json toJson(const Attempt& attempt);
 
-// Reads untrusted JSON. Invalid values are left out and added to the damage; the result passes checkExercise(). A
-// criterion with a nominal size and a tolerance class but without limits gets those of ISO 286, and one with a
-// roughness grade those of ISO 1302.
+// Read exercises and attempts from untrusted JSON. Invalid values are left out and added to the damage; an exercise
+// passes checkExercise(). A criterion with a nominal size and a tolerance class but without limits gets those of ISO
+// 286, and one with a roughness grade those of ISO 1302.
 Exercise exerciseFrom(const nlohmann::json& json, std::vector<Error>& damage);
 Attempt attemptFrom(const nlohmann::json& json, std::vector<Error>& damage);
 

@@ -10,7 +10,7 @@ namespace handwheel {
 // Document kind of exercises, students' copies of them and submissions.
 class ExerciseKind : public DocumentKind {
  public:
-  // subjects: the subjects that exercises can have, at least one; the first is that of new exercises.
+  // subjects: the subjects that exercises can have, at least one. New exercises have the first subject.
   explicit ExerciseKind(std::vector<std::unique_ptr<ExerciseSubject>> subjects);
 
   std::span<const std::unique_ptr<ExerciseSubject>> subjects() const { return m_subjects; }
@@ -25,7 +25,8 @@ class ExerciseKind : public DocumentKind {
   Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                Progress progress) const override;
   void save(const Snapshot& content, Container& container) const override;
-  // Errors besides those of damage: SubjectUnknown {subject}.
+  // Loads an exercise. Problems with its content are added to the damage. Errors: SubjectUnknown {subject},
+  // ElementMalformed, and the errors of loading the solution and the work.
   Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                Progress progress) const override;
   SnapshotPointer blank() const override { return blankOf(*m_subjects.front()); }
@@ -36,12 +37,12 @@ class ExerciseKind : public DocumentKind {
   // Returns the display of the work or, if there is none, of the target.
   DisplayModel display(const Snapshot& content) const override;
 
-  // Makes an exercise from a description: the JSON of the document, with the model solution in the subject's own
-  // description. A description that is "for_students" gives a copy for them. Errors: SubjectUnknown, ElementMalformed,
-  // Cancelled, and any damage.
+  // Makes an exercise from a description. A description is the JSON of the document with a model solution that
+  // ExerciseSubject::makeWork() reads. A description that is "for_students" gives a student's copy. Errors:
+  // SubjectUnknown, ElementMalformed, Cancelled. Any damage is an error as well.
   Result<SnapshotPointer> fromDescription(const nlohmann::json& description, Progress progress) const;
-  // Returns such a description, without solution, attempt and work. A description without a key gets the same key each
-  // time it is read.
+  // Returns the description of an exercise, without solution, attempt and work. If the description that is read has no
+  // key, the exercise gets a key that is the same whenever this description is read.
   static nlohmann::json description(const ExerciseSnapshot& exercise);
 
  private:
@@ -50,7 +51,7 @@ class ExerciseKind : public DocumentKind {
   std::vector<std::unique_ptr<ExerciseSubject>> m_subjects;
 };
 
-// Returns a new key for an exercise: a UUID.
+// Returns a new key for an exercise, which is a UUID.
 std::string newExerciseKey();
 
 }  // namespace handwheel

@@ -7,11 +7,12 @@
 
 namespace handwheel {
 
-// Prefixes of the property ids of a criterion and of a step.
+// Return the prefixes of the property ids of a criterion and of a step.
 std::string criterionPrefix(const MarkingCriterion& criterion);  // "criterion.d1."
 std::string stepPrefix(std::size_t step);                        // "step.1."
 
-// Returns all properties of an exercise: texts and time, what the subject prepares, then each criterion and each step.
+// Returns all properties of an exercise: the texts and the time, the properties of the task, and those of each
+// criterion and each step.
 std::vector<Property> exerciseProperties(const ExerciseSnapshot& exercise);
 
 // Returns the exercise with another value of a property. Errors: ReferenceMissing {property}, ElementMalformed,

@@ -13,16 +13,17 @@ namespace handwheel {
 
 // A type of figure that can be measured on a student's work.
 struct MeasurementType {
-  std::string id;                           // "diameter"; in files
-  std::string label;                        // English, context "Figure": "Diameter"
-  std::string unit;                         // "mm"; empty for a count
-  std::vector<std::string> arguments = {};  // lengths; English, context "Property": "From Z"
+  std::string id;                           // id in files: "diameter"
+  std::string label;                        // English text, translated in the context "Figure": "Diameter"
+  std::string unit;                         // unit: "mm"; empty: a count
+  std::vector<std::string> arguments = {};  // English names of lengths, context "Property": "From Z"
 };
 
-// Returns the figures of every exercise, whatever the work is: time and hints.
+// Returns the types of the figures that every exercise can mark, which are time and hints.
 std::span<const MeasurementType> commonMeasurements();
 
-// Base class of the data of an exercise: stock, machine, target. Immutable; each kind of work derives its own.
+// Base class of the data of an exercise: stock, machine, target. Objects are immutable. Each kind of work derives its
+// own class.
 class ExerciseTask {
  public:
   virtual ~ExerciseTask() = default;
@@ -32,17 +33,17 @@ using TaskPointer = std::shared_ptr<const ExerciseTask>;
 // A curve of a report on how the work was done.
 struct ReportCurve {
   struct Series {
-    std::string name;  // English, context "Figure"
+    std::string name;  // English text, translated in the context "Figure"
     std::vector<std::pair<double, double>> points;
   };
-  std::string title;               // English, context "Figure"
+  std::string title;               // English text, translated in the context "Figure"
   std::string x, xUnit, y, yUnit;  // labels and units of the axes
   std::vector<Series> series;
 };
 
 // A notable event during the work, for example a collision.
 struct ReportEvent {
-  std::optional<double> seconds;  // none: before the recorded work
+  std::optional<double> seconds;  // none: the event was before the recorded work
   ExerciseText text;
 };
 
@@ -54,7 +55,7 @@ struct ReportPicture {
 
 // A figure that is reported even if it is not marked.
 struct ReportMeasurement {
-  std::string figure;  // id of its type: "force"
+  std::string figure;  // id of the figure: "force"
   double value = 0.0;
 };
 
@@ -62,7 +63,7 @@ struct ReportMeasurement {
 struct RecordedPiece {
   std::uint64_t fingerprint = 0;  // hash of the movement and its times (base/Fingerprint.h)
   double seconds = 0.0;
-  bool isByHand = true;  // false: by a program, which makes the same pieces for everybody
+  bool isByHand = true;  // false: made by a program, which makes the same pieces for everyone
 };
 
 // The part of a report that shows a student's work besides the marks.
@@ -75,14 +76,14 @@ struct ReportDetails {
   double seconds = 0.0;               // duration of the work
 };
 
-// Base class of exercise subjects: a subject prepares and measures one kind of work. Turning and drilling are two;
-// assembly would be another. No state; any thread.
+// Base class of exercise subjects. A subject prepares and measures one kind of work, such as turning or drilling. It
+// has no state and may be used on any thread.
 class ExerciseSubject {
  public:
   virtual ~ExerciseSubject() = default;
 
-  virtual std::string id() const = 0;            // in files: "turning"
-  virtual std::string title() const = 0;         // English, context "Figure": "Turning"
+  virtual std::string id() const = 0;            // id in files: "turning"
+  virtual std::string title() const = 0;         // English text, translated in the context "Figure": "Turning"
   virtual const DocumentKind& kind() const = 0;  // the kind of the documents that students work in
   virtual std::vector<MeasurementType> figures() const = 0;
 
@@ -90,8 +91,8 @@ class ExerciseSubject {
   // wrong}: the tolerance is not known for this figure and nominal value.
   virtual Status applyTolerance(MarkingCriterion& criterion) const = 0;
 
-  // Returns Z of the zero of the drawing and of programs, mm, if positions count from another zero. None: there is no
-  // drawing.
+  // Returns the Z coordinate (mm) of the zero of drawings and programs, in the coordinates of measured positions.
+  // Returns nothing if there is no such zero.
   virtual std::optional<double> drawingZero(const ExerciseTask& task) const {
     (void)task;
     return std::nullopt;
@@ -104,46 +105,51 @@ class ExerciseSubject {
     return 0.0;
   }
 
-  // Returns the sizes of the target as criteria, so that teachers need not enter each. Their ids are empty.
+  // Returns the sizes of the target as criteria, so that teachers need not enter each size. The ids of the criteria are
+  // empty.
   virtual std::vector<MarkingCriterion> targetSizes(const ExerciseTask& task) const {
     (void)task;
     return {};
   }
 
-  // Returns the usual upper limit of a figure, for criteria without one; none: the figure has no usual limit.
+  // Returns the usual upper limit of a figure, for criteria without a limit. Returns nothing if the figure has no usual
+  // limit.
   virtual std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const = 0;
 
-  // Returns the reason why a criterion can never be measured at its arguments, whatever the work is: English, context
-  // "Property". Empty: it probably can.
+  // Returns the reason why a criterion can never be measured at its arguments, as an English text that is translated in
+  // the context "Property". The text is empty if the criterion can probably be measured.
   virtual std::string positionProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const = 0;
 
   virtual TaskPointer blankTask() const = 0;
   virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;
-  // Accepts any JSON; invalid values are added to the damage and replaced by those of the blank task.
+  // Reads a task from any JSON. Invalid values are added to the damage and replaced by those of the blank task.
   virtual TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const = 0;
-  // Returns the keys of a task that fromJson() does not know: an object, empty if there are none.
+  // Returns the keys of a task that fromJson() does not know, as a JSON object. The object is empty if there are no
+  // such keys.
   virtual nlohmann::json unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const = 0;
-  // Returns the properties of a task that teachers change. Errors of a change: as Document::propertyEdit().
+  // Returns the properties of a task that teachers change. withProperty() returns the same errors as
+  // Document::propertyEdit().
   virtual std::vector<Property> properties(const ExerciseTask& task) const = 0;
   virtual Result<TaskPointer> withProperty(const ExerciseTask& task, const std::string& id,
                                            const PropertyValue& value) const = 0;
 
-  // Returns lines for the student about stock, machine and tools, in the context "Note".
+  // Returns lines for the student about stock, machine and tools. The lines are translated in the context "Note".
   virtual std::vector<ExerciseText> conditions(const ExerciseTask& task) const = 0;
   // Returns the document that a student begins with.
   virtual SnapshotPointer start(const ExerciseTask& task) const = 0;
-  // Returns true if the work turns about z in a lathe, which sets the view.
+  // Returns true if the work turns about z in a lathe, which determines the view.
   virtual bool isTurned() const { return false; }
   // Returns true if start() takes longer than a person waits for a click.
   virtual bool startsSlowly() const { return false; }
-  // Checks that a document can be work on this task: the stock is the same. Error: ExerciseError::OtherWork {reason}.
+  // Checks that a document can be work on a task, which requires the same stock. Error: ExerciseError::OtherWork
+  // {reason}.
   virtual Status checkWork(const ExerciseTask& task, const Snapshot& work) const = 0;
   // Returns how the work was made.
   virtual WorkOrigin originOf(const Snapshot& work) const {
     (void)work;
     return WorkOrigin::Unknown;
   }
-  // Returns the number of tries that the work took; none: they are not counted.
+  // Returns the number of tries that the work took. Returns nothing if tries are not counted.
   virtual std::optional<std::size_t> triesOf(const Snapshot& work) const {
     (void)work;
     return std::nullopt;
@@ -156,24 +162,26 @@ class ExerciseSubject {
   // Makes work from a description in JSON, for model solutions. Errors: ElementMalformed, Cancelled.
   virtual Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                            Progress progress) const = 0;
-  // Returns the description from which makeWork() makes this work; null: it cannot be described, for example work by
-  // hand.
+  // Returns the description from which makeWork() makes this work. Returns null if the work cannot be described, for
+  // example work by hand.
   virtual nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const = 0;
   // Returns a task whose target is the shape of this work, for teachers who turn the model solution first. Errors:
   // ExerciseError::NothingTurned, ElementMalformed.
   virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
-  // Returns warnings if the target does not fit into the stock, for a dialog that changes either; empty: it fits.
+  // Returns warnings if the target does not fit into the stock, for a dialog that changes one of them. The result is
+  // empty if the target fits.
   virtual std::vector<Note> fitNotes(const ExerciseTask& task) const {
     (void)task;
     return {};
   }
-  // Returns a sentence that tells which end of the target is the free one of the stock; none: it has no ends, or there
-  // is no target.
+  // Returns a sentence that tells which end of the target is at the free end of the stock. Returns nothing if the
+  // target has no ends or if there is no target.
   virtual std::optional<Note> endsNote(const ExerciseTask& task) const {
     (void)task;
     return std::nullopt;
   }
-  // Returns a picture of the target in the stock; null: there is no target, or drawing would take long.
+  // Returns a picture of the target in the stock. The picture is null if there is no target or if drawing would take
+  // long.
   virtual QImage targetPicture(const ExerciseTask& task) const {
     (void)task;
     return {};
@@ -186,24 +194,25 @@ class ExerciseSubject {
   struct ImportedTask {
     TaskPointer task;
     std::vector<Note> notes;  // remarks on the file for the teacher
-    // group of the properties that position the target in the stock, to be confirmed; empty: none
+    // group of the properties for the position of the target in the stock, which the user confirms; empty: none
     std::string positionGroup = {};
-    std::optional<Note> lies = {};  // the same as a sentence, valid until one of them is changed
+    std::optional<Note> lies = {};  // sentence on the position of the target, valid until the position is changed
   };
-  // Returns a task whose target is read from a file: a drawing, a solid, a mesh or a document of our own. Blocks.
-  // Errors: those of the readers, FormatUnknown, ValueOutOfRange; the subject is the path. facing: allowance at the
-  // free end of the stock for facing, mm; none: the usual one.
+  // Returns a task whose target is read from a file: a drawing, a solid, a mesh or a Handwheel document. Blocks the
+  // calling thread. Errors: the errors of the readers, FormatUnknown, ValueOutOfRange; the subject of an error is the
+  // path. facing: the allowance for facing at the free end of the stock, mm; none: the usual allowance.
   virtual Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
                                                   std::optional<double> facing, Progress progress) const = 0;
-  // Returns a task whose target has round sizes, as on a drawing. step: mm; hollow corners of up to largestFillet (mm)
-  // become sharp. Errors: ExerciseError::WithoutTarget, those of the target in such a step.
   struct RoundedTask {
     TaskPointer task;
     double largestChange = 0.0;  // mm, largest distance by which a surface of the target moved
   };
+  // Returns a task whose target has round sizes, as on a drawing. step: the step of the sizes, mm. Hollow corners with
+  // fillets of up to largestFillet (mm) become sharp. Errors: ExerciseError::WithoutTarget, and the errors of rounding
+  // the target with this step.
   virtual Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const = 0;
 
-  // Measures the figures of all criteria but the common ones. Deterministic.
+  // Measures the figures of all criteria except the common figures. The result is deterministic.
   virtual std::vector<Measurement> measure(const Exercise& exercise, const ExerciseTask& task, const Snapshot& work,
                                            Progress progress) const = 0;
   virtual ReportDetails details(const ExerciseTask& task, const Snapshot& work, Progress progress) const = 0;
@@ -213,7 +222,7 @@ class ExerciseSubject {
   // Returns the file formats for drawings of the target.
   virtual std::vector<FileFormat> drawingFormats() const = 0;
   // Writes a drawing of the target with the tolerances that students see. The extension of the path must be one of
-  // drawingFormats(). Errors: ExerciseError::WithoutTarget, those of the files.
+  // drawingFormats(). Errors: ExerciseError::WithoutTarget, and the errors of writing the file.
   virtual Result<WrittenFile> exportDrawing(const Exercise& exercise, const ExerciseTask& task,
                                             const std::filesystem::path& path, Progress progress) const = 0;
 };

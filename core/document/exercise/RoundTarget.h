@@ -11,7 +11,7 @@ namespace handwheel {
 // the step, and "sharp-corners", the largest fillet that becomes a sharp corner.
 const Operation& roundTargetOperation();
 
-// Calls ExerciseSubject::withRoundedTarget() with these values.
+// Calls ExerciseSubject::withRoundedTarget() with the values of that operation.
 Result<ExerciseSubject::RoundedTask> withRoundedTarget(const ExerciseSubject& subject, const ExerciseTask& task,
                                                        const OperationValues& values);
 

@@ -12,8 +12,8 @@ namespace handwheel {
 // of criteria.
 std::span<const char* const> shippedExerciseTexts();
 
-// Returns the exercise for display: texts of a built-in exercise that nobody changed are translated, all others are
-// left as they are.
+// Returns the exercise for display: unchanged texts of a built-in exercise are translated, and all other texts are left
+// as they are.
 Exercise inLanguage(const ExerciseSnapshot& exercise);
 
 }  // namespace handwheel

@@ -7,26 +7,28 @@
 
 namespace handwheel {
 
-// Returns the copy of an exercise to store in a document of work. It is always a student's copy, so that nobody finds
-// the answers there. begunFrom: id of the document that it was begun from; empty: unknown.
+// Returns the copy of an exercise to store in a document of work. It is always a student's copy, so the document of the
+// work contains no answers. begunFrom: the id of the document from which the work was begun; empty: unknown.
 AssignedExercise assignmentOf(const ExerciseSnapshot& exercise, const Attempt& attempt,
                               const std::string& begunFrom = {});
 
-// Returns the same exercise with another attempt. Unknown keys of the file are kept.
+// Returns an assigned exercise with another attempt. Unknown keys of the file are kept.
 AssignedExercise withAttempt(const AssignedExercise& assigned, const Attempt& attempt);
 
 // Returns the exercise that a document is work on, with the attempt and without the work. Accepts any input. Errors:
-// those of ExerciseKind::fromDescription().
+// the errors of ExerciseKind::fromDescription().
 Result<std::shared_ptr<const ExerciseSnapshot>> exerciseOf(const ExerciseKind& kind, const AssignedExercise& assigned);
 
-// Does the same for an exercise in memory whose assignmentOf() this is: only the attempt is read.
+// Returns the student's copy of an exercise in memory with the attempt in `assigned`, which must be an assignmentOf()
+// this exercise. Only the attempt is read.
 std::shared_ptr<const ExerciseSnapshot> begunCopy(const ExerciseSnapshot& exercise, const AssignedExercise& assigned);
 
-// Returns true if both are work on the same exercise, as a student sees it.
+// Returns true if two assigned exercises are the same as a student sees them.
 bool isSameExercise(const AssignedExercise& one, const AssignedExercise& other);
 
-// Returns true if the work may have been begun from the document with this file. Work without an id of its document
-// matches any, and a description has another id each time it is read.
+// Returns true if the work may have been begun from the document with this file. Work that does not name the id of its
+// document matches any document. Any work matches a document that was opened from a description, because its id is new
+// each time it is opened.
 bool isBegunFrom(const AssignedExercise& work, const DocumentFile& exercise);
 
 }  // namespace handwheel

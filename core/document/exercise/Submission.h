@@ -7,12 +7,12 @@
 
 namespace handwheel {
 
-// Returns a student's exercise with the work, to be handed in as a file. It has no answers, whatever it was made from.
-// Errors: OtherWork {reason}.
+// Returns a student's exercise with the work, to be handed in as a file. The result has no answers even if `exercise`
+// has them. Errors: OtherWork {reason}.
 Result<ExerciseSnapshot> handedIn(ExerciseSnapshot exercise, SnapshotPointer work, Attempt attempt);
 
-// Marks a submission by the teacher's exercise. file: its name, for the row. Errors: WithoutScheme, NotHandedIn,
-// OtherExercise {title}, OtherWork, Cancelled.
+// Marks a submission by the teacher's exercise. file: the name of the submission's file, for the row. Errors:
+// WithoutScheme, NotHandedIn, OtherExercise {title}, OtherWork, Cancelled.
 Result<SubmissionRow> markSubmission(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission,
                                      std::string file, Progress progress = {});
 

@@ -13,49 +13,53 @@
 
 namespace handwheel {
 
-// Builds a mesh from the points and polygons that a file reader delivers. It triangulates polygons, checks indices and
-// unreadable points, keeps the list of damage, and decides when to stop. Every function that returns bool returns false
-// if reading must end, either because it was cancelled or because damage was found and the file is not to be opened in
-// part. finish() returns the reason.
+// The assembly of a mesh from the points and polygons that a file reader delivers. It triangulates polygons, checks
+// indices and unreadable points, and keeps the list of damage. Every function that returns bool returns false if
+// reading must end, either because it was cancelled or because damage was found and partial reading was not requested.
+// finish() then returns the reason.
 class MeshAssembly {
  public:
-  // firstIndex: the file's index of the first vertex; for messages only.
+  // Prepares an empty mesh. bytes: the size of the file, for progress. firstIndex: the file's index of the first
+  // vertex; for messages only.
   MeshAssembly(const ReadOptions& options, Progress progress, std::uint64_t bytes, int firstIndex = 0);
 
   MeshAssembly(const MeshAssembly&) = delete;
   MeshAssembly& operator=(const MeshAssembly&) = delete;
 
-  // Sets the number of bytes, if it is known only later.
+  // Sets the size of the file, for progress, if it becomes known only later.
   void expect(std::uint64_t bytes) { m_bytes = bytes; }
 
   TriangleSoup& soup() { return m_file.soup; }
   std::size_t pointCount() const { return m_file.soup.points.size(); }
 
-  // Must be called often with the position reached: reports progress and checks for cancellation at intervals.
+  // Reports progress and checks for cancellation at intervals. Must be called often, with the position reached.
   bool advance(std::uint64_t byte) { return byte < m_nextLook || look(byte); }
 
-  // Must be called in loops that do not advance: checks for cancellation at intervals.
+  // Checks for cancellation at intervals. Must be called in loops that do not call advance().
   bool step() { return ++m_steps % kIterationsPerPoll != 0 || !cancelled(); }
 
-  // Reports damage that loses something. Returns true if it was listed, and reading continues without that part.
+  // Records damage that loses part of the file. Returns true if reading continues without the damaged part.
   bool tolerate(Error error);
-  // Reports damage that loses nothing. Listed in either mode.
+  // Records damage that loses no part of the file. It is listed even if partial reading was not requested.
   void mend(Error error);
-  // Reports data after everything that was declared; `end` is the end of the declared data.
+  // Records data after the end of the declared data. end: the end of the declared data. position: the position of the
+  // data after it.
   void noteExcess(std::uint64_t end, InputPosition position);
-  // Reports that the file cannot be opened, not even in part.
+  // Records an error because of which the file cannot be opened, not even in part.
   bool fail(Error error);
-  // Records a lost attribute. name: its name in the file; used for attributes without a name of ours.
+  // Records a lost attribute. name: the name in the file, for LostAttribute::Other.
   void lose(LostAttribute attribute, std::string_view name = {});
 
-  // Adds a vertex that cannot be used. It keeps its index, so that later ones keep theirs; faces that use it are
-  // dropped.
+  // Adds a vertex, or a vertex that cannot be read. An unreadable vertex also gets an index, so that later vertices
+  // keep theirs; faces that use it are dropped.
   bool addPoint(const Vec3& point);
   bool addUnreadablePoint(Error why);
-  // Declares all points as added. From now on an index without a vertex is an error; before, the vertex may still come.
+  // Declares that all points were added. An index without a vertex is an error from now on; before this call the vertex
+  // may still be added later.
   void allPointsAdded() { m_allPointsAdded = true; }
 
-  // Adds a polygon. Corners count from 0; negative ones are out of range. position: for errors.
+  // Adds a polygon. corners: indices from 0; negative indices are out of range. position: its position in the file, for
+  // errors.
   bool addPolygon(std::span<const std::int64_t> corners, InputPosition position);
 
   // Returns the mesh or the error. hasUnit: see MeshFile.

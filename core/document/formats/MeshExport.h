@@ -17,21 +17,21 @@ namespace handwheel {
 
 // Result of exporting a mesh.
 struct ExportReport {
-  // Vertices moved by the smallest representable amount because they would have welded with another one in the file.
+  // Vertices that were moved by one step of the number type, because they would have been welded with another vertex.
   std::vector<Vertex> parted;
   double roundingMove = 0.0;  // mm; the largest move of a vertex by rounding to the file's number type
   std::size_t bytes = 0;
-  // The file's triangles after welding equal positions, as another program will see them. Self-intersections are
-  // counted if a vertex was rounded.
+  // The report on the file's triangles after welding equal positions, as another program reads them. Self-intersections
+  // are counted.
   MeshReport inFile;
-  std::size_t roundingPairs = 0;       // pairs of triangles that intersect in the file only
-  std::size_t roundingDegenerate = 0;  // triangles that are degenerate in the file only
+  std::size_t roundingPairs = 0;       // number of pairs of triangles that intersect only after rounding
+  std::size_t roundingDegenerate = 0;  // number of triangles that are degenerate only after rounding
 
-  // Returns true if the file has the boundary of a solid, with none of its triangles lost to rounding.
+  // Returns true if the triangles in the file bound a solid and rounding made none of them degenerate.
   bool isSound() const { return inFile.isSound() && roundingDegenerate == 0; }
 };
 
-// Returns the messages about a file that was written.
+// Returns the messages for the user about a file that was written.
 std::vector<Note> notesOn(const ExportReport& report);
 
 // A mesh as the bytes of a file, with its report.
@@ -40,27 +40,27 @@ struct EncodedMesh {
   ExportReport report;
 };
 
-// Encodes a mesh in the format of a file name, and checks the result. The bytes have the live faces of the mesh; they
-// are read back, compared with it, welded and measured. Errors: those of exportMesh(), and OutOfMemory.
+// Encodes the live faces of a mesh in the format of a file name, and checks the result. The bytes are read back,
+// compared with the mesh, welded and measured. Errors: ExtensionUnknown, CheckFailed, OutOfMemory, Cancelled.
 Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
                                Progress progress = {});
 
-// Writes a mesh to a file: the whole file or nothing. Vertices that coincide only because of rounding to the file's
-// number type are separated if an edge would otherwise get more than two faces, or two in the same direction. Errors:
-// ExtensionUnknown, WriteFailed, CheckFailed, Cancelled.
+// Writes a mesh to a file. Writes the whole file or nothing. Vertices that coincide only because of rounding to the
+// file's number type are separated if an edge would otherwise get more than two faces, or two in the same direction.
+// Errors: the errors of encodeMesh(), WriteFailed.
 Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
                                 Progress progress = {});
 
-// Returns the formats that meshes are read from and written to.
+// Returns the file formats of meshes.
 std::vector<FileFormat> meshFileFormats();
 
 // Returns the format for the extension of a file name. Errors: ExtensionUnknown with all formats that a mesh can be
 // written in.
 Result<MeshFormat> formatForOutput(const std::filesystem::path& path);
 
-// Encodes triangles as the bytes of a file, and checks them. The reader must return exactly the coordinates of every
-// corner, rounded to the number type, so that the file welds as the rounded triangles do. Errors: CheckFailed,
-// OutOfMemory, Cancelled.
+// Encodes triangles as the bytes of a file, and checks the bytes by reading them. The check fails unless the reader
+// returns the exact coordinates of every corner, rounded to the number type. Errors: CheckFailed, OutOfMemory,
+// Cancelled.
 Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers,
                                   Progress progress = {});
 

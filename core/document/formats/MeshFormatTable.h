@@ -7,19 +7,21 @@
 
 namespace handwheel {
 
-// A mesh file format with everything that the program has for it. To add one, write its reader and add its row to the
-// table in MeshFormatTable.cpp: dialogs, help pages, errors and the command line follow.
+// A mesh file format with its reader and writer. To add a format, write its reader and add its row to the table in
+// MeshFormatTable.cpp. Dialogs, help pages, errors and the command line use this table.
 struct MeshFormatRow {
   std::string_view name;                  // "STL"
-  std::vector<std::string_view> endings;  // lower case with the dot: ".stl"; the first is that of new files
-  // True if bytes are surely of this format, independently of their meaning as text.
+  std::vector<std::string_view> endings;  // lower case with the dot: ".stl"; new files get the first
+  // Returns true if bytes are certainly of this format, whether they are text or not.
   bool (*isBinary)(std::string_view bytes) = nullptr;
-  bool (*isText)(std::string_view bytes) = nullptr;  // called after all isBinary, for text in single bytes
-  bool hasAnyBytes = false;  // a file with this extension may be binary without a mark of its format
+  // Returns true if bytes are text of this format. It is called after isBinary of all formats, and not for UTF-16 or
+  // UTF-32.
+  bool (*isText)(std::string_view bytes) = nullptr;
+  bool hasAnyBytes = false;  // a file with this extension may be binary without a signature of the format
   Result<MeshFile> (*read)(std::string_view bytes, const ReadOptions& options, Progress progress);
-  // Null: the format is only read.
+  // Function that encodes triangles; null: the format is only read.
   std::string (*write)(const TriangleSoup& soup, NumberType numbers, Progress progress) = nullptr;
-  std::optional<NumberType> numbers = {};  // type of its coordinates; none: either
+  std::optional<NumberType> numbers = {};  // number type of its coordinates; nothing: any
 };
 
 // The table of formats. A MeshFormat is the index of a row in it.
@@ -30,15 +32,16 @@ class MeshFormatTable {
   std::span<const MeshFormatRow> rows() const { return m_rows; }
   const MeshFormatRow& row(MeshFormat format) const { return m_rows.at(static_cast<std::size_t>(format)); }
 
-  // See the functions in MeshFormat.h and meshFileFormats().
+  // Implements formatForName(). read(), write() and fileFormats() implement readMesh(), writeMesh() and
+  // meshFileFormats().
   std::optional<MeshFormat> forName(std::string_view name) const;
   Result<MeshFile> read(std::string_view bytes, std::string_view nameHint, const ReadOptions& options,
                         Progress progress = {}) const;
   std::string write(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress = {}) const;
   std::vector<FileFormat> fileFormats() const;
 
-  // Returns the format of a file by its content, and by its name if that is ambiguous. Errors: FileEmpty, TextEncoding,
-  // FormatUnknown.
+  // Returns the format of a file according to its content, or to its name if the content is ambiguous. Errors:
+  // FileEmpty, TextEncoding, FormatUnknown.
   Result<MeshFormat> detect(std::string_view bytes, std::string_view name) const;
 
  private:

@@ -9,14 +9,15 @@
 
 namespace handwheel {
 
-// Encoders of triangles as the bytes of a file. Coordinates are rounded to the number type first; they must be finite
-// and within its range. Empty if cancelled. O(points + triangles).
+// Writers that encode a triangle soup as the bytes of a file. Coordinates are first rounded to the number type; they
+// must be finite and within its range. The result is empty if cancelled. O(points + triangles).
 
-// Encodes binary STL; normals are computed in double precision, zero for a triangle without area.
+// Returns the soup as binary STL. Normals are computed in double precision; that of a triangle without area is zero.
 std::string writeStl(const TriangleSoup& soup, Progress progress = {});
-// Encodes binary little-endian PLY.
+// Returns the soup as binary little-endian PLY.
 std::string writePly(const TriangleSoup& soup, NumberType numbers, Progress progress = {});
-// Encode OBJ and OFF as text. Independent of the locale, with the shortest digits that read back to the same double.
+// Return the soup as OBJ and OFF, which are text. Numbers do not depend on the locale, and have the fewest digits that
+// read back as the same double.
 std::string writeObj(const TriangleSoup& soup, NumberType numbers, Progress progress = {});
 std::string writeOff(const TriangleSoup& soup, NumberType numbers, Progress progress = {});
 

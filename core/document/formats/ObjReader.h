@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// Reads an OBJ file. Polygons are read; the content of all other statements is listed as lost. A face may use vertices
-// that come later.
+// Reads an OBJ file. Vertices and polygons are read; the content of all other statements is listed as lost. A face may
+// use vertices that follow later.
 Result<MeshFile> readObj(std::string_view bytes, const ReadOptions& options, Progress progress);
 
-// Returns true if the first statement is one that OBJ files begin with.
+// Returns true if bytes begin with a statement of OBJ files.
 bool looksLikeObj(std::string_view bytes);
 
 }  // namespace handwheel

@@ -11,9 +11,9 @@
 
 namespace handwheel {
 
-// Triangulates the polygons of a file by fans or ear clipping. Ear clipping is for polygons that are planar and not
-// strictly convex, for which a fan may have triangles outside the polygon or without area. Reuses its buffers for the
-// next polygon.
+// The triangulation of the polygons of a file by fans or ear clipping. Ear clipping is used for planar polygons that
+// are not strictly convex, because a fan of such a polygon may have triangles outside of it or without area. Buffers
+// are reused for the next polygon.
 class PolygonTriangulation {
  public:
   // Result of cut().
@@ -23,12 +23,13 @@ class PolygonTriangulation {
     Stopped,     // keepGoing returned false
   };
 
-  // keepGoing is called every few milliseconds of ear clipping.
+  // Prepares the triangulation of polygons. keepGoing: a function that is called every few milliseconds during ear
+  // clipping; if it returns false, cut() stops.
   explicit PolygonTriangulation(std::function<bool()> keepGoing) : m_keepGoing(std::move(keepGoing)) {}
 
-  // Appends corners.size() - 2 triangles that use the polygon's corners only, with its orientation. Precondition: at
-  // least three corners, each an index into points. O(corners); ear clipping is O(corners²), but all calls together
-  // make no more than 100 tests per corner and 150 million.
+  // Appends corners.size() - 2 triangles with the polygon's corners and orientation. There must be at least three
+  // corners, each an index into points. O(corners); ear clipping is O(corners²), but all calls together make at most
+  // 150 million tests plus 100 for each corner.
   Outcome cut(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners,
               std::vector<Triangle>& triangles);
 
@@ -45,7 +46,7 @@ class PolygonTriangulation {
 
   std::function<bool()> m_keepGoing;
   std::uint64_t m_allowedTests = 150'000'000;  // tests of a corner against an ear; about a second
-  std::uint64_t m_tests = 0;                   // made so far
+  std::uint64_t m_tests = 0;                   // number of tests so far
   std::uint64_t m_nextLook = 0;                // number of tests at which keepGoing is called next
   std::vector<Vec2> m_flat;                    // the corners in the polygon's plane, counter-clockwise
   std::vector<std::uint32_t> m_previous, m_next;

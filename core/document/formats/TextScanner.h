@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Splits a text in memory into words and lines. Lines end with LF, CR LF or CR and are counted from 1. A UTF-8 byte
-// order mark is skipped.
+// A scanner that splits a text in memory into words and lines. Lines end with LF, CR LF or CR and are counted from 1. A
+// UTF-8 byte order mark is skipped.
 class TextScanner {
  public:
   struct Syntax {
@@ -20,21 +20,22 @@ class TextScanner {
 
   explicit TextScanner(std::string_view text) : TextScanner(text, Syntax()) {}
   TextScanner(std::string_view text, Syntax syntax);
-  // Begins at a position within the text.
+  // Begins at a position within the text. line: the number of the line at this position.
   TextScanner(std::string_view text, std::size_t position, std::uint64_t line);
 
-  // Returns the next word of this line; empty at the end of the line.
+  // Returns the next word of the present line; empty at the end of the line.
   std::string_view word();
-  // Returns the next word of this or a later line; empty at the end of the text.
+  // Returns the next word of the present or a later line; empty at the end of the text.
   std::string_view wordOnAnyLine();
   // Moves to the start of the next line. Returns false at the end of the text.
   bool nextLine();
-  // Stays, or moves to the first line that has a word. Returns false at the end of the text.
+  // Moves to the next line with a word unless the rest of the present line has one. Returns false at the end of the
+  // text.
   bool findWord();
 
-  // Returns the word that word() would return.
+  // Returns the word that word() would return, without moving.
   std::string_view peek();
-  // Steps back by the last characters of the word just read.
+  // Moves back by a number of characters within the word that was read last.
   void stepBack(std::size_t characters) { m_at -= characters; }
 
   InputPosition inputPosition() const { return InputPosition::line(m_line); }

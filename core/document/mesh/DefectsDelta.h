@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// Difference between the defect lists of two versions of a mesh. With it the undo history need not hold a copy of the
+// Difference between the defect lists of two versions of a mesh. The undo history stores it instead of a copy of the
 // lists for each step. A local edit changes one contiguous range of each list.
 class DefectsDelta {
  public:
-  // Returns the difference. O(defects).
+  // Returns the difference between two lists. O(defects).
   static DefectsDelta between(const Defects& before, const Defects& after);
 
   // Turns "before" into "after" and this delta into its own inverse. O(defects).

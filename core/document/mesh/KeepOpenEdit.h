@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Marks a boundary loop to be kept open, or removes the mark. Only created when that changes something.
+// Marks a boundary loop to be kept open, or removes the mark. It is created only if the mark changes.
 class KeepOpenEdit : public Edit {
  public:
   KeepOpenEdit(Vertex loopKey, bool keep) : m_loopKey(loopKey), m_keep(keep) {}

@@ -10,17 +10,17 @@
 namespace handwheel {
 
 // Writes the coarser subdivision levels of a patch to a container. Each level consists of the blobs
-// "mesh/levels/NNNN/faces" (number, three corners and three opposites of each face of the patch) and
+// "mesh/levels/NNNN/faces" (number, three corners and three opposite half-edges of each face of the patch) and
 // "mesh/levels/NNNN/points" (three doubles for each vertex of these faces, in ascending order of vertices). The array
-// "levels" of the object "document" of the manifest holds the number of their blobs, the coarsest level first, with the
-// slots from which on the next level adds vertices and faces. The finest mesh is not among them: it is the mesh that is
-// saved. levels: null for none.
+// "levels" of the object "document" of the manifest contains an entry for each level, the coarsest first: the numbers
+// of its slots, patch faces and points, and the first slots of the vertices and faces that the next level adds. The
+// finest level is not written, because it is the saved mesh. levels: null: no levels.
 void writeLevelBlobs(const PatchLevels* levels, Container& container);
 
-// Reads the subdivision levels of a patch from a container. mesh: their finest mesh; null if it is no longer the saved
-// one. Returns null if there are no levels, or if they do not fit the mesh for any reason; in the latter case an error
-// is added to damage, unless no level is left at all. O(mesh) for each level, of which there are at most log2(faces).
-// The result is invalid if cancelled.
+// Reads the subdivision levels of a patch from a container. mesh: the finest mesh of the levels; null: the saved mesh
+// is no longer that mesh. Returns null if there are no levels, their blobs are missing, or they do not fit the mesh; in
+// the last case an error is added to damage. O(mesh) for each level, of which there are at most log2(faces). The result
+// is invalid if cancelled.
 std::shared_ptr<const PatchLevels> readLevelBlobs(const nlohmann::json& document, const Container& container,
                                                   const HalfEdgeMesh* mesh, std::vector<Error>& damage,
                                                   Progress progress);

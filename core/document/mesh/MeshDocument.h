@@ -9,52 +9,53 @@
 
 namespace handwheel {
 
-// Document of a triangle mesh. Jobs take a copy of mesh(), which is cheap, and bring their result back through
-// commit().
+// Document of a triangle mesh. Jobs take a copy of mesh(), which is cheap, and return their result through commit().
 class MeshDocument : public Document {
   Q_OBJECT
 
  public:
-  // opened: the content is a MeshSnapshot.
+  // The content of the opened file must be a MeshSnapshot.
   explicit MeshDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   const Defects& defects() const { return *m_defects; }  // defects of the present mesh
-  // Faces that were reversed on opening and still exist. Empty once the reversal is undone.
+  // Faces that were reversed when the file was opened and still exist. The list is empty while the reversal is undone.
   const std::vector<Face>& reversedFaces() const { return m_reversedFaces; }
-  // Number of steps at the beginning of the present history that belong to opening: 1 if faces were reversed, otherwise
-  // 0.
+  // Returns the number of steps at the beginning of the present history that belong to opening the file: 1 if faces
+  // were reversed, otherwise 0.
   int openingSteps() const { return m_wasOpenedReversed && !m_hasFileDirections ? 1 : 0; }
-  // Faces that opening reverses but that now have the directions of the file, because the reversal is undone.
+  // Returns the faces that were reversed on opening but now have the directions of the file, because the reversal is
+  // undone.
   std::vector<Face> facesAsInFile() const;
   // Returns the number type of the coordinates in the present file, or in the container.
   NumberType fileNumbers() const;
 
-  // The levels of the most recently sculpted patch that contains all these faces; null for none. Other edits of the
-  // patch end them. They are saved with the document, but are not part of the history, which finds them again by the
-  // mesh.
+  // Returns the levels of the most recently sculpted patch that contains all these faces; null: none. An edit of the
+  // patch other than sculpting invalidates them. They are saved with the document, but are not part of the undo
+  // history; after undo or redo they are found again by comparing the mesh.
   const PatchLevels* levels(const FaceSelection& faces = {}) const { return m_levels.of(m_mesh, faces); }
   void keepLevels(const PatchLevels& levels) { m_levels.keep(levels); }
 
   SnapshotPointer snapshot() const override;
   std::vector<Property> properties() const override;
 
-  // The user's choices between speed and accuracy; they apply to later operations. Not part of the document's value.
+  // The user's choices between speed and accuracy; they apply to later operations. They are not part of the document's
+  // value.
   const FidelityValues& fidelity() const { return m_fidelity; }
   void setFidelity(FidelityValues values) { m_fidelity = std::move(values); }
 
   using Document::commit;
   // Sets the mesh to `after` as one undo step. Returns false, and adds no step, if nothing differs. Takes time
-  // proportional to the change. The step is stored according to the setting document.undo_granularity. step: as
+  // proportional to the change. The step is stored according to the setting document.undo_granularity. step: as in
   // UndoCommand::step().
   bool commit(const QString& text, const InspectedMesh& after, std::string step = {});
 
-  // Returns true if the user wants the loop to stay open. Setting it is undoable.
+  // Returns true if the user wants the loop to stay open. The choice can be undone.
   bool isKeptOpen(const BoundaryLoop& loop) const;
   void setKeptOpen(const BoundaryLoop& loop, bool keep);
 
  signals:
-  // touched: the faces whose triangle was changed, added or removed.
+  // Emitted when the mesh has changed. touched: the faces whose triangle was changed, added or removed.
   void meshChanged(const std::vector<handwheel::Face>& touched);
   void keptOpenChanged();
 

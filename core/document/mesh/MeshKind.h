@@ -15,15 +15,16 @@ inline constexpr std::string_view kMeshKind = "mesh";
 // Document kind of triangle meshes, such as scans.
 class MeshKind : public DocumentKind {
  public:
-  // Sets mesh.near_weld for the defects of files that are opened from now on. Any thread.
+  // Sets mesh.near_weld for the defects of files that are opened from now on. May be called on any thread.
   void setNearWeld(double share) { m_nearWeld = share; }
-  // Sets step.chord for STEP files that are opened from now on. Any thread.
+  // Sets step.chord for STEP files that are opened from now on. May be called on any thread.
   void setStepChord(double share) { m_stepChord = share; }
 
   std::string id() const override { return std::string(kMeshKind); }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // Returns true for all that no other kind claims: the readers of this kind give the best error messages.
+  // Returns true for all files that no other kind recognises, because the readers of this kind give the best error
+  // messages.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
@@ -40,7 +41,7 @@ class MeshKind : public DocumentKind {
   DisplayModel display(const Snapshot& content) const override;
 
  private:
-  std::atomic<double> m_nearWeld = tolerance::kNearWeld;  // share of the diagonal
+  std::atomic<double> m_nearWeld = tolerance::kNearWeld;  // fraction of the diagonal
   std::atomic<double> m_stepChord = ReadOptions().stepChord;
 };
 

@@ -17,9 +17,10 @@ struct MeshSnapshot : Snapshot {
   std::shared_ptr<const BuildReport> build;  // report of building the mesh from its file; never null
   std::set<Vertex> keptOpen;                 // keys (keyOf()) of the loops that the user wants open
   NumberType numbers = NumberType::Float64;  // number type of the coordinates in the original file
-  // The mesh with the directions of the file, if opening has reversed faces; otherwise, and once opened, null.
+  // The mesh with the face directions of the file, if faces were reversed when it was read; otherwise, and in snapshots
+  // of an open document, null.
   std::shared_ptr<const InspectedMesh> asInFile;
-  std::shared_ptr<const PatchLevels> levels;  // levels whose finest mesh is this one; null for none
+  std::shared_ptr<const PatchLevels> levels;  // subdivision levels whose finest mesh is this one; null: none
 };
 
 }  // namespace handwheel

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The reversal of faces when a file is opened. It is the first step of the history of a mesh from a foreign file. Its
-// inverse gives the faces the directions that they have in the file.
+// The reversal of faces when a file is opened. It is the first step of the history of a mesh from a foreign file.
+// Undoing it restores the directions that the faces have in the file.
 class ReversalEdit : public MeshEdit {
  public:
   using MeshEdit::MeshEdit;

@@ -11,12 +11,12 @@ namespace handwheel {
 // Returns true if two versions of a mesh are the same, slot for slot. O(pages + differences).
 bool isSameVersion(const HalfEdgeMesh& a, const HalfEdgeMesh& b);
 
-// Stores the subdivision levels of patches for states of a document. Undo and redo find the levels of their states
-// again. There is one entry for each state of a patch. Its mesh follows the document's while the document is edited
-// outside the patch.
+// Stores the subdivision levels of patches for states of a document. After undo and redo, the levels of the restored
+// state are found again. There is one entry for each state of a patch. The mesh of the entry follows that of the
+// document while the document is edited outside the patch.
 class SubdivisionLevelStore {
  public:
-  // Adds levels, replacing those of the same patch of the same mesh. Patches with a single level are not stored.
+  // Adds levels; they replace those of the same patch of the same mesh. Patches with a single level are not stored.
   void keep(const PatchLevels& levels);
   // Returns the newest levels whose finest mesh is this one and whose patch has all these faces, or null.
   const PatchLevels* of(const HalfEdgeMesh& mesh, const FaceSelection& faces = {}) const;

@@ -7,11 +7,12 @@
 
 namespace handwheel {
 
-// A lock file that marks a folder as used by a running process. The owner holds a lock on a file in the folder, and the
-// system releases it when the process ends, for any reason. Two locks in one process exclude each other as well.
+// A lock file that marks a folder as used by a running process. The owner holds a lock on a file in the folder. The
+// system releases the lock when the process ends, for any reason. Two locks in one process exclude each other as well.
 class RecoveryLock {
  public:
-  // Returns none if the lock is held already, or the file system does not support locks, or the folder does not exist.
+  // Locks a folder. Returns nothing if the folder is locked already or does not exist, or if its file system does not
+  // support locks.
   static std::optional<RecoveryLock> tryLock(const std::filesystem::path& folder);
 
   RecoveryLock(RecoveryLock&& other) noexcept;

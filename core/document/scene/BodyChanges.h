@@ -17,31 +17,33 @@ inline constexpr std::size_t kLongestBodyName = 200;  // Bytes
 
 // Makes an edit that adds a body with a new number. Errors: NameUnusable {name, most bytes}, NameTaken {name};
 // ValueOutOfRange {"the position of the body", value, least, largest}, ElementMalformed {"pose", the fault};
-// FileTooLarge {"bodies", count, limit}.
+// TooManyBodies {most}, TooManyTriangles {count, most}.
 Result<std::unique_ptr<Edit>> addBodyEdit(const BodySet& bodies, Body body);
 
-// Makes an edit that replaces the body with the same number. Null if nothing changes. Errors: those of adding,
-// ReferenceMissing {"the body", number}.
+// Makes an edit that replaces the body with the same number. Returns null if nothing changes. Errors: the errors of
+// addBodyEdit(), BodyMissing {number}.
 Result<std::unique_ptr<Edit>> changeBodyEdit(const BodySet& bodies, Body body);
 
-// Makes an edit that replaces several bodies, whose names and shapes must not change. Null if nothing changes.
+// Makes an edit that replaces several bodies, whose names and shapes must not change. Returns null if nothing changes.
+// Errors: the errors of changeBodyEdit().
 Result<std::unique_ptr<Edit>> changeBodiesEdit(const BodySet& bodies, std::vector<Body> changed);
 
-// Makes an edit that removes bodies. Null if there is none with these numbers.
+// Makes an edit that removes bodies. Returns null if there are no bodies with these numbers.
 std::unique_ptr<Edit> removeBodiesEdit(const BodySet& bodies, std::span<const BodyId> ids);
 
-// Makes an edit that shows or hides bodies. Null if nothing changes.
+// Makes an edit that shows or hides bodies. Returns null if nothing changes.
 std::unique_ptr<Edit> showBodiesEdit(const BodySet& bodies, std::span<const BodyId> ids, bool visible);
 
-// Returns true if a text can be the name of a body: UTF-8, one line, neither empty nor too long, no space at either
-// end.
+// Returns true if a text can be the name of a body. It must be UTF-8, one line, neither empty nor too long, with no
+// space at either end.
 bool isBodyName(std::string_view name);
 
-// Returns the preferred name, from the second on with a number: "name 2". "body" if it cannot be a name.
+// Returns the preferred name, with the number if it is 2 or more: "name 2". "body" replaces a preferred name that
+// cannot be the name of a body.
 std::string numberedBodyName(std::string_view preferred, std::size_t number);
 
-// Returns a name that no body has: the preferred one if possible, or "name 2", "name 3", … "body" if it cannot be a
-// name.
+// Returns a name that no body has: the preferred name, or "name 2", "name 3", … if it is taken. "body" replaces a
+// preferred name that cannot be the name of a body.
 std::string freeBodyName(const BodySet& bodies, std::string_view preferred);
 
 }  // namespace handwheel

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// Edit that adds, removes or replaces some bodies of a document. Holds the other version of these and of the free
-// number, and nothing else; versions of a body share its shape.
+// Edit that adds, removes or replaces some bodies of a document. It holds only the other versions of these bodies and
+// of the number for the next new body (BodySet::freeId()); the versions of a body share its shape.
 class BodyEdit : public Edit {
  public:
   struct Change {
@@ -19,17 +19,18 @@ class BodyEdit : public Edit {
     BodyPointer body;  // Null: the body is removed
   };
 
-  // changes: at least one, no number twice. Names must be unique afterwards (BodyChanges.h checks that).
+  // changes: at least one change; no number may occur twice. The names of the bodies must be unique after the edit,
+  // which BodyChanges.h checks.
   explicit BodyEdit(std::vector<Change> changes) : m_changes(std::move(changes)) {}
 
-  // The document must be a BodyOwner.
+  // Exchanges the versions. The document must be a BodyOwner.
   void exchange(Document& document) override;
-  bool absorb(const Edit& later) override;  // Only an edit of the same bodies
+  bool absorb(const Edit& later) override;  // Absorbs only an edit of the same bodies
   std::size_t bytes() const override;
 
  private:
   std::vector<Change> m_changes;
-  std::optional<BodyId> m_freeId;  // Free number of the other version; none before the first exchange
+  std::optional<BodyId> m_freeId;  // BodySet::freeId() of the other version; nothing before the first exchange
 };
 
 }  // namespace handwheel

@@ -8,12 +8,12 @@
 namespace handwheel::BodyError {
 
 extern const ErrorDescription BodyMissing;       // {name or number}: the document has no such body
-extern const ErrorDescription Ambiguous;         // {text, number}: the name of that body, and the number of another
-extern const ErrorDescription NotLinked;         // {name}: the body has no file to be read again
-extern const ErrorDescription LinkedFileGone;    // {path}
-extern const ErrorDescription TooManyBodies;     // {most}
-extern const ErrorDescription TooManyTriangles;  // {count, most}: of all bodies together
-extern const ErrorDescription NameTaken;         // {name}: another body of the document has it
-extern const ErrorDescription NameUnusable;      // {name, most bytes}: empty, too long, or of more than one line
+extern const ErrorDescription Ambiguous;         // {text, number}: the name of one body is the number of another
+extern const ErrorDescription NotLinked;         // {name}: the body has no file that could be read again
+extern const ErrorDescription LinkedFileGone;    // {path}: the file of the link is missing
+extern const ErrorDescription TooManyBodies;     // {most}: the document cannot contain more bodies
+extern const ErrorDescription TooManyTriangles;  // {count, most}: number of triangles of all bodies
+extern const ErrorDescription NameTaken;         // {name}: another body of the document has this name
+extern const ErrorDescription NameUnusable;      // {name, most bytes}: empty, too long, or several lines
 
 }  // namespace handwheel::BodyError

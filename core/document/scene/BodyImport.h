@@ -7,19 +7,19 @@
 
 namespace handwheel {
 
-// A body read from a file, with the notes for the user.
+// A body that was read from a file, with the notes for the user.
 struct ImportedBody {
-  Body body;          // Without a number; named after the file
-  DocumentFile file;  // With damage, losses and notes; the last note gives the size of the body
+  Body body;          // The body, without a number and named after the file
+  DocumentFile file;  // The file, with damage, losses and notes; the last note states the size of the body
 };
 
-// Reads a file of any kind as a body: a mesh, a workpiece, a robot in its stored configuration. isLinked: the body gets
-// a link to the file. Errors: those of opening, of linkTo(); NoTriangles.
+// Reads a file of any kind as a body: a mesh, a workpiece, or a robot in its stored configuration. isLinked: the body
+// gets a link to the file. Errors: the errors of opening and of linkTo(); NoTriangles.
 Result<ImportedBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
                               Progress progress = {});
 
-// Reads the file of a linked body again. Its name, pose and look stay. folder: of the document; may be empty. Errors:
-// those of readBody(), NotLinked, LinkedFileGone.
+// Reads the file of a linked body again. The name, pose and look of the body do not change. folder: the folder of the
+// document; may be empty. Errors: the errors of readBody(), NotLinked, LinkedFileGone.
 Result<ImportedBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
                                      Progress progress = {});
 

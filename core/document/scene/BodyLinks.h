@@ -12,27 +12,27 @@
 
 namespace handwheel {
 
-// Links of bodies to the files that their shapes were read from. folder: the folder of the document with the body;
-// empty for a document that was never saved.
+// Links of bodies to the files that their shapes were read from. folder: the folder of the document that contains the
+// body; empty for a document that was never saved.
 
-// The largest file that a body can be linked to, bytes.
+// The largest size of a file that a body can be linked to, bytes.
 inline constexpr std::uintmax_t kLargestLinkedFile = std::uintmax_t{1} << 30;
 
 // Returns a link to a file in its present state. Errors: FileMissing, FileUnreadable, FileTooLarge; Unsupported for a
-// path that is not UTF-8, which a manifest cannot hold; Cancelled.
+// path that is not UTF-8, as a manifest cannot contain it; Cancelled.
 Result<BodyLink> linkTo(const std::filesystem::path& path, Progress progress = {});
 
-// Returns the path of the linked file relative to this folder, in which the document is saved. Unchanged if the file is
-// missing, so that it is found when it comes back.
+// Returns the path of the linked file relative to the folder in which the document is saved. The relative path of the
+// link does not change if the file is missing, so that it is found when it comes back.
 std::string relativePathOf(const BodyLink& link, const std::filesystem::path& folder);
 
-// Returns the present path of the linked file: at the same path relative to the document, at its last path, or in the
-// folder of the document. Empty if it is at none of these.
+// Returns the present path of the linked file. It is looked for at the same path relative to the document, at its last
+// path, and in the folder of the document. The result is empty if it is not found.
 std::filesystem::path locateLink(const BodyLink& link, const std::filesystem::path& folder);
 
-// Returns the bodies with the states of their links, and the present paths of the unchanged files. Missing and changed
-// files are added to the notes, as are shapes of unknown kinds. Reads each linked file once. Cancelled: the rest stays
-// unchecked.
+// Returns the bodies with the states of their links, and the present paths of the unchanged files. The notes receive
+// missing and changed files, and shapes of unknown kinds. Each linked file is read once. After a cancellation the
+// remaining links stay unchecked.
 BodySet withCheckedBodyLinks(const BodySet& bodies, const std::filesystem::path& folder, std::vector<Note>& notes,
                              Progress progress = {});
 

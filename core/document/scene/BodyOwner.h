@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Interface of documents that hold bodies. Such a document derives from Document and from this; BodyEdit changes it.
+// Interface of documents that hold bodies. A document derives from Document and BodyOwner; BodyEdit changes its bodies.
 class BodyOwner {
  public:
   const BodySet& bodies() const { return m_bodies; }
@@ -17,7 +17,7 @@ class BodyOwner {
 
  private:
   friend class BodyEdit;
-  virtual void bodiesChanged() = 0;  // Must call Document::wasChanged()
+  virtual void bodiesChanged() = 0;  // Implementations must call Document::wasChanged()
 
   BodySet m_bodies;
 };

@@ -12,8 +12,8 @@ namespace handwheel {
 template <class Number>
 nlohmann::json writeSoupBlobs(const TriangleSoup& soup, const std::string& name, Container& container);
 
-// Reads triangles from blobs; accepts any input. Triangles are left out if a corner is missing, not finite or beyond
-// largestCoordinate (mm); lost counts them.
+// Reads triangles from blobs; the input may be arbitrary. Triangles are omitted if a corner is missing, not finite or
+// beyond largestCoordinate (mm). lost: receives the number of omitted triangles.
 template <class Number>
 TriangleSoup readSoupBlobs(const nlohmann::json& counts, const std::string& name, const Container& container,
                            double largestCoordinate, std::uint64_t& lost);

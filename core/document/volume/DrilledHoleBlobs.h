@@ -7,19 +7,19 @@
 
 namespace handwheel {
 
-// Writes the records of the holes of a volume into a container. A list is in the object manifest["document"], and all
-// poses are in arrays ("volume/holes/…").
+// Writes the records of the holes of a volume into a container. The list of holes is in the object
+// manifest["document"], and the poses of all holes are in arrays ("volume/holes/…").
 void writeHoles(const DrilledHoles& holes, Container& container);
 
-// Reads the records; the input is not trusted. If one is lost or malformed, there are none, and the damage is reported:
-// single holes could not be reproduced.
+// Reads the records; the input is not trusted. If a record is lost or malformed, the result is empty and the damage is
+// reported, as the other holes could not be reproduced without it.
 DrilledHoles readHoles(const Container& container, std::vector<Error>& damage);
 
-// Writes the tried holes into the list manifest["document"]["tried"], each as [mark, depth in the forbidden region,
-// number of its try].
+// Writes the tried holes into the list manifest["document"]["tried"]. Each entry is [fingerprint of the hole,
+// depth in the forbidden region, number of its try].
 void writeTried(const TriedHoles& tried, Container& container);
-// Reads the tried holes; the input is not trusted. Null: there are none. Malformed entries are left out and reported as
-// damage.
+// Reads the tried holes; the input is not trusted. Malformed entries are skipped and reported as damage. Returns null
+// if there are no tried holes.
 std::shared_ptr<const TriedHoles> readTried(const Container& container, std::vector<Error>& damage);
 
 }  // namespace handwheel

@@ -8,28 +8,30 @@
 
 namespace handwheel {
 
-// A volume after a change of its layers, to become one undo step.
+// A volume after a change of its layers, for one undo step. The functions that change a layer take the index of an
+// existing one, and cost O(blocks that the layer changes).
 struct LayerStep {
   std::shared_ptr<const VolumeSnapshot> volume;
   std::size_t changedBlocks = 0;  // number of changed blocks of the visible volume
 
-  // property: see VolumeEdit.
+  // Returns the edit for the step. property: see VolumeEdit.
   std::unique_ptr<VolumeEdit> edit(std::string property = {}) const {
     return std::make_unique<VolumeEdit>(volume, changedBlocks, std::move(property));
   }
 };
 
-// Adds an empty layer on top. There must be fewer than ClayLayers::kMostLayers.
+// Adds an empty layer on top. The volume must have fewer than ClayLayers::kMostLayers layers.
 LayerStep withNewLayer(const VolumeSnapshot& before, const std::string& name);
-// The following functions take the index of an existing layer. O(blocks that it changes).
+// Renames a layer.
 LayerStep withLayerNamed(const VolumeSnapshot& before, std::size_t layer, const std::string& name);
-// strength: 0 to 1.
+// Sets the strength of a layer, 0 to 1, and turns it on or off.
 LayerStep withLayerShare(const VolumeSnapshot& before, std::size_t layer, double strength, bool isOn);
 LayerStep withoutLayer(const VolumeSnapshot& before, std::size_t layer);
-// Merges a layer with the one below, as ClayLayers::mergeDown(); the visible volume does not change.
+// Merges a layer with the one below by ClayLayers::mergeDown(). The visible volume does not change.
 LayerStep withLayerMerged(const VolumeSnapshot& before, std::size_t layer);
 
-// A change of a layer's share that was computed in advance, on any thread, for VolumeDocument::prepare().
+// A change of a layer's share, which is its strength and whether it is on, for VolumeDocument::prepare(). It is
+// computed in advance by prepareShare(), on any thread.
 struct PreparedShare {
   std::shared_ptr<const VolumeSnapshot> of;  // volume before the change
   std::size_t layer = 0;
@@ -42,7 +44,7 @@ PreparedShare prepareShare(std::shared_ptr<const VolumeSnapshot> of, std::size_t
 // Records the change of the visible volume by a stroke in the topmost layer, which must accept strokes. Does nothing if
 // there are no layers.
 void recordStroke(const VolumeSnapshot& before, VolumeSnapshot& after);
-// Returns true if a stroke can change the volume: there is no layer, or the topmost one accepts strokes.
+// Returns true if strokes can change the volume: it has no layers, or its topmost layer accepts strokes.
 bool takesStrokes(const VolumeSnapshot& volume);
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The CT or MR image that a volume was made from. It never changes, so no step of the history holds it.
+// The CT or MR image from which a volume was made. It never changes, so the steps of the history do not contain it.
 struct Scan {
   ImageVolume image;
   ImageHistogram histogram;

@@ -11,19 +11,20 @@
 
 namespace handwheel {
 
-// Writes the CT or MR image of a volume, and its segment, into a container. Grid and range go into the object
-// manifest["document"]["scan"], samples and bricks into separate blobs ("scan/samples/0000", "scan/segment/0000").
-// These are outside the folder of the kind, so that a program that does not know them keeps them.
+// Writes the CT or MR image of a volume, and its segment, into a container. The grid of the image and the range of the
+// segment go into the object manifest["document"]["scan"]; the samples of the image and the bricks of the segment go
+// into separate blobs ("scan/samples/0000", "scan/segment/0000"). The blobs are outside the folder of the document
+// kind, so that programs that do not know them keep them.
 void writeScan(const ImageVolume& image, const Segment& segment, Container& container);
 
 struct StoredScan {
   ImageVolume image;
-  std::optional<Segment> segment;  // none if its range is lost
+  std::optional<Segment> segment;  // none: the range of the segment is lost
 };
 
-// Reads the image and the segment; the input is not trusted. None: there is no image, or it is unusable, which is added
-// to the damage. Lost samples get the least value of the others, lost bricks are defined by the range; both are added
-// to the damage, too.
+// Reads the image and the segment; the input is not trusted. Returns nothing if there is no image, or if the image is
+// unusable, which is reported as damage. Lost samples get the least value of the other samples, and lost bricks are
+// computed from the range of the segment; both losses are reported as damage, too.
 std::optional<StoredScan> readScan(const Container& container, std::vector<Error>& damage, Progress progress);
 
 }  // namespace handwheel

@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// An edit that replaces the segment of a scan. Versions share bricks, so it holds only the changed ones.
+// An edit that replaces the segment of a scan. Segments share unchanged bricks, so the edit holds only the changed
+// ones.
 class SegmentEdit : public Edit {
  public:
   // before: the document's segment, from which the size of the edit is computed.

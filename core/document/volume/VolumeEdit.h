@@ -7,12 +7,12 @@
 
 namespace handwheel {
 
-// An edit that replaces the value of a volume. Versions share equal blocks and pieces, so it holds only the changed
-// ones.
+// An edit that replaces the content of a volume. Versions share equal blocks and pieces, so the edit holds only the
+// changed ones.
 class VolumeEdit : public Edit {
  public:
-  // changedBlocks: number of blocks that differ from the document's, for the size of the edit. property: the only
-  // property that changes; empty: several may change.
+  // changedBlocks: the number of blocks that differ from the document's, from which the size of the edit is computed.
+  // property: the only property that changes; empty: several may change.
   VolumeEdit(std::shared_ptr<const VolumeSnapshot> volume, std::size_t changedBlocks, std::string property = {})
       : m_volume(std::move(volume)), m_changedBlocks(changedBlocks), m_property(std::move(property)) {}
 

@@ -9,10 +9,11 @@
 
 namespace handwheel {
 
-// The document kind of voxel volumes. They are exported as their surface, in the formats of meshes.
+// The document kind of voxel volumes. It exports their surface in the formats of meshes.
 class VolumeKind : public DocumentKind {
  public:
-  // Sets the number of cells per piece (see VolumeSurface) for volumes that are opened or made later. Any thread.
+  // Sets the number of cells per piece (see VolumeSurface) for volumes that are opened or made later. May be called on
+  // any thread.
   void setPieceCells(int cells) { m_pieceCells = cells; }
   int pieceCells() const { return m_pieceCells; }
 
@@ -31,7 +32,7 @@ class VolumeKind : public DocumentKind {
   bool isMadeOfSurfaces() const override { return true; }
   Result<SnapshotPointer> ofSurface(const TriangleSoup& surface, const std::string& source,
                                     Progress progress) const override;
-  // Returns a ball of clay.
+  // Returns the content of a new document: a ball of clay.
   SnapshotPointer blank() const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;

@@ -15,8 +15,8 @@
 
 namespace handwheel {
 
-// The content of a document made of a volume. scan: the image that is saved with it. pieceCells: see
-// VolumeSurface, here and below. Errors: VolumeErrors::TooLargeToSave, ImageTooLarge, Cancelled.
+// Returns the content of a document for a volume. scan: the image that is saved with the volume. pieceCells: see
+// VolumeSurface. Errors: VolumeErrors::TooLargeToSave, ImageTooLarge, Cancelled.
 Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& volume, const std::string& source,
                                                          Progress progress, std::shared_ptr<const Scan> scan = {},
                                                          const Segment& segment = {},
@@ -24,29 +24,29 @@ Result<std::shared_ptr<const VolumeSnapshot>> snapshotOf(const SparseVolume& vol
 
 struct MadeVolume {
   std::shared_ptr<const VolumeSnapshot> volume;
-  SurfaceVolume surface;  // result of the conversion; its volume shares the blocks
+  SurfaceVolume surface;  // result of the conversion; its volume shares its blocks with `volume`
 };
 
-// Makes the content of a document from the inside of a surface. voxel: mm; none: usualVoxel(). Errors: those of
-// volumeOfSurface(), and VolumeErrors::TooLargeToSave.
+// Makes the content of a document from the inside of a surface. voxel: size of a voxel, mm; none: usualVoxel(). Errors:
+// the errors of volumeOfSurface(), and VolumeErrors::TooLargeToSave.
 Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double> voxel, const std::string& source,
                               Progress progress, VoxelMethod method = VoxelMethod::Sign,
                               int pieceCells = VolumeSurface::kPieceCells);
 
-// Returns notes on a volume that was made from a surface: lost walls.
+// Returns a note on lost walls of a volume that was made from a surface, if there are any.
 std::vector<Note> notesOn(const SurfaceVolume& made);
 
-// Returns the content of a document with the built-in skull. It is shared while it is in use, and else made, which
-// takes a second; with another pieceCells, only its pieces are made.
+// Returns the content of a document with the built-in skull. The content is shared while it is in use. Otherwise it is
+// made, which takes a second; if only pieceCells differs, only the pieces of the surface are made.
 std::shared_ptr<const VolumeSnapshot> skullContent(int pieceCells = VolumeSurface::kPieceCells);
 
 // Makes the content of a document from a file or folder of images (ImageFiles.h), or from a VDB file. The volume of an
-// image is the region above otsuThreshold(); notes state the threshold and the remarks on the file. Errors: those of
-// the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
+// image is the region above otsuThreshold(). The notes state the threshold and the remarks on the file. Errors: the
+// errors of the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress,
                                                            int pieceCells = VolumeSurface::kPieceCells);
-// Returns true if the first bytes are those of such a file.
+// Returns true if importVolume() may read a file that begins with these bytes.
 bool isVolumeFile(std::string_view head);
 
 }  // namespace handwheel

@@ -16,23 +16,23 @@
 
 namespace handwheel {
 
-// The records of the holes drilled into a volume, in order of time.
+// The records of the holes drilled into a volume, in chronological order.
 using DrilledHoles = std::vector<std::shared_ptr<const DrillRecord>>;
 
-// The value of a volume document.
+// The content of a volume document.
 struct VolumeSnapshot : Snapshot {
-  SparseVolume volume;    // visible volume, with its layers
+  SparseVolume volume;    // visible volume, including its layers
   VolumeSurface surface;  // surface of the volume
-  // Protection from dabs, in the grid of the volume; null: none.
+  // Mask that protects voxels from brush strokes, in the grid of the volume; null: nothing is protected.
   std::shared_ptr<const ClayMask> mask;
-  // Layers of the volume; null: none. A change of the volume that is not recorded in them merges and removes all of
-  // them.
+  // Layers of the volume; null: none. A change of the volume that is not recorded in the layers merges all of them into
+  // it and removes them.
   std::shared_ptr<const ClayLayers> layers;
-  std::string source;                // file that the volume was made from, UTF-8; empty: none
-  std::shared_ptr<const Scan> scan;  // image that it was made from; null: none
+  std::string source;                // file from which the volume was made, UTF-8; empty: none
+  std::shared_ptr<const Scan> scan;  // image from which the volume was made; null: none
   Segment segment;                   // segment of the scan
   DrilledHoles holes;
-  // Holes that were drilled in an exercise; undo does not remove them. Null: none.
+  // Holes that were drilled in an exercise; null: none. Undo does not remove them.
   std::shared_ptr<const TriedHoles> tried;
 };
 

@@ -8,7 +8,7 @@
 namespace handwheel {
 
 // Writes the surface finish of a profile into a container. The blobs "workpiece/finish/NNNN" hold roughness, feed and
-// pass of each sample of the outside, then of those of a bore.
+// pass of each sample of the outside, then of each sample of a bore.
 void writeFinish(const SurfaceFinish& finish, const TurnedProfile& profile, Container& container);
 
 // Reads the surface finish; accepts any input. Lost or invalid values become unknown and are no damage, since the

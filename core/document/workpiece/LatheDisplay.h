@@ -9,14 +9,15 @@
 
 namespace handwheel {
 
-// The parts of a lathe as displayed parts. Their triangles are made once; afterwards only poses change. The tool comes
-// from the side of +x, in the plane y = 0. Window thread.
+// The displayed parts of a lathe. Their triangles are made once; afterwards only poses change. The tool comes from the
+// side of +x, in the plane y = 0. It must be used on the window thread.
 class LatheDisplay {
  public:
-  // gripped: mm, radius that the jaws are closed on. base: mm, z of the part's lower end in the scene.
+  // gripped: the radius that the jaws are closed on, mm. base: z of the part's lower end in the scene, mm.
   LatheDisplay(const LatheSetup& setup, const LatheTools& tools, double gripped, double base);
 
-  // turns: spindle angle in revolutions; tip: (r, z) of the tool. If `tool` is null, none is shown.
+  // Returns the displayed parts. turns: the spindle angle in revolutions; tip: the position (r, z) of the tool, mm. If
+  // `tool` is null, no tool is shown.
   std::vector<DisplayPart> parts(double turns, const ProfilePoint& tip, const LatheTool* tool, double quillTip) const;
 
   // Return a cross at the tip, to which the read-out refers, and the outline of the tool's sections in the plane y = 0.
@@ -29,9 +30,9 @@ class LatheDisplay {
 
   double m_base;
   std::vector<DisplayPart> m_chuck;
-  std::vector<DisplayPart> m_quill;                         // at a tip of z = 0
+  std::vector<DisplayPart> m_quill;                         // the quill with its tip at z = 0
   std::vector<DisplayPart> m_tailstock;                     // the part of the tailstock that does not move
-  std::map<std::string, std::vector<DisplayPart>> m_tools;  // by id, with the tip at the origin
+  std::map<std::string, std::vector<DisplayPart>> m_tools;  // tools by id, with their tips at the origin
 };
 
 }  // namespace handwheel

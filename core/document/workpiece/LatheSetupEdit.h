@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// An edit that replaces the setup of a lathe: chuck, tailstock, tools with their offsets.
+// An edit that replaces the setup of a lathe. The setup consists of the chuck, the tailstock, and the tools with their
+// offsets.
 class LatheSetupEdit : public Edit {
  public:
   explicit LatheSetupEdit(std::shared_ptr<const LatheSetup> setup) : m_setup(std::move(setup)) {}

@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// Writes the passes of a turned part into a container. Their points and speeds are blobs. Returns the remaining data as
-// a list for the manifest.
+// Writes the passes of a turned part into a container. Points and speeds are written as blobs. Returns the remaining
+// data as a list for the manifest.
 nlohmann::json writePasses(const TurningPasses& passes, Container& container);
 
-// Reads the passes of such a list; lost or malformed ones are left out. Error: Cancelled.
+// Reads the passes that writePasses() wrote. Lost or malformed passes are left out. Error: Cancelled.
 Result<TurningPasses> readPasses(const nlohmann::json& listed, const Container& container, Progress progress);
 
 }  // namespace handwheel

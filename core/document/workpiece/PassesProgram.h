@@ -10,10 +10,10 @@ namespace handwheel {
 // The passes of a workpiece as a program with its tools. The program makes the same part again.
 struct PassesProgram {
   std::string text;
-  ProgramTools tools;  // T1 is that of the first pass
+  ProgramTools tools;  // T1 is the tool of the first pass
 };
 
-// Returns the default spindle speed of such a program, r/min.
+// Returns the mean spindle speed of the recorded passes, r/min. It is the default for a program of these passes.
 double recordedSpindle(const WorkpieceSnapshot& workpiece);
 
 // Writes the passes of a workpiece as a program. Errors: NoPasses, OtherTools.

@@ -10,19 +10,20 @@
 
 namespace handwheel {
 
-// Returns the machine that programs of a workpiece run on. It is the lathe of the workpiece with the tools of its table
-// and the standard one (usualSetup()). Program zero is that of programZero(). tools: the tools of the lathe.
+// Returns the machine that programs of a workpiece run on. It is the lathe of the workpiece with the tools of its tool
+// table and the standard tool (usualSetup()). Program zero is at programZero(). tools: the tools of the lathe; nose:
+// the nose radius of the standard tool, mm.
 ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTools& tools, ProgramDialect dialect,
                              double nose);
 
 // The simulated run of a program on a workpiece. It has the tool path, the resulting part, and the part after any of
-// its moves. The document is not changed. Immutable; any thread.
+// the moves. The document is not changed. Objects are immutable and may be used on any thread.
 class ProgramTrial {
  public:
   using Pointer = std::shared_ptr<const ProgramTrial>;
 
-  // spacing: mm, distance between the samples of an uncut bar. model: model of the cutting forces; may be null. Errors:
-  // those of runProgram(), Cancelled.
+  // Runs a program on a workpiece. spacing: distance between the samples of an uncut bar, mm. model: model of the
+  // cutting forces; may be null. Errors: the errors of runProgram(), Cancelled.
   static Result<Pointer> run(const WorkpieceSnapshot& workpiece, std::string_view text, ProgramSetup setup,
                              double spacing, const CuttingForceModel* model, Progress progress = {});
   ProgramTrial(const ProgramTrial&) = delete;
@@ -31,7 +32,7 @@ class ProgramTrial {
   const ToolPath& path() const { return m_path; }
   const ProgramTimeline& steps() const { return m_steps; }
   const ProgramSetup& setup() const { return m_setup; }
-  // The part with the passes of the program after its own; null if the program touches nothing.
+  // Returns the part with the passes of the program after its own passes. Returns null if the program touches nothing.
   const std::shared_ptr<const TurnedPart>& part() const { return m_part; }
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }  // notes of the simulation
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
@@ -42,8 +43,8 @@ class ProgramTrial {
   const ForcePeaks& peaks() const { return m_peaks; }
   double removed() const { return m_removed; }  // mm³
 
-  // Returns the part at a position on the path, simulated from the nearest kept version, which costs a hundredth of the
-  // whole. None: cancelled.
+  // Returns the part at a position on the path. It is simulated from the nearest stored version, which costs a
+  // hundredth of the whole run. Returns nothing if cancelled.
   std::optional<TurnedProfile> profileAt(const ProgramPosition& position, Progress progress = {}) const;
 
  private:
@@ -53,14 +54,14 @@ class ProgramTrial {
                 Progress progress);
 
   struct Version {
-    std::size_t done = 0;  // number of moves
+    std::size_t done = 0;  // number of finished moves
     TurnedProfile profile;
     ProgramState state;
   };
   ToolPath m_path;
   ProgramSetup m_setup;
   ProgramTimeline m_steps;
-  std::vector<Version> m_versions;  // ascending; they share their pages
+  std::vector<Version> m_versions;  // in ascending order of moves; versions share memory pages
   std::shared_ptr<const TurnedPart> m_part;
   std::size_t m_before = 0;  // number of passes before the program
   std::vector<ToolPath::Note> m_notes;

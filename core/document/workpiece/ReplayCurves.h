@@ -12,24 +12,26 @@
 
 namespace handwheel {
 
-// Force and power of a cut by Kienzle's law, with a sharp edge. The sources of that law differ by a quarter. The power
-// is that of the motor at the set speed, as the limit of a lathe is; an overloaded motor slows down and gives less than
-// the cut needs.
+// Force and power of a cut by Kienzle's law, with a sharp edge. The constants of this law differ by a quarter between
+// sources. The power is that of the motor at the set speed, like the power limit of a lathe; an overloaded motor slows
+// down and gives less than the cut needs.
 struct CutLoad {
   double time = 0.0;   // s, as in TurningReview
   double force = 0.0;  // N
   double power = 0.0;  // kW
 };
+// Returns the loads at each moment of a review.
 std::vector<CutLoad> cutLoads(const TurningReview& review, const WorkMaterial& material);
 
-// The deviation of a part from its target while it is made, mm.
+// The deviation of a part from its target over the time in which the part is made, mm.
 struct DeviationTrack {
   using Curve = std::vector<std::pair<double, double>>;  // (s, mm)
   Curve left;                                            // largest remaining material over the target
   Curve deep;                                            // largest depth cut below the target
 };
-// Samples the replay at `count` moments. base: mm, z of the part's lower end in the coordinates of the target; range:
-// range of the part. Incomplete when cancelled. O(count · samples · log segments).
+// Computes the deviation at `count` moments of a replay. base: z of the part's lower end in the coordinates of the
+// target, mm; range: the z range of the part to compare, mm. The result is incomplete if cancelled. O(count · samples
+// of the part · log(segments of the target)).
 DeviationTrack deviationTrack(const PassesReplay& replay, const TargetProfile& target, double base, AxisRange range,
                               int count, Progress progress = {});
 
@@ -42,9 +44,10 @@ struct ReplayCurves {
   std::shared_ptr<const PassesReplay> replay;
   std::vector<CutLoad> loads;
   std::optional<DeviationTrack> deviation;  // none without a target
-  std::vector<Crash> crashes;               // by time
+  std::vector<Crash> crashes;               // in order of time
 };
-// Returns the curves of a cut workpiece. None: cancelled. O(all that the passes cut).
+// Returns the curves of a cut workpiece. Returns nothing if cancelled. The cost is proportional to all that the passes
+// cut.
 std::optional<ReplayCurves> replayCurves(const WorkpieceSnapshot& workpiece, Progress progress = {});
 
 }  // namespace handwheel

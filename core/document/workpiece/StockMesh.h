@@ -10,14 +10,15 @@
 
 namespace handwheel {
 
-// The triangles of a cylindrical bar, computed on first use. The bar begins at z = 0. Versions of a document that
-// differ only in other properties share them. Any thread.
+// The triangles of a cylindrical bar, computed on first use. The bar begins at z = 0. Versions of a document share the
+// triangles unless the bar or its chord tolerance differs. An object can be used on any thread.
 class StockMesh {
  public:
   // The stock must be valid, and the chord tolerance (mm) within the limits of WorkpieceSnapshot.
   StockMesh(const StockCylinder& stock, double chord);
 
-  bool isOf(const StockCylinder& stock, double chord) const;  // the position along the axis does not matter
+  // Returns true if this is the mesh of such a bar; its position along the axis does not matter.
+  bool isOf(const StockCylinder& stock, double chord) const;
   std::shared_ptr<const TriangleSoup> soup() const;
 
  private:

@@ -13,8 +13,8 @@ namespace handwheel {
 std::string threadsText(const PartThreads& threads);
 
 // Returns the threads as an array of objects with "from", "to" (mm above the lower end), "pitch", "starts", "hand",
-// "inner", and measurements of gauges: "measured_pitch", "major_diameter", "pitch_diameter", "minor_diameter" (null if
-// not found).
+// "inner", and the values that gauges would measure: "measured_pitch", "major_diameter", "pitch_diameter",
+// "minor_diameter" (null if not found).
 nlohmann::json threadsJson(const TurnedPart& part);
 
 }  // namespace handwheel

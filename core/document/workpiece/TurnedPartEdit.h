@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// An edit that replaces the part cut from a bar, for example after a pass. Versions share unchanged data.
+// An edit that replaces the part cut from a bar, for example after a pass. Versions of the part share unchanged data.
 class TurnedPartEdit : public Edit {
  public:
   explicit TurnedPartEdit(std::shared_ptr<const TurnedPart> part) : m_part(std::move(part)) {}
@@ -19,19 +19,22 @@ class TurnedPartEdit : public Edit {
   std::shared_ptr<const TurnedPart> m_part;
 };
 
-// Returns the part of a workpiece after one more pass; the same passes if it touches nothing. Cancelled: null.
+// Returns the part of a workpiece after one more pass. The passes stay the same if the new pass touches nothing.
+// Returns null if cancelled. spacing: the distance between the samples of an uncut bar, mm.
 std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
                                            Progress progress = {});
 
-// Does the same for several passes, and makes the triangles once. Also null if there are no passes.
+// Returns the part of a workpiece after several passes. The triangles are made only once. Returns null if cancelled or
+// if there are no passes.
 std::shared_ptr<const TurnedPart> withPasses(const WorkpieceSnapshot& workpiece, std::vector<TurningPass> passes,
                                              double spacing, Progress progress = {});
 
-// Returns the present part; for an uncut bar a part without passes, with samples at this distance (mm).
+// Returns the present part of a workpiece. An uncut bar gives a part without passes, whose samples are `spacing` (mm)
+// apart.
 TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing);
 
-// The present part of one document, from version to version. An uncut bar keeps its triangles, for example after undo
-// of the only pass, so that a view need not build them again.
+// Provides the present part of one document. The object keeps the triangles of an uncut bar, so that a view need not
+// build them again, for example after undo of the only pass.
 class PresentPart {
  public:
   explicit PresentPart(double spacing) : m_spacing(spacing) {}

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Document of a workpiece: a bar for turning on a lathe.
+// Document of a workpiece, which is a bar for turning on a lathe.
 class WorkpieceDocument : public Document {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class WorkpieceDocument : public Document {
 
   const WorkpieceSnapshot& workpiece() const { return *m_workpiece; }
 
-  // Adds crashes of the manual lathe or of a program. No undo step: crashes cannot be undone.
+  // Adds crashes of the manual lathe or of a program. This is not an undo step, since crashes cannot be undone.
   void addCrashes(std::span<const LatheCollision> crashes);
 
   SnapshotPointer snapshot() const override { return m_workpiece; }

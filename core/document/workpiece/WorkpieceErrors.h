@@ -11,7 +11,7 @@ extern const ErrorDescription SizeFixed;      // the bar was cut, so its size ca
 extern const ErrorDescription BarOfExercise;  // the bar is work on an exercise, whose file defines it
 extern const ErrorDescription ClosedHollow;   // {hollows}: the format cannot store a solid with closed hollows
 
-extern const ErrorDescription NoPasses;    // there are no passes that could be written as a program
-extern const ErrorDescription OtherTools;  // {pass}: it was made with a tool that no program moves
+extern const ErrorDescription NoPasses;    // no pass can be written as a program
+extern const ErrorDescription OtherTools;  // {pass}: the pass was made with a tool that no program can use
 
 }  // namespace handwheel::WorkpieceError

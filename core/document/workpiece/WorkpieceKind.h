@@ -12,12 +12,12 @@ class WorkpieceKind : public DocumentKind {
   std::string id() const override { return "workpiece"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // Recognises no foreign file: the surfaces of STEP files are read as a mesh.
+  // Recognises drawings only. The surfaces of STEP files are read as a mesh instead.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
-  // STEP holds the exact surface as a solid, and is read back and measured before it is kept; mesh formats hold
-  // triangles within the chord tolerance.
+  // Writes a workpiece to a file. A STEP file contains the exact surface as a solid, and is read back and measured
+  // before it is kept. Mesh files contain triangles within the chord tolerance.
   Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                Progress progress) const override;
   void save(const Snapshot& content, Container& container) const override;
@@ -27,8 +27,8 @@ class WorkpieceKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
-  // Returns the profile at the position of the bar; triangles for a part in several pieces, with closed hollows or
-  // threads.
+  // Returns the profile at the position of the bar, or triangles for a part in several pieces, with closed hollows or
+  // with threads.
   GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const override;
 };
 

@@ -18,7 +18,7 @@ inline constexpr WorkpieceField kWorkpieceFields[] = {WorkpieceField::Diameter, 
 
 // Returns the property that shows a field, with its present value.
 Property propertyOf(const WorkpieceSnapshot& workpiece, WorkpieceField field);
-// Returns the field with a property id; none for unknown ids.
+// Returns the field with a property id. Returns nothing for unknown ids.
 std::optional<WorkpieceField> fieldNamed(std::string_view id);
 
 // Checks a value for a field. Errors: ElementMalformed {id, what was expected}, ValueOutOfRange.
@@ -33,12 +33,12 @@ bool isOfAnExercise(WorkpieceField field);
 // Returns the workpiece with another value of a field, which must have passed checkValue().
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value);
 
-// Translate the English name of a known material, as in files, to the language of the window, and back. Other texts are
-// returned unchanged.
+// Translate the name of a known material from English, as in files, to the language of the window, and back. Other
+// texts are returned unchanged.
 std::string materialInWords(const std::string& name);
 std::string materialOfWords(const std::string& words);
 
-// Returns the properties of all fields, and the derived ones.
+// Returns the properties of all fields, and properties derived from them.
 std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

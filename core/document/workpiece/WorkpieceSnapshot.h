@@ -18,45 +18,47 @@
 
 namespace handwheel {
 
-// The part turned from a bar: its profile, its triangles, and its passes in order.
+// The part turned from a bar. It has a profile, triangles, and the passes in order.
 struct TurnedPart {
   TurnedProfile profile;
   TurnedSurface surface;
   TurningPasses passes;
   SurfaceFinish finish = SurfaceFinish();  // finish of the profile; without samples if unknown
 
-  // Makes the part with its triangles and threads. chord: mm.
+  // Makes the part with its triangles and threads. chord: the chord tolerance, mm.
   static TurnedPart of(TurnedProfile profile, TurningPasses passes, double chord);
 
   const std::shared_ptr<const PartThreads>& threads() const { return surface.threads(); }  // null: none
   double volume() const;                         // mm³, ignoring the grooves of threads; O(samples)
-  double volumeOf(const EndPiece& piece) const;  // volume of one of its pieces; likewise
+  double volumeOf(const EndPiece& piece) const;  // mm³, volume of one piece, ignoring grooves
 };
 
-// The target shape of a part: its profile in the coordinates of the document, and the name of its source.
+// The target shape of a part. It consists of the profile in the coordinates of the document, and the name of its
+// source.
 struct WorkpieceTarget {
   TargetProfile profile;
   std::string source;  // UTF-8
 };
 
-// The value of a workpiece document: a bar, the turned part, and its target.
+// The value of a workpiece document. It has a bar, the turned part, and its target.
 struct WorkpieceSnapshot : Snapshot {
-  // Within these limits (mm) a bar of any size has triangles that the program can show and write.
+  // Limits of the chord tolerance, mm. Within them, the program can show and write the triangles of a bar of any size.
   static constexpr double kLeastChord = 1e-4, kLargestChord = 1e3;
 
   WorkpieceSnapshot() : mesh(std::make_shared<const StockMesh>(stock, chord)) {}
 
   StockCylinder stock;
-  double chord = 0.01;                            // mm, tolerance of its triangles
+  double chord = 0.01;                            // mm, tolerance of the triangles
   std::string material;                           // name in the user's words, UTF-8
   std::shared_ptr<const StockMesh> mesh;          // triangles of stock and chord; never null
   std::shared_ptr<const TurnedPart> part;         // null: nothing was cut yet
-  std::shared_ptr<const LatheSetup> lathe;        // null: the usual one
-  std::shared_ptr<const WorkpieceTarget> target;  // null: none is given
-  // The tool table of programs, with the tool numbers of LinuxCNC. Null: all tools have the given nose radius.
+  std::shared_ptr<const LatheSetup> lathe;        // null: the usual setup
+  std::shared_ptr<const WorkpieceTarget> target;  // null: no target
+  // The tool table of programs, with the tool numbers of LinuxCNC. Null: every tool is the standard tool of
+  // usualSetup().
   std::shared_ptr<const ProgramTools> programTools;
   // Crashes of the manual lathe and of programs that cut the part, in order, at most LatheRun::kMostCollisions. Undo of
-  // a cut does not remove its crash. Null: none.
+  // a cut does not remove its crash. Null: there are no crashes.
   std::shared_ptr<const std::vector<LatheCollision>> crashes;
 };
 

@@ -18,12 +18,13 @@ struct ContactTriangle {
   std::uint32_t id = kNone;
 };
 
-// Bounding volume hierarchy over contact triangles. The triangles are stored in the order of its leaves. Immutable;
-// read on any thread. About 140 bytes per triangle: the corners are stored next to each other, because on the servo
-// thread each cache miss costs a tenth of a microsecond.
+// Bounding volume hierarchy over contact triangles. The triangles are stored in the order of its leaves. The hierarchy
+// is immutable, and may be read on any thread. It takes about 140 bytes per triangle: the corners are stored next to
+// each other, because on the servo thread each cache miss costs a tenth of a microsecond.
 class ContactHierarchy {
  public:
-  // Triangles with a coordinate that is not finite are left out. Empty if cancelled.
+  // Triangles with a coordinate that is not finite are omitted. The hierarchy is empty if the construction was
+  // cancelled.
   explicit ContactHierarchy(std::vector<ContactTriangle> triangles, Progress progress = {});
 
   std::size_t size() const { return m_triangles.size(); }
@@ -31,8 +32,8 @@ class ContactHierarchy {
 
   const Box& bounds() const { return m_bounds; }
 
-  // Calls visit(slot) for each triangle whose box meets the box (boundaries included) until it returns false. Returns
-  // false when a visit did. Neither allocates nor locks.
+  // Calls visit(slot) for each triangle whose bounding box meets the box (boundaries included) until visit returns
+  // false. Returns false if visit did. Neither allocates nor locks.
   template <class Visit>
   bool forEachInBox(const Box& box, Visit visit) const {
     const FloatBox query = m_frame.around(box.min(), box.max(), box.max());
@@ -52,7 +53,8 @@ class ContactHierarchy {
     return true;
   }
 
-  // Returns true if the bounding box of a triangle meets a box. With one branch: six would often be mispredicted.
+  // Returns true if the bounding box of a triangle meets a box. It uses one branch instead of six, which would often be
+  // mispredicted.
   static bool meets(const TrianglePoints& t, const Box& box) {
     const Eigen::Array3d low = t[0].array().min(t[1].array()).min(t[2].array());
     const Eigen::Array3d high = t[0].array().max(t[1].array()).max(t[2].array());

@@ -10,22 +10,24 @@
 
 namespace handwheel {
 
-// Bounding boxes of a few triangles, tested against a segment four at a time. Without branches: the result changes from
-// sweep to sweep, and a misprediction costs more than the arithmetic. Servo thread; fixed memory.
+// Bounding boxes of a few triangles, tested against a segment four at a time. The tests have no branches: their results
+// change from sweep to sweep, and a misprediction costs more than the arithmetic. The boxes are used on the servo
+// thread, and take a fixed amount of memory.
 class FaceBoxes {
  public:
-  // bits of meeting(); if there are more triangles, each is tested, with the same result
+  // Number of bits of the result of meeting(). If there are more triangles, each is tested individually, with the same
+  // result.
   static constexpr std::size_t kCapacity = 64;
 
   FaceBoxes();
 
-  // Sets the region: boxes set from now on are clipped to it.
+  // Sets the region to which boxes are clipped that are set after the call.
   void clear(const Box& region);
   // Sets box i, which must be below kCapacity.
   void set(std::size_t i, const TrianglePoints& corners);
 
-  // Returns a bit mask: bit i is set if box i, of the first `count`, is within `near` (mm) of the bounding box of the
-  // segment from p along `step`, inside the region. Bits of boxes slightly farther away may be set, too.
+  // Returns a bit mask of the first `count` boxes. Bit i is set if box i is within `near` (mm) of the bounding box of
+  // the segment from p along `step`, inside the region. Bits of boxes slightly farther away may be set, too.
   std::uint64_t meeting(const Vec3& p, const Vec3& step, double near, std::size_t count) const;
 
  private:

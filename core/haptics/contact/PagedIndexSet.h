@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// Sparse set of indices with copy-on-write pages. The indices are below a fixed count, and nearly all of them absent.
-// Copies share pages until one of them writes, so a copy costs a pointer per 4096 indices, and so does an empty set.
-// Reading different copies on different threads is safe.
+// Sparse set of indices with copy-on-write pages. The indices are below a fixed number, and nearly all of them are
+// absent. Copies share pages until one of them is changed. So a copy, and also an empty set, costs one pointer per 4096
+// indices. Reading different copies on different threads is safe.
 class PagedIndexSet {
  public:
   explicit PagedIndexSet(std::size_t count = 0) : m_pages((count + kPageSize - 1) / kPageSize) {}
@@ -31,7 +31,7 @@ class PagedIndexSet {
   static constexpr std::size_t kPageSize = 4096;
   using Page = std::bitset<kPageSize>;
 
-  std::vector<std::shared_ptr<Page>> m_pages;  // null: holds none
+  std::vector<std::shared_ptr<Page>> m_pages;  // null: the page has no indices
 };
 
 }  // namespace handwheel

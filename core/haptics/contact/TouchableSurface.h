@@ -6,14 +6,14 @@
 
 namespace handwheel {
 
-// Creates a contact surface from a mesh, with its gaps closed (closeContactGaps()). points, triangles: welded, equal
-// points have the same index. faces: the ids by which an editor knows the triangles; empty: their indices. Empty if
-// cancelled. O(n log n).
+// Creates a contact surface from a mesh, with its gaps closed (closeContactGaps()). points, triangles: the mesh, in
+// which equal points must have the same index. faces: the ids by which an editor identifies the triangles; empty: the
+// ids are the indices. The result is empty if cancelled. O(n log n).
 ContactSurface touchableSurface(std::vector<Vec3> points, std::vector<Triangle> triangles,
                                 std::span<const std::uint32_t> faces, Progress progress = {});
 
-// Returns the id of a face in such a surface, for ContactSurface::update(). A gap keeps its first closing: what an edit
-// leaves of it is no wider than a gap.
+// Returns the id of a face in the surface that touchableSurface() returns, for ContactSurface::update(). The triangles
+// that close a gap are not updated: the gap that an edit leaves is no wider than the original one.
 constexpr std::uint32_t touchableNumber(std::uint32_t face) {
   return 2 * face;  // odd ids are those of the strips in gaps
 }

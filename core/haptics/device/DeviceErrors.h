@@ -4,12 +4,12 @@
 
 #include "base/Error.h"
 
-// The codes of errors of haptic devices and of the plugins that bring them.
+// Error codes of haptic devices and of the plugins that support them.
 namespace handwheel::DeviceError {
 
 extern const ErrorDescription Unreachable;    // {reason}
-extern const ErrorDescription NotResponding;  // {what it should have answered}
-extern const ErrorDescription PluginVersion;  // {interface that it was made for, the program's}
+extern const ErrorDescription NotResponding;  // {expected answer}
+extern const ErrorDescription PluginVersion;  // {version of its interface, version of the program's}
 extern const ErrorDescription PluginBroken;   // {reason}
 
 }  // namespace handwheel::DeviceError

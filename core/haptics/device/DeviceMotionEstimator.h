@@ -8,23 +8,25 @@
 namespace handwheel {
 
 // Computes the velocity and speed of a device from its readings. The loop may poll more often than the device delivers
-// readings. Servo thread; does not allocate.
+// readings. The estimator is used on the servo thread, and does not allocate.
 class DeviceMotionEstimator {
  public:
-  struct Periods {  // s
+  // Periods of the loop and the device, s.
+  struct Periods {
     double loop = 0.001;
-    double device = 0.001;  // from one of its readings to the next
-    double stale = 0.005;   // validity of the last reading
+    double device = 0.001;  // time from one reading of the device to the next
+    double stale = 0.005;   // time for which a reading is valid
   };
   DeviceMotionEstimator(double velocityWindow, const Periods& periods)
       : m_estimator(velocityWindow), m_periods(periods) {}
 
   // Result for one reading.
   struct Seen {
-    Vec3 velocity = Vec3::Zero();  // mm/s, from the device or estimated from new readings; zero when they are stale
-    // mm/s: the distance from the last reading to this one divided by the time between them. That is the loop's time,
-    // but never less than the device needs for that many readings: packets that arrive in a burst are not a faster
-    // motion. 0: nothing new.
+    // Velocity from the device or estimated from new readings, mm/s. It is zero when the readings are stale.
+    Vec3 velocity = Vec3::Zero();
+    // Distance from the last reading to this one divided by the time between them, mm/s. The time is that of the loop,
+    // but at least the time that the device needs for this number of readings: packets that arrive in a burst are not a
+    // faster motion. 0: the reading is not new.
     double stepSpeed = 0.0;
     bool isNew = true;
   };
@@ -40,7 +42,7 @@ class DeviceMotionEstimator {
   Vec3 m_position = Vec3::Zero();  // position and velocity of the last new reading
   Vec3 m_velocity = Vec3::Zero();
   std::uint32_t m_number = 0;
-  double m_time = 0.0;  // s since that reading
+  double m_time = 0.0;  // s since the last new reading
   bool m_hasReading = false;
 };
 

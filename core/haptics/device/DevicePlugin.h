@@ -4,14 +4,14 @@
 
 #include "haptics/device/Device.h"
 
-// Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
-// the plugin is loaded. Increment it with every change of Device.h, of Error.h or of this file.
+// Version of the plugin interface, which is stored in the plugin's metadata. It must match exactly, and is compared
+// before any code of the plugin is loaded. It must be incremented with every change of Device.h, Error.h or this file.
 #define HANDWHEEL_DEVICE_PLUGIN "handwheel.device/3"
 
 namespace handwheel {
 
-// Interface of the root object of a device plugin. A plugin is never unloaded; its driver may live to the end of the
-// program.
+// Interface of the root object of a device plugin. A plugin is never unloaded, because its driver may live until the
+// program ends.
 class DevicePlugin {
  public:
   virtual ~DevicePlugin() = default;

@@ -10,15 +10,16 @@
 namespace handwheel {
 
 // A device driven by the mouse instead of haptic hardware. The window sets the pointer's position in the scene, and
-// reads the force that would be felt, to draw it. Its frame is that of the scene: its mapping is the identity. It has
-// no motors, so no force can make it unstable, and none is limited for stability.
+// reads the force that would be felt, to draw it. The frame of the device is that of the scene, so the mapping is the
+// identity. The device has no motors, so no force can make it unstable, and forces are not limited for stability.
 class MouseDevice : public Device {
  public:
   explicit MouseDevice(double maxForce = 10.0) : m_maxForce(maxForce) {}
 
-  // Sets the pointer's position in the scene, mm, and the buttons that count as the device's. Window thread.
+  // Sets the pointer's position in the scene, mm, and the buttons that count as those of the device. Must be called on
+  // the window thread.
   void point(const Vec3& position, std::uint32_t buttons) noexcept;
-  void leave() noexcept;  // sets that the pointer is outside the view: no device
+  void leave() noexcept;  // marks the device as absent, because the pointer is outside the view
   // Returns the force of the last tick, N.
   Vec3 force() noexcept { return m_force.read(); }
 
@@ -35,17 +36,17 @@ class MouseDevice : public Device {
   std::atomic<bool> m_isOpen{false};
 };
 
-// Depth of the mouse pointer along its pick ray. It is that of the surface under the pointer, or the last one; the
-// wheel moves it along the ray.
+// Depth of the mouse pointer along its pick ray. It is the depth of the last surface that was under the pointer, plus
+// the displacement by the wheel.
 class PointerDepth {
  public:
-  // Sets the distance (mm) along the ray to the surface under the pointer. Without a surface the last one stays.
+  // Sets the distance along the ray to the surface under the pointer, mm. If it is not called, the last distance stays.
   void setSurface(double distance) { m_surface = distance; }
-  // Adds wheel steps of `stepLength` mm each; positive: away from the eye.
+  // Adds wheel steps of `stepLength` mm each. Positive steps are away from the eye.
   void turnWheel(double steps, double stepLength) { m_offset += steps * stepLength; }
   void resetWheel() { m_offset = 0.0; }
 
-  // Returns the pointer's position on a ray with unit direction; never behind the eye.
+  // Returns the pointer's position on a ray with a unit direction. The position is never behind the eye.
   Vec3 positionOn(const Vec3& origin, const Vec3& direction) const;
 
  private:

@@ -18,16 +18,17 @@ struct HandPose {
 };
 
 // Trajectory that interpolates linearly between timed poses. The speed between two poses is constant, and rotations
-// take the shorter arc; buttons change at the pose that has them. At rest before the first pose and after the last.
+// take the shorter arc. Buttons change when a pose is reached. The hand is at rest before the first pose and after the
+// last.
 class PoseTrajectory {
  public:
   PoseTrajectory() = default;
-  // Times must be non-decreasing.
+  // The times must not decrease.
   explicit PoseTrajectory(std::vector<HandPose> poses);
 
   bool isEmpty() const { return m_poses.empty(); }
   double duration() const { return m_poses.empty() ? 0.0 : m_poses.back().time; }
-  // Returns the pose at a time, s. The path must not be empty. O(log n), without allocation.
+  // Returns the pose at a time, s. The trajectory must not be empty. O(log n), without allocation.
   HandPose at(double time) const noexcept;
 
  private:

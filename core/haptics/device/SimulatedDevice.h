@@ -15,31 +15,32 @@ namespace handwheel {
 // PID parameters of the simulated hand that pulls the tip to its target.
 struct HandGrip {
   double stiffness = 0.3;  // N/mm
-  double damping = 0.003;  // N·s/mm, for the velocity relative to the target's
+  double damping = 0.003;  // N·s/mm, for the velocity relative to that of the target
   double integral = 0.0;   // N/(mm·s)
   double maxForce = 20.0;  // N
 };
 
 // Parameters of a simulated device.
 struct SimulatedDeviceSettings {
-  DeviceCapabilities capabilities;  // capabilities of the simulated device; friction and latency are simulated
-  double mass = 0.1;                // kg, of the tip and all that moves with it, the hand's share included
+  DeviceCapabilities capabilities;  // specifications of the simulated device; friction and latency are simulated
+  double mass = 0.1;                // kg, mass of the tip and all that moves with it, including the mass of the hand
   HandGrip grip;
-  bool isCommanded = false;  // the tip follows the path exactly; forces move nothing
+  bool isCommanded = false;  // true: the tip follows the path exactly, and forces do not move it
 };
 
-// Returns the settings of a Novint Falcon, with a friction that allows 1 N/mm at 1 kHz.
+// Returns the settings of a Novint Falcon, with enough friction for a stable stiffness of 1 N/mm at 1 kHz.
 SimulatedDeviceSettings simulatedDevice();
-// Returns the same settings with motors for torque, about as strong as those of devices that have them.
+// Returns the settings of simulatedDevice() with motors for torque, about as strong as those of real devices.
 SimulatedDeviceSettings simulatedTorqueDevice();
 
-// Simulated haptic device: a mass with friction, moved by a simulated hand. The mass with friction b is between the
-// hand and the force that was sent, and moves with the clock. A force is held from one write to the next, and acts
+// Simulated haptic device: a mass with friction, moved by a simulated hand. The mass is moved by the hand and by the
+// force that was sent. The motion advances with the clock. A force is held from one write to the next, and acts
 // `latency` seconds late. Between two readings the motion under constant force and damping is exact; the springs of the
 // hand are evaluated at the middle of steps of 0.1 ms.
 class SimulatedDevice : public Device {
  public:
-  // The hand follows the path from the first reading on, or, with an empty path, the target. The clock outlives it.
+  // From the first reading on, the hand follows the path, or the target if the path is empty. The clock must outlive
+  // the device.
   SimulatedDevice(const SimulatedDeviceSettings& settings, PoseTrajectory path, ServoClock& clock);
 
   DeviceCapabilities capabilities() const override { return m_settings.capabilities; }
@@ -48,22 +49,23 @@ class SimulatedDevice : public Device {
   DeviceState read() noexcept override;
   void write(const DeviceForce& force) noexcept override;
 
-  // Sets the target of the hand for an empty path. To be called by one thread, the only one that may query it.
+  // Sets the target of the hand for an empty path. The target must be set and queried by the same thread.
   void setTarget(const HandPose& target) noexcept {
     m_lastTarget = target;
     m_target.write(target);
   }
   const HandPose& target() const { return m_lastTarget; }
-  // Returns the torque on the hand at the last reading, N·mm. It acts `latency` seconds after it was sent, and turns
-  // nothing: the hand holds the orientation. For tests; on the thread that reads.
+  // Returns the torque on the hand at the last reading, N·mm. The torque acts `latency` seconds after it was sent. It
+  // does not turn the tip, because the hand holds the orientation. The function is for tests, and must be called on the
+  // thread that reads the device.
   const Vec3& torque() const { return m_acting.torque; }
-  // Sets the tip's initial position (mm) and velocity (mm/s), instead of at rest at the hand. To be called before the
-  // first reading.
+  // Sets the tip's initial position (mm) and velocity (mm/s). Otherwise the tip starts at rest at the hand. Must be
+  // called before the first reading.
   void setStart(const Vec3& position, const Vec3& velocity);
 
  private:
   struct SentForce {
-    double time = 0.0;  // s: when it begins to act
+    double time = 0.0;  // s, time at which the force begins to act
     DeviceForce force;
   };
   HandPose wanted(double time) noexcept;
@@ -77,17 +79,17 @@ class SimulatedDevice : public Device {
   PoseTrajectory m_path;
   ServoClock& m_clock;
   TripleBuffer<HandPose> m_target;
-  HandPose m_lastTarget;  // last target written to m_target; for the thread that writes
+  HandPose m_lastTarget;  // last target written to m_target; used by the thread that writes
   bool m_isOpen = false;
   bool m_hasBegun = false;
   bool m_hasStart = false;
-  std::int64_t m_origin = 0;  // ns: the first reading
-  double m_time = 0.0;        // s since then
+  std::int64_t m_origin = 0;  // ns, time of the first reading
+  double m_time = 0.0;        // s since the first reading
   Vec3 m_position = Vec3::Zero();
   Vec3 m_velocity = Vec3::Zero();
   Vec3 m_error = Vec3::Zero();  // mm·s, integral of the position error
-  // Forces that do not act yet, oldest first. If there are more than fit, half a second at 8 kHz, the oldest are
-  // dropped.
+  // Forces that do not act yet, oldest first. The array holds the forces of half a second at 8 kHz; if there are more,
+  // the oldest are dropped.
   std::array<SentForce, 4096> m_sent;
   std::size_t m_first = 0;
   std::size_t m_count = 0;

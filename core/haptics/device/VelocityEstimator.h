@@ -10,20 +10,21 @@
 namespace handwheel {
 
 // Estimates velocity from positions by least-squares line fitting. The line is fitted to the readings of the last
-// `window` seconds. Exact for motion at constant velocity at any sampling times; lags by half the window; from n
-// readings at period T with noise of standard deviation s it has a standard deviation of s/T·√(12/(n(n²-1))). Does not
-// allocate.
+// `window` seconds. The estimate is exact for motion at constant velocity with any sampling times. It lags by half the
+// window. For n readings at period T with noise of standard deviation s, its standard deviation is s/T·√(12/(n(n²-1))).
+// The estimator does not allocate.
 class VelocityEstimator {
  public:
-  // window: s. If it holds more than kCapacity readings, the newest are used.
+  // window: the duration of the window, s. If the window contains more than kCapacity readings, the newest are used.
   explicit VelocityEstimator(double window = kStandardWindow) : m_window(window) {}
 
-  // Adds a reading, mm, `period` seconds (> 0) after the previous one. Returns mm/s; zero for the first.
+  // Adds a reading, mm, `period` seconds (> 0) after the previous one. Returns the velocity, mm/s, or zero for the
+  // first reading.
   Vec3 add(const Vec3& position, double period);
   void reset() { m_count = 0; }
 
   static constexpr double kStandardWindow = 0.01;
-  // More readings than the largest servo.velocity_window needs at the highest rate: 400.
+  // The largest servo.velocity_window needs 400 readings at the highest rate.
   static constexpr std::size_t kCapacity = 512;
 
  private:

@@ -12,12 +12,13 @@
 
 namespace handwheel {
 
-// Records every tick of a servo loop. A thread of its own fetches them from the loop's ring buffer a hundred times a
-// second, so that none is lost even if the window thread is busy. It must be the only consumer of the loop's samples.
+// Records every tick of a servo loop. A separate thread fetches the ticks from the loop's ring buffer a hundred times a
+// second, so that none is lost even if the window thread is busy. The recorder must be the only consumer of the loop's
+// samples.
 class ForceRecorder {
  public:
-  // Recording ends by itself after ten minutes at 8 kHz, 1.8 GB. Memory is used as needed: 220 MB for ten minutes at 1
-  // kHz.
+  // Largest number of ticks, at which recording ends. It is reached after ten minutes at 8 kHz, with 1.8 GB. Memory is
+  // allocated as needed: 220 MB for ten minutes at 1 kHz.
   static constexpr std::size_t kMostTicks = 4'800'000;
 
   // The loop must outlive the recorder.
@@ -26,26 +27,26 @@ class ForceRecorder {
   ForceRecorder(const ForceRecorder&) = delete;
   ForceRecorder& operator=(const ForceRecorder&) = delete;
 
-  // Discards what was recorded and starts recording the ticks from now on.
+  // Discards the previous recording, and starts recording.
   void start();
-  void stop();  // fetches the last tick first
+  void stop();  // ends recording, after fetching the pending samples
   bool isRecording() const { return m_thread.joinable(); }
-  // For use without a thread, when the caller runs the loop and calls fetch(): discards everything, including pending
-  // samples.
+  // Discards everything, including pending samples. It is for use without a thread, when the caller runs the loop and
+  // calls fetch().
   void clear();
-  void fetch();  // fetches the pending samples
+  void fetch();  // records the pending samples
 
   // Adds an event at the last recorded tick.
   void mark(std::string text);
-  // Notes the contents of the scene that the loop is given next. To be called before ServoLoop::setScene(), on the same
-  // thread: later, ticks in the scene may have been fetched already. Becomes an event, kSceneEvent and the text, at the
-  // first tick in that scene or in one after it.
+  // Sets a description of the contents of the next scene. It becomes an event, kSceneEvent and the text, at the first
+  // tick in that scene or in a later one. Must be called before ServoLoop::setScene() and on the same thread, because
+  // otherwise ticks in the scene may already have been fetched.
   void noteNextScene(std::string text);
 
-  // Returns the recording up to now; recording continues.
+  // Returns the recording up to the present tick. Recording continues.
   Recording recording() const;
   bool isFull() const;
-  // Returns the length of the recording, without access to the ticks.
+  // Returns the number of recorded ticks, without access to the ticks.
   std::size_t ticks() const;
   double duration() const;  // s
 
@@ -61,7 +62,7 @@ class ForceRecorder {
     std::uint64_t number;
     std::string text;
   };
-  std::deque<SceneNote> m_scenes;  // scenes that no tick was in yet
+  std::deque<SceneNote> m_scenes;  // scenes in which no tick was recorded yet
   bool m_isStopping = false;
   std::thread m_thread;
 };

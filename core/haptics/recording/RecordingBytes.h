@@ -10,16 +10,18 @@
 
 namespace handwheel {
 
-// Serialises a recording to bytes, to be saved with a document. Little-endian, every number with all its bits. "HWFR",
-// version 1 and the number of events (each u32), the number of ticks (u64); the events: tick (u64), length (u32), text;
-// the ticks one after another in 312 bytes: 37 doubles, then tick number (u64), buttons and flags (u32 each).
+// Serialises a recording to bytes, to be saved with a document. Numbers are little-endian and keep all their bits. The
+// bytes begin with "HWFR", the version 1 and the number of events (u32 each), and the number of ticks (u64). The events
+// follow: tick (u64), length (u32) and text. The ticks come last, with 312 bytes each: 37 doubles, the tick number
+// (u64), buttons and flags (u32 each).
 std::string recordingBytes(const Recording& recording);
-// Serialises only the ticks from `first` to before `last`, with their events. These are the events after the previous
-// tick, and with the last tick of all also the remaining ones.
+// Serialises the ticks from `first` up to but excluding `last`, with their events. These are the events after the
+// previous tick. If the last tick of the recording is included, all remaining events are, too.
 std::string recordingBytes(const Recording& recording, std::size_t first, std::size_t last);
 
-// Deserialises a recording. Errors: HeaderMalformed, VersionNewer, DataTruncated, CountMismatch (more than declared),
-// NumberNotFinite (position or time of a tip). Memory is proportional to the bytes given, whatever they declare.
+// Deserialises a recording. Errors: HeaderMalformed, VersionNewer, DataTruncated, CountMismatch (more bytes than
+// declared), NumberNotFinite (position or time of a tip). The memory is proportional to the number of bytes, regardless
+// of the numbers that they declare.
 Result<Recording> recordingFromBytes(std::string_view bytes);
 
 }  // namespace handwheel

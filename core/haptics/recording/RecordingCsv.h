@@ -10,23 +10,25 @@
 
 namespace handwheel {
 
-// Writes a recording as comma-separated values, one line per tick after a header line. Columns: time, tip, proxy and
-// force in the scene, contact, computing time; then buttons, the force sent in the frame of the device, the bits of the
-// safety chain, the number of the tick, the orientation of the tip as a quaternion, the torques felt and sent, the
-// other inputs of a scene's force (velocity of the tip, period, limits of stiffness and damping, whether it begins
-// anew, whether there was a scene), events, and the contents of a scene that begins here. mm, N, N·mm, s, us; numbers
-// have the shortest form that reads back the same, independent of the locale. Errors: Cancelled, WriteFailed.
+// Writes a recording as comma-separated values, with a header line and one line per tick. The first columns are time,
+// tip, proxy and force in the scene, contact, and computing time. The other columns are the buttons, the force sent in
+// the frame of the device, the bits of the safety chain, the number of the tick, the orientation of the tip as a
+// quaternion, the torques felt and sent, the other inputs of a scene's force (velocity of the tip, period, limits of
+// stiffness and damping, flags for a restart and for the presence of a scene), events, and the contents of a scene that
+// begins at the tick. Units are mm, N, N·mm, s and us. Numbers have the shortest form from which they can be restored,
+// independent of the locale. Errors: Cancelled, WriteFailed.
 Status writeCsv(const Recording& recording, std::ostream& out, Progress progress = {});
 
-// Returns the columns that recordingFromCsv() needs and that the first line of a text does not have, or has twice.
+// Returns the columns required by recordingFromCsv() that the first line of a text contains not at all or twice.
 std::vector<std::string_view> missingRecordingColumns(std::string_view text);
 
-// Returns true if a text begins like such a table, with the columns that recordingFromCsv() needs.
+// Returns true if the first line of a text contains the columns required by recordingFromCsv().
 bool isRecordingCsv(std::string_view text);
 
-// Reads such a table: the inputs of a scene's force, the force felt, and the events. The forces sent to the device are
-// left out. Errors, with the line: HeaderMalformed {what was expected}, NumberMalformed {found}, NumberNotFinite
-// {found} (time or position of a tip), DataTruncated {columns, expected, found}, FileTooLarge {ticks}, Cancelled.
+// Reads a table that writeCsv() has written: the inputs of a scene's force, the force felt, and the events. The forces
+// sent to the device are omitted. Errors, with the line: HeaderMalformed {what was expected}, NumberMalformed {found},
+// NumberNotFinite {found} (time or position of a tip), DataTruncated {columns, expected, found}, FileTooLarge {ticks},
+// Cancelled.
 Result<Recording> recordingFromCsv(std::string_view text, Progress progress = {});
 
 }  // namespace handwheel

@@ -8,29 +8,30 @@
 namespace handwheel {
 
 // Plays a recording in real time, with pause and seek. It determines the current tick. The same clock gives the same
-// ticks. One thread.
+// ticks. A player must be used by one thread only.
 class RecordingPlayer {
  public:
-  // Starts paused at the beginning. The clock must outlive the player.
+  // The player is paused at the beginning of the recording. The clock must outlive it.
   RecordingPlayer(Recording recording, ServoClock& clock);
 
-  void play();  // starts from the beginning if it was at the end
+  void play();  // starts from the beginning if the end was reached
   void pause();
   bool isPlaying() const;     // false once the end is reached
-  void seek(double seconds);  // limited to the recording; goes on playing if it was
+  void seek(double seconds);  // the position is limited to the recording; a playing player continues to play
   double position() const;    // s from the beginning
   double duration() const { return m_duration; }
 
-  // Returns the current tick: the last whose time has been reached. Null if the recording is empty.
+  // Returns the current tick, which is the last tick whose time has been reached. Returns null if the recording is
+  // empty.
   const RecordedTick* tick() const;
 
  private:
   Recording m_recording;
   ServoClock& m_clock;
   double m_duration;        // s
-  double m_position = 0.0;  // s, position when it was set last
+  double m_position = 0.0;  // s, the position that was set last
   bool m_isPlaying = false;
-  std::int64_t m_setAt = 0;  // ns, time when it was set last
+  std::int64_t m_setAt = 0;  // ns, the time at which the position was set last
 };
 
 }  // namespace handwheel

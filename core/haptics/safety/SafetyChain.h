@@ -15,8 +15,8 @@ struct SafetyInput {
   DeviceForce asked;
   Vec3 position = Vec3::Zero();  // mm
   Vec3 velocity = Vec3::Zero();  // mm/s
-  double stepSpeed = 0.0;        // mm/s, of the last step alone, without smoothing
-  double period = 0.001;         // s since the tick before, > 0, as it was measured
+  double stepSpeed = 0.0;        // mm/s, speed from the previous reading to this one, without smoothing
+  double period = 0.001;         // measured time since the previous tick, s, > 0
   bool isDeviceReady = true;     // the device is ready and its readings are finite
   bool isFresh = true;           // the scene has computed this force in this tick
   bool isDiscontinuous = false;  // the scene, the tool, or the mapping has changed
@@ -26,17 +26,18 @@ struct SafetyInput {
 struct SafetyOutput {
   DeviceForce sent;
   SafetyActions actions;
-  double energy = 0.0;  // N·mm, observed by the passivity observer
+  double energy = 0.0;  // N·mm, energy observed by the passivity observer
 };
 
-// Limits every force before it is sent to the device. Stages in this order: non-finite forces to zero; passivity
-// controller; damping of speed; ramp; watchdog; slew limit; clamp. A fault sends zero at once, bypassing the slew
-// limit, and the force returns by the ramp. Servo thread; does not allocate.
+// Limits every force before it is sent to the device. The stages are, in this order: replacement of non-finite forces
+// by zero; passivity controller; damping of speed; ramp; watchdog; slew limit; clamp. After a fault, zero is sent at
+// once, bypassing the slew limit, and the force returns by the ramp. The chain is used on the servo thread, and does
+// not allocate.
 class SafetyChain {
  public:
   explicit SafetyChain(const SafetySettings& settings);
 
-  // Computes the force to send. Finite and within the limits for any input.
+  // Computes the force to send. The force is finite and within the limits for any input.
   SafetyOutput process(const SafetyInput& input) noexcept;
 
   const SafetySettings& settings() const { return m_settings; }

@@ -11,15 +11,15 @@ namespace handwheel {
 // Interventions of the safety chain, as bits in the order of its stages.
 enum class SafetyAction : std::uint32_t {
   None = 0,
-  DeviceFault = 1u << 0,   // the device is not ready, or its reading is not finite: no force
-  NotFinite = 1u << 1,     // the scene asked for a force that is not finite: no force
-  Passivity = 1u << 2,     // more energy came out than went in: damped
-  SpeedDamping = 1u << 3,  // faster than normal hand motion: damped
-  SpeedCut = 1u << 4,      // speed of a handle that was let go: no force
-  Ramp = 1u << 5,          // rising slowly after a possible discontinuity
-  Watchdog = 1u << 6,      // no new force from the scene, or a tick far too late: fading
-  Slew = 1u << 7,          // rate of change limited
-  Clamp = 1u << 8,         // magnitude limited to the device's maximum
+  DeviceFault = 1u << 0,   // the device is not ready, or its reading is not finite; no force is sent
+  NotFinite = 1u << 1,     // the scene asked for a force that is not finite; no force is sent
+  Passivity = 1u << 2,     // more energy came out than went in; the motion is damped
+  SpeedDamping = 1u << 3,  // the speed exceeds that of normal hand motion; the motion is damped
+  SpeedCut = 1u << 4,      // the speed is that of a handle that was let go; no force is sent
+  Ramp = 1u << 5,          // the force rises slowly after a possible discontinuity
+  Watchdog = 1u << 6,      // the scene computed no new force, or a tick came far too late; the force fades
+  Slew = 1u << 7,          // the rate of change of the force was limited
+  Clamp = 1u << 8,         // the force was limited to the maximum of the device
 };
 
 // A set of safety actions.
@@ -34,30 +34,30 @@ class SafetyActions {
   std::uint32_t m_bits = 0;
 };
 
-// The limits of the safety chain, in the frame of the device. Times in s; a maximum of 0 means
-// that the device has no motors for it (torque, gripper).
+// The limits of the safety chain, in the frame of the device. Times are in s. A maximum of 0 means that the device has
+// no motors for torque or gripper.
 struct SafetySettings {
   double nominalPeriod = 0.001;
 
-  double latency = 0.0;  // latency of the device, from a motion to its force response, without the loop's own
+  double latency = 0.0;  // latency of the device from a motion to its force response, without that of the loop
 
-  double inherentDamping = 0.0;  // N·s/mm: b, the damping of the device itself
-  double controlDamping = 0.0;   // N·s/mm: the most that the passivity controller adds; 0 switches it off
-  double energyLimit = 0.0;      // N·mm: no more than this is credited, for no passive scene can store more
+  double inherentDamping = 0.0;  // N·s/mm: b, the inherent damping of the device
+  double controlDamping = 0.0;   // N·s/mm: largest damping by the passivity controller; 0: it is off
+  double energyLimit = 0.0;      // N·mm: largest energy that is credited, since no passive scene can store more
 
-  double dampingSpeed = 1000.0;  // mm/s: damping sets in
-  double cutSpeed = 3000.0;      // mm/s: force ends
-  double speedDamping = 0.0;     // N·s/mm: reached at cutSpeed; also the damping that the watchdog leaves
+  double dampingSpeed = 1000.0;  // mm/s: speed at which damping begins
+  double cutSpeed = 3000.0;      // mm/s: speed at which the force is cut
+  double speedDamping = 0.0;     // N·s/mm: damping at cutSpeed, and damping that the watchdog leaves
 
-  double rampTime = 1.0;       // from zero force to all of it
+  double rampTime = 1.0;       // time in which the force rises from zero to its full value
   double rampThreshold = 0.2;  // N: the ramp waits for a smaller force
-  double rampWait = 1.0;       // longest wait for it
+  double rampWait = 1.0;       // longest time that the ramp waits
 
-  double staleTime = 0.005;     // time that the last force of the scene is held in full
-  double fadeTime = 0.005;      // time of the fade to damping alone
-  double dampingTime = 0.1;     // time from then until damping ends, too
-  double recoveryTime = 0.1;    // time to return to the full force when the scene responds again
-  double slewRate = 2000.0;     // N/s: 2 N per ms. Must be above that of a wall contact, or it generates energy
+  double staleTime = 0.005;   // time for which the last force of the scene is held in full
+  double fadeTime = 0.005;    // time in which the force fades to damping alone
+  double dampingTime = 0.1;   // time from the end of the fade until the damping ends
+  double recoveryTime = 0.1;  // time in which the full force returns when the scene responds again
+  double slewRate = 2000.0;   // N/s: 2 N per ms; must exceed the rate of a wall contact, or the limit generates energy
   double torqueSlewRate = 0.0;  // N·mm/s
   double gripperSlewRate = 0.0;
 

@@ -6,16 +6,17 @@
 
 namespace handwheel {
 
-// Damps fast motion of the tip, and cuts the force at excessive speed. The damping is for motion faster than that of a
-// hand, the cut for the speed of a handle that was let go.
+// Damps fast motion of the tip, and cuts the force at excessive speed. The damping applies to motion faster than that
+// of a hand, the cut to the speed of a handle that was let go.
 class SpeedLimit {
  public:
   explicit SpeedLimit(const SafetySettings& settings) : m_settings(settings) {}
 
-  // Returns the damping force, N, for a velocity in mm/s. It is zero up to dampingSpeed; then the coefficient grows in
-  // proportion to the excess, up to speedDamping at cutSpeed.
+  // Returns the damping force, N, for a velocity in mm/s. The force is zero up to dampingSpeed. Above it, the damping
+  // coefficient grows in proportion to the excess, up to speedDamping at cutSpeed.
   Vec3 damping(const Vec3& velocity) const;
-  // Returns true if no force may be sent: from cutSpeed (mm/s) on until the tip is slower than dampingSpeed again.
+  // Returns true if no force may be sent. This is so from cutSpeed (mm/s) on, until the tip is slower than dampingSpeed
+  // again.
   bool cuts(double speed);
 
  private:

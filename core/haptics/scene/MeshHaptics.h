@@ -15,15 +15,15 @@ struct MeshHaptics {
   std::optional<TouchedSurface> surface;
   std::optional<SnapAttraction> snap;
   std::vector<Spring> springs;
-  Vec3 comesFrom = Vec3::Zero();  // direction of approach, see SurfaceForce
+  Vec3 comesFrom = Vec3::Zero();  // direction from which the tip approaches, see SurfaceForce
 };
 
-// The ids of these sources.
+// Ids of the force sources that forceSources() creates.
 inline constexpr const char* kSurfaceSource = "surface";
 inline constexpr const char* kSnapSource = "snap";
 inline constexpr const char* kSpringSource = "springs";
 
-// Returns the force sources of a mesh. Absent ones cost nothing.
+// Returns the force sources of a mesh. Parts of its representation that are absent cost nothing.
 ForceSources forceSources(MeshHaptics mesh);
 
 }  // namespace handwheel

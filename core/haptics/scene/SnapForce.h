@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The methods to compute snap forces: SnapProxy and SnapSum.
+// The methods for computing snap forces: SnapProxy and SnapSum.
 enum class SnapMethod { Proxy, Sum };
 
 // Snap features that attract the tip, with force profile and method.
@@ -16,11 +16,11 @@ struct SnapAttraction {
   SnapField field;
   SnapProfile profile;
   SnapMethod method = SnapMethod::Proxy;
-  std::size_t most = SnapSum::kMost;  // largest number of features that act at once by the sum method
+  std::size_t most = SnapSum::kMost;  // largest number of features that act at once, by the method Sum
 };
 
-// The force of snap features. By the proxy method facets attract only as long as no surface is touched. It continues
-// from the feature that its predecessor held.
+// The force of snap features. With the method Proxy, facets attract only while no surface is touched. The force
+// continues from the feature that its predecessor held.
 class SnapForce : public ForceSource {
  public:
   SnapForce(std::string id, SnapAttraction attraction);

@@ -6,13 +6,13 @@
 
 namespace handwheel {
 
-// Springs and a damper that pull and turn the tip. A tool requests them (He 2008, sections 4.1.4 and 3.2, the full
-// angle of eq. 3-16).
+// A spring and a damper that pull and turn the tip. Tools request springs (He 2008, sections 4.1.4 and 3.2). The torque
+// is proportional to the full angle of the rotation (He 2008, eq. 3-16).
 struct Spring {
   Vec3 target = Vec3::Zero();                                // mm
   double stiffness = 0.0;                                    // N/mm
   double damping = 0.0;                                      // N·s/mm
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  // the orientation that the tip is turned to
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  // the orientation to which the tip is turned
   double turning = 0.0;                                      // N·mm/rad
 };
 

@@ -10,18 +10,18 @@ namespace handwheel {
 // A touchable surface with its contact parameters.
 struct TouchedSurface {
   ContactSurface surface;
-  double stiffness = 0.5;  // N/mm: fidelity setting contact.stiffness
+  double stiffness = 0.5;  // N/mm; set by the fidelity setting contact.stiffness
   double damping = 0.0;    // N·s/mm, along the normal
   ContactOptions contact;
 };
 
-// The contact force of a triangle surface, by a god object. On a version of the same surface it continues from its
-// predecessor's proxy, moved outside if an edit has covered it.
+// The contact force of a triangle surface, by a god object. If the predecessor has a version of the same surface, the
+// force continues from the predecessor's proxy, which is moved outside if an edit has buried it.
 class SurfaceForce : public ForceSource {
  public:
-  // comesFrom: the direction (unit length, towards the viewer) from which the tip is assumed to approach when it
-  // appears, or when the surface appears. So it rests on the surface that is visible there, not inside the solid. Zero:
-  // no such assumption.
+  // comesFrom: the direction (unit vector, towards the viewer) from which the tip is assumed to approach when the tip
+  // or the surface appears. So the proxy rests on the visible side of the surface, not inside the solid. Zero: no
+  // direction is assumed.
   SurfaceForce(std::string id, TouchedSurface touched, const Vec3& comesFrom = Vec3::Zero());
 
   void follow(const ForceSource& previous) noexcept override;

@@ -8,23 +8,24 @@
 
 namespace handwheel {
 
-// Returns the setting proxy.tolerance: rest tolerance of a proxy (ContactOptions::tolerance). It is a share of the
-// surface's diagonal.
+// Returns the setting proxy.tolerance: the rest tolerance of a proxy (ContactOptions::tolerance). It is a fraction of
+// the diagonal of the surface.
 FidelitySetting proxyToleranceSetting();
 
-// Returns the setting servo.rate: ticks per second (ServoSettings::rate). It limits the stiffness of walls (eq. 2-1).
+// Returns the setting servo.rate: the number of ticks per second (ServoSettings::rate). It limits the stiffness of
+// walls (He 2008, eq. 2-1).
 FidelitySetting servoRateSetting();
 
-// Returns the setting contact.stiffness: stiffness of a touched surface, N/mm. It is reduced to the stiffness limit of
-// the loop.
+// Returns the setting contact.stiffness: the stiffness of a touched surface, N/mm. The servo loop reduces it to its
+// stiffness limit.
 FidelitySetting contactStiffnessSetting();
 
-// Returns the setting servo.velocity_window: window of the velocity estimate, s (VelocityEstimator). A short one is
-// noisy, a long one lags.
+// Returns the setting servo.velocity_window: the window of the velocity estimate, s (VelocityEstimator). With a short
+// window the estimate is noisy, with a long window it lags.
 FidelitySetting velocityWindowSetting();
 
-// Convert the chosen values to settings of loop and scene. Both keep them from their creation on. If no rate was
-// chosen, it is 0, the nominal one of each device.
+// Convert the chosen values to settings of the loop and the scene, which keep them from their creation on. If no rate
+// was chosen, the rate is 0, which means the nominal rate of each device.
 ServoSettings servoSettings(const FidelityValues& values);
 ContactOptions contactOptions(const FidelityValues& values);
 TouchedSurface touchedSurface(ContactSurface surface, const FidelityValues& values);

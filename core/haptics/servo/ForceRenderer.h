@@ -9,21 +9,22 @@
 
 namespace handwheel {
 
-// State of the device tip in the scene at one tick. It contains everything that a force may depend on, so that a
-// recorded sequence of these gives the same forces again.
+// State of the device tip in the scene at one tick. It contains everything on which a force may depend, so that a
+// recorded sequence of states reproduces the forces.
 struct TipState {
-  Vec3 position = Vec3::Zero();  // mm: the HIP
+  Vec3 position = Vec3::Zero();  // position of the device tip, mm
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Vec3 velocity = Vec3::Zero();  // mm/s
-  double gripper = 0.0;          // mm or rad, as the device has it
+  double gripper = 0.0;          // mm or rad, depending on the device
   double time = 0.0;             // s since the loop started
-  double period = 0.001;         // s since the tick before; never more than a few nominal periods
-  // Limits in the scene, N/mm and N·s/mm: a force with damping B must not be stiffer than stiffnessLimit·(1 -
-  // B/dampingLimit), and B must stay below dampingLimit (eq. 2-1 with the period and delay that were measured).
+  double period = 0.001;         // s since the previous tick; never more than a few nominal periods
+  // Limits in the scene, N/mm and N·s/mm. The stiffness of a force with damping B must not exceed stiffnessLimit·(1 -
+  // B/dampingLimit), and B must be less than dampingLimit (He 2008, eq. 2-1, with the measured period and delay).
   double stiffnessLimit = std::numeric_limits<double>::infinity();
   double dampingLimit = std::numeric_limits<double>::infinity();
   std::uint32_t buttons = 0;  // bit n: button n is held
-  // The tip did not get here by moving: first tick, device reconnected, another mapping. A proxy restarts at the tip.
+  // True if the tip did not move continuously to its position: first tick, device reconnected, another mapping. A proxy
+  // restarts at the tip.
   bool isRestart = true;
 };
 
@@ -32,30 +33,30 @@ struct ForceOut {
   Vec3 force = Vec3::Zero();   // N
   Vec3 torque = Vec3::Zero();  // N·mm
   double gripper = 0.0;        // N
-  Vec3 proxy = Vec3::Zero();   // mm: displayed position of the tip
+  Vec3 proxy = Vec3::Zero();   // displayed position of the tip, mm
   bool isContact = false;
-  bool isFresh = true;       // false: nothing new since the last tick; the watchdog counts
-  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all that acted, after the limit
-  double asked = 0.0;        // stiffness before the limit; not recorded
-  bool isSoftened = false;   // stiffness or damping was more before the limit
-  bool isHeld = false;       // a point or an edge attracts the tip
-  Vec3 held = Vec3::Zero();  // position of that attraction, mm
+  bool isFresh = true;       // false: nothing is new since the last tick, and the watchdog counts the tick
+  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all active forces, after the limit
+  double asked = 0.0;        // N/mm: stiffness before the limit; not recorded
+  bool isSoftened = false;   // true: the stiffness or damping was larger before the limit
+  bool isHeld = false;       // true: a point or an edge attracts the tip
+  Vec3 held = Vec3::Zero();  // position of the attracting point, mm
 };
 
-// Computes the force of a scene: contact, snapping, a tool. Created on the window thread with everything it needs; from
-// then on it belongs to the servo thread, and is freed on the window thread.
+// Computes the force of a scene: contact, snapping, a tool. A renderer is created on the window thread with all its
+// data. It then belongs to the servo thread, and is finally freed on the window thread.
 class ForceRenderer {
  public:
   virtual ~ForceRenderer() = default;
 
-  // Computes one tick on the servo thread: no lock, no allocation, no system call. `out` is passed with the proxy at
-  // the tip and default values otherwise.
+  // Computes one tick. It is called on the servo thread, and must not lock, allocate or make system calls. out: has the
+  // proxy at the tip, and default values otherwise.
   virtual void tick(const TipState& tip, ForceOut& out) noexcept = 0;
 
-  // Takes over state from the previous source, if there was one. Called once on the servo thread, before the first
-  // tick: if an edit made a new source of the same kind, the proxy continues from the old one's. A source that follows
-  // none begins at the tip of its first tick, whatever isRestart is. The rules of tick() apply here, too: nothing is
-  // freed.
+  // Takes over state from the previous renderer, if there is one. It is called once on the servo thread, before the
+  // first tick: if an edit created a new renderer of the same kind, the proxy continues from that of the old one. A
+  // renderer that follows none begins at the tip of its first tick, regardless of isRestart. It must not lock,
+  // allocate, free or make system calls.
   virtual void follow(const ForceRenderer& previous) noexcept { (void)previous; }
 };
 

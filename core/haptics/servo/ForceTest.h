@@ -7,22 +7,22 @@
 
 namespace handwheel {
 
-// Test force that pulls along the axes of the device, one after another. In the order +x, -x, +y, -y, +z and -z; each
-// pull is a half sine, so that the force is continuous. Servo thread.
+// Test force that pulls along the axes of the device, one after another. The order is +x, -x, +y, -y, +z and -z. Each
+// pull is a half sine, so that the force is continuous. The force is computed on the servo thread.
 class ForceTest : public ForceRenderer {
  public:
   static constexpr double kPullTime = 0.8;  // s
   static constexpr double kDuration = 6.0 * kPullTime;
 
-  // force: N at the device. mapping: the one in use during the test.
+  // force: the largest force at the device, N. mapping: the mapping in use during the test.
   ForceTest(double force, const WorkspaceMapping& mapping);
 
   void tick(const TipState& tip, ForceOut& out) noexcept override;
 
  private:
-  Eigen::Matrix3d m_sceneFromDevice;  // for a force at the device, the one in the scene that it results from
+  Eigen::Matrix3d m_sceneFromDevice;  // converts a force at the device to the force in the scene that causes it
   double m_force;
-  double m_begin = 0.0;  // s, time of the first tick
+  double m_begin = 0.0;  // time of the first tick, s
   bool m_hasBegun = false;
 };
 

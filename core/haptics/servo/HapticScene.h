@@ -12,19 +12,20 @@ namespace handwheel {
 
 // A workspace mapping with its sequence number.
 struct NumberedMapping {
-  std::uint64_t number = 0;  // 0: none was set, the identity applies
+  std::uint64_t number = 0;  // 0: no mapping was set, and the identity applies
   WorkspaceMapping mapping;
 };
 
-// The scene that the servo loop renders. Created on the window thread, and handed over as a whole.
+// The scene that the servo loop renders. It is created on the window thread, and passed to the loop as a whole.
 struct HapticScene {
-  std::unique_ptr<ForceRenderer> renderer;  // null: no forces, only a tip
-  // True for another model, tool or snap: the force returns by the ramp. False for an edit under the tip.
+  std::unique_ptr<ForceRenderer> renderer;  // null: no forces, only the tip
+  // True if the model, tool or snapping changes, so that the force returns by the ramp. False for an edit under the
+  // tip.
   bool isDiscontinuous = true;
-  // The mapping that its stiffnesses were computed for. The loop applies it in the same tick, if it has not yet. Set by
-  // ServoLoop.
+  // The mapping for which the stiffnesses of the scene were computed. The loop applies it no later than the scene. It
+  // is set by ServoLoop.
   NumberedMapping mapping = {};
-  // Sequence number of the scene in its loop, from 1. Set by ServoLoop.
+  // Sequence number of the scene in its loop, from 1. It is set by ServoLoop.
   std::uint64_t number = 0;
 };
 

@@ -9,10 +9,11 @@
 namespace handwheel {
 
 // The 99th percentile of times over the last full window of ticks. Rare, far longer times are left to the passivity
-// controller and the watchdog; if they counted here, one lost time slice would soften every wall. Does not allocate.
+// controller and the watchdog, because otherwise one lost time slice would soften every wall. The class does not
+// allocate.
 class PeriodQuantile {
  public:
-  // resolution: s; assumed: the value until a window is full, s.
+  // resolution: the width of a bin, s. assumed: the value until a window is full, s.
   PeriodQuantile(double resolution, double assumed) : m_resolution(resolution), m_value(assumed) {}
 
   void add(double seconds);

@@ -12,16 +12,16 @@
 
 namespace handwheel {
 
-// Lock-free data exchange between the servo thread and other threads. No thread waits.
+// Lock-free data exchange between the servo thread and other threads. No thread ever waits.
 struct ServoChannel {
   explicit ServoChannel(std::size_t capacity) : samples(capacity) {}
 
-  SnapshotSlot<HapticScene> scenes;          // in
-  TripleBuffer<NumberedMapping> mapping;     // in
-  std::atomic<bool> isDiscontinuous{false};  // in: the next tick starts the ramp
-  std::atomic<bool> isForceOn{true};         // in
-  SpscRing<ServoSample> samples;             // out: every tick, to one thread
-  TripleBuffer<ServoSample> latest;          // out: the last tick, to one thread
+  SnapshotSlot<HapticScene> scenes;          // to the servo thread
+  TripleBuffer<NumberedMapping> mapping;     // to the servo thread
+  std::atomic<bool> isDiscontinuous{false};  // to the servo thread; true: the next tick starts the ramp
+  std::atomic<bool> isForceOn{true};         // to the servo thread
+  SpscRing<ServoSample> samples;             // from the servo thread: every tick, to one thread
+  TripleBuffer<ServoSample> latest;          // from the servo thread: the last tick, to one thread
 };
 
 }  // namespace handwheel

@@ -13,15 +13,15 @@ namespace handwheel {
 // Data of one tick of the servo loop, for display, plots and recordings.
 struct ServoSample {
   std::uint64_t tick = 0;
-  TipState tip;   // in the scene
+  TipState tip;   // state of the tip in the scene
   ForceOut felt;  // the force that the scene asked for
   DeviceState device;
-  DeviceForce sent;  // to the motors, in the frame of the device
+  DeviceForce sent;  // sent to the motors, in the frame of the device
   SafetyActions actions;
-  double energy = 0.0;       // N·mm, of the passivity observer
-  float microseconds = 0.0;  // from reading the device to writing it
-  std::uint64_t scene = 0;   // number of the scene; 0: none was set yet
-  bool hasSource = false;    // the scene's force was computed; else there was none, or the device was not ready
+  double energy = 0.0;       // N·mm, energy observed by the passivity observer
+  float microseconds = 0.0;  // time from reading the device to writing it
+  std::uint64_t scene = 0;   // number of the scene; 0: no scene was set yet
+  bool hasSource = false;    // true: the scene's force was computed; false: no scene, or the device was not ready
 };
 
 }  // namespace handwheel

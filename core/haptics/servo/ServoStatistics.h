@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // Timing statistics of the servo loop, and the stiffness limit derived from them. The servo thread adds values; the
-// histograms may be read from any thread.
+// histograms may be read on any thread.
 class ServoStatistics {
  public:
   ServoStatistics(const DeviceCapabilities& device, double inherentDamping, double nominalPeriod);
@@ -20,7 +20,8 @@ class ServoStatistics {
   void addLateness(double seconds);  // time from the due time of a tick to its start
 
   // Returns the stiffness limit at the device, N/mm, without virtual damping. It follows the measurements within half a
-  // second, so that no step is felt. Never more than the manufacturer states; unlimited for a device without motors.
+  // second, so that no jump is felt. It never exceeds the stiffness that the manufacturer states. A device without
+  // motors has no limit.
   double stiffnessLimit() const { return m_limit; }
 
   double nominalPeriod() const { return m_nominalPeriod; }  // s

@@ -11,10 +11,11 @@
 
 namespace handwheel {
 
-// Settings of the servo loop. Rate and window are fidelity settings: servoSettings() in TouchFidelity.h sets them.
+// Settings of the servo loop. The rate and the velocity window are fidelity settings: servoSettings() in
+// TouchFidelity.h sets them.
 struct ServoSettings {
   double rate = 0.0;  // ticks a second, kept within kLeastServoRate and kLargestServoRate; 0: the device's nominal rate
-  double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity
+  double velocityWindow = VelocityEstimator::kStandardWindow;  // s; used if the device gives no velocity
   int priority = 80;                                           // SCHED_FIFO priority
   std::size_t samples = 16384;                                 // samples that may wait to be fetched: 16 s at 1 kHz
 
@@ -25,20 +26,22 @@ inline constexpr double kLeastServoRate = 500.0;
 inline constexpr double kLargestServoRate = 8000.0;
 
 // Executes one tick of the servo loop. It reads the device, maps the reading to the scene, computes the scene's force,
-// applies the safety chain, writes to the device and publishes a sample. No lock, no allocation, no system call but the
-// device's own. One thread at a time.
+// applies the safety chain, writes to the device and publishes a sample. It takes no lock, allocates no memory and
+// makes no system calls but those of the device. An object is used by one thread at a time.
 class ServoTick {
  public:
-  // All three outlive it; the device is open.
+  // Device, clock and channel must outlive the object. The device must be open.
   ServoTick(Device& device, const ServoSettings& settings, ServoClock& clock, ServoChannel& channel);
 
-  // Executes a tick that was woken at `now` (ns).
+  // Executes a tick. now: the time when the thread was woken for it, ns.
   void run(std::int64_t now) noexcept;
-  // To be called for a pause: period, velocity and energy start anew, the force returns by the ramp.
+  // Must be called for a pause. The period, the velocity and the energy are then measured anew, and the ramp of the
+  // safety chain brings the force back.
   void pause() noexcept;
 
-  // Continues from another object on the same device and channel: its scene, its mapping, its count and its time. The
-  // force returns by the ramp. Before the first tick, on the thread that owns both.
+  // Continues the work of another object on the same device and channel, with its scene, mapping, tick count and time.
+  // The ramp of the safety chain brings the force back. Must be called before the first tick, on the thread that owns
+  // both objects.
   void resumeFrom(const ServoTick& before);
 
   ServoStatistics& measure() { return m_measure; }
@@ -62,11 +65,11 @@ class ServoTick {
   ServoStatistics m_measure;
   DeviceMotionEstimator m_motion;
   WorkspaceMapper m_mapper;
-  ForceRenderer* m_renderer = nullptr;  // renderer of the scene that the channel has handed over,
-  std::uint64_t m_sceneNumber = 0;      // and its number
+  ForceRenderer* m_renderer = nullptr;  // renderer of the scene that the channel has handed over
+  std::uint64_t m_sceneNumber = 0;      // number of that scene
   std::uint64_t m_mappingNumber = 0;
   std::uint64_t m_tick = 0;
-  std::int64_t m_last = 0;  // ns: time when the previous tick was woken
+  std::int64_t m_last = 0;  // ns: time when the thread was woken for the previous tick
   double m_time = 0.0;      // s
   bool m_hasLast = false;
   bool m_wasReady = false;

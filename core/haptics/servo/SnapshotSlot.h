@@ -7,15 +7,15 @@
 
 namespace handwheel {
 
-// Lock-free slot that passes snapshots to a real-time thread, and back. They return to the producer thread to be freed:
-// std::atomic<shared_ptr> locks in libstdc++, and the last owner would free. Ownership is passed by two atomic
-// pointers, so at any moment each snapshot belongs to one thread and nothing needs to be marked as in use. Neither side
-// waits.
+// Lock-free slot that passes snapshots to a real-time thread, and back. Snapshots return to the producer thread to be
+// freed. (std::atomic<shared_ptr> locks in libstdc++, and the last owner would free the snapshot.) Ownership is passed
+// by two atomic pointers, so that at any moment each snapshot belongs to one thread and need not be marked as in use.
+// Neither thread ever waits.
 template <class T>
 class SnapshotSlot {
  public:
   SnapshotSlot() = default;
-  ~SnapshotSlot() {  // to be called when neither thread uses it any more
+  ~SnapshotSlot() {  // must be called when neither thread uses the slot any more
     delete m_incoming.load(std::memory_order_relaxed);
     delete m_retired.load(std::memory_order_relaxed);
     delete m_leaving;
@@ -24,27 +24,28 @@ class SnapshotSlot {
   SnapshotSlot(const SnapshotSlot&) = delete;
   SnapshotSlot& operator=(const SnapshotSlot&) = delete;
 
-  // Producer thread: makes this snapshot available to the next take(); one that was never taken is freed.
+  // Makes a snapshot available to the next take(). A snapshot that was never taken is freed. Must be called on the
+  // producer thread.
   void publish(std::unique_ptr<T> snapshot) {
     delete m_incoming.exchange(snapshot.release(), std::memory_order_acq_rel);
     collect();
   }
 
-  // Frees the snapshot that the real-time thread no longer uses. Returns true if there
-  // was one.
+  // Frees the snapshot that the real-time thread no longer uses. Returns true if there was one. Must be called on the
+  // producer thread.
   bool collect() {
     const std::unique_ptr<T> retired(m_retired.exchange(nullptr, std::memory_order_acq_rel));
     return retired != nullptr;
   }
 
-  // Result of take(), which the real-time thread calls.
+  // Result of take().
   struct Taken {
-    T* current = nullptr;         // in use until the next take(); null before the first
-    const T* previous = nullptr;  // the one before, if current is new; readable until the next take()
+    T* current = nullptr;         // snapshot in use until the next take(); null before the first snapshot
+    const T* previous = nullptr;  // the snapshot before `current` if that is new; readable until the next take()
     bool isNew = false;
   };
   Taken take() noexcept {
-    // The one before the last one that was taken leaves first, so that `previous` lives through a tick.
+    // The snapshot before the last one that was taken is returned first, so that `previous` lives through a tick.
     if (m_leaving) {
       T* none = nullptr;
       if (!m_retired.compare_exchange_strong(none, m_leaving, std::memory_order_acq_rel))

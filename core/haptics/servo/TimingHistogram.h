@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Histogram of times with bins of equal width. The last bin also counts all longer times, the first the negative ones.
-// One thread adds, any thread reads; no locks.
+// Histogram of times with bins of equal width. The last bin also counts all longer times, the first bin the negative
+// ones. One thread may add times, and any thread may read the histogram, without locks.
 class TimingHistogram {
  public:
   static constexpr std::size_t kBins = 256;
@@ -21,7 +21,8 @@ class TimingHistogram {
   void add(double seconds) noexcept;
   Counts counts() const;
   double binSeconds() const { return m_binSeconds; }
-  // Returns the quantile for a share (0 to 1), as the upper end, s, of its bin; 0 without values.
+  // Returns the upper end, s, of the bin that contains the quantile for a fraction, 0 to 1. Returns 0 if there are no
+  // values.
   double quantile(double share) const;
 
  private:

@@ -7,32 +7,33 @@
 
 namespace handwheel {
 
-// The closed boundary loop of a hole, as lists of equal length. So no mesh is needed; the numbers are those by which a
+// The closed boundary loop of a hole, without its mesh. The lists have equal length. The numbers are those by which a
 // tool identifies the held feature.
 struct SnapLoop {
   std::uint32_t number = kNone;             // number of the loop
   std::span<const Vec3> points;             // mm
-  std::span<const std::uint32_t> vertices;  // the number of each point,
-  std::span<const std::uint32_t> edges;     // and of the edge from it to the next
+  std::span<const std::uint32_t> vertices;  // the number of each point
+  std::span<const std::uint32_t> edges;     // the number of the edge from each point to the next
 };
 
-// The features of a boundary loop to snap to.
+// The kinds of features of a boundary loop to which the tip snaps.
 struct SnapOffer {
   bool vertices = true;  // SnapKind::Point
-  bool edges = true;     // SnapKind::Segment: each pulls by itself, so that summed forces are larger at vertices
-  bool curves = false;   // SnapKind::Curve: to slide along
+  // SnapKind::Segment: edges pull individually, so that summed forces are larger at vertices.
+  bool edges = true;
+  bool curves = false;  // SnapKind::Curve, along which the tip slides
 };
 
 // Features around the holes of a mesh, for tools that select, pull and stitch.
 struct LoopSnapField {
   SnapField field;
-  double spacing = 0.0;  // mm, the mean length of an edge
+  double spacing = 0.0;  // mean length of an edge, mm
 
-  // Returns the snap distance (mm) for the setting snap.radius. 0, and thus no force, without an edge.
+  // Returns the snap distance for the setting snap.radius, mm. Without edges it is 0, so that there is no force.
   double distance(const FidelityValues& values) const;
 };
 
-// Builds the snap scene of boundary loops. On a worker. Empty if cancelled.
+// Builds the snap field of boundary loops. It is called on a worker thread. The result is empty if cancelled.
 LoopSnapField snapSceneOf(std::span<const SnapLoop> loops, SnapOffer offer, Progress progress = {});
 
 }  // namespace handwheel

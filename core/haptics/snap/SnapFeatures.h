@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// Collects the features to snap to, for building a SnapField. Not on the servo thread. A feature with a coordinate that
-// is not finite, or beyond 1e100 mm, is left out. Segments without length and triangles without area stay: they act as
-// the points or segments that they are. The ids are the caller's; the field returns them.
+// Collects the features to snap to, for building a SnapField. It must not be used on the servo thread. A feature with a
+// coordinate that is not finite, or beyond 1e100 mm, is left out. Segments without length and triangles without area
+// are kept; they act as points or segments. The caller chooses the ids, and the field returns them.
 class SnapFeatures {
  public:
   void addPoint(std::uint32_t id, const Vec3& p);

@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// Returns the setting snap.radius: snap distance, in mean distances between neighbouring features. If small, features
-// are hard to hit; if large, the one held last is hard to leave.
+// Returns the setting snap.radius: the snap distance. Its unit is the mean distance between neighbouring features. With
+// a small radius, features are hard to hit; with a large radius, the held feature is hard to leave.
 FidelitySetting snapRadiusSetting();
 
-// Returns the setting snap.features: number of features that act at once in SnapSum.
+// Returns the setting snap.features: the number of features that act at once in SnapSum.
 FidelitySetting snapFeaturesSetting();
 
 }  // namespace handwheel

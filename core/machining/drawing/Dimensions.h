@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// The dimensions of a part that a drawing shows, found from its features. Their texts include the tolerances.
+// The dimensions of a part that a drawing shows. They are found from its features; their texts include the tolerances.
 struct PartDimensions {
   struct Diameter {
     double value, low, high;  // mm; low and high are the z of its ends
@@ -24,28 +24,29 @@ struct PartDimensions {
     bool isRoughness = false;
   };
   struct Length {
-    double from, to;  // z
+    double from, to;  // z of its ends
     std::string text;
   };
   std::vector<Diameter> diameters;
   std::vector<double> outerHeights,
-      innerHeights;           // z of corners and faces, rising; the outer ones include the two ends
-  std::vector<Length> spans;  // with a tolerance, between two faces below the upper end
+      innerHeights;           // z of corners and faces, in ascending order; the outer heights include the two ends
+  std::vector<Length> spans;  // lengths with a tolerance, between two faces below the upper end
   std::vector<Note> notes;
 
   std::size_t count() const { return diameters.size() + outerHeights.size() + innerHeights.size() + notes.size(); }
 };
 
-// Returns the dimensions of the features that are not smaller than `least` (mm). tolerance: tolerance of the features.
-// isSmoothed: the part comes from withoutSmall(), so a face that is flat within `least` is flat.
+// Returns the dimensions of the features that are not smaller than `least` (mm). tolerance: the tolerance of the
+// features, mm. isSmoothed: true if the part comes from withoutSmall(). Then a face that is flat within `least` counts
+// as flat.
 PartDimensions dimensionsOf(const TargetProfile& part, const DrawingTitle& title, double tolerance, double least,
                             bool isSmoothed);
 
-// Returns the part without details smaller than `least` (mm): lines and arcs within about half of it. Returns nothing
-// if they do not enclose a part, or enclose another one.
+// Returns the part without details smaller than `least` (mm). The lines and arcs of the result deviate from the part by
+// about half of `least` at most. Returns nothing if they do not enclose a part, or enclose a different part.
 std::optional<TargetProfile> withoutSmall(const TargetProfile& part, double least);
 
-// Draws the dimensions of a part on a sheet, below it and above it. Texts do not overlap at any scale.
+// Draws the dimensions of a part on a sheet, below and above the part. Texts do not overlap at any scale.
 class DimensionLines {
  public:
   DimensionLines(Sheet& sheet, const DrawingLayout& layout, const TargetProfile& part, const DrawingTitle& title)
@@ -56,11 +57,11 @@ class DimensionLines {
  private:
   using Notes = std::vector<PartDimensions::Note>;
 
-  // Diameters without room in the view become notes.
+  // Adds the diameters. Diameters without room in the view become notes.
   void addDiameters(const PartDimensions& dimensions, Notes& notes);
   void addDiameter(const PartDimensions::Diameter& diameter, double x);
-  // Adds lengths from the upper end, the shortest nearest to the part; many become running dimensions. Returns the y at
-  // which they end.
+  // Adds lengths from the upper end, the shortest nearest to the part. If there are many, they become running
+  // dimensions. Returns the y at which the lengths end.
   double addLengths(std::vector<double> heights, const std::vector<PartDimensions::Length>& spans, bool isAbove,
                     double start);
   void addLength(const PartDimensions::Length& length, double y, bool isAbove);
@@ -75,12 +76,13 @@ class DimensionLines {
   const DrawingTitle& m_title;
 };
 
-// Returns the text of a size with its tolerance, if one is asked for there. prefix: "Ø", "R" or empty.
+// Returns the text of a size, with its tolerance if the title has one for this size and height. low, high: the z of its
+// ends, mm. prefix: "Ø", "R" or empty.
 std::string toleratedText(const DrawingTitle& title, DrawnTolerance::Of of, double value, double low, double high,
                           const std::string& prefix);
 
-// Returns the positions nearest to the wanted ones, which rise, that are at least `gap` apart (least squares; isotonic
-// regression by pooling adjacent violators).
+// Returns the positions nearest to the wanted ones, in the sense of least squares, that are at least `gap` apart. The
+// wanted positions must be in ascending order. The method is isotonic regression by pooling adjacent violators.
 std::vector<double> spread(const std::vector<double>& wanted, double gap);
 
 }  // namespace handwheel

@@ -33,7 +33,7 @@ std::string scaleText(double scale);
 // Returns a size as drawings state it: to 0.01, without trailing zeros.
 std::string sizeText(double value);
 
-// The frame and the title block of a sheet. The title block stands on the frame, at the right.
+// The frame and the title block of a sheet. The title block is in the lower right corner of the frame.
 inline constexpr double kFrameLeft = 20.0, kFrame = 10.0;  // mm, from the edges of the paper
 inline constexpr double kTitleWidth = 170.0, kTitleHeight = 24.0;
 void addTitleBlock(Sheet& sheet, const std::string& name, const std::string& material, double scale);

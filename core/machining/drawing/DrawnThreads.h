@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Returns the threads of a part as its drawing shows them, each once. Each extends along the surface that it is cut in.
-// base: mm, height of the lower end of the part on the drawing. O(grooves · samples).
+// Returns the threads of a part as its drawing shows them, each once. A thread extends along the surface in which it is
+// cut. base: the z of the drawing at which the lower end of the part lies, mm. O(grooves · samples).
 std::vector<DrawnThread> drawnThreads(const TurnedProfile& part, const PartThreads& threads, double base);
 
 }  // namespace handwheel

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// A sheet of a technical drawing as lines, filled areas and texts. Lengths are millimetres on the paper. The origin is
-// the lower left corner; y is up.
+// A sheet of a technical drawing as lines, areas and texts. Lengths are millimetres on the paper. The origin is the
+// lower left corner; y is up.
 struct Sheet {
-  enum class Line { Wide, Narrow, Centre };  // ISO 128-2: visible edges; dimensions; axes (long dash, dot)
+  enum class Line { Wide, Narrow, Centre };  // visible edges, dimensions, and axes (long dash, dot); ISO 128-2
   enum class Align { Left, Centre, Right };
 
   struct Stroke {
@@ -24,11 +24,11 @@ struct Sheet {
     std::string text;       // UTF-8
     double height = 3.5;    // mm, height of capitals
     Align align = Align::Centre;
-    bool isUpwards = false;  // runs up, to be read from the right
+    bool isUpwards = false;  // the text runs upwards, to be read from the right
 
-    ProfileBox box() const;  // the area that it covers, descenders included
+    ProfileBox box() const;  // the area that the text covers, including descenders
   };
-  // A closed outline, to be filled (arrow heads) or hatched (cut material).
+  // A closed outline that is filled (arrow heads) or hatched (cut material).
   struct Area {
     std::vector<ProfileSegment> outline;
     bool isHatched = false;
@@ -51,7 +51,7 @@ struct Sheet {
   void arrow(const ProfilePoint& tip, const ProfilePoint& towards);
 };
 
-// Returns the printed width of a text (mm), or a little more.
+// Returns the printed width of a text (mm), or a little more. height: the height of capitals, mm.
 double widthOf(const std::string& text, double height);
 
 }  // namespace handwheel

@@ -11,11 +11,12 @@
 namespace handwheel {
 
 // Measures the distance that a cutting tool covered in the last revolution of the spindle. The feed from point to point
-// is useless, since hand movements and mouse timestamps are irregular.
+// would be useless, because hand movements and mouse timestamps are irregular.
 class FeedMeter {
  public:
   void clear();
-  // Adds one more move. distance: mm. Returns mm per revolution; infinite while the spindle stands.
+  // Adds a move and returns the feed, mm per revolution. The feed is infinite while the spindle is at rest. distance:
+  // the length of the move, mm. turns: the revolutions of the spindle during the move.
   double add(double distance, double turns, bool isTurning);
 
  private:
@@ -27,25 +28,27 @@ class FeedMeter {
 };
 
 // Follows passes move by move and marks the finish that they leave. An edge leaves the roughness of its feed and nose,
-// f²/(32 R); a drill that of drilling (drilledRoughness()). An abrasive tool removes the crests: those of a nose are
-// four times as high as their Ra, f²/(8 R) and f²/(32 R), so that Ra falls by a quarter of the depth removed; once as
-// much is removed, the surface is that of the abrasive, which no further passes make finer. Only samples whose radius
-// changes are marked; by an edge only those of which it removes more than TurningPass::kTouch while it goes in one
-// direction: work that has sprung back is touched by the returning tool, and keeps its finish. The finish is a function
-// of bar and passes: the same moves give the same finish. One thread.
+// f²/(32 R); a drill leaves the roughness of drilling (drilledRoughness()). An abrasive tool removes the crests. The
+// crests of a nose are f²/(8 R) high, four times their Ra, so Ra falls by a quarter of the removed depth. It does not
+// fall below the roughness of the abrasive, which no further passes make finer. Only samples whose radius changes are
+// marked. An edge marks a sample only if it removes more than TurningPass::kTouch from the sample while it moves in one
+// direction: work that has sprung back is touched by the returning tool, but keeps its finish. The finish is a function
+// of bar and passes: the same moves give the same finish. A meter may be used by one thread at a time.
 class FinishMeter {
  public:
-  // profile: the part before the next move. finish: its finish; if it has another size, nothing is known. usualSpeed:
-  // spindle speed of passes that do not record theirs, r/min; 0: their finish is not known.
+  // profile: the part before the next move. finish: the finish of this part; if it has another number of samples, the
+  // finish is taken as unknown. usualSpeed: the spindle speed of passes that do not record a speed, r/min; 0: the
+  // finish of such passes is not known.
   FinishMeter(TurnedProfile profile, SurfaceFinish finish, double usualSpeed = 0.0);
 
-  // Adds the move to point i of a pass, which has this number in the part. profile: the part after the move; changed:
-  // the samples that may have changed. O(changed).
+  // Adds the move to point i of a pass. number: the index of the pass in the part. profile: the part after the move.
+  // changed: the samples that may have changed. O(changed).
   void add(const TurningPass& pass, std::size_t i, std::uint32_t number, const TurnedProfile& profile,
            const TurnedProfile::Range& changed);
 
   const SurfaceFinish& finish() const { return m_finish; }
-  // Feed of the last move, mm per revolution; 0 if it cut nothing; infinite while the spindle stood.
+  // Returns the feed of the last move, mm per revolution. The feed is 0 if the move cut nothing, and infinite if the
+  // spindle was at rest.
   double feed() const { return m_feed; }
 
  private:
@@ -59,12 +62,13 @@ class FinishMeter {
   FeedMeter m_meter;
   std::uint32_t m_number = FinishMark::kNoPass;
   double m_feed = 0.0;
-  std::vector<double> m_taken[2];  // mm, by side: depth removed from each sample in this contact
+  std::vector<double> m_taken[2];  // mm, depth removed from each sample in this contact, for each side
   TurnedProfile::Range m_touched;  // samples touched in this contact
   TurnedProfile::Range m_first;    // samples that the first point of the pass has changed and that have no mark yet
 };
 
-// Cuts a pass like cut(), and marks the finish. Incomplete if it was cancelled.
+// Cuts a pass into the profile and marks the finish. Returns the samples that changed. If cancelled, only the first
+// moves of the pass are cut.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, std::uint32_t number, FinishMeter& meter,
                          Progress progress = {});
 

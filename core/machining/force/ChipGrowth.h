@@ -7,11 +7,12 @@
 
 namespace handwheel {
 
-// The thickness of a chip along the feed. It is the distance that the edge covered in the last turn of the work: an
-// edge that has just touched takes no more than it has moved since, at any speed; after one turn that becomes the feed.
+// The thickness of a chip along the feed. It is the distance that the edge covered in the last turn of the work. An
+// edge that has just touched the work takes a chip no thicker than the distance it has moved since, at any speed. After
+// one turn the thickness has become the feed.
 class ChipGrowth {
  public:
-  // The edge has cut over a distance (mm), in turns of the work. Values that are not a number do nothing.
+  // Adds a cut over a distance (mm) during this number of turns of the work. Values that are not finite do nothing.
   void add(double distance, double turns) {
     if (!std::isfinite(distance) || !std::isfinite(turns)) return;
     if (!(turns > 0.0)) {
@@ -24,7 +25,7 @@ class ChipGrowth {
     else
       m_thickness = feed + (m_thickness - feed) * std::max(0.0, 1.0 - turns);
   }
-  // The edge is clear of the work.
+  // Ends the cut: the edge is clear of the work.
   void end() { m_thickness = 0.0; }
 
   double thickness() const { return m_thickness; }  // mm

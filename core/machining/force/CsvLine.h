@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// Removes the next line from a text and returns it without its end; also "\r\n".
+// Removes the next line from a text and returns the line. Its end, "\n" or "\r\n", is not returned.
 std::string_view takeLine(std::string_view& text);
 
 // Splits one line of comma-separated values (RFC 4180) into at most `most` fields, without blanks around them. A quoted
-// field ends at the end of the line at the latest. O(length).
+// field without a closing quote ends at the end of the line. O(length).
 void splitCsvLine(std::string_view line, std::size_t most, std::vector<std::string>& fields);
 
 }  // namespace handwheel

@@ -13,7 +13,8 @@ struct CutConditions {
   bool operator==(const CutConditions&) const = default;
 };
 
-// The force of the work on a turning tool, N: along the speed of the work, against the feed, and away from the axis.
+// The force of the work on a turning tool, N. Its components point along the speed of the work, against the feed, and
+// away from the axis.
 struct CutForces {
   double cutting = 0.0;
   double feed = 0.0;
@@ -24,23 +25,24 @@ struct CutForces {
 };
 
 // Returns the conditions within the range of every model. Values that are not a number, or below zero, cut nothing: all
-// are 0 then. Depth, feed and speed are at most these limits, and the speed at least kLeastSpeed: laws with a negative
-// power of the speed have a pole at a standstill, where none was measured.
+// are 0 then. Depth, feed and speed are limited to kMostDepth, kMostFeed and kLargestSpeed. The speed is at least
+// kLeastSpeed, because laws with a negative power of the speed have a pole at a speed of 0, where no law was measured.
 CutConditions bounded(const CutConditions& cut) noexcept;
 inline constexpr double kMostDepth = 1e3, kMostFeed = 1e3;       // mm, mm/rev
 inline constexpr double kLeastSpeed = 1.0, kLargestSpeed = 1e5;  // m/min
 
 // A law for the forces of turning, for one material and one tool.
 //
-// Evaluated in the servo loop: at() neither allocates nor locks, and costs less than a microsecond. Every result is
-// finite and not negative, for any conditions; if depth or feed is 0, all forces are 0. Thread: any, concurrently.
+// The servo loop evaluates the law: at() neither allocates nor locks, and costs less than a microsecond. Every result
+// is finite and not negative, for any conditions. If depth or feed is 0, all forces are 0. The functions may be called
+// by several threads at once.
 class CuttingForceModel {
  public:
   virtual ~CuttingForceModel() = default;
 
   virtual CutForces at(const CutConditions& cut) const noexcept = 0;
 
-  // Returns true if the law was measured, or fitted, for such a cut. Outside of that range at() is an extrapolation.
+  // Returns true if the law was measured or fitted for such cuts. For other cuts at() extrapolates.
   virtual bool covers(const CutConditions& cut) const noexcept = 0;
 };
 

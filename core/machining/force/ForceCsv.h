@@ -9,19 +9,19 @@
 
 namespace handwheel {
 
-// Reads a table of measured cuts as comma-separated values with a header line (RFC 4180). Its origin is untrusted.
-// Columns are found by name, in any order; exact case first, then any case:
-//   depth of cut, mm: ap, depth, a, A_cal or A0 (these two are areas in mm², divided by the feed)
-//   feed, mm per revolution: f_cal (measured) before f or feed
-//   cutting speed, m/min: vc, v or speed; else rpm with the diameter
-//   cutting force, N: Fc; else of Fx, Fy, Fz: Fx if there is a column ap, else Fz
-//   wear, mm: TCond, VB
-// Rows of a worn tool, and those with "na" in such a column, are counted and left out. Rows with the same cut and force
-// are one sample.
-// diameter: mm, diameter of the work; 0: not known.
-// Errors, with the line: ColumnMissing, ColumnTwice, DiameterNeeded, DataTruncated {columns, expected, found},
-// NumberMalformed, NumberNotFinite, ValueOutOfRange {column, value, least, largest}, FileTooLarge {rows}, FileEmpty,
-// Cancelled. O(length).
+// Reads a table of measured cuts as comma-separated values with a header line (RFC 4180). The text is not trusted.
+// Columns are found by their names, in any order. A name in exact case is preferred to one in another case:
+//   depth of cut, mm: ap, depth or a; or an area in mm², A_cal or A0, which is divided by the feed
+//   feed, mm per revolution: f_cal (measured), f or feed
+//   cutting speed, m/min: vc, v or speed; or a spindle speed rpm, from which the diameter gives it
+//   cutting force, N: Fc; without it Fx if there is a column ap, otherwise Fz
+//   wear, mm: TCond or VB
+// If a table has several columns for a quantity, the one named first here counts. Rows of a worn tool, and rows in
+// which one of these values is missing or "na", are counted and left out. Rows with the same cut and force count as
+// one sample. diameter: mm, diameter of the work; 0: not known.
+// Errors with the line: ColumnMissing, ColumnTwice, DiameterNeeded, NumberMalformed, NumberNotFinite, ValueOutOfRange
+// {"the value", value, least, largest}. Errors without it: FileTooLarge {"rows", "", limit}, FileEmpty, Cancelled.
+// O(length).
 Result<ForceSamples> forceSamplesFromCsv(std::string_view text, double diameter = 0.0, Progress progress = {});
 inline constexpr std::size_t kMostForceRows = 200'000, kMostForceColumns = 1'000;
 

@@ -7,7 +7,7 @@
 // The error codes of tables and models of cutting forces.
 namespace handwheel::ForceErrors {
 
-extern const ErrorDescription ColumnMissing;    // {quantity, its possible names}; a table of cuts
+extern const ErrorDescription ColumnMissing;    // {quantity, its possible names}; a table of cuts has no such column
 extern const ErrorDescription ColumnTwice;      // {name}
 extern const ErrorDescription DiameterNeeded;   // the table gives r/min, but no cutting speed
 extern const ErrorDescription TooFewCuts;       // {found, least}

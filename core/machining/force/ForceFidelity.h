@@ -10,15 +10,16 @@ namespace handwheel {
 // The force laws that the hand can feel, in the order of the setting's choices.
 enum class ForceLaw { Kosilova, Kienzle, Network };
 
-// The setting turn.force_model: the law that gives the cutting force.
+// Returns the setting turn.force_model, the law that gives the cutting force.
 FidelitySetting forceModelSetting();
 
-// Returns the chosen law for a material. Kienzle's law, which every material has, replaces Kosilova's if the handbook
-// has no row, and replaces the shipped network for any material but the one it was trained on.
+// Returns the chosen law for a material. Kienzle's law, which every material has, replaces Kosilova's law if the
+// handbook has no row for the material. It also replaces the shipped network for any material but the one that the
+// network was trained on.
 std::unique_ptr<CuttingForceModel> forceModelFor(ForceLaw law, const WorkMaterial& material, const CuttingEdge& edge,
                                                  const ThrustSettings& thrust = {});
 
-// The law that gives a force.
+// The law that a force model follows.
 struct LawInUse {
   ForceLaw law = ForceLaw::Kienzle;
   bool isVerified = true;  // all its constants were compared with their source

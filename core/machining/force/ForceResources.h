@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The files of resources/machining about forces, which are built into the library.
+// Return the files of resources/machining about forces, which are built into the library.
 std::string_view kosilovaResource();    // kosilova.json
 std::string_view materialsResource();   // materials.json
 std::string_view forceModelResource();  // force-model.json

@@ -12,17 +12,18 @@ namespace handwheel {
 
 // The two constants of Kienzle's law, kc = kc11 h^-mc. h is the thickness of the chip in mm.
 struct KienzleConstants {
-  double kc11 = 0.0;  // N/mm², of a chip 1 mm wide and 1 mm thick
+  double kc11 = 0.0;  // N/mm², specific force of a chip 1 mm wide and 1 mm thick
   double mc = 0.0;
   bool operator==(const KienzleConstants&) const = default;
 };
 
-// Returns the constants nearest, in logarithms and by least squares, to a table of thickness (mm) and kc (N/mm²). The
+// Returns the constants nearest to a table of thickness (mm) and kc (N/mm²), by least squares of the logarithms. The
 // table must have two different thicknesses, and only values above zero.
 KienzleConstants fittedConstants(std::span<const std::pair<double, double>> table);
 
-// Kienzle's cutting force law for a material and an edge. Fc = kc11 b h^(1-mc), b = ap / sin κ, h = f sin κ, and 1 %
-// less for each degree of rake (Kienzle 1952; rake after Sandvik's handbook). It does not depend on the speed.
+// Kienzle's cutting force law for a material and an edge. The force is Fc = kc11 b h^(1-mc) with b = ap / sin κ and h =
+// f sin κ for the depth ap, the feed f and the approach angle κ, reduced by 1 % for each degree of rake (Kienzle 1952;
+// the rake correction is from Sandvik's handbook). It does not depend on the speed.
 class KienzleModel : public CuttingForceModel {
  public:
   KienzleModel(const KienzleConstants& constants, const CuttingEdge& edge, const ThrustSettings& thrust = {});
@@ -34,7 +35,7 @@ class KienzleModel : public CuttingForceModel {
   CuttingEdge m_edge;
   ThrustSettings m_thrust;
   PowerLaw m_cutting;
-  double m_thickness;  // thickness of the chip by the feed: sin κ
+  double m_thickness;  // ratio of the chip thickness to the feed, sin κ
 };
 
 }  // namespace handwheel

@@ -10,25 +10,25 @@ namespace handwheel {
 
 // A trained network as a law of cutting forces, with its origin.
 //
-// A network says nothing beyond its data: outside the range of its training set the force is that of the power law
-// fitted to the same set, and covers() is false. Beyond the border, over kRim of the range, the network blends into the
-// power law, so that the hand feels no step.
+// A network is meaningless beyond its data. Outside the range of its training set the force follows the power law
+// fitted to the same set, and covers() is false. In a margin around the range, kRim times as wide as the range, the
+// network blends into the power law, so that the hand feels no step.
 class TrainedForceModel : public CuttingForceModel {
  public:
   static constexpr double kRim = 0.05;
 
   struct Origin {
-    std::string data;         // a sentence: the source of the training rows
-    bool isSynthetic = true;  // calculated, not measured
+    std::string data;         // the source of the training rows, as a sentence
+    bool isSynthetic = true;  // the rows were calculated, not measured
     std::string material;     // id of a work material; empty: not known
     std::string trainer;      // word of the trainer
     std::uint64_t seed = 0, epochs = 0, cuts = 0;
-    double error = 0.0;         // mean squared, in scaled units
+    double error = 0.0;         // mean squared error in scaled units
     double heldOutError = 0.0;  // mean relative error of the force on held-out cuts; 0: not measured
     bool operator==(const Origin&) const = default;
   };
 
-  // The edge is for feed and radial force: a network gives the cutting force only.
+  // The edge determines the feed force and the radial force, because a network gives the cutting force only.
   TrainedForceModel(ForceNetwork network, const PowerLaw& powerLaw, Origin origin, const CuttingEdge& edge = {},
                     const ThrustSettings& thrust = {});
 

@@ -6,38 +6,40 @@
 
 namespace handwheel {
 
-// The depth of an abrasive tool in a part, averaged over its contact surface. He 2008, 5.1.1.1.
+// The mean depth of an abrasive tool in a part. It is averaged over the contact surface (He 2008, section 5.1.1.1).
 struct GrindingContact {
-  double depth = 0.0;         // mm, mean along the normals (5-1, 5-2); 0: no contact
-  ProfilePoint normal{0, 0};  // mean of the normals out of the material (5-4), (r, z), of length 1
+  double depth = 0.0;         // mm, mean depth along the normals (He 2008, eq. 5-1 and 5-2); 0: no contact
+  ProfilePoint normal{0, 0};  // unit vector, mean of the normals out of the material (He 2008, eq. 5-4), (r, z)
   bool isEmpty() const { return !(depth > 0.0); }
 };
 
-// Returns the contact of a tool with its tip at this point. The pieces of the surface are those between the samples
-// below the tool. O(samples below it).
+// Returns the contact of a tool whose tip is at this point. Each piece of the surface between two samples below the
+// tool contributes to the contact. O(samples below the tool).
 GrindingContact grindingContact(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& tip);
 
-// Returns the depth that a tool would have in the material if its tip moved straight between these positions, mm along
-// r, from the surface on its side. It counts beyond the axis, too, where no material is left: there a cut is no deeper
-// than the work is thick. 0: no contact. O(samples below it).
+// Returns the depth (mm along r, from the surface on the side of the tool) that a tool would reach if its tip moved
+// straight between two positions. Unlike the depth of a cut, which is at most the thickness of the work, it also counts
+// the travel beyond the axis. 0: no contact. O(samples below the tool).
 double pressedDepth(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                     const ProfilePoint& to);
 
-// The stiffness and the largest force with which a tool is held: a disk by a slide, file and paper by a hand.
+// The stiffness and the largest force with which a tool is held. A slide holds a disk; a hand holds a file or paper.
 struct GrindingHold {
   double stiffness = 0.0;  // N/mm
   double damping = 0.0;    // N·s/mm
   double most = 0.0;       // N
-  // mm; largest depth, at the largest force: a hand or a slide cannot press the tool deeper.
+  // Returns the depth at the largest force, mm. A hand or a slide cannot press the tool deeper.
   double deepest() const { return stiffness > 0.0 ? most / stiffness : 0.0; }
 };
 GrindingHold holdOf(const LatheTool& tool);
 
-// Returns the force, N, out of the material along the mean normal: F = k d − ζ V (5-3), with the speed V out of it.
-// velocity: velocity of the tool, mm/s. Never pulls, and never exceeds the largest force of the hold.
+// Returns the force (N) that pushes the tool out of the material along the mean normal. F = k d − ζ V (He 2008, eq.
+// 5-3), where k, ζ and d are the stiffness, the damping and the depth, and V is the speed of the tool out of the
+// material. The force never pulls, and never exceeds the largest force of the hold. velocity: the velocity of the tool,
+// mm/s.
 double grindingForce(const GrindingContact& contact, const GrindingHold& hold, const ProfilePoint& velocity);
 
-// Friction along the motion of the surface, as a share of that force: usual between abrasives and metal.
+// Friction along the motion of the surface, as a fraction of grindingForce(); a usual value between abrasives and metal
 inline constexpr double kGrindingFriction = 0.4;
 
 }  // namespace handwheel

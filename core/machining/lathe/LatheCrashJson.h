@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Returns the crashes of a lathe as JSON, as documents store them. docs/format.md lists the keys.
+// Converts the crashes of a lathe to the JSON of documents. docs/format.md lists the keys.
 nlohmann::json crashesToJson(const std::vector<LatheCollision>& crashes);
-// Reads crashes from any JSON; entries that are no crash are left out, and so are those after
+// Reads crashes from any JSON. Entries that are not crashes are left out, and so are crashes beyond the first
 // LatheRun::kMostCollisions.
 std::vector<LatheCollision> crashesFrom(const nlohmann::json& json);
 

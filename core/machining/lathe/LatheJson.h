@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Lathe tools and setups as JSON. Reading accepts any value; a missing value has its default, an impossible one is an
-// error. Errors: ElementMalformed {element, what is wrong with it}.
+// Lathe tools and setups as JSON. A member that is missing or has the wrong type gets its default; an impossible value
+// is an error. Errors: ElementMalformed {element, what is wrong with it}.
 nlohmann::json toJson(const LatheTool& tool);
 Result<LatheTool> latheToolFrom(const nlohmann::json& value);
 

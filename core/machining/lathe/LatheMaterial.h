@@ -8,21 +8,21 @@
 namespace handwheel {
 
 // The mechanical properties of a part's material on the lathe. They are the laws of the cutting forces for each tool,
-// and its stiffness.
+// and the stiffness of the material.
 struct LatheMaterial {
   std::string id;                                              // id of the work material
   ForceLaw law = ForceLaw::Kienzle;                            // the chosen law
-  std::vector<std::shared_ptr<const CuttingForceModel>> laws;  // one for each tool; null: it does not cut chips
+  std::vector<std::shared_ptr<const CuttingForceModel>> laws;  // one for each tool; null: the tool does not cut chips
   double modulus = 210e3;                                      // N/mm², modulus of elasticity
 
-  // Returns the law of the tool with this index; null: none.
+  // Returns the law of the tool with this index, or null if it has none.
   const CuttingForceModel* lawOf(std::size_t tool) const { return tool < laws.size() ? laws[tool].get() : nullptr; }
 };
 
-// Returns the edge of a tool as the laws see it.
+// Returns the edge of a tool, with the angles that the force laws need.
 CuttingEdge edgeOf(const LatheTool& tool);
 
-// Returns the laws of the chosen kind for all tools. Takes milliseconds.
+// Returns the properties of a material with laws of the chosen kind for all tools. The call takes milliseconds.
 LatheMaterial latheMaterial(const WorkMaterial& material, ForceLaw law, const LatheTools& tools);
 
 }  // namespace handwheel

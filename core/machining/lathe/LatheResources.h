@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The file resources/machining/tools.json.
+// Returns the text of the file resources/machining/tools.json, which is built into the library.
 std::string_view latheToolsResource();
 
 }  // namespace handwheel

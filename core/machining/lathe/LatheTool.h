@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Kind of a lathe tool.
+// The kind of a lathe tool.
 enum class LatheToolKind {
   RightTurning,  // cuts towards the chuck
   LeftTurning,
@@ -30,14 +30,14 @@ inline constexpr std::size_t kLatheToolKinds = 12;
 
 std::string_view idOf(LatheToolKind kind);  // "right-turning"
 std::optional<LatheToolKind> latheToolKindNamed(std::string_view id);
-const char* titleOf(LatheToolKind kind);  // English, context "LatheTool"
+const char* titleOf(LatheToolKind kind);  // English text, translated in the context "LatheTool"
 
 // The shape of a lathe tool and its cutting properties. The sections are relative to the tip, the point that touching
-// off measures: for a turning tool the intersection of the tangents of the nose in r and in z, for a blade its corner
-// towards the chuck, for a symmetric tool its innermost, or for a bore its foremost, point. r grows away from the axis,
-// z away from the chuck.
+// off measures. The tip of a turning tool is the intersection of the tangents of the nose in r and in z. The tip of a
+// blade is its corner towards the chuck; the tip of a symmetric tool is its innermost point, or in a bore its foremost
+// point. r grows away from the axis, z away from the chuck.
 struct LatheTool {
-  static constexpr std::size_t kMostSections = 8;  // limit for a cutting part, and for a holder
+  static constexpr std::size_t kMostSections = 8;  // limit for the cutting part, and for the holder
 
   std::string id;
   LatheToolKind kind = LatheToolKind::RightTurning;
@@ -45,12 +45,13 @@ struct LatheTool {
   TurningSide side = TurningSide::Outside;
   double noseRadius = 0.4;  // mm; 0: sharp
   // Direction of the tip from the centre of the nose, in the numbers of ISO and of machine programs: 3 is towards the
-  // axis and the chuck, 2 outward and to the chuck, 4 and 1 away from the chuck, 8 straight towards the axis, 6
-  // outward, 7 to the chuck, 5 away from it, 9 the centre itself.
+  // axis and the chuck, 2 outward and towards the chuck, 4 towards the axis and away from the chuck, 1 outward and away
+  // from the chuck, 8 towards the axis, 6 outward, 7 towards the chuck, 5 away from the chuck, and 9 the centre itself.
   int orientation = 3;
   double enteringAngle = 95.0;  // degrees
   double rake = 0.0;            // degrees
-  // Largest depth that file, paper or grinding disk removes in a turn of the part, mm; 0: as deep as it is moved.
+  // Largest depth that a file, paper or grinding disk removes in a turn of the part, mm; 0: the tool cuts as deep as it
+  // is moved.
   double depthPerTurn = 0.0;
   double leastRoughness = 0.0;  // µm Ra; limit that no number of passes falls below
   std::vector<RoundedPolygon> cutting;
@@ -59,10 +60,10 @@ struct LatheTool {
   bool isAbrasive() const { return depthPerTurn > 0.0; }
   // Returns the vector from the tip to the centre of the nose, mm.
   ProfilePoint noseCentre() const;
-  // Returns the direction of the radial force of a cut on this tool, which moves in this direction. It is perpendicular
-  // to the motion, out of the material that the edge leaves. The length is 1 at most, and smaller the more the edge
-  // cuts to both sides, where the forces on the two sides balance: a blade that plunges is only pushed back, by the
-  // feed force. A direction of no length: none.
+  // Returns the direction of the radial force of a cut on a tool that moves in this direction. It is perpendicular to
+  // the motion and points out of the material that remains. Its length is at most 1, and shorter if the edge cuts on
+  // both sides, because the forces on the two sides balance. A blade that plunges is pushed back by the feed force
+  // only. If `direction` has no length, the result is zero.
   ProfilePoint passiveDirection(const ProfilePoint& direction) const;
   double width() const;  // mm, width of the cutting part along z
   double reach() const;  // mm, extent of the cutting part beyond its tip in r; for a drill its radius
@@ -73,17 +74,17 @@ struct LatheTool {
 // The tools of a lathe in the order of their file.
 using LatheTools = std::vector<std::shared_ptr<const LatheTool>>;
 
-// Returns the tool of this id; null: none.
+// Returns the tool with this id, or null if there is none.
 std::shared_ptr<const LatheTool> toolNamed(const LatheTools& tools, std::string_view id);
 
-// Removes the material that a tool sweeps with its tip moving straight between two positions. Positions that are not
+// Removes the material that a tool sweeps while its tip moves straight between two positions. Positions that are not
 // finite remove nothing.
 RemovedMaterial cutWithTool(TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                             const ProfilePoint& to);
 RemovedMaterial previewCut(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                            const ProfilePoint& to);
 
-// Returns the number of samples that such a cut visits, the sum for all sections.
+// Returns the number of samples that cutWithTool() visits, the sum for all sections.
 std::size_t samplesUnderTool(const TurnedProfile& profile, const LatheTool& tool, const ProfilePoint& from,
                              const ProfilePoint& to);
 

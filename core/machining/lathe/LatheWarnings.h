@@ -8,32 +8,33 @@
 
 namespace handwheel {
 
-// A workshop rule that was broken on a lathe. It has the time, the tool, and the largest excess.
+// A workshop rule that was broken on a lathe. It contains the time, the tool, and the largest excess.
 struct LatheWarning {
   CutWarning warning;
-  double time = 0.0;  // s, clock of the machine when it began
-  std::string tool;   // id
+  double time = 0.0;  // s, clock of the machine when the excess began
+  std::string tool;   // id of the tool
 
   bool operator==(const LatheWarning&) const = default;
 };
 
-// Returns the drive of a lathe for the rules; a missing limit is infinite.
+// Returns the drive of a lathe for the rules. Limits that the spindle does not have are infinite.
 SpindleDrive driveOf(const LatheSpindle& spindle);
-// Returns the torque that the spindle has at a speed (r/min), N·m; infinite if nothing limits it.
+// Returns the torque (N·m) of the spindle at a speed (r/min). The torque is infinite if nothing limits it.
 double spindleTorque(const LatheSpindle& spindle, double speed);
 
-// Returns a beam that deflects as much as a part in the jaws does at this position (mm, z): the shaft of one diameter
-// with the same ∫ (position - s)² / I(s) ds from the jaws on. It ends at the end of the material. O(samples).
+// Returns a beam that deflects as much as a part in the jaws does at this position (z, mm). It is the shaft of one
+// diameter that has the same ∫ (position - s)² / I(s) ds from the jaws to the position, where I(s) is the second moment
+// of area at s. The beam ends at the end of the material. O(samples).
 SlenderWork beamOf(const TurnedProfile& part, double grip, double position);
 
-// The warnings since a lathe began to run. One entry for each time that a rule was broken; a rule that is broken again
-// within kApart continues its entry.
+// The warnings since a lathe began to run. There is one entry for each time that a rule was broken. A rule that is
+// broken again within kApart continues its entry.
 class LatheWarnings {
  public:
   static constexpr std::size_t kMost = 1000;  // largest number of recorded warnings
-  static constexpr double kApart = 2.0;       // s
+  static constexpr double kApart = 2.0;       // s, shortest time between two entries of a rule
 
-  // Adds the rules that are broken at a time. Times never fall.
+  // Adds the rules that are broken at a time. The times of successive calls must not fall.
   void judge(const std::vector<CutWarning>& broken, double time, const std::string& tool);
 
   const std::vector<LatheWarning>& all() const { return m_all; }
@@ -42,7 +43,7 @@ class LatheWarnings {
  private:
   struct Open {
     std::size_t entry = 0;
-    double last = 0.0;  // s; time at which it was last broken
+    double last = 0.0;  // s, time at which the rule was last broken
     bool isOpen = false;
   };
   std::vector<LatheWarning> m_all;

@@ -13,7 +13,7 @@ struct RemovedMaterial {
   double area = 0.0;    // mm², in the half plane through the axis
   double volume = 0.0;  // mm³
   double depth = 0.0;   // mm, the largest change of a radius
-  // mm; distance that the removed material reaches beyond the whole section, where there is no edge.
+  // mm, largest distance in r by which the removed material extends beyond all of the tool, where it has no edge
   double beyond = 0.0;
 
   bool isEmpty() const { return changed.isEmpty(); }
@@ -24,22 +24,23 @@ struct RemovedMaterial {
 // Returns the samples of a profile from z = first to last. O(1).
 TurnedProfile::Range samplesWithin(const TurnedProfile& profile, double first, double last);
 
-// Removes the material that the sweep covers, and all material on that side of it. O(samples under the sweep).
+// Removes the material that the sweep covers, and all material behind it on the given side. O(samples under the sweep).
 RemovedMaterial cutSection(TurnedProfile& profile, const SectionSweep& sweep, TurningSide side);
 
 // Returns the material that cutSection() would remove.
 RemovedMaterial previewCut(const TurnedProfile& profile, const SectionSweep& sweep, TurningSide side);
 
-// The overlap of a sweep with material where it must not be, for example of a holder or a jaw. Depth 0 or less: none.
-// The material lies on both sides of the axis, as the part turns. within: mm, a radius that no material exceeds.
-// O(samples under the sweep), O(1) beyond that radius.
+// The overlap of a sweep with material in which it must not be, such as that of a holder with the part.
 struct SectionOverlap {
-  double depth = 0.0;           // mm in r, at most to the other side of the material
+  double depth = 0.0;           // mm, along r; at most the thickness of the material; 0 or less: no overlap
   ProfilePoint position{0, 0};  // position of the largest depth, (r, z)
 };
+
+// Returns the overlap of a sweep with the material of a profile. The material lies on both sides of the axis, since the
+// part turns. within: mm, a radius that no material exceeds. O(samples under the sweep), O(1) beyond that radius.
 SectionOverlap overlapOf(const TurnedProfile& profile, const SectionSweep& sweep, double within);
 
-// Returns the least distance of two convex sections; 0 if they meet. mm. O(corners of one × those of the other).
+// Returns the least distance of two convex sections, mm; 0 if they meet. O(corners of one × those of the other).
 double distanceBetween(const RoundedPolygon& a, const RoundedPolygon& b);
 
 }  // namespace handwheel

@@ -10,27 +10,27 @@
 namespace handwheel {
 
 // A convex polygon offset by a radius, in (r, z), mm. It is the section of a tool or of a part of the lathe. With a
-// radius of 0 its corners are sharp; one corner alone is a disc, or a point.
+// radius of 0 its corners are sharp. A polygon of one corner is a disc, or a point.
 class RoundedPolygon {
  public:
   static constexpr std::size_t kMostCorners = 12;
 
-  // Empty: covers nothing.
+  // Creates an empty polygon, which covers nothing.
   RoundedPolygon() = default;
-  // The hull of at most kMostCorners finite points, and a finite radius of at least 0; check other input with isSound()
-  // first.
+  // Creates the convex hull of points, offset by a radius. There must be at most kMostCorners points, all finite, and
+  // the radius must be finite and not negative. isSound() checks these conditions.
   RoundedPolygon(std::span<const ProfilePoint> corners, double radius);
   static bool isSound(std::span<const ProfilePoint> corners, double radius);
 
   bool empty() const { return m_count == 0; }
-  // The corners without repetition, counterclockwise with z to the right and r up.
+  // Returns the corners without repetition. They are counterclockwise with z to the right and r up.
   std::span<const ProfilePoint> corners() const { return {m_corners.data(), m_count}; }
   double radius() const { return m_radius; }
 
   RoundedPolygon moved(const ProfilePoint& by) const;
-  // Returns the polygon mirrored at the axis.
+  // Returns the polygon mirrored in the axis.
   RoundedPolygon mirrored() const;
-  // Returns its boundary as a closed polyline with this many points to a full circle.
+  // Returns the boundary as a closed polyline. perCircle: the number of points for a full circle.
   std::vector<ProfilePoint> outline(int perCircle) const;
 
   bool operator==(const RoundedPolygon& other) const;
@@ -41,11 +41,11 @@ class RoundedPolygon {
   double m_radius = 0.0;
 };
 
-// The area that a section covers while it moves straight. Exact: the widened hull of its first and last position. The
-// section moves with its own origin. No allocation.
+// The area that a section covers while it moves straight. The area is exact: it is the hull of the section at its first
+// and last position. The positions are those of the origin of the section. A sweep allocates nothing.
 class SectionSweep {
  public:
-  // If a position is not finite, the sweep covers nothing.
+  // Creates the sweep of a section between two positions. If a position is not finite, the sweep covers nothing.
   SectionSweep(const RoundedPolygon& section, const ProfilePoint& from, const ProfilePoint& to);
 
   bool empty() const { return m_lower.count == 0; }
@@ -54,12 +54,12 @@ class SectionSweep {
   double least() const { return m_least; }  // mm, least r of the whole sweep
   double largest() const { return m_largest; }
 
-  // The least and the largest r of the sweep at this z, which must be within first() and last(). O(corners).
+  // Return the least and the largest r of the sweep at this z, which must be within first() and last(). O(corners).
   double lowest(double z) const { return m_lower.at(z, m_radius); }
   double highest(double z) const { return -m_upper.at(z, m_radius); }
 
  private:
-  // The side of the hull that faces the axis, from the least z to the largest; for the other side mirrored.
+  // The side of the hull that faces the axis, from the least z to the largest. The other side is stored mirrored.
   struct Chain {
     std::array<ProfilePoint, 2 * RoundedPolygon::kMostCorners> points{};
     std::size_t count = 0;

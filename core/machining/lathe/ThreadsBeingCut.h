@@ -10,16 +10,17 @@
 
 namespace handwheel {
 
-// The chip of a threading tool beyond the grooves that exist already.
+// The chip that a threading tool cuts in addition to the existing grooves.
 struct ThreadChip {
-  double section = 0.0;  // mm², in the half plane through the axis
+  double section = 0.0;  // mm², section in the half plane through the axis
   double radius = 0.0;   // mm, mean radius
   double edge = 0.0;     // mm, length of the edge in the material
   double depth = 0.0;    // mm, the largest change of a radius
 };
 
-// The thread grooves of a part while one more is being cut. They are those that it had, and those cut since. The
-// profile, which is the envelope, does not contain them. One thread.
+// The thread grooves of a part while one more is being cut. They are the grooves that the part had, and the grooves
+// that were cut since. The profile, which is the envelope, does not contain them. An object may be used by one thread
+// at a time.
 class ThreadsBeingCut {
  public:
   static constexpr std::size_t kMostHelices = 64;  // largest number of new helices; the oldest is forgotten
@@ -29,15 +30,15 @@ class ThreadsBeingCut {
   // The position of a tool in a part: its tip, in the half plane of this angle about the axis.
   struct ToolPosition {
     ProfilePoint tip{0.0, 0.0};
-    double angle = 0.0;  // radian
+    double angle = 0.0;  // rad
   };
-  // Returns the chip that the tool would take there. stands: the part does not turn, and the tool comes from this tip
-  // position, which is free already. O(grooves).
+  // Returns the chip that a tool would take at this position. stands: null if the part turns. If the part is at rest,
+  // the position from which the tip comes, which must be free of material. O(grooves).
   ThreadChip chipAt(const TurnedProfile& part, const LatheTool& tool, const ToolPosition& position,
                     const ProfilePoint* stands = nullptr) const;
 
-  // Cuts along a helix that the tip follows from z = from (mm) to the position. The areas of the cut are those of the
-  // section in its motion about the axis, so that volume = 2π r · area; the edge is that of its last chip.
+  // Cuts along the helix that the tip follows from z = from (mm) to the position. The removed areas are areas of the
+  // half section, so that volume = 2π r · area. The edge of the result is the edge of the last chip.
   struct Cut {
     RemovedMaterial removed;
     double edge = 0.0;  // mm
@@ -52,10 +53,10 @@ class ThreadsBeingCut {
     TurningSide side;
     double nose;  // mm
     ThreadEdge edge;
-    std::ptrdiff_t beyond;        // samples before and behind the part where its flanks still reach the part
-    std::vector<double> bottoms;  // mm, radius; infinite, in a bore 0, where the tool did not cut
+    std::ptrdiff_t beyond;        // number of samples beyond each end of the part at which flanks still reach the part
+    std::vector<double> bottoms;  // mm, radius; infinite (in a bore 0) where the tool did not cut
 
-    // Returns the bottom nearest to a height; null: it is too far from the part.
+    // Returns the bottom nearest to a height, or null if the height is too far from the part.
     double* at(double z, double spacing);
     const double* at(double z, double spacing) const { return const_cast<Helix*>(this)->at(z, spacing); }
   };

@@ -9,13 +9,14 @@
 
 namespace handwheel {
 
-// Largest distance of a crash of the manual lathe from its path, mm. The step that would crash is not made.
+// Largest distance between a crash and the path of its pass, mm. On the manual lathe the crash is beside the path,
+// because the step that would crash is not made.
 inline constexpr double kCrashReach = 1.0;
 
-// Returns the times of the crashes of a part on the clock of its passes. That is s since the begin of the first pass,
-// without the pauses between passes, as replays and reports count. The clock of the machine is another one. If the time
-// is not known exactly, it is the end of the pass that was under way; if that is not known, the end of all. O(passes +
-// crashes · points of a pass).
+// Returns the times (s) of the crashes of a part on the clock of its passes. This clock, which replays and reports use,
+// starts with the first pass and leaves out the pauses between passes; it is not the clock of the machine. If the exact
+// time of a crash is not known, the result is the end of the pass that was being cut; if that pass is not known either,
+// the end of all passes. O(passes + crashes · points of a pass).
 std::vector<double> crashSeconds(const TurningPasses& passes, const std::vector<LatheCollision>& crashes);
 
 }  // namespace handwheel

@@ -12,10 +12,10 @@ namespace handwheel {
 
 // The parameters of the lathe for a review of passes.
 struct ReviewedLathe {
-  double spindleSpeed = 800.0;  // revolutions a minute, for passes that do not record theirs
-  double chuckHeight = 0.0;     // mm above the lower end of the part up to which the chuck holds it; 0: no chuck
-  double chuckDiameter = 0.0;   // mm
-  double largestFeed = 2.0;  // mm per revolution, largest feed that a tool survives in the material, deeper than kTouch
+  double spindleSpeed = 800.0;  // r/min, for passes that do not record their spindle speed
+  double chuckHeight = 0.0;    // mm, height above the lower end of the part up to which the chuck holds it; 0: no chuck
+  double chuckDiameter = 0.0;  // mm
+  double largestFeed = 2.0;    // mm per revolution, largest feed that a tool survives in material deeper than kTouch
 };
 
 // A contact of a tool with something that it must not touch.
@@ -23,46 +23,48 @@ struct CrashMoment {
   enum class What { Chuck, RapidInMaterial };
   What what = What::Chuck;
   std::size_t pass = 0;
-  double time = 0.0;            // s since the begin of the first pass, without the pauses between passes
+  double time = 0.0;            // s since the start of the first pass, without the pauses between passes
   ProfilePoint position{0, 0};  // position of the centre of the nose
-  // mm per revolution, largest feed of RapidInMaterial; infinite while the spindle stands.
+  // mm per revolution, largest feed of RapidInMaterial; infinite if the spindle was at rest
   double feed = 0.0;
   std::size_t first = 0, last = 0;  // first and last point of the crash on the path of the pass
 };
 
 // The conditions of a cut over a short distance, half a millimetre or less.
 struct CutMoment {
-  double time = 0.0;  // s, as above
+  double time = 0.0;  // s since the start of the first pass, without the pauses between passes
   ProfilePoint position{0, 0};
-  double depth = 0.0;  // mm, width of the cut across the feed: removed area of the section over the distance
+  double depth = 0.0;  // mm, width of the cut across the feed: removed area of the half section divided by the distance
   double feed = 0.0;   // mm per revolution
-  double chip = 0.0;  // mm, largest chip thickness along the feed: less than the feed in the first turn in the material
-  double speed = 0.0;  // m/min at the largest radius that was cut
-  double asked = 0.0;  // m/min, the same at the speed that the levers asked for; higher if the motor was overloaded
+  double chip = 0.0;   // mm, largest chip thickness; it is less than the feed in the first turn in material
+  double speed = 0.0;  // m/min, surface speed at the largest radius that was cut
+  double asked = 0.0;  // m/min, speed that the levers asked for; higher than `speed` if the motor was overloaded
 };
 
 class FinishMeter;
 
-// The results of a part's passes: finish, crashes, cuts, time. The review repeats them on the bar. Deterministic.
+// The results of a part's passes: finish, crashes, cuts, time. The review repeats the passes on the bar. The same
+// passes give the same results.
 class TurningReview {
  public:
-  // Largest number of samples that the passes may visit; beyond it there is no review. An hour of cutting on the manual
-  // lathe visits 2e9: 500 moves a second with a thousand samples below the tool.
+  // Largest number of samples that the passes may visit; if they visit more, there is no review. An hour of cutting on
+  // the manual lathe visits 2e9 samples: 500 moves a second with a thousand samples below the tool.
   static constexpr std::uint64_t kMostWork = 4'000'000'000;
-  static constexpr std::size_t kMostMoments = 2'000;  // neighbours are joined, and the heaviest cut of them is kept
+  static constexpr std::size_t kMostMoments = 2'000;  // limit; of neighbouring moments only the heaviest cut is kept
 
   using Passes = std::span<const std::shared_ptr<const TurningPass>>;
 
-  // bar: the part before the first pass. Returns nothing if it takes too much work or was cancelled.
+  // Reviews the passes. bar: the part before the first pass. Returns nothing if the passes visit more than kMostWork
+  // samples, or if it was cancelled.
   static std::optional<TurningReview> make(const TurnedProfile& bar, Passes passes, const ReviewedLathe& lathe,
                                            Progress progress = {});
 
-  const TurnedProfile& profile() const { return m_profile; }  // after the last pass
+  const TurnedProfile& profile() const { return m_profile; }  // the part after the last pass
   double seconds() const { return m_seconds; }                // s, duration of all passes
   double pathLength() const { return m_pathLength; }          // mm
   const std::vector<CrashMoment>& crashes() const { return m_crashes; }
-  const std::vector<CutMoment>& moments() const { return m_moments; }  // by time
-  // Finish of the part after the last pass.
+  const std::vector<CutMoment>& moments() const { return m_moments; }  // in ascending order of time
+  // Returns the finish of the part after the last pass.
   const SurfaceFinish& finish() const { return m_finish; }
 
  private:
@@ -75,7 +77,7 @@ class TurningReview {
   void thinMoments();
 
   TurnedProfile m_profile;
-  std::vector<double> m_outerRadii, m_boreRadii;  // mm, before the present move
+  std::vector<double> m_outerRadii, m_boreRadii;  // mm, radii before the present move
   SurfaceFinish m_finish;
   std::vector<CrashMoment> m_crashes;
   std::vector<CutMoment> m_moments;

@@ -12,7 +12,7 @@
 
 namespace handwheel {
 
-// The plane of a lathe as complex numbers: z + i·r.
+// A point in the plane of a lathe as a complex number, z + i·r.
 using PlanePoint = std::complex<double>;
 
 inline PlanePoint planePoint(const ProfilePoint& p) {
@@ -22,13 +22,15 @@ inline ProfilePoint profilePoint(const PlanePoint& p) {
   return {p.imag(), p.real()};
 }
 
-// Tool nose radius compensation (G41, G42). It converts the programmed contour to the path of the tool tip.
+// Tool nose radius compensation (G41, G42). It converts the programmed contour into the path of the tool tip.
 //
-// A move is held back until the next one is known: in a concave corner it ends where the two offset moves meet; at a
-// convex corner an arc around it is inserted. A corner that the nose cannot enter is refused (ProgramRefusal). The
-// rules, with the tolerance for a corner, are those of LinuxCNC 2.9 (interp_convert.cc, Chris Radek's queue), so that a
-// path is the same as on such a machine. On a Fanuc the entry move ends perpendicular to the contour at its begin, not
-// perpendicular to itself; so it is possible if the contour begins with less than the radius of the nose.
+// A move is held back until the next one is known. In a concave corner the move ends at the point in which the two
+// offset moves meet; at a convex corner an arc around the corner is inserted. A corner that the nose cannot enter is
+// refused (ProgramRefusal). The rules, including the tolerance for a corner, are the rules of LinuxCNC 2.9
+// (interp_convert.cc, with the queue of moves by Chris Radek), so that the path is the same as on a machine with
+// LinuxCNC. On a Fanuc the entry move ends at the nose position perpendicular to the start of the contour, not
+// perpendicular to the entry move. Such an entry is possible even if the first move of the contour is shorter than the
+// radius of the nose.
 class NoseCompensation {
  public:
   // A move, with its modal state and its points.
@@ -44,21 +46,22 @@ class NoseCompensation {
 
   bool isOn() const { return m_side != 0; }
 
-  // side: 1 the tool is left of the contour (G41), -1 right (G42). radius: mm, > 0. tip: from the centre of the nose to
-  // the tip, in radii. at: position of the tip.
+  // Switches the compensation on. side: 1 if the tool is left of the contour (G41), -1 if it is right (G42). radius:
+  // the radius of the nose, mm, > 0. tip: the vector from the centre of the nose to the tip, in radii. at: the position
+  // of the tip.
   void begin(int side, double radius, const ProfilePoint& tip, const PlanePoint& at);
-  // Adds a line, or an arc that begins at the end of the contour (the first one: at the tip). modal.turn selects the
-  // kind.
+  // Adds a line or an arc, depending on modal.turn. It begins at the end of the contour; the first one begins at the
+  // tip.
   void move(const Step& programmed);
   void placeNose(const PlanePoint& centre) { m_centre = centre; }
-  // Emits the moves that are held back. Returns the end of the contour.
+  // Emits the moves that are held back and switches the compensation off. Returns the end of the contour.
   PlanePoint end();
 
  private:
   struct Held {
     Step step;               // move of the centre of the nose
-    PlanePoint direction{};  // direction of a straight move as programmed; 0: may change
-    double sweep = 0.0;      // sweep of an arc as programmed; 0: may change
+    PlanePoint direction{};  // programmed direction of a straight move, which a corner must not reverse; 0: it may
+    double sweep = 0.0;      // programmed sweep of an arc, which a corner must not lengthen; 0: it may
   };
 
   bool isInside(int turn) const { return m_side * turn > 0; }
@@ -81,12 +84,12 @@ class NoseCompensation {
   Emit m_emit;
   int m_side = 0;
   double m_radius = 0.0;
-  PlanePoint m_tip;  // from the centre of the nose to the tip
+  PlanePoint m_tip;  // vector from the centre of the nose to the tip
   bool m_isFirst = false;
-  PlanePoint m_contour;  // programmed
-  PlanePoint m_centre;   // centre of the nose, as if nothing followed
+  PlanePoint m_contour;  // programmed position, the end of the contour
+  PlanePoint m_centre;   // centre of the nose if no move followed
   std::vector<Held> m_held;
-  std::optional<PlanePoint> m_heldFrom;  // begin of the held moves
+  std::optional<PlanePoint> m_heldFrom;  // start of the held moves
 };
 
 }  // namespace handwheel

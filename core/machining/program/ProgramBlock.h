@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// A letter with its value.
+// A word of a program: a letter with its value.
 struct ProgramWord {
   char letter = 0;  // capital
   double number = 0.0;
-  bool hasPoint = false;  // the number was written with a decimal point, or computed
+  bool hasPoint = false;  // true if the number was written with a decimal point, or computed
   SourceLocation location;
 
   std::string text() const;  // for example "G71.1"
@@ -23,17 +23,17 @@ struct ProgramWord {
 struct ProgramBlock {
   static constexpr std::size_t kMostWords = 100;
 
-  std::vector<ProgramWord> words;  // without N; vacant ones are left out
-  SourceLocation location;         // location of its first word
+  std::vector<ProgramWord> words;  // without N and without words whose value is vacant
+  SourceLocation location;         // location of the first word
 
-  // Returns the word with this letter, or null. Of several G or M, the first.
+  // Returns the first word with this letter, or null if there is none. Only G and M may occur several times.
   const ProgramWord* find(char letter) const;
   bool has(char letter) const { return find(letter) != nullptr; }
   double number(char letter, double otherwise) const;
 };
 
-// Reads a line from the scanner, then sets the variables that it assigns: after the whole line is read, as both
-// dialects do. Refuses repeated letters, except G and M.
+// Reads a line from the scanner and sets the variables that the line assigns. They are set after the whole line is
+// read, as both dialects require. Throws ProgramRefusal if a letter other than G and M is repeated.
 ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, ProgramDialect dialect);
 
 }  // namespace handwheel

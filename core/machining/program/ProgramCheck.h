@@ -13,13 +13,16 @@
 
 namespace handwheel {
 
-// Returns all errors that prevent a program from running, in the order of execution. The first is the error of
-// runProgram(). To find the next ones, the refused parts are left out and the program is run again; so an error may be
-// caused by an earlier one. At most kMostProblems, and fewer for long programs. Empty: it runs. Any thread.
 inline constexpr std::size_t kMostProblems = 100;
+
+// Returns all errors that prevent a program from running, in the order of execution. The first is the error of
+// runProgram(). To find further errors, the refused parts are left out and the program is run again; an error may
+// therefore be the consequence of an earlier one. There are at most kMostProblems errors, and fewer for long programs.
+// The list is empty if the program runs. May be called on any thread.
 std::vector<Error> programProblems(std::string_view text, const ProgramSetup& setup, Progress progress = {});
 
-// Returns the dialect that the words of a program indicate, or nothing if it could be either. Cost: linear in the text.
+// Returns the dialect that the words of a program indicate, or nothing if the program could be in either dialect.
+// O(length of the text).
 std::optional<ProgramDialect> recognisedDialect(std::string_view text);
 
 }  // namespace handwheel

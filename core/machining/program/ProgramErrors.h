@@ -6,30 +6,30 @@
 
 #include <string>
 
-// The error codes of lathe programs. Their position is the line.
+// The error codes of lathe programs. The position of an error is the line of the program.
 namespace handwheel::ProgramError {
 
 extern const ErrorDescription Refused;        // {column, word, what is wrong with it, what to do}
-extern const ErrorDescription Endless;        // {blocks}; more were executed than any program has
+extern const ErrorDescription Endless;        // {blocks}; more blocks were executed than any sensible program has
 extern const ErrorDescription TooManyMoves;   // {moves}
-extern const ErrorDescription CyclesCollide;  // {line}; made for a target
-extern const ErrorDescription CyclesGouge;    // {mm, z} into the target
+extern const ErrorDescription CyclesCollide;  // {line}; cycles made for a target collide
+extern const ErrorDescription CyclesGouge;    // {mm, z}; cycles cut this deep into the target, at this z
 
 }  // namespace handwheel::ProgramError
 
 namespace handwheel {
 
-// A location in the text of a program, both from 1. Columns count bytes.
+// A location in the text of a program. Lines and columns count from 1; columns count bytes.
 struct SourceLocation {
   std::uint32_t line = 0, column = 0;
 };
 
-// The exception that carries an error out of the interpreter; thrown and caught inside this folder only.
+// The exception that carries an error out of the interpreter. It is thrown and caught inside this folder only.
 struct ProgramRefusal {
   Error error;
 };
 
-// Throws the refusal of a word. reason follows "word: "; remedy is a whole sentence.
+// Throws the refusal of a word. reason: a clause that follows "word: ". remedy: a whole sentence.
 [[noreturn]] void refuse(const SourceLocation& location, const std::string& word, const std::string& reason,
                          const std::string& remedy);
 

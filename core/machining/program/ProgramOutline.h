@@ -12,8 +12,8 @@
 
 namespace handwheel {
 
-// The structure of a program, read before it runs. It has lines, O words, loops and line numbers. It refers to the
-// text.
+// The structure of a program, which is read before the program runs. It consists of lines, O words, loops and line
+// numbers. It refers to the text of the program, which must outlive it.
 class ProgramOutline {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{64} << 20, kMostLines = 2'000'000, kLongestLine = 4096;
@@ -40,27 +40,27 @@ class ProgramOutline {
     FanucEnd
   };
 
-  // A line with an O word, or a loop of Fanuc. Lines count from 0 here.
+  // A line with an O word, or a loop of Fanuc. Lines count from 0.
   struct Statement {
     Keyword keyword;
     std::string label;
-    std::size_t rest = 0;        // byte behind the keyword
+    std::size_t rest = 0;        // index of the byte after the keyword
     std::uint32_t head = kNone;  // first line of the loop or condition
     std::uint32_t next = kNone;  // next branch of a condition
     std::uint32_t end = kNone;   // last line of the loop or condition
   };
 
-  // Throws ProgramRefusal, also for a text that is too large.
+  // Reads the structure of a text. Throws ProgramRefusal if the structure is wrong or the text is too large.
   ProgramOutline(std::string_view text, ProgramDialect dialect);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(m_lines.size()); }
   std::string_view line(std::uint32_t i) const { return m_lines[i]; }
   const Statement* statement(std::uint32_t i) const;
 
-  // Returns the line that begins a subprogram, or kNone.
+  // Returns the first line of a subprogram, or kNone if there is no such subprogram.
   std::uint32_t subprogram(const std::string& label) const;
-  // Returns the first line from `from` on with this N number, or else the first of all, in the program of a Fanuc file
-  // that contains `from`; or kNone.
+  // Returns the first line from `from` on that has this N number, or else the first line that has it, or kNone. In a
+  // Fanuc file with several programs, only the program that contains `from` is searched.
   std::uint32_t numbered(int n, std::uint32_t from) const;
 
  private:
@@ -76,8 +76,8 @@ class ProgramOutline {
   std::map<std::uint32_t, Statement> m_statements;
   std::map<std::string, std::uint32_t> m_subs;
   std::unordered_map<int, std::vector<std::uint32_t>> m_numbered;
-  std::vector<std::uint32_t> m_programs;                     // lines of Fanuc's O numbers, rising
-  std::map<std::string, std::vector<std::uint32_t>> m_open;  // open statements while linking, by label
+  std::vector<std::uint32_t> m_programs;                     // lines of Fanuc's O numbers, in ascending order
+  std::map<std::string, std::vector<std::uint32_t>> m_open;  // open statements of each label, while linking
 };
 
 }  // namespace handwheel

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A run of a program, the base of both dialects. Its parts throw ProgramRefusal.
+// A run of a program, the base class of the runs of both dialects. Its functions throw ProgramRefusal.
 class ProgramRun {
  public:
   ProgramRun(std::string_view text, const ProgramSetup& setup, Progress progress);
@@ -32,7 +32,7 @@ class ProgramRun {
 
   struct Frame {
     std::uint32_t returnTo = 0;
-    std::uint32_t begin = 0;  // its first line
+    std::uint32_t begin = 0;  // first line of the subprogram
     int repeats = 0;          // remaining repeats of the whole subprogram
     bool hasOwnVariables = true;
     std::map<std::uint32_t, int> loops;  // remaining runs of each repeat loop
@@ -46,7 +46,7 @@ class ProgramRun {
   virtual std::optional<double> systemVariable(const std::string&) const { return {}; }
 
   void runTo(std::uint32_t end);
-  // Runs a subprogram to its end, or the lines up to `end`, while a block is executed; then continues after the block.
+  // Runs a subprogram to its end while a block is executed. The block then continues.
   void runInside(std::uint32_t begin, const SourceLocation& location);
   void runLines(std::uint32_t begin, std::uint32_t end);
   void call(std::uint32_t begin, const std::vector<ProgramValue>& arguments, int repeats, bool hasOwnVariables,
@@ -59,7 +59,7 @@ class ProgramRun {
     return ProgramExpression(scanner, m_variables, m_setup.dialect).value();
   }
 
-  // A block, whose words count as understood once they are read.
+  // Begins a block. A word of the block counts as understood once it is read.
   void begin(const ProgramBlock& block);
   const ProgramWord* word(char letter);
   bool has(char letter) const { return m_block->has(letter); }
@@ -84,9 +84,9 @@ class ProgramRun {
   ProgramMachine m_machine;
   CycleBudget m_cycleBudget;
   std::vector<Frame> m_frames;
-  std::uint32_t m_next = 0;  // line
+  std::uint32_t m_next = 0;  // next line to be executed
   bool m_isDone = false;
-  std::vector<ContourSegment>* m_contour = nullptr;  // moves are collected here instead of made
+  std::vector<ContourSegment>* m_contour = nullptr;  // if not null, moves are collected in this contour and not made
   PlanePoint m_contourEnd;
 
  private:

@@ -18,24 +18,24 @@ class ProgramScanner {
   char peek();
   void take() { ++m_at; }
   bool takeIf(char c);
-  // Takes these capital letters if they come next.
+  // Takes a word in capital letters if it comes next.
   bool takeIf(std::string_view word);
   bool nextIsLetter();
 
-  // Reads a decimal number without sign.
+  // Reads a decimal number without a sign.
   double number();
   bool nextIsNumber();
-  // Reads a name between < and >, in small letters without blanks.
+  // Reads a name between < and >. The name is returned in small letters and without blanks.
   std::string name();
 
   void expect(char c, const char* remedy);
   void expectEnd();    // refuses anything but comments
-  bool hasWords();     // anything but comments follows, also an unclosed comment
+  bool hasWords();     // true if anything but comments follows; an unclosed comment counts
   std::string rest();  // the rest of the line, without blanks and comments, in capitals
 
   SourceLocation location();               // location of the next significant character
-  std::string token();                     // token at that location, for messages
-  std::size_t at() const { return m_at; }  // bytes
+  std::string token();                     // token at location(), for messages
+  std::size_t at() const { return m_at; }  // position in the line, in bytes
   void seek(std::size_t at) { m_at = at; }
 
  private:

@@ -18,75 +18,76 @@ namespace handwheel {
 struct ProgramCollision {
   enum class Kind {
     RapidInMaterial,  // a rapid move through the part
-    Chuck,            // the tip beyond the face of the chuck
+    Chuck,            // the tip went beyond the face of the chuck
     SpindleAtRest,    // a feed into the part that does not turn
     SpindleReversed,  // a feed into the part that turns away from the edge (M4)
     Contact,          // contact of two parts of the lathe: a holder, a slide, the tailstock
   };
   Kind kind = Kind::RapidInMaterial;
   std::uint32_t line = 0;
-  ProfilePoint at{0, 0};  // mm, (r, z) of the program, end of the move
-  // mm, (r, z) from the lower end of the part: the nose where it first took material, or the position of a contact.
+  ProfilePoint at{0, 0};  // mm, (r, z) in the coordinates of the program, end of the move
+  // mm, (r, z) from the lower end of the part; centre of the nose when it first took material, or position of a contact
   ProfilePoint position{0, 0};
   double time = 0.0;                          // s, program time at the end of the move
   LathePart moving = LathePart::CuttingEdge;  // for Kind::Contact
   LathePart struck = LathePart::Work;
-  std::size_t passes = 0;  // passes of the program by then
+  std::size_t passes = 0;  // number of passes of the program up to this time
 };
 
-// A thread that was just cut: the spindle goes on turning while threads follow one another.
+// The state of the spindle after a thread was cut. The spindle keeps turning while threads follow one another.
 struct ThreadLead {
   ProfilePoint end{0, 0};  // position of the tip after the last move
-  double turns = 0.0;      // revolutions since the first of them began
+  double turns = 0.0;      // revolutions since the start of the first of these threads
   TurningSide side = TurningSide::Outside;
 };
 
-// The state besides the part's profile that the next move of a program depends on.
+// The state that the next move of a program depends on, besides the profile of the part.
 struct ProgramState {
-  bool isDrilling = false;                     // the tool is on the axis and has drilled there
+  bool isDrilling = false;                     // the tool has drilled and is still on the axis
   int drill = -1;                              // number of the drill
-  std::optional<ThreadLead> lead;              // the last move was a thread
-  std::shared_ptr<const PartThreads> threads;  // threads of the part, for forces; null: none
+  std::optional<ThreadLead> lead;              // set if the last move was a thread
+  std::shared_ptr<const PartThreads> threads;  // threads of the part, used for the forces; null: none
 };
 
 // Cuts a part along the tool path of a program, move by move.
 //
-// The upper end of the part is z = 0 of the program; it is gripped at the lower end, over ProgramSetup::grip, where no
-// tool may be beside it. A tool cuts with its nose, or as a point if it has none, and removes all material between it
-// and the side of its shank: the outside, or the axis for a tool whose tip points outwards. A feed along the axis
-// towards the chuck drills, with the nose as the drill, until the tool leaves the axis. A rapid move cuts, too, and so
-// does a feed with the spindle at rest or reversed; each is a collision where it meets material. A thread is a pass of
-// its own, which leaves the profile, the envelope, as it is; its flanks are at 60°. If the body of a tool is known,
-// contacts of its holder, its post and its slide are checked once a millimetre. Cost: O(samples below the moves). One
-// thread.
+// The upper end of the part, without ProgramSetup::allowance, is z = 0 of the program. The chuck grips the lower end
+// over ProgramSetup::grip, where no tool may be beside the part. A tool cuts with its nose, or as a point if it has
+// none. It removes all material between the nose and the side of its shank, which is the outside, or the axis for a
+// tool whose tip points outwards. A feed along the axis towards the chuck drills, with the nose as the drill, until the
+// tool leaves the axis. Rapid moves, and feeds with the spindle at rest or reversed, cut as well; such a move is a
+// collision if it meets material. A thread is a pass of its own. It does not change the profile, which is the envelope;
+// its flanks are at 60°. If the body of a tool is known, contacts of its holder, its post and its slide are checked
+// once in each millimetre of travel. O(samples below the moves). A simulation may be used by one thread at a time.
 class ProgramSimulation {
  public:
-  static constexpr std::size_t kMostCollisions = 1000;  // limit of stored collisions; all are counted
+  static constexpr std::size_t kMostCollisions = 1000;  // limit of stored collisions; collisionCount() counts all
   static constexpr double kChord = 1e-4;                // mm, chord tolerance of an arc
 
-  // setup: for the tools. model: force law; may be null. before: the state after the moves before the path. Path, setup
-  // and model must outlive the simulation.
+  // setup: the machine and its tools. model: the force law; may be null. before: the state after the moves that precede
+  // the path. Path, setup and model must outlive the simulation.
   ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
                     const CuttingForceModel* model = nullptr, const ProgramState& before = {});
 
-  // Makes the next move; returns false after the last. Changed samples are added to changed().
+  // Makes the next move. Returns false after the last move. The changed samples are added to the range that
+  // takeChanged() returns.
   bool step();
-  // Makes all remaining moves. Returns false when cancelled.
+  // Makes all remaining moves. Returns false if it was cancelled.
   bool run(Progress progress);
 
-  std::size_t done() const { return m_next; }  // number of moves
+  std::size_t done() const { return m_next; }  // number of moves made
   const TurnedProfile& part() const { return m_part; }
   const ProgramState& state() const { return m_state; }
   TurnedProfile::Range takeChanged() { return std::exchange(m_changed, {}); }
-  double time() const { return m_time; }  // s
+  double time() const { return m_time; }  // s, program time
 
   const std::vector<ProgramCollision>& collisions() const { return m_collisions; }
   std::size_t collisionCount() const { return m_collisionCount; }
-  // Remarks on results that the reader of a program may not expect, such as a drill without diameter.
+  // Returns remarks on results that the author of a program may not expect, such as a drill without diameter.
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }
-  // Returns the largest force and power so far; zero without a model.
+  // Returns the largest force, power and torque so far. All are zero without a model.
   ForcePeaks peaks();
-  // Returns the cutting moves, as passes that reproduce the part.
+  // Returns the cutting moves as passes that reproduce the part, and removes them from the simulation.
   std::vector<TurningPass> takePasses() { return std::move(m_passes); }
 
  private:
@@ -133,13 +134,13 @@ class ProgramSimulation {
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;
   std::uint32_t m_lastCollision = 0;  // line of the last collision
-  bool m_isInChuck = false;           // since the last move
+  bool m_isInChuck = false;           // the tip was in the chuck at the end of the last move
   std::vector<ToolPath::Note> m_notes;
   ProgramState m_state;
   ProgramObstacles m_obstacles;
-  bool m_isTouching = false;  // with a body, since the last move
+  bool m_isTouching = false;  // the body of the tool touched something at the end of the last move
   std::vector<TurningPass> m_passes;
-  double m_passBegin = 0.0;  // s, program time at the begin of the last pass
+  double m_passBegin = 0.0;  // s, program time at the start of the last pass
   std::optional<ForcePeakMeter> m_meter;
   SpindleSetting m_spindle;
   ForcePeaks m_peaks;

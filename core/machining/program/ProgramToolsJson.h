@@ -10,10 +10,11 @@
 
 namespace handwheel {
 
-// Returns the table of tools as JSON for a document. [{"number", "tool": id of its body, "nose_radius" (mm),
-// "orientation", "offset": [r, z] (mm)}, …], orientations in the numbers of LinuxCNC.
+// Converts a tool table to the JSON of documents. The JSON is [{"number", "tool": id of the body, "nose_radius" (mm),
+// "orientation", "offset": [r, z] (mm)}, …], with orientations in the numbers of LinuxCNC.
 nlohmann::json toJson(const ProgramTools& tools);
-// Reads any JSON; an impossible tool, or one whose body is none of these, is added to the damage and left out.
+// Reads a tool table from any JSON. A tool that is impossible, or whose body is not one of `bodies`, is left out and
+// reported in the damage.
 ProgramTools programToolsFrom(const nlohmann::json& json, const LatheTools& bodies, std::vector<Error>& damage);
 
 }  // namespace handwheel

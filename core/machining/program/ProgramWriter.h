@@ -11,16 +11,16 @@
 
 namespace handwheel {
 
-// Writes moves as a lathe program. The interpreter, and a machine, reads it as the same path to 1e-4 mm. Millimetres,
-// diameters, arcs with I and K. A move with another tool number changes the tool; unchanged words are not repeated.
-// comments: separate lines after the title.
+// Writes moves as a lathe program. The interpreter reads it as the same path to 1e-4 mm, and so does a machine. The
+// program uses millimetres, diameters, and arcs with I and K. A move with another tool number changes the tool;
+// unchanged words are not repeated. comments: the lines that follow the title.
 std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
                         std::span<const std::string> comments = {});
 
-// The mean speed of the spindle in passes, by time.
+// The mean speed of the spindle in passes, weighted by time.
 class MeanSpindle {
  public:
-  static constexpr double kUsual = 500.0;  // r/min, for passes that do not record theirs
+  static constexpr double kUsual = 500.0;  // r/min, for passes that do not record their spindle speed
   void add(const TurningPass& pass);
   double speed() const;  // r/min, a whole number
 
@@ -30,34 +30,34 @@ class MeanSpindle {
 
 // Options of the conversion of recorded passes to a program.
 struct PassProgram {
-  double spindle = 0.0;     // r/min; 0: the mean of the passes (MeanSpindle)
-  double tolerance = 1e-3;  // mm; points nearer than this to the line between their neighbours are left out
-  double clearance = 2.0;   // mm, above the part between passes
+  double spindle = 0.0;     // r/min; 0: the mean speed of the passes (MeanSpindle)
+  double tolerance = 1e-3;  // mm; a point nearer than this to the line between its neighbours is left out
+  double clearance = 2.0;   // mm, distance from the part between passes
 };
 
 // A tool of a program for recorded passes.
 struct PassTool {
-  int number = 1;                              // T
+  int number = 1;                              // the number of the T word
   double noseRadius = 0.0;                     // mm
   std::shared_ptr<const LatheTool> tool = {};  // null: a round nose alone
-  TurningSide side = TurningSide::Outside;     // the side that it cuts
+  TurningSide side = TurningSide::Outside;     // side that the tool cuts
   int orientationIn(ProgramDialect dialect) const;
 };
 
-// Returns the tools of these passes, in the order of their first use, from T1. Noses of different radius are different
-// tools.
+// Returns the tools of passes in the order of their first use, numbered from T1. Noses of different radius are
+// different tools.
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes);
-// Returns a description for the head of a program: "T2: CNMG 120408, nose 0.8, orientation 2".
+// Returns a description for the head of a program, for example "T2: CNMG 120408, nose 0.8, orientation 2".
 std::string descriptionOf(const PassTool& tool, ProgramDialect dialect);
-// Returns true if a program can repeat the pass: it turns, bores or drills, or cuts a thread on the outside.
+// Returns true if a program can repeat the pass. Such a pass turns, bores, drills, or cuts a thread on the outside.
 bool isProgrammable(const TurningPass& pass);
 
-// Returns the moves that repeat recorded passes, each with its tool of toolsOf(): to each pass from above, or to a bore
-// from in front, along it, and away. The feed per revolution is that of the pass, move by move, whatever the spindle
-// speed; for a pass that does not record its spindle speed it is the mean in a minute. A program moves the tip of a
-// tool; for a round nose alone, the corner of its tangents towards the chuck and the axis, in a bore away from the
-// axis. stock: bar of the first pass; its position does not matter. zero: mm, height of z = 0 above the lower end of
-// the part.
+// Returns the moves that repeat recorded passes, each with its tool of toolsOf(). The tool approaches a pass from
+// above, or a bore from in front, follows the pass, and leaves the part. Each move has the feed per revolution of the
+// pass, independently of the spindle speed. A pass that does not record its spindle speed has its mean feed per minute.
+// A program moves the tip of a tool. The tip of a round nose alone is the corner of its tangents towards the chuck and
+// the axis, or in a bore away from the axis. stock: the bar of the first pass; its position does not matter. zero: the
+// height of z = 0 above the lower end of the part, mm.
 std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCylinder& stock, double zero,
                               const PassProgram& how);
 

@@ -10,50 +10,52 @@
 
 namespace handwheel {
 
-// One move of the tip of a tool, or a dwell, from a program. Points are (r, z) in mm; z = 0 is the zero of the part,
-// and r may be negative: beyond the axis.
+// One move of the tip of a tool, or a dwell, of a program. Points are (r, z) in mm. z = 0 is the zero of the part; r is
+// negative beyond the axis.
 struct ToolMove {
   enum class Kind : std::uint8_t { Rapid, Feed, Thread, Dwell };
 
   Kind kind = Kind::Rapid;
-  std::int8_t turn = 0;  // 0: straight; 1, -1: an arc, counter-clockwise or clockwise in the plane of z (right), r (up)
+  std::int8_t turn = 0;  // 0: straight; 1: arc, counter-clockwise with z to the right and r up; -1: arc, clockwise
   bool isPerRevolution = false;  // feed is mm per revolution
-  bool isSurfaceSpeed = false;   // spindle is m/min
+  bool isSurfaceSpeed = false;   // `spindle` is a surface speed, m/min
   std::int8_t spin = 0;          // spindle direction: 1 M3, -1 M4, 0 stopped
   std::uint16_t tool = 0;
-  std::uint16_t shape = 0;  // tool table entry with its nose; 0: that of the tool
+  std::uint16_t shape = 0;  // tool table entry with the nose of the move; 0: the entry of `tool`
   std::uint32_t line = 0;   // line of the program, from 1
   ProfilePoint from{0, 0}, to{0, 0}, centre{0, 0};
-  double feed = 0.0;         // mm/min, or mm per revolution; for a thread its pitch along the move
+  double feed = 0.0;         // mm/min, or mm per revolution; for a thread, its pitch along the move
   double spindle = 0.0;      // r/min, or m/min surface speed
-  double mostSpindle = 0.0;  // r/min, limit for surface speed; 0: none
+  double mostSpindle = 0.0;  // r/min, limit at a constant surface speed; 0: no limit
   double time = 0.0;         // s, duration
 };
 
-// Returns the angle of an arc, radian, with the sign of its turn: at most a whole turn; 0 for a straight move.
+// Returns the angle of an arc (rad, at most a whole turn), with the sign of `turn`. The angle of a straight move is 0.
 double sweepOf(const ToolMove& move);
 double lengthOf(const ToolMove& move);                            // mm
-ProfilePoint pointOn(const ToolMove& move, double fraction);      // fraction: 0…1 of its length
-ProfilePoint directionOf(const ToolMove& move, double fraction);  // unit vector; 0 if it does not move
+ProfilePoint pointOn(const ToolMove& move, double fraction);      // fraction: 0…1 of the length
+ProfilePoint directionOf(const ToolMove& move, double fraction);  // unit vector; 0 if the tool does not move
 
-// Returns the speed of the spindle at a radius (mm), r/min; at most kMostSpindle if nothing else limits it.
-inline constexpr double kMostSpindle = 10'000.0;
+inline constexpr double kMostSpindle = 10'000.0;  // r/min
+
+// Returns the speed of the spindle (r/min) at a radius (mm). The speed is at most kMostSpindle if the move has no
+// limit.
 double spindleAt(const ToolMove& move, double radius);
 
-// Returns the duration of a move, s. rapidSpeed: mm/min. A dwell has its own time. If the spindle stands still, a feed
-// per revolution is treated as one at 1 r/min.
+// Returns the duration of a move, s. A dwell has its own time. If the spindle is at rest, the duration of a feed per
+// revolution is computed for 1 r/min. rapidSpeed: the speed of rapid moves, mm/min.
 double durationOf(const ToolMove& move, double rapidSpeed);
 
 // The tool path of a program.
 struct ToolPath {
   struct Note {
     std::uint32_t line;
-    std::string text;  // English
+    std::string text;  // English text
   };
   std::vector<ToolMove> moves;
   std::vector<Note> notes;   // deviations from the text of the program
   double time = 0.0;         // s, duration of all moves and tool changes
-  std::uint64_t blocks = 0;  // executed
+  std::uint64_t blocks = 0;  // number of executed blocks
 };
 
 }  // namespace handwheel

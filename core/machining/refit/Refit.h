@@ -10,9 +10,9 @@ namespace handwheel {
 // Fits lines and arcs to the samples of one side of a turned part. They are the fewest that stay within `chord` (mm, >
 // 0) of the samples.
 //
-// Exact lines and arcs from a tool are found exactly first, with the sharp corners in which they meet between two
-// samples. Only pieces that are short compared to the tolerance, like feed marks, are then joined to longer lines and
-// arcs. points: at equal steps of z, up or down. spacing: mm, of the samples. O(n log n).
+// Lines and arcs that a tool left exactly are found first, with the sharp corners in which they meet between two
+// samples. Only short pieces, such as feed marks, are then joined to longer lines and arcs within the tolerance.
+// points: samples at equal steps of z, ascending or descending. spacing: their distance along z, mm. O(n log n).
 std::vector<ProfileSegment> refitted(const std::vector<ProfilePoint>& points, double chord, double spacing);
 
 // The curves of a piece: the outline of its material, and its cavities.

@@ -8,21 +8,23 @@
 
 namespace handwheel {
 
-// Returns the half section of a sampled turned part as lines and arcs. Its first sample is at z = 0. It is within the
-// tolerance (mm, > 0) of the samples. A corner between two samples is the intersection of the surfaces beside it, and a
-// shoulder between two samples is halfway, unless the arc beside it determines it; so is a face of a bored part.
-// Material that was cut in two is not represented: only the region between the axis and the samples. O(samples log
-// samples). Errors: those of TargetProfile::make().
+// Returns the half section of a sampled turned part as lines and arcs. The first sample of the part is at z = 0. The
+// section is within the tolerance (mm, > 0) of the samples. A corner between two samples is the intersection of the
+// surfaces beside it. A shoulder between two samples is halfway between them, unless the arc beside it determines its
+// position; the same applies to a face of a bored part. The part must be in one piece; sectionOfEndPiece() is for a
+// part that was parted off. O(samples log samples). Errors: the errors of TargetProfile::make().
 Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance);
 
-// The same for the piece at the free end of a part that was parted off: the material behind it is left out. It keeps
-// its position, above z = 0.
+// Returns the half section of the piece at the free end of a part that was parted off. The other material is left out.
+// The piece keeps its position along z.
 Result<TargetProfile> sectionOfEndPiece(const TurnedProfile& part, double tolerance);
 
-// The same for a curve from the lower end of a solid part to the upper. Its lines and arcs are found.
+// Returns the half section of a solid part whose surface is a curve from the lower end to the upper end. Lines and arcs
+// are fitted to the curve within the tolerance (mm).
 Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance);
 
-// Returns the samples of a target at this spacing (mm): a part that was turned exactly. Its lower end is at z = 0.
+// Returns the sampled profile, at this spacing (mm), of a part that has exactly the shape of a target. The lower end of
+// the part is at z = 0.
 TurnedProfile sampled(const TargetProfile& target, double spacing);
 
 }  // namespace handwheel

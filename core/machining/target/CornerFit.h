@@ -8,12 +8,13 @@
 
 namespace handwheel {
 
-// Restores the corners of a profile that was sampled at equal steps of z. A line across a single step becomes the
-// corner in which its neighbours meet, or a flat face if it is a shoulder; it stays if that would leave one of its ends
-// further than the tolerance from the profile. spacing: mm, of the samples; tolerance: mm. O(segments).
+// Restores the corners of a profile that was sampled at equal steps of z. A line across a single step is replaced by
+// the corner in which its neighbours meet, or by a flat face if it is a shoulder. It is kept if otherwise one of its
+// ends would be further than the tolerance from the profile. spacing: the distance of the samples, mm. tolerance: mm.
+// O(segments).
 std::vector<ProfileSegment> sharpened(std::vector<ProfileSegment> segments, double spacing, double tolerance);
 
-// Returns the segment extended or cut so that it ends, or begins, at a point on its line or circle.
+// Return the segment extended or shortened so that it ends, or begins, at a point on its line or circle.
 ProfileSegment endedAt(const ProfileSegment& segment, const ProfilePoint& end);
 ProfileSegment begunAt(const ProfileSegment& segment, const ProfilePoint& start);
 

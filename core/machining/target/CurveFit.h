@@ -10,14 +10,17 @@
 
 namespace handwheel {
 
-// Fits lines and arcs to points along a curve, within a tolerance. Their number is as small as possible.
+// Fits lines and arcs, as few as possible, to points along a curve. The points are within the tolerance of the result.
 //
-// Each begins and ends in one of the points. Greedy: a segment goes as far as all points under it allow, so exact lines
-// and arcs are found whole. A line is preferred if both fit. tolerance: mm, > 0. O(n log n).
+// Each segment begins and ends in one of the points. The method is greedy: a segment extends as far as all points along
+// it permit, so that exact lines and arcs are found whole. If a line and an arc both fit, the line is preferred.
+// tolerance: mm, > 0. O(n log n).
 std::vector<ProfileSegment> fitSegments(std::span<const ProfilePoint> points, double tolerance);
 
-// The same for a curve of one parameter 0…1 without corners; it is sampled as densely as the tolerance needs.
 using ParametricCurve = std::function<ProfilePoint(double)>;
+
+// Fits as few lines and arcs as possible to a curve without corners, whose parameter is 0…1. The curve is sampled as
+// densely as the tolerance requires.
 std::vector<ProfileSegment> fitSegments(const ParametricCurve& curve, double tolerance);
 
 }  // namespace handwheel

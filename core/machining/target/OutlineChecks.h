@@ -10,13 +10,14 @@
 
 namespace handwheel {
 
-// The segments of a half section as TargetProfile keeps them.
+// The segments of a half section, in the order and direction of TargetProfile.
 struct CheckedOutline {
   std::vector<ProfileSegment> segments;
-  bool isClosed = false;  // a part that is bored through
+  bool isClosed = false;  // the part is bored through
 };
 
-// Brings the segments of a half section into order: see TargetProfile::make().
+// Checks the segments of a half section, and orders and joins them by the rules of TargetProfile::make(). Errors: the
+// errors of that function.
 Result<CheckedOutline> checkedOutline(std::vector<ProfileSegment> segments, Progress progress = {});
 
 }  // namespace handwheel

@@ -10,9 +10,10 @@
 
 namespace handwheel {
 
-// Joins the segments of one outline, which come in any order and direction, in order. gap: mm, ends nearer than this
-// are joined. Duplicates count once. Two open outlines whose ends are at the same heights are joined by flat faces. O(n
-// log n). Errors: TargetError::SeveralProfiles, CrossesItself if more than two ends meet, Cancelled.
+// Returns the segments of one outline in order. The given segments may be in any order and direction; duplicates count
+// once. Two open outlines whose ends are at the same heights are joined by flat faces. gap: the distance (mm) below
+// which ends are joined. O(n log n). Errors: TargetError::SeveralProfiles, CrossesItself if more than two ends meet,
+// Cancelled.
 Result<std::vector<ProfileSegment>> joinedOutline(const std::vector<ProfileSegment>& segments, double gap,
                                                   Progress progress = {});
 

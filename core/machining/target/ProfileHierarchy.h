@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A hierarchy of boxes over the segments of a profile, in their order. It keeps no segments: each query gets those that
-// it was built from.
+// A hierarchy of boxes over the segments of a profile, in their order. It does not store the segments: the caller
+// passes the segments that it was built from to each query.
 class ProfileHierarchy {
  public:
   explicit ProfileHierarchy(std::span<const ProfileSegment> segments);
@@ -20,20 +20,21 @@ class ProfileHierarchy {
     ProfilePoint point{0, 0};
     double distance = 0.0;  // mm
   };
-  // Returns the nearest segment. O(log segments) for a profile that does not return to its own neighbourhood. There
-  // must be a segment.
+  // Returns the segment nearest to a point. There must be at least one segment. O(log segments) for a profile that does
+  // not return to its own neighbourhood.
   Nearest nearest(std::span<const ProfileSegment> segments, const ProfilePoint& p) const;
 
-  // Calls visit(segment) for the segments whose boxes meet this one, until it returns false.
+  // Calls visit(i) with the index of each segment whose leaf may meet the box, until visit returns false.
   template <class Visit>
   void meeting(const ProfileBox& box, Visit visit) const {
     meetingBelow(0, 0, m_count, box, visit);
   }
 
  private:
-  static constexpr std::size_t kLeaf = 4;  // segments
+  static constexpr std::size_t kLeaf = 4;  // number of segments in a leaf
 
-  // Node k covers [first, last), its halves are 2k + 1 and 2k + 2.
+  // Builds the boxes of a node and its children. Node k covers the segments [first, last); its halves are the nodes 2k
+  // + 1 and 2k + 2.
   void build(std::span<const ProfileSegment> segments, std::size_t node, std::size_t first, std::size_t last);
   void nearestBelow(std::span<const ProfileSegment> segments, std::size_t node, std::size_t first, std::size_t last,
                     const ProfilePoint& p, Nearest& best) const;

@@ -13,45 +13,48 @@ using ProfileBox = Eigen::AlignedBox2d;  // bounds of points (r, z); mm
 
 // A straight line or circular arc of a profile, in the half plane (r, z).
 //
-// The arc is given as in DXF: by its ends and the tangent of a quarter of its angle. Lines are arcs of bulge 0, and
-// flat arcs lose no digits. All functions O(1).
+// The arc is given as in DXF, by its ends and by its bulge, the tangent of a quarter of its angle. Lines are arcs of
+// bulge 0, and flat arcs lose no digits. All functions are O(1).
 struct ProfileSegment {
   ProfilePoint from{0, 0}, to{0, 0};  // mm
-  double bulge = 0.0;                 // > 0: the arc turns from r towards z, that is counter-clockwise
+  double bulge = 0.0;                 // > 0: the arc turns from r towards z, counter-clockwise
 
   bool isArc() const { return bulge != 0.0; }
-  double angle() const { return 4.0 * std::atan(bulge); }  // rad; signed like the bulge
+  double angle() const { return 4.0 * std::atan(bulge); }  // rad, with the sign of the bulge
   double radius() const;                                   // mm; infinite for a line
-  ProfilePoint centre() const;                             // for an arc only
+  ProfilePoint centre() const;                             // the segment must be an arc
   double length() const;                                   // mm
 
-  // Returns the point at a share of the length, 0…1.
+  // Returns the point at a fraction of the length, 0…1.
   ProfilePoint at(double t) const;
   ProfilePoint direction(double t) const;  // unit tangent; zero for a segment without length
 
   ProfilePoint nearest(const ProfilePoint& p) const;
   ProfileBox box() const;
   ProfileSegment reversed() const { return {to, from, -bulge}; }
-  // Returns the piece between two shares of the length, 0 ≤ a ≤ b ≤ 1.
+  // Returns the piece between two fractions of the length, 0 ≤ a ≤ b ≤ 1.
   ProfileSegment piece(double a, double b) const;
 
-  // Returns the integral of r² dz along it (mm³): π times the sum over a closed profile is the volume, of either sign.
+  // Returns the integral of r² dz along the segment (mm³). π times the sum over a closed profile is the volume,
+  // positive or negative.
   double squareMoment() const;
 
   bool operator==(const ProfileSegment&) const = default;
 };
 
-// Returns the arc from a over m to b; a line if they are collinear to rounding. Returns nothing if two of the points
-// coincide.
+// Returns the arc from a through m to b, or a line if the points are collinear to rounding. Returns nothing if two of
+// the points coincide.
 std::optional<ProfileSegment> arcThrough(const ProfilePoint& a, const ProfilePoint& m, const ProfilePoint& b);
 
-// Returns the arc around a centre between two angles (rad, from r towards z), of less than a full circle; it turns in
-// the direction in which the angles grow or fall.
+// Returns the arc around a centre from one angle to another (rad, counted from r towards z). The arc is
+// counter-clockwise if the angles rise and clockwise if they fall. It must be less than a full circle.
 ProfileSegment arcAround(const ProfilePoint& centre, double radius, double from, double to);
 
-// Returns a point that two segments share. slack: mm, they count as meeting at this distance.
+// Returns a point that two segments share, or nothing if they do not meet. slack: the largest distance (mm) at which
+// they count as meeting.
 std::optional<ProfilePoint> meeting(const ProfileSegment& a, const ProfileSegment& b, double slack);
-// The same for two segments of which one begins at the end of the other; their shared end does not count.
+// Returns a point, other than their common end, that two consecutive segments share. `next` begins at the end of
+// `first`.
 std::optional<ProfilePoint> meetingBeside(const ProfileSegment& first, const ProfileSegment& next, double slack);
 
 }  // namespace handwheel

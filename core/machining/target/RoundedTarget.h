@@ -6,22 +6,22 @@
 
 namespace handwheel {
 
-// The rounding of the sizes of a target. It is for targets that were made from a part that was turned by hand.
+// The rounding of the sizes of a target. It is meant for targets made from a part that was turned by hand.
 struct TargetRounding {
   static constexpr double kLeastStep = 1e-3, kLargestStep = 10.0;  // mm
 
-  double step = 0.1;           // mm; step of diameters, heights and radii
-  double largestFillet = 0.0;  // mm; concave fillets of up to this radius, as a nose leaves them, become sharp; 0: none
+  double step = 0.1;           // mm, step of diameters, heights and radii
+  double largestFillet = 0.0;  // mm; concave fillets up to this radius, as a nose leaves, become sharp; 0: none
 };
 
-// Returns the same part in round sizes: its corners are at multiples of the step in diameter and height, and the radii
-// of its fillets are multiples of it. Other arcs go through their rounded ends with their former angle. Segments
-// shorter than the step may vanish. O(n log n). Errors: ValueOutOfRange {step}; those of TargetProfile::make(), if it
-// does not allow that step.
+// Returns a target with rounded sizes. The diameters and heights of its corners and the radii of its fillets are
+// multiples of the step. Other arcs join their rounded ends and keep their angle. Segments shorter than the step may
+// vanish. O(n log n). Errors: ValueOutOfRange {step}, and the errors of TargetProfile::make() if the rounded outline is
+// not a valid profile.
 Result<TargetProfile> rounded(const TargetProfile& target, const TargetRounding& how);
 
-// Returns the largest distance between the surfaces of two targets, at their corners and the middles of their arcs
-// (mm).
+// Returns the largest distance (mm) between the surfaces of two targets, measured at their corners and at the middles
+// of their arcs.
 double largestDistance(const TargetProfile& a, const TargetProfile& b);
 
 }  // namespace handwheel

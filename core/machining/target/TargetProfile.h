@@ -15,19 +15,21 @@ namespace handwheel {
 
 // The exact half section of a turned part: lines and arcs around its material.
 //
-// The outline runs with the material on its left, so up along the outside. If the part is bored through, the outline is
-// closed; else it begins and ends on the axis, which closes it, and the lower end comes first. It does not cross or
-// touch itself, nor the axis between its ends. Immutable; copies share everything; any thread.
+// The outline has the material on its left, so it runs upwards along the outside. If the part is bored through, the
+// outline is closed. Otherwise it begins and ends on the axis, which closes it, and the lower end comes first. It does
+// not cross or touch itself, and it does not touch the axis between its ends. A profile is immutable and may be used on
+// any thread; copies share all data.
 class TargetProfile {
  public:
   static constexpr std::size_t kMostSegments = 100'000;
   static constexpr double kLargestCoordinate = 1e6;  // mm, positive or negative
-  static constexpr double kJoin = 1e-6;              // mm: ends nearer than this are one
+  static constexpr double kJoin = 1e-6;              // mm; ends nearer than this are joined
 
-  // Makes a profile from segments in order, in either direction; pieces on the axis may be among them. Open ends off
-  // the axis are joined to it by flat faces, or to each other if they are at the same height. O(n log n + p) for p
-  // pairs of segments whose boxes meet; too many are refused. Errors: FileTooLarge {segments}, ValueOutOfRange
-  // {coordinate}, and TargetError: NotJoined, CrossesAxis, TouchesAxis, CrossesItself, TooIntricate, NoArea; Cancelled.
+  // Makes a profile from segments, which must be in order. They may run in either direction, and may include pieces on
+  // the axis. Open ends off the axis are joined to the axis by flat faces, or to each other if they are at the same
+  // height. O(n log n + p) for p pairs of segments whose boxes meet; too many pairs are refused. Errors: FileTooLarge
+  // {segments}, ValueOutOfRange {coordinate}, TargetError::NotJoined, CrossesAxis, TouchesAxis, CrossesItself,
+  // TooIntricate, NoArea, and Cancelled.
   static Result<TargetProfile> make(std::vector<ProfileSegment> segments, Progress progress = {});
 
   std::span<const ProfileSegment> segments() const { return m_outline->segments; }
@@ -38,21 +40,21 @@ class TargetProfile {
   double largestRadius() const { return m_outline->box.max().x(); }
   double volume() const { return m_outline->volume; }  // mm³
 
-  // Returns the signed distance from the surface (mm): above zero outside of the material. O(log n); NaN if the point
-  // is not finite.
+  // Returns the signed distance (mm) of a point from the surface. It is positive outside of the material, and NaN if
+  // the point is not finite. O(log n).
   double distance(const ProfilePoint& p) const;
 
-  // The least and the largest radius of the material at a height; inner is 0 if the axis is in it. At a flat face, of
-  // both sides together. Grooves between the two are not represented. Returns nothing above and below the part. O(log
-  // n).
+  // The least and the largest radius of the material at a height. `inner` is 0 if the material contains the axis. At a
+  // flat face, the material on both sides of the face counts. Grooves between the two radii are not represented.
   struct Extent {
     double inner = 0.0, outer = 0.0;  // mm
   };
+  // Returns the extent of the material at a height, or nothing above and below the part. O(log n).
   std::optional<Extent> extentAt(double z) const;
 
-  // Returns the same part further up.
+  // Returns the part moved along the axis by dz (mm).
   TargetProfile moved(double dz) const;
-  // Returns the same part turned end for end, between the same heights.
+  // Returns the part turned end for end. The heights of its two ends stay the same.
   TargetProfile turnedEndForEnd() const;
 
   bool operator==(const TargetProfile& other) const;

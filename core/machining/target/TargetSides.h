@@ -8,16 +8,17 @@
 
 namespace handwheel {
 
-// The sides of a target as parts of their own: the outside, and the bores. The outside is the part without bores; a
-// bore is treated as a solid part that continues beyond the opening. So the distance of a wall from its nominal surface
-// is known although the other side of the wall is nearer.
+// The outside and the bores of a target as separate profiles. The outside is the part without its bores. A bore is
+// treated as a solid part that continues beyond its opening. Thus the distance of a wall from its own nominal surface
+// is known even if the other side of the wall is nearer.
 struct TargetSides {
   TargetProfile outside;
   std::vector<TargetProfile> bores;  // one through bore, or at most one from each end
 };
 
-// Returns the sides of a part. Regions that are open upwards or downwards inside of its highest and lowest edges are
-// bores. Errors: those of TargetProfile::make(), if a side alone is no sound outline. O(segments · log segments).
+// Returns the sides of a part. The outline from its lowest to its highest edge is the outside; the rest of the outline
+// forms the bores. Errors: the errors of TargetProfile::make() if a side alone is not a sound outline. O(segments · log
+// segments).
 Result<TargetSides> sidesOf(const TargetProfile& part);
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A ring of indexed points around the axis, one in each direction of a circle.
+// A ring of indexed points around the axis, one for each direction of a circle.
 struct SurfaceRing {
   std::uint32_t first = 0;  // index of its first point
   double radius = 0.0;      // mm, radius of the profile, without threads
@@ -15,9 +15,10 @@ struct SurfaceRing {
   double z = 0.0;           // mm
 };
 
-// Adds the triangles of a side of a threaded part between two rings of the soup, the lower one first. Rows of points
-// follow the helix of the groove, so that crest and bottom are edges; points of a row beyond a ring are moved into it.
-// Triangles face away from the material. circle: the directions, at radius 1.
+// Adds the triangles of one side of a threaded part between a lower and an upper ring of points in the soup. Rows of
+// points follow the helix of the groove, so that crests and bottoms are edges of triangles. Points of a row that would
+// lie beyond a ring are moved into the ring. Triangles face away from the material. circle: the directions of the
+// points, as points of the unit circle.
 void addHelicalBand(TriangleSoup& soup, const std::vector<ProfilePoint>& circle, const PartThreads& threads,
                     const ThreadGroove& along, const SurfaceRing& lower, const SurfaceRing& upper);
 

@@ -9,22 +9,23 @@
 
 namespace handwheel {
 
-// The threads of a turned part: grooves in its profile, which is their envelope. Immutable; any thread.
+// The threads of a turned part, as grooves in its profile. The profile itself has no grooves; it is the envelope of the
+// threaded surface. Objects are immutable and may be used on any thread.
 class PartThreads {
  public:
-  static constexpr std::size_t kMostGrooves = 64;  // limit; the grooves of earlier passes are within the last ones
+  static constexpr std::size_t kMostGrooves = 64;  // largest number; grooves within other grooves do not count
 
-  // Returns the threads of passes, or null if no pass cuts a thread.
+  // Returns the threads that passes cut, or null if no pass cuts a thread.
   static std::shared_ptr<const PartThreads> of(const TurningPasses& passes);
 
-  // Returns the threads of a part, which may be null, after one more pass.
+  // Returns the threads of a part after one more pass. `before` may be null, and so may the result.
   static std::shared_ptr<const PartThreads> with(const std::shared_ptr<const PartThreads>& before,
                                                  const TurningPass& pass);
 
   const std::vector<ThreadGroove>& grooves() const { return m_grooves; }
 
-  // Returns the groove that changes a side between two heights (mm), with these radii (mm) of the profile; null: none
-  // does.
+  // Returns a groove that changes a side between two heights (mm), given the radii (mm) of the profile at these
+  // heights. Returns null if no groove changes the side.
   const ThreadGroove* between(TurningSide side, double low, double high, double radiusLow, double radiusHigh) const;
 
   // Returns the radius (mm) of a side of the part at a height and an angle, given the radius of the profile and of the

@@ -14,44 +14,45 @@ struct ThreadCut {
   static constexpr double kLeastAngle = 0.01, kLargestAngle = 3.0;    // radian
   static constexpr int kMostStarts = 64;
 
-  double pitch = 1.0;         // mm, from groove to groove along the axis
-  int starts = 1;             // grooves side by side; each rises by pitch · starts in a turn
-  bool isLeft = false;        // left-hand
-  double angle = M_PI / 3.0;  // radian between the flanks
+  double pitch = 1.0;         // mm, distance from groove to groove along the axis
+  int starts = 1;             // number of parallel grooves; each rises by pitch · starts in a turn
+  bool isLeft = false;        // true: left-hand thread
+  double angle = M_PI / 3.0;  // radian, angle between the flanks
   double flat = 0.0;          // mm
   double offset = 0.0;        // mm, height of the middle of a groove in the half plane of +x
 
   double lead() const { return pitch * starts; }             // mm in a turn
-  double rise() const { return isLeft ? -lead() : lead(); }  // mm in a turn about +z
+  double rise() const { return isLeft ? -lead() : lead(); }  // mm per turn about +z
   bool isSound() const;                                      // true if all values are within the limits
   bool operator==(const ThreadCut&) const = default;
 
-  // Returns the distance from the middle of the groove, along the axis, at which its edge is this high above the
-  // bottom; mm, not negative. The inverse of ThreadEdge::heightAt().
+  // Returns the distance along the axis (mm, not negative) from the middle of the groove to its edge at a height above
+  // the bottom. The function is the inverse of ThreadEdge::heightAt().
   double distanceAt(double height, double noseRadius) const;
 };
 
-// The edge of a groove. It consists of the bottom, a circle of the nose's radius, and the flank, each tangent to the
-// next. It stores the trigonometry for many heights.
+// The edge of a groove in section. It consists of the bottom, an arc of the nose's radius, and the flank, each tangent
+// to the next. An object stores the trigonometric values that all heights need.
 class ThreadEdge {
  public:
   ThreadEdge(const ThreadCut& cut, double noseRadius);
 
-  // Returns the height above the bottom at this distance from the middle of the groove, along the axis; mm.
+  // Returns the height of the edge above the bottom, mm, at a distance along the axis (mm) from the middle of the
+  // groove.
   double heightAt(double distance) const;
 
  private:
   double m_halfFlat, m_nose;
-  double m_tangent, m_atTangent;  // end of the circle: beside the flat, and above the bottom
+  double m_tangent, m_atTangent;  // end of the arc: its distance from the flat, and its height
   double m_slope;                 // tan of half the angle
 };
 
-// Depth of the ISO metric profile, mm (ISO 68-1, with the rounded root of ISO 965-1, R = H/6): a groove of this depth,
-// with the nose of isoMetricNose(), leaves a crest of P/8 and the thread's nominal pitch diameter.
+// Returns the depth of the ISO metric profile, mm (ISO 68-1, with the rounded root of ISO 965-1, R = H/6). A groove of
+// this depth, cut with a nose of radius isoMetricNose(), leaves a crest of P/8 and the thread's nominal pitch diameter.
 inline double isoMetricDepth(double pitch) {
   return 17.0 / 24.0 * std::sqrt(3.0) / 2.0 * pitch;
 }
-inline double isoMetricInnerDepth(double pitch) {  // depth of a nut's thread, with a flat root of P/8
+inline double isoMetricInnerDepth(double pitch) {  // mm, depth for the thread of a nut with a flat root of P/8
   return 5.0 / 16.0 * std::sqrt(3.0) * pitch;
 }
 inline double isoMetricNose(double pitch) {

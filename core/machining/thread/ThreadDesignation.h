@@ -8,10 +8,10 @@
 
 namespace handwheel {
 
-// Returns the designation of a measured thread, by its major diameter. The diameter is in mm; for a bore, at the roots:
-// "M20×2.5", "M20×L5P2.5-LH" (ISO 965-1), "Tr40×14P7LH" (ISO 2904). The nominal diameter is the one of ISO 261 whose
-// tolerance (ISO 965-1, up to grade 8) contains the measured one, else the measured one to 0.01 mm. Other profiles have
-// diameter, pitch and angle.
+// Returns the designation of a measured thread. major: the major diameter, mm, which is the diameter at the roots in a
+// bore. Examples are "M20×2.5", "M20×L5P2.5-LH" (ISO 965-1) and "Tr40×14P7LH" (ISO 2904). The nominal diameter is the
+// diameter of ISO 261 whose tolerance (ISO 965-1, up to grade 8) contains the measured diameter; if there is none, it
+// is the measured diameter to 0.01 mm. Threads of other profiles are described by diameter, pitch and angle.
 std::string threadDesignation(const ThreadCut& cut, double major, bool isInner);
 
 }  // namespace handwheel

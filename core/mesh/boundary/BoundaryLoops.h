@@ -13,13 +13,13 @@ namespace handwheel {
 // patch uses them in the opposite direction.
 struct BoundaryLoop {
   int id = 0;                       // counted from 0 in ascending order of the smallest vertex
-  std::vector<HalfEdge> halfEdges;  // in order; the end of one has the position of the start of the next
-  std::size_t borderEdges = 0;      // the other edges are seams: further faces share them in the file
+  std::vector<HalfEdge> halfEdges;  // in order; each ends at the position at which the next starts
+  std::size_t borderEdges = 0;      // number of border edges; the other edges are seams (Open::Seam)
   double length = 0.0;              // mm
   double planarity = 0.0;           // RMS distance to the best plane / length
-  double area = 0.0;                // mm², of the projection along the direction in which it is largest
+  double area = 0.0;                // mm², area of the largest projection
   std::size_t islands = 0;          // surface pieces inside the loop; set by countIslands()
-  bool isSheetBoundary = false;     // the outer edge of an open sheet rather than a hole in a surface
+  bool isSheetBoundary = false;     // true: the outer edge of an open sheet, not a hole in a surface
   Vec3 centre = Vec3::Zero();
   Box box;
 };

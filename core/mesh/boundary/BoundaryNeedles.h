@@ -10,8 +10,8 @@ namespace handwheel {
 
 // Finds the needles along boundary loops. A needle is a face with two open edges, one of them shorter than the reach
 // (mm, from nearWeldReach()) and than tolerance::kNearWeldEdge times the other. Removing it widens the opening by less
-// than the reach and moves no vertex. If it stays, patches often fail: the best ones double its third edge or intersect
-// it. O(edges of the loops).
+// than the reach and moves no vertex. If a needle stays, patches often fail, because the best patches contain its third
+// edge a second time or intersect it. O(edges of the loops).
 std::vector<Face> findBoundaryNeedles(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, double reach);
 
 }  // namespace handwheel

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 // Maps border edges to boundary loops across edits of the mesh. An edge is identified by its face and its corner
-// opposite, which survive reversing faces, moving vertices and changes elsewhere; and by the positions of its ends,
+// opposite, which survive reversing faces, moving vertices and changes elsewhere, and by the positions of its ends,
 // which survive flips and renumbering of faces.
 class BoundaryOwners {
  public:

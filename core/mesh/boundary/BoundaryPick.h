@@ -19,9 +19,9 @@ struct BoundaryPoint {
   HalfEdge at = kNone;   // the open half-edge that starts at the point
 };
 
-// Picks the boundary point that the pick ray passes nearest. It must be within the radius, and the surface must not
-// hide it. Points at the position "without" are ignored. The loops must belong to the mesh; the hierarchy may belong to
-// an older version. O(points of the nearby loops).
+// Picks the boundary point that is nearest to the pick ray. It must be within the radius, and the surface must not hide
+// it. Points at the position "without" are ignored. The loops must belong to the mesh; the hierarchy may belong to an
+// older version. O(points of the nearby loops).
 std::optional<BoundaryPoint> pickBoundaryPoint(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops,
                                                const FaceHierarchy& faces, const PickRay& pickRay,
                                                const std::optional<Vec3>& without = {});

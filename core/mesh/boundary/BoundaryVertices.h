@@ -12,11 +12,11 @@
 
 namespace handwheel {
 
-// Returns the length of the bounding-box diagonal of all live faces. 0 for an empty mesh.
+// Returns the length of the bounding-box diagonal of all live faces. It is 0 for an empty mesh.
 double modelDiagonal(const HalfEdgeMesh& mesh);
 
-// Returns the distance below which boundary vertices count as one vertex. It is the share nearWeld of the diagonal, or
-// 0 if the square of the diagonal overflows.
+// Returns the distance below which boundary vertices count as one vertex. It is nearWeld times the diagonal, or 0 if
+// the square of the diagonal overflows.
 double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
 
 // A spatial search structure for the vertices on open boundaries.
@@ -29,7 +29,7 @@ class BoundaryVertices {
   std::size_t size() const { return m_vertices.size(); }
   const std::vector<Vertex>& all() const { return m_vertices; }
 
-  // Calls visit(vertex) for each vertex in the box, boundaries included, and perhaps for some just outside.
+  // Calls visit(vertex) for each vertex in the box, boundaries included, and perhaps for some vertices just outside.
   template <class Visit>
   void forEachInBox(const Box& box, Visit visit) const {
     m_positions.forEachInBox(box, [&](std::uint32_t i) {
@@ -46,10 +46,10 @@ class BoundaryVertices {
 using VertexPairs = std::vector<std::pair<Vertex, Vertex>>;
 
 // Finds pairs of boundary vertices that are close, but not at the same position. Their distance is below
-// nearWeldReach() and below tolerance::kNearWeldEdge times the longer boundary edge at either: most often one vertex of
-// the scan, separated by the rounding of its file. Each vertex is paired with the nearest one of smaller number.
-// Vertices marked in "without" are ignored. Pairs are sorted by their second vertex. The result is invalid if
-// cancelled.
+// nearWeldReach() and below tolerance::kNearWeldEdge times the longer boundary edge at either vertex. Most such pairs
+// are one vertex of a scan that the rounding of its file has separated. Each vertex is paired with the nearest one of
+// smaller number. Vertices marked in "without" are ignored. Pairs are sorted by their second vertex. The result is
+// invalid if cancelled.
 VertexPairs nearBoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {},
                                  double nearWeld = tolerance::kNearWeld, Progress progress = {});
 

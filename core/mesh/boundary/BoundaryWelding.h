@@ -19,7 +19,7 @@ struct BoundaryWeld {
 // Moves the first boundary point onto the second and merges the boundary there. Neighbours along the boundary are
 // merged by collapsing their edge; for points two edges apart, the two edges are merged. Other points would only touch,
 // so the nearer one of their neighbours moves too and the two edges become one. Faces that do not move stay as they
-// are. near must be built from this mesh.
+// are. near must be built from the mesh of the points.
 BoundaryWeld weldBoundary(const FaceLocator& near, const BoundaryPair& ends);
 
 }  // namespace handwheel

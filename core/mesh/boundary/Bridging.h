@@ -27,11 +27,11 @@ struct Bridge {
   std::vector<Triangle> triangles;  // two, or one if the points are two edges apart
 };
 
-// Finds two triangles that bridge a hole between two border points. Each has a border edge at one of the points, and
-// the line between the points is one of their edges (He 2008, section 4.1.4): the surface stays manifold, the hole is
-// divided into two, or an island is connected to the rim. Among the possible pairs, the best-shaped triangles with the
-// smallest bend to their neighbours are chosen. near must be built from this mesh. If every pair is obstructed, the
-// problem is that of the last one tried.
+// Finds two triangles that bridge a hole between two border points. Each triangle has a border edge at one of the
+// points, and the line between the points is one of their edges (He 2008, section 4.1.4). The surface stays manifold;
+// the hole is divided into two, or an island is connected to the rim. Among the possible pairs, the best-shaped
+// triangles with the smallest bend to their neighbours are chosen. near must be built from the mesh of the points. If
+// every pair is obstructed, the problem is that of the last one tried.
 Bridge findBridge(const FaceLocator& near, const BoundaryPair& ends);
 
 }  // namespace handwheel

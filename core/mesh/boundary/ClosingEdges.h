@@ -14,13 +14,13 @@ struct ClosingEdge {
   std::vector<PointKey> endPositions;  // positions of the ends of the open edges
 };
 
-// Finds the edges that close when the second vertex of each pair moves onto the first. A pair in none of them only
-// touches (two parts that meet in a vertex, or that were separated there), or consists of the two ends of a short
-// border edge. Shrinking that edge to a point would move the surface, perhaps across nearby faces, and join nothing.
+// Finds the edges that close when the second vertex of each pair moves onto the first. A pair that closes no edge only
+// touches (two parts that meet in a vertex or were separated at a vertex), or consists of the two ends of a short
+// border edge. Shrinking such an edge to a point would move the surface, perhaps across nearby faces, and join nothing.
 // pairs must come from nearBoundaryVertices(). O(n log n) for the border. The result is invalid if cancelled.
 std::vector<ClosingEdge> closingEdges(const HalfEdgeMesh& mesh, const VertexPairs& pairs, Progress progress = {});
 
-// Returns the pairs that one of these edges needs.
+// Returns the pairs that at least one of the edges needs.
 VertexPairs closingPairs(const VertexPairs& pairs, const std::vector<ClosingEdge>& edges);
 
 // Extends chosen pairs so that each closes an edge. A pair that closes no edge alone is completed by the other pairs of
@@ -28,7 +28,7 @@ VertexPairs closingPairs(const VertexPairs& pairs, const std::vector<ClosingEdge
 VertexPairs withPartners(const VertexPairs& chosen, const VertexPairs& pairs, const std::vector<ClosingEdge>& edges);
 
 // Groups edges that share pairs into connected runs. In a run, each edge after the first is connected with an earlier
-// one. Edges that only close together are in one run.
+// one. Edges that can only close together are in one run. pairs: the number of all pairs.
 std::vector<std::vector<ClosingEdge>> connectedRuns(std::vector<ClosingEdge> edges, std::size_t pairs);
 
 }  // namespace handwheel

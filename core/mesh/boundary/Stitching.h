@@ -6,21 +6,22 @@
 
 namespace handwheel {
 
-// Stitches borders that were separated by rounding or cutting in the file. Merges border vertices where that closes
-// open edges (mergeClosingPairs()), then splits border edges at border vertices that lie on them within the same
-// distance (T-junctions), and merges the edges that close then. Vertices in "fixed" are ignored. Changes are kept only
-// if fewer border edges and no more non-manifold edges result; then the mesh is relinked. The whole mesh is linked at
-// most three times. Returns the vertices that were moved onto another one. If cancelled, some may remain.
+// Stitches borders that were separated by rounding or cutting in the file. The function merges border vertices where
+// that closes open edges (mergeClosingPairs()). Then it splits border edges at near border vertices (T-junctions,
+// splitTJunctions()), and merges the border vertices whose edges can be closed after the splits. Vertices marked in
+// "fixed" are ignored. If fewer border edges and no more non-manifold edges result, the mesh is relinked; otherwise it
+// is unchanged. The whole mesh is linked at most three times. Returns the vertices that were moved onto another one. If
+// cancelled, some borders may stay open.
 std::vector<Vertex> stitchBoundaries(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress = {},
                                      double nearWeld = tolerance::kNearWeld);
 
-// Finds the near vertices that stitchBoundaries() may merge. These are the pairs that close an open edge with others,
-// also after border edges are split at the vertices on them. The other pairs only touch, or bound a short edge, which
-// is no defect. The result is invalid if cancelled.
+// Finds the pairs of near vertices that stitchBoundaries() may merge. Merging such a pair, alone or with others, closes
+// an open edge, possibly after border edges are split at the vertices on them. All other pairs are no defects: their
+// vertices only touch, or are the ends of a short edge. The result is invalid if cancelled.
 VertexPairs stitchablePairs(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
-// Marks the vertices to be fixed so that only the chosen pairs are merged. Pairs that close an edge together with a
-// chosen one are merged too.
+// Marks the vertices that must be fixed so that stitchBoundaries() merges only the chosen pairs. Pairs that close an
+// edge together with a chosen one are merged too.
 std::vector<bool> fixedBut(const HalfEdgeMesh& mesh, const VertexPairs& chosen, double nearWeld,
                            Progress progress = {});
 

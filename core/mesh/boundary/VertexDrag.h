@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// A border vertex that is dragged, with all vertices at its position. Therefore a pinched vertex stays pinched and a
-// seam stays closed.
+// A border vertex that is dragged, with all vertices at its position. They move together, so a pinched vertex stays
+// pinched and a seam stays closed.
 class VertexDrag {
  public:
   VertexDrag(std::shared_ptr<const FaceLocator> near, Vertex v);
@@ -18,8 +18,9 @@ class VertexDrag {
   const Vec3& start() const { return m_start; }
   const std::vector<Face>& faces() const { return m_faces; }  // the faces that change
 
-  // The target, if no face would flip, lose its area or intersect another there. Otherwise the last allowed point on
-  // the straight line from the start, with the first problem behind it.
+  // The point that a dragged vertex can reach. It is the target if no face would flip, lose its area or intersect
+  // another face. Otherwise it is the last allowed point on the straight line from the start to the target, with the
+  // first problem beyond that point.
   struct ReachablePoint {
     Vec3 point;
     JoinProblem problem = JoinProblem::None;
@@ -29,8 +30,8 @@ class VertexDrag {
   // Returns the new shapes of the faces for a position of the vertex.
   std::vector<TrianglePoints> shapes(const Vec3& position) const;
 
-  // Moves the vertices in a mesh. Returns false, without a change, if they are not at their old position or the new one
-  // is not allowed. O(n).
+  // Moves the vertices in a mesh. Returns false, without a change, if they are not at their start position or the new
+  // position is not allowed. O(n).
   bool apply(HalfEdgeMesh& mesh, const Vec3& position) const;
 
  private:
@@ -40,8 +41,8 @@ class VertexDrag {
   std::shared_ptr<const FaceLocator> m_near;
   Vec3 m_start;
   std::vector<Vertex> m_vertices;
-  std::vector<Face> m_faces;             // ascending
-  std::vector<TrianglePoints> m_before;  // one per face
+  std::vector<Face> m_faces;             // changing faces, in ascending order
+  std::vector<TrianglePoints> m_before;  // shapes before the move, one per face
 };
 
 }  // namespace handwheel

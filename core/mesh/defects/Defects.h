@@ -21,29 +21,30 @@ struct Component {
   std::size_t faceCount = 0;
   double area = 0.0;        // mm²
   double volume = 0.0;      // mm³, negative if inside out; meaningless if the component is open
-  bool debris = false;      // far smaller than the largest: a stray flake of the scan
-  std::vector<Face> faces;  // filled for debris only
+  bool debris = false;      // true if far smaller than the largest component, like a stray flake of a scan
+  std::vector<Face> faces;  // faces of the component; empty unless it is debris
 };
 
 // The defects of a mesh with their locations. Self-intersections are searched separately (findSelfIntersections),
-// because that takes longer than all other checks together.
+// because that search takes longer than all other checks together.
 struct Defects {
   std::vector<BoundaryLoop> loops;
-  std::vector<std::pair<Vertex, Vertex>> nonManifoldEdges;  // end points; one entry per edge, by position
-  std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
-  // Edges whose two faces cannot be oriented consistently: the surface is non-orientable.
+  std::vector<std::pair<Vertex, Vertex>> nonManifoldEdges;  // end points; one entry for each pair of positions
+  std::vector<Vertex> nonManifoldVertices;                  // one vertex for each non-manifold position
+  // Edges of non-orientable surfaces whose two faces cannot be oriented consistently.
   std::vector<std::pair<Vertex, Vertex>> nonOrientableEdges;
-  // The smallest set of faces of each part to reverse so that neighbours agree. Empty for meshes made by relink().
+  // The smallest set of faces of each part that must be reversed so that neighbours agree. It is empty for meshes made
+  // by relink().
   std::vector<Face> inconsistentFaces;
   std::vector<std::vector<Face>> insideOut;             // the faces of each body that is inside out
-  std::vector<Face> degenerateFaces;                    // zero area
-  std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
+  std::vector<Face> degenerateFaces;                    // faces of zero area
+  std::vector<Face> duplicateFaces;                     // faces with the same three positions as an earlier face
   std::vector<std::pair<Vertex, Vertex>> nearVertices;  // result of stitchablePairs()
   std::vector<Component> components;                    // largest area first
   std::size_t nestedBodies = 0;                         // result of findShellFaults()
   Box box;                                              // bounding box of all live faces
 
-  // selfIntersectingPairs: absent if unknown.
+  // Returns the state of the mesh. selfIntersectingPairs: the number of intersecting pairs of faces, absent if unknown.
   MeshState state(std::optional<std::size_t> selfIntersectingPairs) const;
 };
 
@@ -52,11 +53,11 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progres
 
 std::size_t countDebris(std::span<const Component> components);
 
-// Finds the inconsistent faces alone, as in Defects. Returns an empty list if cancelled.
+// Finds only the inconsistent faces (Defects::inconsistentFaces). Returns an empty list if cancelled.
 std::vector<Face> findInconsistentFaces(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Finds the defects of a mesh. nearWeld is the setting mesh.near_weld, as in RepairOptions. The result is incomplete if
-// cancelled.
+// Finds the defects of a mesh. nearWeld has the meaning of RepairOptions::nearWeld (the setting mesh.near_weld). The
+// result is incomplete if cancelled.
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 // A mesh with its defects. A worker computes it, so that the window does not block.

@@ -15,19 +15,21 @@ inline constexpr std::size_t kMostShellPairs = 10'000'000;
 inline constexpr std::size_t kMostShellVisits = 30'000'000;
 
 // Finds the bodies that are inside out. Each is a shell of negative volume that lies in no other shell, together with
-// all shells inside it, which must be reversed with it so that a cavity stays a cavity. An open shell has a volume only
-// if that is certain: if it exceeds the volume of its openings, each closed by a fan from its centre and a bulge as
-// high as it is wide. The result has one list of faces per body. O(n), plus O(faces) of each inside-out shell for each
-// shell whose box contains it. Returns an empty list if cancelled or if a limit above is exceeded.
+// all shells inside it, which must be reversed with it so that a cavity stays a cavity. The volume of an open shell,
+// whose openings are closed by fans from their centres, counts only if its sign is certain: if it exceeds the volume of
+// possible bulges over the openings, each as high as the opening is wide. The result has one list of faces per body.
+// O(n) plus O(f) for each pair of an inside-out shell with f faces and a shell whose box contains it. Returns an empty
+// list if cancelled or if kMostShellPairs or kMostShellVisits is exceeded.
 std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Finds closed shells with material on both sides, such as a body inside another. They bound no part of the union. A
-// cavity, whose shell faces inward, is not one; for intersecting shells a single point decides. The result has one list
-// of faces per shell. Limits and cost as above.
+// Finds closed shells with material on both sides, such as a body inside another. Such shells bound no part of the
+// union of the solids. The shell of a cavity faces inward and does not count. For intersecting shells, the sides are
+// tested at a single point. The result has one list of faces per shell. The limits and the cost are those of
+// findInsideOutShells().
 std::vector<std::vector<Face>> findNestedBodies(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// The results of both functions above, with a time limit for use on every mesh. The search for nested bodies takes at
-// most a tenth of a second; if that does not suffice, none are reported.
+// The results of findInsideOutShells() and findNestedBodies(). The search for nested bodies takes at most a tenth of a
+// second, so that it can be used on every mesh; if that does not suffice, no nested bodies are reported.
 struct ShellFaults {
   std::vector<std::vector<Face>> insideOut;
   std::size_t nestedBodies = 0;

@@ -23,8 +23,8 @@ struct LoopReport {
   bool isSheetBoundary = false;  // the outer edge of an open sheet
 };
 
-// The statistics of a mesh as shown by "handwheel inspect". Computed from the triangles after welding exactly equal
-// positions, as any other program would read them from a file.
+// The statistics of a mesh as shown by "handwheel inspect". They are computed from the triangles after welding exactly
+// equal positions, as any other program would read them from a file.
 struct MeshReport : MeshState {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
@@ -34,24 +34,25 @@ struct MeshReport : MeshState {
   std::size_t nonManifoldVertices = 0;
   std::size_t inconsistentEdges = 0;
   std::size_t insideOutBodies = 0;  // counted only if all edges are consistent
-  // The following are counted only together with the self-intersections.
+  // The numbers reversedFaces, nearVertices, debris and nestedBodies are counted only together with the
+  // self-intersections.
   std::size_t reversedFaces = 0;  // faces oriented against most of their neighbours
-  std::size_t nearVertices = 0;   // pairs that could close an open edge (stitchablePairs())
-  std::size_t debris = 0;         // number of pieces
+  std::size_t nearVertices = 0;   // pairs of vertices that can be merged to close an open edge (stitchablePairs())
+  std::size_t debris = 0;         // number of pieces of debris
   std::size_t nestedBodies = 0;   // bodies inside others (findNestedBodies())
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
-  std::optional<double> volumeMm3;  // present only if closed
+  std::optional<double> volumeMm3;  // present only if the surface is closed
   Box box;
 };
 
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops);
 
-// The choice to count self-intersections.
+// The choice between skipping and counting self-intersections.
 enum class SelfIntersections { Skip, Count };
 
-// Computes the statistics of a triangle soup. O(n log n); self-intersections cost most of it. The result is incomplete
-// if cancelled.
+// Computes the statistics of a triangle soup. O(n log n); the search for self-intersections takes most of the time. The
+// result is incomplete if cancelled.
 MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress = {});
 
 }  // namespace handwheel

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The state of a surface as the boundary of a solid. Window, command line, reports and exit codes all use it to judge a
-// part; stateText() describes it in words.
+// The state of a surface as the boundary of a solid. The window, the command line, reports and exit codes all use it to
+// judge a part; stateText() describes it in words.
 struct MeshState {
   bool closed = false;    // there are faces, and no open edges
   bool manifold = false;  // no edge has more than two faces, and faces that share no edge do not touch at a vertex

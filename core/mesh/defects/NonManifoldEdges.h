@@ -15,12 +15,12 @@ namespace handwheel {
 
 // The fans of faces at one position, by vertex. Each fan is given by the half-edges that start at the vertex.
 using Fans = std::map<Vertex, std::vector<HalfEdge>>;
-// Finds the fans at the end positions of non-manifold edges, by class of position. The result is incomplete if
-// cancelled.
+// Finds the fans at the end positions of non-manifold edges. The keys are classes of positions (PointClasses). The
+// result is incomplete if cancelled.
 std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Finds the fans at those positions of these vertices that have several, in the same form. The result is incomplete if
-// cancelled.
+// Finds the fans at the positions of these vertices, for positions with several fans. The result has the same form as
+// that of nonManifoldFans(). The result is incomplete if cancelled.
 std::map<std::uint32_t, Fans> fansAt(const HalfEdgeMesh& mesh, const std::vector<Vertex>& vertices,
                                      Progress progress = {});
 

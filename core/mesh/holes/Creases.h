@@ -10,11 +10,11 @@ namespace handwheel {
 
 // The end of a surface crease at a hole.
 struct CreaseEnd {
-  // Points of the context, from the loop back into the surface. If the crease continued as an edge of the loop, several
-  // of the first points are on the loop; no face behind those edges belongs to the other side of the crease.
+  // Indices into HoleContext::points, from the loop back into the surface. If the crease runs along edges of the loop,
+  // several of the first points are on the loop; at those edges, the faces of the other side of the crease are missing.
   std::vector<std::uint32_t> chain;
-  Vec3 direction = Vec3::Zero();  // unit vector of its continuation over the hole
-  double angle = 0.0;             // angle between its sides, 0 if flat; negative in a valley (radian)
+  Vec3 direction = Vec3::Zero();  // unit vector of the crease's continuation over the hole
+  double angle = 0.0;             // angle between the sides of the crease, radian; 0 if flat, negative in a valley
 };
 
 // Finds the ends of all creases at a hole. The sides of a crease meet at more than this angle (radian) over at least

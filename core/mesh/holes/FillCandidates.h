@@ -20,7 +20,7 @@ class FillCandidates {
   FillCandidates& operator=(const FillCandidates&) = delete;
 
   std::size_t size() const { return m_makers.size(); }
-  // The number of candidates of the chosen method, which come first; the others are substitutes.
+  // Returns the number of candidates of the chosen method. They come first; the others are substitutes.
   std::size_t ownCount() const { return m_own; }
   std::optional<Patch> make(std::size_t i, Progress progress) {
     m_progress = progress;
@@ -31,7 +31,7 @@ class FillCandidates {
   static constexpr std::size_t kBalanced = 2;  // number of weightings of ear clipping that are tried first
   using Made = std::optional<Patch>;
 
-  // A triangulation of the loop's points alone, made on the first request.
+  // A triangulation of the loop's points without added points. It is made on the first request.
   class Start {
    public:
     explicit Start(std::function<Made()> maker) : m_maker(std::move(maker)) {}
@@ -55,8 +55,8 @@ class FillCandidates {
   const FillOptions& m_options;
   Progress m_progress;  // progress of the current candidate
   std::size_t m_pieceEdges;
-  bool m_isCut;                                      // the loop is divided into pieces
-  std::optional<std::vector<HoleBridge>> m_bridges;  // set on the first use
+  bool m_isCut;                                      // true if the loop is divided into pieces
+  std::optional<std::vector<HoleBridge>> m_bridges;  // bridges between the pieces, set on the first use
   std::vector<Start> m_starts;                       // initial triangulations for refinement, the best first
   std::vector<std::function<Made()>> m_makers;
   std::size_t m_own = 0;

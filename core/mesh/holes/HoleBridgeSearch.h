@@ -15,13 +15,13 @@ namespace handwheel {
 // Searches for the best bridge that divides a piece of a loop.
 class HoleBridgeSearch {
  public:
-  // Both arguments must outlive the object.
+  // hole and obstacles must outlive the object.
   HoleBridgeSearch(const HoleContext& hole, const Obstacles& obstacles);
 
-  // Returns the unobstructed bridge with the least length relative to the shorter part of the border that it cuts off,
-  // at least a quarter of the piece's edges on either side. piece holds indices of loop points, in the loop's order;
-  // the bridge holds indices in the piece. Returns nothing if all examined bridges are obstructed, or if cancelled.
-  // Examines some 2^15 pairs of points, however many there are.
+  // Returns the unobstructed bridge with the least length relative to the shorter part of the border that it cuts off.
+  // At least a quarter of the piece's edges must be on each side. piece contains indices of loop points, in the loop's
+  // order; the returned bridge contains indices of elements of piece. Returns nothing if all examined bridges are
+  // obstructed, or if cancelled. The function examines about 2^15 pairs of points, regardless of the size of the piece.
   std::optional<HoleBridge> best(const std::vector<std::uint32_t>& piece, Progress progress = {}) const;
 
  private:

@@ -10,13 +10,13 @@
 
 namespace handwheel {
 
-// A hole and the faces around it, with indices of their own. Points 0…n-1 are those of the loop, in its order.
+// A hole and the faces around it, with indices of their own. Points 0…loopSize-1 are those of the loop, in its order.
 struct HoleContext {
   std::size_t loopSize = 0;
   std::vector<Vec3> points;
   std::vector<Triangle> ring;      // three rings of faces around the hole
-  std::vector<Vec3> apexes;        // per loop edge (i, i+1): the third corner of its face
-  std::vector<double> edgeLength;  // per loop point: mean length of its edges
+  std::vector<Vec3> apexes;        // third corners of the faces at the loop edges (i, i+1)
+  std::vector<double> edgeLength;  // mean lengths of the edges at the loop points
   Box ringBox;                     // bounding box of loop and ring
 
   std::vector<Vec3> loop() const { return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize)}; }

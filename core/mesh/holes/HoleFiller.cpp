@@ -15,7 +15,7 @@
 namespace handwheel {
 namespace {
 
-// Steps of Effort that it takes to make a patch, for each edge of its loop, and to judge it, for each triangle.
+// Steps of WorkBudget that it takes to make a patch, for each edge of its loop, and to judge it, for each triangle.
 constexpr std::size_t kCandidateEffort = 10;
 constexpr std::size_t kJudgeEffort = 4;
 

@@ -20,18 +20,18 @@ namespace handwheel {
 enum class FillFailure {
   None,
   Cancelled,
-  SheetBoundary,     // outer edge of an open sheet: left open unless requested
+  SheetBoundary,     // outer edge of an open sheet, which stays open unless requested
   WasSheetBoundary,  // outer edge of a sheet that looks like a hole after changes by the repair
-  KeptOpen,          // the user wants it open
-  TooLong,           // more edges than the user allows
+  KeptOpen,          // the user wants the hole to stay open
+  TooLong,           // the loop has more edges than the user allows
   NoPatch,           // no method found a triangulation
   SelfIntersecting,  // every patch would intersect or touch the part
   Bulging,           // every patch would bulge far out of the hole
-  NarrowTriangles,   // one of the last three, perhaps caused by narrow triangles along the hole (findBoundaryNeedles())
-  TooMuchEffort,     // abandoned: closing it exceeds the effort limit of the repair (Effort)
+  NarrowTriangles,  // NoPatch, SelfIntersecting or Bulging, perhaps because of narrow triangles (findBoundaryNeedles())
+  TooMuchEffort,    // closing the hole would exceed the effort limit of the repair (WorkBudget)
   SheetIntersecting,  // outer edge of a sheet whose body would intersect the part, however thin
-  SheetTooThin,       // outer edge of a sheet: the number type of the file cannot represent its thickness
-  SheetKeptOpen,      // outer edge of a sheet that has an edge the user wants open; a body has none
+  SheetTooThin,       // outer edge of a sheet whose thickness the number type of the file cannot represent
+  SheetKeptOpen,      // outer edge of a sheet with a loop that the user wants open, so that it is not made a body
 };
 
 // Options of hole filling.
@@ -40,18 +40,20 @@ struct FillOptions {
   bool tryOthers = true;  // try other methods if the chosen one gives no acceptable patch
   bool mayCross = false;  // accept patches that intersect or touch the part; the caller removes the intersections
   NumberType numbers = NumberType::Float64;
-  double density = tolerance::kPatchDensity;  // for Fair and Refined; the setting mesh.patch_density
-  // Continuity of Fair and Crease: the setting mesh.fill_continuity. If no patch with curvature continuity is
-  // acceptable, one with tangent continuity is tried.
+  double density = tolerance::kPatchDensity;  // density of Fair and Refined patches; the setting mesh.patch_density
+  // Continuity of Fair and Crease patches (the setting mesh.fill_continuity). If no patch with curvature continuity is
+  // acceptable, a patch with tangent continuity is tried.
   Continuity continuity = Continuity::Tangent;
-  EarWeights ears = {};  // for Ear
-  // The most edges of a piece: longer loops are cut into pieces that are triangulated separately. The setting
-  // mesh.piece_edges.
+  EarWeights ears = {};  // weights of FillMethod::Ear
+  // The largest number of edges of a piece (the setting mesh.piece_edges). Longer loops are cut into pieces that are
+  // triangulated separately.
   std::size_t pieceEdges = tolerance::kPieceEdges;
-  // The bridges along which a loop of any length is cut; they are edges of the patch unless it is refined. Empty: those
-  // of HoleFiller::proposeHoleBridges(). Invalid or crossing bridges (splitHole()) give no patch.
+  // The bridges along which a loop of any length is cut. They are edges of the patch unless it is refined. If the list
+  // is empty, the bridges of HoleFiller::proposeHoleBridges() are used. With invalid or crossing bridges (splitHole()),
+  // no patch is made.
   std::vector<HoleBridge> bridges = {};
-  // Corners of loops that stay open: a sheet with one is not thickened, a folded region with one is not removed.
+  // Corners of loops that must stay open. A sheet with such a corner is not thickened, and a folded region with such a
+  // corner is not removed.
   std::set<PointKey> keptCorners = {};
 };
 
@@ -61,11 +63,11 @@ struct FillAttempt {
   Patch patch;
 };
 
-// Proposes patches for the holes of one version of a mesh. Builds the triangle hierarchy once; accepted patches are
-// remembered, so later ones are checked against them too. One thread at a time.
+// Proposes patches for the holes of one version of a mesh. It builds the triangle hierarchy once and remembers accepted
+// patches, so that later ones are checked against them too. Only one thread at a time may use it.
 class HoleFiller {
  public:
-  // The result is invalid if cancelled.
+  // Builds the hierarchy. The object is invalid if cancelled.
   explicit HoleFiller(const HalfEdgeMesh& mesh, Progress progress = {});
   ~HoleFiller();
   HoleFiller(const HoleFiller&) = delete;
@@ -75,12 +77,13 @@ class HoleFiller {
   // still be open.
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
-  // Returns the bridges along which propose() would cut the loop into pieces; none if it is short enough.
+  // Returns the bridges along which propose() would cut the loop into pieces. The result is empty if the loop is short
+  // enough.
   std::vector<HoleBridge> proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
                                              Progress progress = {}) const;
 
-  // Adds a proposed patch to the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices at
-  // the pinch become one.
+  // Adds a proposed patch to the mesh. The mesh only gets new faces and vertices, except that the vertices at a pinch
+  // of the loop become one.
   void accept(const BoundaryLoop& loop, const Patch& patch);
 
   // Returns the mesh with the accepted patches.

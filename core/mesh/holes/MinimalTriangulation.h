@@ -22,9 +22,9 @@ enum class Criterion {
 // Computes the optimal triangulation of a loop's points by dynamic programming. All triangulations without added points
 // are considered; if several are equal, as in flat holes, one with short diagonals is chosen. The optimum by Dihedral
 // is that of Liepa's algorithm, which decides each part independently of its surroundings. Triangles without area and
-// the taken edges (sorted pairs of loop points from Obstacles::edgesAmong()) are excluded. Returns nothing beyond
-// tolerance::kOptimalFillEdges edges, if no triangulation exists, or if cancelled. O(n³) time, O(n²) memory: about 20
-// ms for 300 edges. Polls the cancel flag n times.
+// the edges in "taken" (sorted pairs of loop points from Obstacles::edgesAmong()) are excluded. Returns nothing if the
+// loop has more than tolerance::kOptimalFillEdges edges, if no triangulation exists, or if cancelled. O(n³) time, O(n²)
+// memory: about 20 ms for 300 edges. The cancel flag is polled n times.
 std::optional<Patch> triangulateOptimal(const HoleContext& hole, Criterion criterion,
                                         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& taken = {},
                                         Progress progress = {});

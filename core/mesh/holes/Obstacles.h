@@ -12,14 +12,13 @@
 
 namespace handwheel {
 
-// The surface that a patch must not intersect or touch. It consists of a mesh and the patches added since its hierarchy
-// was built.
+// The surface that a patch must not intersect or touch. It consists of a mesh and the patches that were added later.
 class Obstacles {
  public:
-  // The result is invalid if cancelled.
+  // Builds the hierarchy of the mesh. The object is invalid if cancelled.
   explicit Obstacles(const HalfEdgeMesh& mesh, Progress progress = {});
 
-  Box bounds() const { return m_hierarchy.bounds(); }  // bounding box of the mesh
+  Box bounds() const { return m_hierarchy.bounds(); }  // bounding box of the mesh without added patches
   bool hits(const TrianglePoints& t) const;
   // Returns true if a triangle of the patch intersects the surface, or two of its triangles intersect each other. The
   // result is invalid if cancelled.

@@ -17,11 +17,11 @@ enum class FillMethod {
   Area,            // the triangulation of least area, no new vertices
   Dihedral,        // the triangulation whose largest bend is least, then of least area, no new vertices
   Crease,          // like Fair, with the creases that end at the hole continued through it
-  Flat,            // triangulated in the best plane of the loop, no new vertices (triangulateFlat())
-  Cone,            // triangles to one point in front of or behind the loop; only a repair does this
-  ThickenedSheet,  // its sheet was thickened (thickenSheets()); only a repair does this
-  Stitched,        // the borders were stitched together; only a repair does this
-  Removed,         // cleaning removed every face around the hole; only a repair does this
+  Flat,            // triangulated in the least-squares plane of the loop, no new vertices (triangulateFlat())
+  Cone,            // triangles to one point in front of or behind the loop; used only by repairs
+  ThickenedSheet,  // the sheet of the loop was thickened (thickenSheets()); used only by repairs
+  Stitched,        // the borders were stitched together; used only by repairs
+  Removed,         // cleaning removed every face around the hole; used only by repairs
 };
 
 // A bridge across a hole: an edge between two points of its loop, given by their indices.
@@ -31,8 +31,8 @@ struct HoleBridge {
   bool operator==(const HoleBridge&) const = default;
 };
 
-// A triangulated patch that closes a boundary loop. Its points are those of the loop, in its order, followed by added
-// ones.
+// A triangulated patch that closes a boundary loop. Its points are those of the loop, in the loop's order, followed by
+// added points.
 struct Patch {
   std::size_t loopSize = 0;
   std::vector<Vec3> points;

@@ -31,12 +31,12 @@ struct DeviationExtremum {
 
 inline constexpr std::array<double, 4> kDeviationPercentiles{50.0, 90.0, 95.0, 99.0};
 
-// The deviation of one surface from another. Lengths in mm, the sign as in SurfaceDistance. Mean, RMS, percentiles and
-// histogram are weighted by area: they are computed from the samples, or, without any, from the vertices, each with a
-// third of the area around it. The extremes are those of samples and vertices, so the true ones may exceed them by at
-// most the distance to the next sample.
+// The deviation of one surface from another. Lengths are in mm, with the sign of SurfaceDistance. Mean, RMS,
+// percentiles and histogram are weighted by area: they are computed from the samples or, if there are none, from the
+// vertices, each with a third of the area around it. The extremes are found among samples and vertices, so the true
+// extremes may exceed them by at most the distance to the next sample.
 struct SurfaceDeviation {
-  std::vector<double> atVertex;  // per vertex slot; NaN if no face of the surface has the vertex
+  std::vector<double> atVertex;  // signed distance per vertex slot; NaN if no face of the surface has the vertex
   std::size_t vertices = 0;      // number of measured vertices
   std::size_t samples = 0;
   double area = 0.0;  // mm²
@@ -45,7 +45,7 @@ struct SurfaceDeviation {
   double rms = 0.0;
   DeviationExtremum lowest, highest;
   std::array<double, kDeviationPercentiles.size()> percentiles{};  // percentiles of the absolute distance
-  std::vector<double> histogram;  // shares of the area in equal bins from lowest to highest; their sum is 1
+  std::vector<double> histogram;  // fractions of the area in equal bins from lowest to highest; their sum is 1
 
   const DeviationExtremum& farthest() const { return -lowest.distance > highest.distance ? lowest : highest; }
 };
@@ -59,16 +59,17 @@ struct Deviation {
 };
 
 // Compares a mesh with the scan it was made from, or any two meshes. The result is the same for any number of threads.
-// O((v + s) log n) on ordinary surfaces. Errors: NoTriangles, ValueOutOfRange (a coordinate beyond 1e60), Cancelled.
+// O((v + s) log n) on ordinary surfaces with v vertices, s samples and n faces. Errors: NoTriangles, ValueOutOfRange (a
+// coordinate beyond 1e60), Cancelled.
 Result<Deviation> deviation(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, const DeviationOptions& options = {},
                             Progress progress = {});
 // Returns the largest distance found between two surfaces in both directions, mm. It is measured at all vertices and at
 // about twice as many samples as the second surface has faces, up to a limit beyond which more samples hardly change
-// it. Returns nothing if a surface has no triangles, or if cancelled.
+// the result. Returns nothing if a surface has no triangles, or if cancelled.
 std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, Progress progress = {});
 
-// Compares two surfaces, for callers that measure more distances from them. Errors: as above, and Cancelled if the
-// construction of a surface was cancelled.
+// Compares two surfaces. This overload is for callers that also measure other distances from the surfaces. The errors
+// are those of the overload for meshes; Cancelled is also returned if the construction of a surface was cancelled.
 Result<Deviation> deviation(const SurfaceDistance& mesh, const SurfaceDistance& scan,
                             const DeviationOptions& options = {}, Progress progress = {});
 

@@ -7,21 +7,21 @@
 
 namespace handwheel {
 
-// The settings of this module that trade speed for accuracy. Presets follow from resources/fidelity (the test
+// The settings of this module that trade speed for accuracy. Their presets follow from resources/fidelity (verified by
 // FidelityPresetsTest).
-FidelitySetting nearWeldSetting();         // mesh.near_weld: RepairOptions::nearWeld
-FidelitySetting fillMethodSetting();       // mesh.fill_method: FillOptions::method
-FidelitySetting fillContinuitySetting();   // mesh.fill_continuity: FillOptions::continuity
-FidelitySetting patchDensitySetting();     // mesh.patch_density: FillOptions::density
-FidelitySetting pieceEdgesSetting();       // mesh.piece_edges: FillOptions::pieceEdges
-FidelitySetting decimationErrorSetting();  // mesh.decimation_error: DecimationOptions::error, in diagonals
-FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDelta::between()
+FidelitySetting nearWeldSetting();         // mesh.near_weld, for RepairOptions::nearWeld
+FidelitySetting fillMethodSetting();       // mesh.fill_method, for FillOptions::method
+FidelitySetting fillContinuitySetting();   // mesh.fill_continuity, for FillOptions::continuity
+FidelitySetting patchDensitySetting();     // mesh.patch_density, for FillOptions::density
+FidelitySetting pieceEdgesSetting();       // mesh.piece_edges, for FillOptions::pieceEdges
+FidelitySetting decimationErrorSetting();  // mesh.decimation_error, for DecimationOptions::error; share of the diagonal
+FidelitySetting undoGranularitySetting();  // document.undo_granularity, for MeshDelta::between()
 
-// The chosen fill method: one of Ear, Minimal, Refined, Fair, Area, Dihedral, Crease.
+// Returns the chosen fill method: Ear, Minimal, Refined, Fair, Area, Dihedral or Crease.
 FillMethod fillMethodOf(const FidelityValues& values);
 Continuity fillContinuityOf(const FidelityValues& values);
 
-// Copies the chosen values into the options of a fill or a repair. Other options stay.
+// Copies the chosen values into the options of a fill or a repair. Other options are unchanged.
 void apply(const FidelityValues& values, FillOptions& options);
 void apply(const FidelityValues& values, RepairOptions& options);
 

@@ -31,11 +31,12 @@ struct PlaneAxes {
 };
 PlaneAxes axesOfPlane(const Vec3& normal);
 
-// Computes the section of a mesh by a plane. The plane has the points p with normal · p = offset (mm); the normal is of
-// unit length. Points in the plane itself count as below it, so the result is that of a plane just above; each face is
-// cut in one segment or not at all, and the curves of a closed mesh are closed (Edelsbrunner, Mücke, "Simulation of
-// simplicity", 1990). Points lie on the edges of the mesh up to the rounding of a division. Faces with a corner that is
-// not finite, or with a repeated corner, are left out. The result is invalid if cancelled. O(faces), and coveredArea().
+// Computes the section of a mesh by a plane. The plane consists of the points p with normal · p = offset (mm); the
+// normal has unit length. Vertices in the plane itself count as below it, so the result is that of a plane just above:
+// each face is cut in one segment or not at all, and the curves of a closed mesh are closed (Edelsbrunner, Mücke,
+// "Simulation of simplicity", 1990). The points of the curves lie on the edges of the mesh, up to the rounding error of
+// one division. Faces with a corner that is not finite, or with a repeated corner, are left out. The result is invalid
+// if cancelled. O(faces), plus the cost of coveredArea().
 Section sectionOf(const HalfEdgeMesh& mesh, const Vec3& normal, double offset, Progress progress = {});
 
 }  // namespace handwheel

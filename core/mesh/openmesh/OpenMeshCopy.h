@@ -9,8 +9,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <span>
 
-// Converts meshes to OpenMesh and back. All conversions are here. Included by sources only, never by headers, so that
-// nothing else sees the types of OpenMesh (docs/adr/0028-openmesh.md).
+// Converts meshes to OpenMesh and back. This header contains all such conversions. It is included only by source files,
+// never by headers, so that no other code depends on the types of OpenMesh (docs/adr/0028-openmesh.md).
 namespace handwheel {
 
 struct OpenMeshTraits : OpenMesh::DefaultTraits {
@@ -23,8 +23,8 @@ struct OpenMeshTraits : OpenMesh::DefaultTraits {
 };
 
 // A mesh of OpenMesh whose algorithms can be cancelled. They report no progress, but all their loops that do more than
-// assign a number call one of the functions below. These poll the cancel flag, count effort, and throw Cancelled. The
-// mesh must not be used after that.
+// assign a number call one of the functions below. These poll the cancel flag, count effort, and throw Cancelled if the
+// flag is set. The mesh must not be used after that exception.
 class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
   using Base = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
@@ -42,7 +42,7 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     Base::set_point(v, p);
   }
-  // Called in loops over selected or tagged elements.
+  // Returns the status of an element. OpenMesh calls this function in loops over selected or tagged elements.
   template <class Handle>
   decltype(auto) status(Handle h) {
     countCall();
@@ -53,7 +53,7 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     return Base::status(h);
   }
-  // Called in loops over edges.
+  // Returns a half-edge of an edge. OpenMesh calls this function in loops over edges.
   using Base::halfedge_handle;
   HalfedgeHandle halfedge_handle(EdgeHandle e, unsigned int side) const {
     countCall();
@@ -63,12 +63,13 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
     countCall();
     return Base::halfedge_handle(e, side);
   }
-  // Called in loops that split edges and faces.
+  // Adds an edge. OpenMesh calls this function in loops that split edges and faces.
   HalfedgeHandle new_edge(VertexHandle from, VertexHandle to) {
     countCall();
     return Base::new_edge(from, to);
   }
-  // Skip the smoother's computation of normals, which only unused components need.
+  // Do nothing: OpenMesh's smoother needs normals only to smooth in the tangential or the normal direction alone, which
+  // Handwheel does not use.
   void update_face_normals() {}
   void update_vertex_normals() {}
 
@@ -83,16 +84,16 @@ class OpenMeshSurface : public OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits> {
   mutable std::size_t m_calls = 0;
 };
 
-// A copy of a mesh for OpenMesh. Faces and vertices have the order of the live ones of the mesh.
+// A copy of a mesh for OpenMesh. Its faces and vertices are in the order of the live faces and vertices of the mesh.
 class OpenMeshCopy {
  public:
-  // Copies a mesh in O(faces). A refusal is found before anything is built. Must be called only once; the copy is
-  // invalid if it was refused or cancelled.
+  // Copies a mesh in O(faces). If the mesh is refused, nothing is built. The function must be called only once; the
+  // copy is invalid if the mesh was refused or the function was cancelled.
   OpenMeshRefusal take(const HalfEdgeMesh& mesh, Progress progress = {});
 
   // Writes the changed copy back into the original mesh, in O(faces). Remaining elements keep their numbers, and faces
-  // the order of their unchanged corners; new faces and vertices follow the last slot, and vertices without faces are
-  // left out. If cancelled, nothing changes: the function returns false, or throws Cancelled where the surface polls.
+  // the order of their unchanged corners. New faces and vertices follow the last slot, and vertices without faces are
+  // omitted. If cancelled, the mesh is unchanged, and the function returns false or throws OpenMeshSurface::Cancelled.
   bool bringBack(HalfEdgeMesh& mesh, Progress progress = {}) const;
 
   OpenMeshSurface& surface() { return m_surface; }
@@ -100,7 +101,7 @@ class OpenMeshCopy {
   Face faceOf(std::size_t i) const { return m_faceOf[i]; }
   Vertex vertexOf(std::size_t i) const { return m_vertexOf[i]; }
   std::size_t takenVertices() const { return m_vertexOf.size(); }
-  // Returns true if more than two faces meet at an open edge. Algorithms that merge edges must update this with
+  // Returns true if more than two faces meet at an open edge. Algorithms that merge edges must update this mark with
   // setSeam().
   bool isSeam(OpenMesh::EdgeHandle e) const { return m_surface.property(m_isSeam, e); }
   void setSeam(OpenMesh::EdgeHandle e) { m_surface.property(m_isSeam, e) = true; }

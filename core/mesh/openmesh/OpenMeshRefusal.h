@@ -11,7 +11,7 @@ enum class OpenMeshRefusal {
   Degenerate,  // a face with a repeated vertex
   DoubleEdge,  // two edges between the same two vertices, as on a one-sided surface
   BackToBack,  // two faces with the same three edges
-  Seam,        // more than two faces meet at an edge: a scheme that moves its vertices would tear it
+  Seam,        // more than two faces meet at an edge: a subdivision scheme that moves its vertices would tear it
   Hub,         // a vertex with so many faces that time and memory, quadratic in their number, would be excessive
 };
 

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Returns a patch of triangles from the loop to an apex over its centre. height is the outward distance of the apex in
-// units of the loop's shortest edge. O(n).
+// Returns a patch of triangles from the loop to an apex over the loop's centre. height is the outward distance of the
+// apex in units of the loop's shortest edge. O(n).
 Patch conePatch(const HalfEdgeMesh& mesh, const BoundaryLoop& loop, double height, NumberType numbers);
 
 }  // namespace handwheel

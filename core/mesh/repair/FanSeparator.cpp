@@ -24,7 +24,7 @@ double unitInTheLastPlace(const Vec3& p, NumberType numbers) {
   return static_cast<double>(std::nextafter(f, std::numeric_limits<float>::max())) - static_cast<double>(f);
 }
 
-// Numbers of operations that take as long as one step of Effort.
+// Numbers of operations that take as long as one step of WorkBudget.
 constexpr std::size_t kBoxesPerStep = 256;
 constexpr std::size_t kTestsPerStep = 8;  // tests of two triangles
 

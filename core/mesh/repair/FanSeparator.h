@@ -12,22 +12,24 @@
 
 namespace handwheel {
 
-// Moves the vertices of single fans away from positions that other vertices share. Each takes the smallest step that
-// the number type can represent and that makes no new self-intersection, to a position that no other vertex has. All
-// other vertices must stay. Invalid once cancelled.
+// Moves the vertices of single fans away from positions that other vertices share. Each vertex moves by the smallest
+// step that the number type can represent and that makes no new self-intersection, to a position that no other vertex
+// has. The caller must not move any vertex itself. The object is invalid after a cancellation.
 class FanSeparator {
  public:
-  // progress is used during construction, watched while vertices are moved. O(n log n).
+  // Builds the hierarchy in O(n log n). The cancel flag is that of `progress` during the construction, and that of
+  // `watched` while vertices are moved.
   FanSeparator(HalfEdgeMesh& mesh, NumberType numbers, Progress progress, Progress watched);
 
-  // Moves the fan's vertex away from its position. Returns false if every step would do harm.
+  // Moves the fan's vertex away from its position. Returns false if every step would make degenerate faces or too many
+  // new self-intersections.
   bool separate(const std::vector<HalfEdge>& fan);
 
-  // Sets the total number of crossings that may be made from now on.
+  // Sets the total number of new self-intersections that may be made from now on.
   void mayCross(std::size_t n) { m_spare = n; }
 
-  // Inserts a separate vertex in the middle of an edge that another pair of faces shares. Returns the new vertex, or
-  // kNone without a change if that would do harm.
+  // Inserts a separate vertex in the middle of an edge whose end positions another pair of faces shares. Returns the
+  // new vertex; returns kNone, without a change, if the vertex cannot be separated.
   Vertex separateEdge(HalfEdge h);
 
  private:
@@ -35,7 +37,7 @@ class FanSeparator {
     Face face;
     Box box;
   };
-  // Faces with all faces that may meet one of them.
+  // Some faces, and all faces that may meet one of them.
   struct Surroundings {
     std::vector<Face> faces;
     std::vector<Near> near;
@@ -59,9 +61,9 @@ class FanSeparator {
   std::vector<Face> m_faces;  // face of each triangle in the hierarchy
   TriangleHierarchy m_hierarchy;
   std::unordered_map<Face, std::vector<Face>> m_halves;    // faces split off a face of the hierarchy
-  std::unordered_map<Face, Face> m_whole;                  // reverse of m_halves
+  std::unordered_map<Face, Face> m_whole;                  // inverse mapping of m_halves
   std::unordered_set<PointKey, PositionHash> m_positions;  // positions that the file will hold
-  std::vector<std::uint32_t> m_seenIn;                     // per face: the last search that found it
+  std::vector<std::uint32_t> m_seenIn;                     // number of the last search that found each face
   std::uint32_t m_search = 0;
   std::size_t m_uncounted = 0;  // boxes not yet counted as effort
   std::size_t m_spare = 0;

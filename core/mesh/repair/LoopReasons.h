@@ -6,17 +6,17 @@
 
 namespace handwheel {
 
-// The reasons why a repair leaves boundary loops open. They follow from its options beforehand, and from failed
-// attempts afterwards. Loops are identified by the input loops along which they run, their owners.
+// The reasons why a repair leaves boundary loops open. Before an attempt, they follow from the options of the repair;
+// afterwards, from the failed attempts. Loops are identified by the input loops along which they run, their owners.
 class LoopReasons {
  public:
-  // Both arguments must outlive the object.
+  // options and inputLoops must outlive the object.
   LoopReasons(const RepairOptions& options, const std::vector<BoundaryLoop>& inputLoops)
       : m_options(options), m_inputLoops(inputLoops) {}
 
-  // Returns the reason known in advance; None for a loop to fill.
+  // Returns the reason that is known before any attempt; None if the loop should be filled.
   FillFailure beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners) const;
-  // Returns true if a loop with that reason should be closed, by a patch or by thickening its sheet.
+  // Returns true if a loop with this reason should be closed, by a patch or by thickening its sheet.
   bool mayClose(FillFailure beforeTrying) const;
 
   // Forgets the failed attempts, which are noted anew in each round.
@@ -37,8 +37,8 @@ class LoopReasons {
 
   const RepairOptions& m_options;
   const std::vector<BoundaryLoop>& m_inputLoops;
-  std::set<int> m_cutShort;  // input loops, or kLaidOpen for any other, whose last trial was cut short
-  // Same keys; outer edges of sheets that were not thickened in the last round.
+  std::set<int> m_cutShort;  // ids of the loops whose last trial was cut short; kLaidOpen if not in the input
+  // Failures of outer edges of sheets that were not thickened in the last round, by the same ids as in m_cutShort.
   std::map<int, FillFailure> m_sheetFailures;
 };
 

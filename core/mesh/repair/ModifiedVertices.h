@@ -9,13 +9,14 @@
 
 namespace handwheel {
 
-// Differences between two versions of a mesh, by the indices of the earlier one. Both are invalid if cancelled.
+// Differences between two versions of a mesh, by the indices of the earlier version. The results are invalid if
+// cancelled.
 
 // Counts the faces whose orientation over the same three positions is reversed. O(n).
 std::size_t countReversedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress = {});
 
 // Returns the vertices whose position changed, and all vertices at the given positions, sorted. O(n log n), or O(n) if
-// there are none.
+// no positions are given.
 std::vector<Vertex> modifiedVertices(const HalfEdgeMesh& before, const HalfEdgeMesh& after, std::vector<Vec3> positions,
                                      Progress progress = {});
 

@@ -16,8 +16,8 @@ struct FaceAtVertex {
 
 // A direction that lies behind planes.
 struct DirectionBehind {
-  Vec3 direction = Vec3::Zero();  // unit length; zero if none is behind all planes
-  double margin = 0.0;            // smallest cosine between it and the reversed normals
+  Vec3 direction = Vec3::Zero();  // unit length; zero if no direction is behind all planes
+  double margin = 0.0;            // smallest cosine of the angles to the reversed normals
 };
 
 // Returns the direction with the largest margin behind planes with these normals. It is opposite to the point of the
@@ -26,10 +26,10 @@ struct DirectionBehind {
 // thousandth. Normals of length zero are ignored. O(n) for each of a few steps.
 DirectionBehind widestBehind(std::vector<Vec3> normals);
 
-// Returns the offset of a vertex that moves every plane of its faces back by one, opposite to the normals. It is a
+// Returns the offset of a vertex that moves every plane of its faces back by one unit, opposite to the normals. It is a
 // least-squares solution for more than three planes, and the smallest such offset for fewer, so that a sheet with sharp
-// edges has the same thickness on both sides of them. If that offset exceeds the mitre limit or is in front of one of
-// the faces, widestBehind() is used. Returns zero if there is none.
+// edges has the same thickness on both sides of them. If that offset is longer than two units or is in front of one of
+// the faces, widestBehind() is used. Returns zero if there is no such direction.
 Vec3 offsetBehind(const std::vector<FaceAtVertex>& faces);
 
 }  // namespace handwheel

@@ -15,16 +15,16 @@ struct SheetOffset {
   Vec3 from;
   Vec3 direction;  // result of offsetBehind()
   double depth;    // factor of the direction
-  double reach;    // distance behind the nearest plane of its faces per depth, at most 1
+  double reach;    // distance behind the nearest plane of the faces, per unit of depth; at most 1
   Vertex front;    // vertex in front of it; kNone behind the middle of an edge or face
   bool isOnOutline;
   int halvings = 0;
 };
 
-// Builds the backs of thickened sheets and the side faces along their outlines. Used by thickenSheets().
+// Builds the backs of thickened sheets and the side faces along their outlines. thickenSheets() uses it.
 class OffsetSheetBuilder {
  public:
-  // kept: vertices without an offset.
+  // kept: the vertices that get no offset. It must outlive the object.
   OffsetSheetBuilder(HalfEdgeMesh& mesh, NumberType numbers, const std::unordered_set<Vertex>& kept)
       : m_mesh(mesh), m_numbers(numbers), m_kept(kept) {}
 
@@ -33,12 +33,13 @@ class OffsetSheetBuilder {
   bool add(const OpenSheet& sheet);
 
   const std::vector<Face>& faces() const { return m_faces; }
-  // Returns the pairs of a back face and its face in the sheet. Side faces, faces of a split back and those between the
-  // parts of a divided one are in no pair: no face is in front of them. If such a face flips, it intersects others.
+  // Returns the pairs of a back face and its face in the sheet. Side faces, faces of a split back, and faces between
+  // the parts of a divided back are in no pair, because no face is in front of them. If such a face flips, it
+  // intersects others.
   const std::vector<std::pair<Face, Face>>& facePairs() const { return m_facePairs; }
   // Returns the offset of a back vertex; null for a vertex of a sheet.
   const SheetOffset* offsetOf(Vertex v) const;
-  // Halves the depth of a vertex behind a sheet. Returns false if that was done too often.
+  // Halves the depth of a vertex behind a sheet. Returns false if the depth was already halved too often.
   bool halve(Vertex v);
   // Returns the reached thickness of the faces that are still live.
   SheetThickness reached() const;
@@ -71,9 +72,9 @@ class OffsetSheetBuilder {
   NumberType m_numbers;
   const std::unordered_set<Vertex>& m_kept;
   double m_thickness = 0.0;                         // thickness of the current sheet
-  std::size_t m_vertices = 0, m_sharpVertices = 0;  // numbers over all sheets: all vertices; those without an offset
+  std::size_t m_vertices = 0, m_sharpVertices = 0;  // vertices of all sheets; those without offset
   std::unordered_map<Vertex, Corner> m_corners;     // corners of the current sheet
-  std::unordered_map<HalfEdge, Vertex> m_middles;   // middles of edges of the current sheet, by the smaller half-edge
+  std::unordered_map<HalfEdge, Vertex> m_middles;   // middles of the current sheet's edges, by the smaller half-edge
   std::unordered_map<Vertex, SheetOffset> m_offsets;
   std::vector<std::pair<Face, Face>> m_facePairs;
   std::vector<Face> m_faces;

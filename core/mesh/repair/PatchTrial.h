@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A patch for a loop of a mesh. Both must outlive the object.
+// A patch for a loop of a mesh. The loop and the patch must outlive the object.
 struct PatchAtLoop {
   const BoundaryLoop* loop;
   const Patch* patch;
@@ -18,7 +18,7 @@ struct PatchAtLoop {
 
 // The result of inserting patches into a part of a mesh.
 struct PatchTrial {
-  bool isOutside = false;  // the part does not contain the loops completely
+  bool isOutside = false;  // true if the part does not contain the loops completely
   bool isSound = false;
   Box reach;  // bounding box of all faces that intersect the patches or changed
   HalfEdgeMesh changed;
@@ -28,8 +28,8 @@ struct PatchTrial {
 };
 
 // Inserts patches into a part of a mesh and cuts where they intersect it (removeSelfIntersections()). The trial is
-// sound if it has no more self-intersections than the part, and fewer edges without two faces. mesh is the whole mesh.
-// Not sound if cancelled.
+// sound if it has no more self-intersections than the part, and fewer edges without two faces. mesh: the whole mesh.
+// The trial is not sound if cancelled.
 PatchTrial tryPatches(const Submesh& part, const HalfEdgeMesh& mesh, std::span<const PatchAtLoop> patches,
                       NumberType numbers, const Progress& progress);
 

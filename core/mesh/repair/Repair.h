@@ -14,24 +14,24 @@ namespace handwheel {
 
 // The treatment of the outer edges of open sheets.
 enum class SheetHandling {
-  Keep,     // stay open, including those that the repair itself makes
-  Thicken,  // closed by making the sheet a thin body (thickenSheets())
-  Fill,     // filled like holes
+  Keep,     // the edges stay open, including those that the repair itself makes
+  Thicken,  // the edges are closed by making the sheet a thin body (thickenSheets())
+  Fill,     // the edges are filled like holes
 };
 
 // Options of repair().
 struct RepairOptions {
   FillOptions fill;
-  double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
+  double nearWeld = tolerance::kNearWeld;  // fraction of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids from findBoundaryLoops() of the input
   SheetHandling sheets = SheetHandling::Keep;
-  // Thickness of thickened sheets, mm, less where they bend strongly; 0: defaultSheetThickness().
+  // Thickness of thickened sheets, mm; 0: defaultSheetThickness(). Sheets become thinner where they bend strongly.
   double thickness = 0.0;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // last resort to close a hole (replaceFoldedRegions())
   bool cutCrossings = false;         // remove self-intersections of the surface (removeClusterIntersections())
-  bool uniteSolids = false;          // unite intersecting solids before that (uniteSolids())
+  bool uniteSolids = false;          // unite intersecting solids before self-intersections are removed
 
   bool resolvesIntersections() const { return cutCrossings || uniteSolids; }
 };
@@ -45,17 +45,17 @@ struct LoopResult {
   std::size_t edges = 0;
   bool isSheetBoundary = false;  // outer edge of an open sheet in the input
   LoopOutcome outcome = LoopOutcome::Failed;
-  FillMethod method = FillMethod::Fair;    // if filled
-  FillFailure reason = FillFailure::None;  // if not filled
-  std::size_t newFaces = 0;                // faces of its patches; one patch over several loops counts for each
+  FillMethod method = FillMethod::Fair;    // method if filled
+  FillFailure reason = FillFailure::None;  // reason if not filled
+  std::size_t newFaces = 0;                // faces of its patches; a patch over several loops counts for each loop
   double milliseconds = 0.0;
-  PatchComparison shape = {};  // shape of its patch; unknown without one
+  PatchComparison shape = {};  // shape of its patch; unknown without a patch
 };
 
 // A boundary loop that a repair leaves open, with its reason. A loop of the input may be left in several pieces.
 struct OpenLoop {
-  Vertex key = kNone;                           // keyOf() in the result
-  LoopOutcome outcome = LoopOutcome::KeptOpen;  // or Failed
+  Vertex key = kNone;                           // keyOf() of the loop in the result
+  LoopOutcome outcome = LoopOutcome::KeptOpen;  // KeptOpen or Failed
   FillFailure reason = FillFailure::None;
 };
 
@@ -71,7 +71,7 @@ struct RepairReport {
   std::size_t reversedFaces = 0;
   std::size_t reversedBodies = 0;  // reversed inside-out bodies; their faces are in reversedFaces
   std::size_t mergedVertices = 0;
-  std::size_t nonOrientableCuts = 0;  // along short cycles, where the surface was non-orientable
+  std::size_t nonOrientableCuts = 0;  // cuts along short cycles of non-orientable surfaces
   std::size_t cutFaces = 0;           // faces cut where a patch intersects the part
   std::size_t cutClusters = 0;        // clusters of self-intersections that were removed
   std::size_t innerFaces = 0;         // removed pieces of walls inside united solids
@@ -81,10 +81,10 @@ struct RepairReport {
   std::vector<Vertex> modifiedVertices;  // vertices of the input that were moved, merged or separated
   // Farthest vertex removed from the outside of the input (farthestRemovedVertex()).
   std::optional<FarthestRemovedVertex> removed;
-  bool isSeparationIncomplete = false;           // effort exhausted: more vertices may coincide than necessary
-  bool isIntersectionRemovalIncomplete = false;  // effort exhausted: more faces may intersect than necessary
-  std::size_t effort = 0;                        // steps of Effort; at most twice repairBudget() of the input's faces
-  std::size_t countedEffort = 0;  // the same, with the steps beyond a limit before it was checked (Effort::counted())
+  bool isSeparationIncomplete = false;  // the effort was exhausted, so more vertices may coincide than necessary
+  bool isIntersectionRemovalIncomplete = false;  // the effort was exhausted, so more faces may intersect than necessary
+  std::size_t effort = 0;         // steps of WorkBudget; at most twice repairBudget() of the input's faces
+  std::size_t countedEffort = 0;  // effort, with steps that exceeded a limit unnoticed (WorkBudget::counted())
   bool cancelled = false;
 };
 

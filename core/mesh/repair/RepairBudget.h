@@ -12,14 +12,14 @@
 
 namespace handwheel {
 
-// Returns the effort limit for the repair of a mesh of this many faces. The unit is steps of Effort.
+// Returns the effort limit for the repair of a mesh with this number of faces. The unit is steps of WorkBudget.
 inline std::size_t repairBudget(std::size_t faces) {
   const double n = static_cast<double>(faces) + 2.0;
   return std::max(tolerance::kLeastRepairBudget, static_cast<std::size_t>(tolerance::kRepairBudget * n * std::log2(n)));
 }
 
-// Returns the effort limit for one kind of work on such a mesh. It is a share of the whole limit, but at most a fixed
-// number of steps plus those of passes over the whole mesh.
+// Returns the effort limit for one kind of work in the repair of a mesh. It is a fraction (share) of the limit for the
+// whole repair, but at most a fixed number of steps plus those of passes over the whole mesh.
 inline std::size_t repairBudget(std::size_t faces, double share, std::size_t fixed) {
   return std::min(static_cast<std::size_t>(share * static_cast<double>(repairBudget(faces))),
                   fixed + tolerance::kPassBudget * faces);
@@ -29,7 +29,7 @@ inline std::size_t repairBudget(std::size_t faces, double share, std::size_t fix
 struct RepairEfforts {
   explicit RepairEfforts(const HalfEdgeMesh& input);
 
-  // Returns the effort limit for one kind of work, as repairBudget(), but less if exact tests are slow. Their time
+  // Returns the effort limit for one kind of work, like repairBudget(), but less if exact tests are slow. Their time
   // grows with the square of the ratio between the bits of the coordinates and those of ordinary parts.
   std::size_t most(double share, std::size_t fixed) const;
 
@@ -37,7 +37,9 @@ struct RepairEfforts {
   double slowness;
   WorkBudget fill;
   WorkBudget close;
-  WorkBudget hard, separation, tangle;  // separate shares of the budget for closing
+  // Separate parts of the budget for closing: for obstructed holes and non-orientable surfaces, for the separation of
+  // coincident vertices, and for the removal of folded regions.
+  WorkBudget hard, separation, tangle;
 };
 
 }  // namespace handwheel

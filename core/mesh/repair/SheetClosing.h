@@ -10,7 +10,7 @@ namespace handwheel {
 // A boundary loop of a sheet to thicken.
 struct LoopOfSheet {
   HalfEdge at = kNone;  // a half-edge of the loop
-  // False: the thickness is limited to a share of the shortest edge, so that flakes become no needles.
+  // If false, the thickness is limited to a fraction of the shortest edge, so that flakes do not become needles.
   bool isWanted = false;
 };
 
@@ -18,10 +18,10 @@ struct LoopOfSheet {
 struct SheetTrial {
   std::vector<Face> faces;        // the added faces
   SheetThickness thickness;       // the reached thickness
-  std::vector<bool> isThickened;  // per loop
+  std::vector<bool> isThickened;  // one value per loop
 };
 
-// Thickens the sheets that have these loops, each once, and relinks the mesh. thickness: mm.
+// Thickens each sheet that has one of these loops, and relinks the mesh. thickness: the thickness of the sheets, mm.
 SheetTrial thickenAt(HalfEdgeMesh& mesh, std::span<const LoopOfSheet> loops, double thickness, NumberType numbers,
                      Progress progress);
 
@@ -29,7 +29,8 @@ SheetTrial thickenAt(HalfEdgeMesh& mesh, std::span<const LoopOfSheet> loops, dou
 std::set<PointKey> touchingPositions(const HalfEdgeMesh& mesh, Progress progress);
 
 // Separates the vertices at which faces touch without a common edge, except at known positions. Returns the former
-// positions of the moved vertices, or nothing if such a vertex remains. Relinks the mesh if it changes. O(n log n).
+// positions of the moved vertices, or nothing if faces still touch at a position that is not known. The mesh is
+// relinked if it changes. O(n log n).
 std::optional<std::vector<Vec3>> separateNewTouchings(HalfEdgeMesh& mesh, const std::set<PointKey>& known,
                                                       NumberType numbers, const SeparationLimits& limits,
                                                       Progress progress);

@@ -42,21 +42,21 @@ struct OpenSheet {
 struct ThickenedSheets {
   std::vector<Face> faces;        // the added faces
   SheetThickness thickness;       // the reached thickness
-  std::vector<bool> isThickened;  // per sheet; false if the number type of the file cannot represent the thickness
+  std::vector<bool> isThickened;  // one value per sheet; false if the file cannot represent the thickness
 };
 
 // Thickens open sheets into thin bodies by an offset copy on the back of each. The faces stay as they are. A copy with
 // reversed orientation is offset by the thickness (offsetBehind()), opposite to the normals, and a strip of side faces
-// joins the outlines of both. If new faces intersect others or flip, the offsets of their vertices are halved, a few
-// times; a face whose back then coincides with it is removed together with its back. A vertex gets no offset at an
-// outline where halving does not help, where outlines touch, or in a fold without a direction behind it: there both
-// sides meet in a sharp edge, and edges and faces without an offset at any vertex get one in their middle. The new
-// faces may still intersect others where the sheet is folded, or where others intersect or touch it. The caller must
-// relink the mesh (relink()). O(n log n) for the mesh, for each halving of offsets.
+// joins the outlines of both. If new faces intersect others or flip, the offsets of their vertices are halved a few
+// times; a face whose back then coincides with it is removed together with its back. A vertex gets no offset if it is
+// on an outline and halving does not help, if outlines touch at it, or if it is in a fold and no direction is behind
+// the fold. At such vertices both sides meet in a sharp edge; edges and faces without an offset at any vertex get an
+// offset in their middle. The new faces may still intersect others where the sheet is folded, or where others intersect
+// or touch it. The caller must relink the mesh (relink()). O(n log n) for each halving of offsets.
 ThickenedSheets thickenSheets(HalfEdgeMesh& mesh, std::span<const OpenSheet> sheets, NumberType numbers,
                               Progress progress = {});
 
-// Returns the default thickness of thickened sheets, mm: a share of the diagonal of the mesh's box.
+// Returns the default thickness of thickened sheets, mm. It is a fraction of the diagonal of the mesh's box.
 double defaultSheetThickness(const Box& box);
 double defaultSheetThickness(const HalfEdgeMesh& mesh);  // O(n)
 
@@ -65,7 +65,7 @@ double defaultSheetThickness(const HalfEdgeMesh& mesh);  // O(n)
 // distance of near vertices of the part. Returns the default if no outline has a finite size.
 double proposedSheetThickness(std::span<const Box> outlines, const Box& part, double unit);
 
-// Finds all faces connected with this one through paired edges, this one first.
+// Finds all faces that are connected with f through paired edges. f is the first.
 std::vector<Face> sheetOf(const HalfEdgeMesh& mesh, Face f);
 
 }  // namespace handwheel

@@ -10,11 +10,11 @@
 namespace handwheel {
 
 // The faces of a mesh that reach into a box, as a separate mesh. It is changed within the box, checked separately, and
-// written back. Changes within the box affect no face outside the submesh: self-intersections and the faces of edges
-// are counted as in the whole mesh, except for those that do not change.
+// written back. Changes within the box affect no face outside the submesh. Therefore the numbers of self-intersections
+// and of faces at edges change in the submesh as they would in the whole mesh.
 class Submesh {
  public:
-  // O(faces of the whole mesh).
+  // Extracts the submesh in O(faces of the whole mesh).
   Submesh(const HalfEdgeMesh& whole, const Box& box);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
@@ -25,8 +25,8 @@ class Submesh {
   // Returns the box of all differences between a changed version and the submesh. Faces of the submesh keep their
   // numbers in the changed version, and added ones follow.
   Box changesIn(const HalfEdgeMesh& changed) const;
-  // Replaces the submesh by a changed version. The changes must be within the box. The caller must relink the whole
-  // mesh (relink()).
+  // Replaces the faces of the submesh in the whole mesh by a changed version. The changes must be within the box. The
+  // caller must relink the whole mesh (relink()).
   void writeBack(HalfEdgeMesh& whole, const HalfEdgeMesh& changed) const;
 
  private:

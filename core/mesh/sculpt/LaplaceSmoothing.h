@@ -11,8 +11,8 @@ namespace handwheel {
 
 // Options of smoothByLaplace().
 struct LaplaceSmoothing {
-  bool isBending = false;  // minimise the change of curvature instead of the area: flattens less
-  int passes = 10;         // each pass moves vertices halfway
+  bool isBending = false;  // minimises the change of curvature instead of the area, which flattens less
+  int passes = 10;         // each pass moves vertices halfway to their smoothed positions
   NumberType numbers = NumberType::Float64;
   Progress progress = {};
 };

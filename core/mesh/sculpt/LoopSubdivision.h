@@ -12,7 +12,7 @@
 namespace handwheel {
 
 // The Loop subdivision stencils of the vertices of a finer mesh. They define the position of a vertex and a frame for
-// its displacement from there: both follow the coarser mesh, so that detail rotates with it.
+// its displacement from that position. Position and frame follow the coarser mesh, so that detail rotates with it.
 class LoopStencils {
  public:
   enum class Kind : std::uint8_t {
@@ -22,7 +22,8 @@ class LoopStencils {
             // b
   };
 
-  // leaving is a half-edge of the finer mesh that starts at the vertex. Sources are vertices of the coarser mesh.
+  // Adds the stencil of a vertex. leaving: a half-edge of the finer mesh that starts at the vertex. sources: vertices
+  // of the coarser mesh.
   void add(Kind kind, HalfEdge leaving, std::span<const Vertex> sources);
 
   std::size_t size() const { return m_stencils.size(); }
@@ -72,28 +73,29 @@ struct FirstSlots {
 struct SubdivisionStep {
   SubdivisionFailure failure = SubdivisionFailure::None;
   FaceSelection faces;       // the finer patch
-  LoopStencils stencils;     // one per vertex of the finer patch
+  LoopStencils stencils;     // one stencil per vertex of the finer patch
   std::vector<Face> parent;  // parents of the added faces; the others have the number of their parent
   FirstSlots firstAdded;
-  std::size_t heldBack = 0;  // vertices nearer to the middle of their edge than Loop's position
+  std::size_t heldBack = 0;  // number of vertices that stay nearer to the middle of their edge than Loop's position
 };
 
-// Subdivides a patch by Loop subdivision, modified as in He 2008, section 4.1.6. An edge on its outline gets no point.
-// A triangle with two such edges is split in two, one with one such edge in three, along the shorter diagonal, any
-// other in four. Vertices on the outline and outside stay, bit for bit; no face gets a vertex in an edge. If Loop's
-// position would flip a face, the vertex stays nearer to its position by linear subdivision. Faces of the patch keep
-// their number for one of their parts. A failure leaves the mesh unchanged. O(patch).
+// Subdivides a patch by Loop subdivision, modified as in He 2008, section 4.1.6. An edge on the outline of the patch
+// gets no point. A triangle with two outline edges is split into two triangles, one with one outline edge into three
+// along the shorter diagonal, and any other into four. Vertices on the outline and outside stay, bit for bit; no face
+// gets a vertex in an edge. If Loop's position would flip a face, the vertex stays nearer to its position by linear
+// subdivision. Faces of the patch keep their number for one of their parts. A failure leaves the mesh unchanged.
+// O(patch).
 SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const SubdivisionLimits& limits = {});
 
-// Recovers the subdivision step from a coarse to a fine mesh. Vertices of the fine mesh may have been moved since.
-// Returns nothing if there was no such step: slot for slot, the faces must be those that subdivide() can make, except
-// for the slots of the added ones. These start with firstAdded, and are dead in the coarse mesh, or beyond its last
-// slot. O(patch + pages of the mesh).
+// Recovers the subdivision step from a coarse to a fine mesh. Vertices of the fine mesh may have been moved after the
+// step. Returns nothing if there was no such step: slot for slot, the faces must be those that subdivide() can make,
+// except for the slots of the added faces. The slots of added elements start with firstAdded; in the coarse mesh, they
+// are dead or beyond the last slot. O(patch + pages of the mesh).
 std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
                                                   const HalfEdgeMesh& fine, FirstSlots firstAdded);
 
-// Returns the number of subdivisions that match a patch to the density around it. Its edges are then at most √2 times
-// as long as those of the faces around it. Returns 0 if there are no faces around it.
+// Returns the number of subdivisions that match a patch to the density around it. After them, the edges of the patch
+// are at most √2 times as long as those of the faces around it. Returns 0 if there are no faces around it.
 int levelsToDensity(const HalfEdgeMesh& mesh, const FaceSelection& patch);
 
 // Returns the mean aspect ratio of the faces at the outline of a patch. It is the length of an outline edge divided by

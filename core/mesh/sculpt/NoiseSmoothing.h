@@ -28,12 +28,12 @@ struct NoiseSmoothing {
 // those of the faces around it that are near and alike, then the vertices follow them (Zheng, Fu, Au, Tai, "Bilateral
 // normal filtering for mesh denoising", 2011, the local scheme; vertices by Sun, Rosin, Martin, Langbein, "Fast and
 // effective feature-preserving mesh denoising", 2007). Only vertices whose faces are all in the part move. Returns the
-// faces around them, or nothing, without a move, if cancelled. O(faces of the part).
+// faces around these vertices; returns nothing, without moving a vertex, if cancelled. O(faces of the part).
 std::optional<MovedVertices> smoothNoise(HalfEdgeMesh& mesh, const FaceSelection& part,
                                          const NoiseSmoothing& options = {});
 
-// Selects the faces at the border, and rings of faces around them. A face is at the border if one of its vertices is.
-// O(n).
+// Selects the faces at the border and the given number of rings of faces around them. A face is at the border if one of
+// its vertices is. O(n).
 FaceSelection facesAtBorder(const HalfEdgeMesh& mesh, int rings);
 
 }  // namespace handwheel

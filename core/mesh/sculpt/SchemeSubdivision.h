@@ -29,13 +29,13 @@ struct SchemeOutcome {
 
 inline constexpr std::size_t kMostButterflyNeighbours = 1000;
 
-// Returns the number of faces that one face becomes.
+// Returns the number of faces into which a scheme divides one face.
 std::size_t facesOfOne(SubdivisionScheme scheme);
 
 // Subdivides a whole mesh. Open edges get points too, so a part of a mesh cannot be subdivided: its outline would
-// separate from its surroundings. Vertices keep their numbers, and faces for one of their parts. A failure or refusal
-// leaves the mesh unchanged. O(n log n) for the number of resulting faces. Butterfly refuses vertices with more than
-// kMostButterflyNeighbours.
+// separate from its surroundings. Vertices keep their numbers, and each face keeps its number for one of its parts. A
+// failure or refusal leaves the mesh unchanged. O(n log n) for the number of resulting faces. A mesh with a vertex of
+// more than kMostButterflyNeighbours neighbours is refused for Butterfly.
 SchemeOutcome subdivideAll(HalfEdgeMesh& mesh, const SchemeSubdivision& subdivision,
                            const SubdivisionLimits& limits = {});
 

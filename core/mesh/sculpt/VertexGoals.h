@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A vertex and its target position. The vertex is given by a half-edge that starts there, from which its faces are
-// found.
+// A vertex and its target position. The vertex is given by a half-edge that starts at it; from this half-edge its faces
+// are found.
 struct VertexGoal {
   HalfEdge leaving;
   Vec3 to;  // mm
@@ -24,9 +24,10 @@ struct MovedVertices {
 };
 
 // Moves vertices towards their goals, as far as no face becomes invalid. No face flips, loses its area or becomes a
-// needle: otherwise its vertices move half of the distance, then half of that, and finally stay. Positions are rounded
-// to the number type of the file. A vertex whose goal is not finite or equals its position stays, bit for bit. Each
-// vertex must occur only once. Nothing moves if cancelled. O(faces around them), and a bit for each face slot.
+// needle. If a face would, its vertices move half of the distance, then a quarter and so on, and finally stay.
+// Positions are rounded to the number type of the file. A vertex whose goal is not finite or equals its position stays,
+// bit for bit. Each vertex must occur only once. Nothing moves if cancelled. O(faces around the vertices) plus one bit
+// of memory for each face slot.
 MovedVertices moveTowards(HalfEdgeMesh& mesh, std::span<const VertexGoal> moves,
                           NumberType numbers = NumberType::Float64, Progress progress = {});
 

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A bounding volume hierarchy over the faces of a mesh version. Immutable once built; built on a worker, read on any
-// thread.
+// A bounding volume hierarchy over the faces of a mesh version. It is built on a worker and is then immutable, so it
+// may be read on any thread.
 class FaceHierarchy {
  public:
   explicit FaceHierarchy(const HalfEdgeMesh& mesh);
@@ -22,23 +22,24 @@ class FaceHierarchy {
   struct Hit {
     Face face;
     Vec3 point;
-    double distance;  // multiple of the direction's length
+    double distance;  // distance from the origin of the ray, as a multiple of the direction's length
   };
-  // Returns the first face that the ray meets, from either side; nothing for a ray that is not usable.
+  // Returns the first face that the ray meets, from either side. Returns nothing if there is none or the ray is not
+  // usable.
   std::optional<Hit> firstHit(const Ray& ray) const;
 
   // Calls visit(face) for each face whose box meets the box (boundaries included), and perhaps for some just outside,
-  // until it returns false. Returns false if a visit did.
+  // until it returns false. Returns false if a visit returned false.
   bool forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const;
 
-  // Returns the point of the surface nearest to p; nothing without faces.
+  // Returns the point of the surface nearest to p. Returns nothing if there are no faces.
   std::optional<Vec3> nearest(const Vec3& p) const;
 
-  // Returns the unit normal of the face nearest to p; zero if there is none or it has no area.
+  // Returns the unit normal of the face nearest to p; zero if there is no face or it has no area.
   Vec3 normalNear(const Vec3& p) const;
 
-  // Returns true if the surface is more than "by" (mm) in front of p. It is seen from the eye or, without one, from
-  // outside the model along the direction. The face "own", on which p lies, is ignored.
+  // Returns true if the surface is more than "by" (mm) in front of p. The point is seen from the eye or, without an
+  // eye, from outside the model along the direction. The face "own", on which p lies, is ignored.
   bool isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by = 0.0,
                 Face own = kNone) const;
 

@@ -17,12 +17,12 @@ namespace handwheel {
 // into the next cell (Ulrich, "Loose octrees", 2000). Cells without faces in or below them are not stored.
 class FaceOctree {
  public:
-  // Boxes must be finite. A face must be removed with the box it was added with.
+  // Adds or removes a face. Boxes must be finite. A face must be removed with the box with which it was added.
   void add(Face f, const Box& box);
   void remove(Face f, const Box& box);
 
   // Calls visit(face) once for each face near the box, at least for those whose boxes meet it, until it returns false.
-  // Returns false if a visit did.
+  // Returns false if a visit returned false.
   template <class Visit>
   bool forEachNear(const Box& box, Visit visit) const {
     if (m_levels.empty()) return true;
@@ -51,8 +51,8 @@ class FaceOctree {
     }
   };
   struct Node {
-    std::vector<Face> faces;    // faces of its level
-    std::uint8_t children = 0;  // a bit for each of its eight parts that exists
+    std::vector<Face> faces;    // faces stored in the cell
+    std::uint8_t children = 0;  // one bit for each of the cell's eight parts, set if the part exists
   };
   using Cells = std::unordered_map<Cell, Node, Hash>;
   using Levels = std::map<int, Cells>;
@@ -80,7 +80,7 @@ class FaceOctree {
   struct Walk {
     const Box& box;
     Visit& visit;
-    std::vector<Range> ranges;  // per level from the top, as far as the search has descended
+    std::vector<Range> ranges;  // ranges of the levels from the top, as far as the search has descended
 
     bool down(Levels::const_iterator level, std::size_t depth, const Cell& cell, const Node& node) {
       for (const Face f : node.faces)

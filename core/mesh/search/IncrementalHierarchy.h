@@ -15,15 +15,15 @@ inline Box boxOf(const TrianglePoints& t) {
   return box;
 }
 
-// A bounding volume hierarchy to which triangles are added one by one. It consists of hierarchies of doubling size, the
-// newest triangles in a short list (Bentley and Saxe, "Decomposable searching problems I", 1980): n additions cost
-// O(n log² n) together, a query O(log² n) on ordinary surfaces.
+// A bounding volume hierarchy to which triangles are added one by one. It consists of hierarchies of doubling size and
+// a short list of the newest triangles (Bentley and Saxe, "Decomposable searching problems I", 1980): n additions cost
+// O(n log² n) together, and a query costs O(log² n) on ordinary surfaces.
 class IncrementalHierarchy {
  public:
   void add(const TrianglePoints& t);
 
   // Calls visit(corners) for each triangle whose box meets the box (boundaries included) until it returns false.
-  // Returns false if a visit did.
+  // Returns false if a visit returned false.
   template <class Visit>
   bool forEachInBox(const Box& box, Visit visit) const {
     for (const TriangleHierarchy& level : m_levels) {
@@ -39,7 +39,7 @@ class IncrementalHierarchy {
   static constexpr std::uint32_t kListLength = 64;
 
   std::vector<TriangleHierarchy> m_levels;  // level i is empty or holds kListLength · 2^i triangles
-  std::vector<TrianglePoints> m_newest;     // fewer than kListLength
+  std::vector<TrianglePoints> m_newest;     // fewer than kListLength triangles
 };
 
 }  // namespace handwheel

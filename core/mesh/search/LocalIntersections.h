@@ -18,14 +18,14 @@ struct IntersectionsChange {
   std::size_t fresh = 0;                       // number of these pairs that the change made
 };
 
-// Finds the self-intersections that a change of a mesh made. Searches near the touched faces only. A pair with added
-// faces does not count as made by the change if it replaces faces that intersected before, for example after an
-// intersecting patch is subdivided. Returns nothing if cancelled. O(faces + k log k) for k faces in the box around the
-// touched ones.
+// Finds the self-intersections that a change of a mesh made. Only the surroundings of the touched faces are searched. A
+// pair with added faces does not count as made by the change if it replaces faces that intersected before, for example
+// after an intersecting patch is subdivided. Returns nothing if cancelled. O(faces + k log k) for k faces in the box
+// around the touched ones.
 std::optional<IntersectionsChange> intersectionsChange(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                                        Progress progress = {});
 
-// Computes the intersecting pairs after a change from those before, which findSelfIntersections() found.
+// Computes the intersecting pairs after a change from the pairs before it, which findSelfIntersections() found.
 std::vector<std::pair<Face, Face>> intersectionsAfter(const IntersectionsChange& change,
                                                       const std::vector<std::pair<Face, Face>>& pairs);
 

@@ -11,11 +11,12 @@ namespace handwheel {
 
 // Faces of a mesh with the shapes that a move would give them.
 struct MovedFaces {
-  std::vector<Face> faces;             // ascending
-  std::vector<TrianglePoints> shapes;  // one per face
+  std::vector<Face> faces;             // face numbers in ascending order
+  std::vector<TrianglePoints> shapes;  // new shapes, one per face
 };
 
-// Returns the slimness of a triangle: twice its area over its longest side squared. 0 without area, 0.87 equilateral.
+// Returns the slimness of a triangle: twice its area over its longest side squared. It is 0 for a triangle without area
+// and 0.87 for an equilateral triangle.
 double slimness(const TrianglePoints& t);
 
 // Returns true if a face may change to a new shape. It may neither turn by 90° or more, nor lose its area, nor become
@@ -23,8 +24,9 @@ double slimness(const TrianglePoints& t);
 bool mayBecome(const TrianglePoints& before, const TrianglePoints& after);
 
 // Visits each moved face that would newly intersect another one, moved or not. Shared edges and vertices, and pairs
-// that already intersect, do not count. Calls visit(index) until it returns false; returns false if a visit did. An
-// index may occur more than once. Faces without area are ignored. near must be built from the mesh before the move.
+// that already intersect, do not count. Calls visit(index) until it returns false; returns false if a visit returned
+// false. An index may occur more than once. Faces without area are ignored. near must be built from the mesh before the
+// move.
 bool forEachNewCrossing(const FaceLocator& near, const MovedFaces& moved,
                         const std::function<bool(std::size_t)>& visit);
 

@@ -18,8 +18,8 @@ struct Ray {
   bool isUsable() const { return origin.allFinite() && direction.allFinite() && !direction.isZero(0.0); }
 };
 
-// The depth by which the surface must be in front of a point to hide it, since it may bulge in front of its own edge;
-// logical pixels.
+// The depth by which the surface must be in front of a point to hide it, in logical pixels. It is not 0, since the
+// surface may bulge in front of its own edge.
 inline constexpr double kPickHidingDepth = 4.0;
 
 // The pick ray of a view, from an eye point or under parallel projection.
@@ -35,8 +35,8 @@ struct PickRay {
   }
 };
 
-// A projection plane perpendicular to the viewing direction. The model is projected onto it as in the view: in mm under
-// parallel projection, as tangents of angles from an eye.
+// A projection plane perpendicular to the viewing direction. The model is projected onto it as in the view. Coordinates
+// are in mm under parallel projection; in the view from an eye they are tangents of angles.
 class PickRayPlane {
  public:
   using Vec2 = Eigen::Vector2d;

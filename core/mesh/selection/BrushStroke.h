@@ -37,7 +37,8 @@ class BrushStroke {
   std::shared_ptr<const FaceHierarchy> m_faces;
   std::optional<Touch> m_touch;
   Met m_lastHit;
-  // Per face: kPainted, and the number of the last capsule that met it.
+  // Per face: the mark kPainted, and the number of the last capsule that met it. A capsule is the space that the ball
+  // covers on a straight piece of the path.
   std::vector<std::uint32_t> m_marks;
   std::uint32_t m_capsule = 0;
   std::vector<Face> m_new;

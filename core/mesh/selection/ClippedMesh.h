@@ -10,8 +10,8 @@
 namespace handwheel {
 
 // Cuts away the inside of boxes from a mesh, for display. Faces that reach into a box are replaced by pieces, which
-// have vertices and numbers of their own and no neighbours; the others keep their numbers. Boxes may only touch at
-// their sides. O(log n) for each box beside the faces that meet it.
+// have vertices and numbers of their own and no neighbours; all other faces keep their numbers. Boxes may only touch at
+// their sides. O(log n) plus O(faces that meet the box) for each box.
 PreviewMesh clippedMesh(const FaceHierarchy& faces, std::span<const Box> boxes);
 
 }  // namespace handwheel

@@ -54,10 +54,10 @@ class FaceSelection {
     for (std::size_t i = 0; i < m_words.size(); ++i) forEachBit(i, m_words[i], visit);
   }
   std::vector<Face> faces() const;
-  // Returns the selected faces with numbers from first to first + count - 1; both multiples of 64.
+  // Returns the selected faces with numbers from first to first + count - 1. Both arguments must be multiples of 64.
   std::vector<Face> facesIn(Face first, Face count) const;
-  // Returns the ranges of "count" numbers (a multiple of 64) with faces that are in only one of the two selections, in
-  // ascending order. They must be redrawn. Range i starts at the face i · count.
+  // Returns the ranges of `count` face numbers (a multiple of 64) in which the two selections differ, in ascending
+  // order. A display of the selection must draw these again. Range i starts at the face i · count.
   std::vector<std::size_t> differingRanges(const FaceSelection& other, Face count) const;
 
   bool operator==(const FaceSelection& other) const;

@@ -12,15 +12,16 @@ namespace handwheel {
 
 // A closed selection curve, drawn with a pointer.
 struct Lasso {
-  std::vector<Ray> rays;    // rays of the pointer; unusable ones are ignored
-  std::optional<Vec3> eye;  // common eye of all rays; none under parallel projection
-  bool through = false;     // include back-facing and hidden faces
+  std::vector<Ray> rays;    // rays of the pointer; unusable rays are ignored
+  std::optional<Vec3> eye;  // common eye of all rays; absent under parallel projection
+  bool through = false;     // true: back-facing and hidden faces are included
 };
 
 // Finds the faces whose three corners are all projected inside a lasso. The even-odd rule applies if it crosses itself.
-// Unless Lasso::through is set, only front-facing faces with a visible centre are selected; a face without area has no
-// back. The selection is empty for fewer than three rays, or rays that are not all in front of one viewer. Returns
-// nothing if cancelled. O(n) on all threads of the arena, and a ray for each face that does not face away.
+// Unless Lasso::through is set, only front-facing faces with a visible centre are selected; a face without area counts
+// as front-facing. The selection is empty for fewer than three rays, or rays that are not all in front of one viewer.
+// Returns nothing if cancelled. O(n) on all threads of the arena, plus one ray query for each face that does not face
+// away.
 std::optional<FaceSelection> facesInLasso(const FaceHierarchy& faces, const Lasso& lasso, Progress progress = {});
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@ namespace handwheel {
 // The position of the vertex to which an edge collapses, and its cost.
 struct CollapsePlacement {
   Vec3 position = Vec3::Zero();
-  double cost = 0.0;  // mm⁴: area times squared distance
+  double cost = 0.0;  // area times squared distance, mm⁴
 };
 
 // Computes the position with the least quadric error for an edge collapse. The error is the sum of squared distances

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // Returns true if the faces around an edge keep their shape when it collapses. No face may flip, lose its area, or
-// become a needle much thinner than those before. In both lists a face has the same index, and the moving corner comes
+// become a needle much thinner than those before. A face has the same index in both lists, and its moving corner comes
 // first.
 bool keepsShape(std::span<const TrianglePoints> before, std::span<const TrianglePoints> after);
 

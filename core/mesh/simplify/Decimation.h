@@ -22,20 +22,21 @@ enum class DecimationMethod {
 struct DecimationOptions {
   // Target number of faces; decimation also stops if no more can be removed. 0: as few as the error allows.
   std::size_t faces = 0;
-  // mm, above zero; the largest distance between the result and the original, in both directions. Every collapse is
-  // checked at points of the new faces, about as dense as the original's vertices, and at all points of the original
-  // that are nearest to them, its vertices and some on each face. The final result is verified (liesWithin()) and, if
-  // that fails, made again with a smaller error and without changes near the failure; if that does not help, nothing is
-  // removed.
+  // The largest allowed distance between the result and the original in both directions, mm; above zero. Every collapse
+  // is checked at points of the new faces, about as dense as the original's vertices, and at those sample points of the
+  // original (its vertices and some on each face) that are nearest to the new faces. The final result is verified
+  // (liesWithin()). If that fails, it is made again with a smaller error and without changes near the failure; if that
+  // does not help, nothing is removed.
   std::optional<double> error = std::nullopt;
   bool keepBorders = false;  // vertices of open edges are neither moved nor removed
   // Smallest angle between the normals at an edge (radian) that makes it a crease. Vertices stay on their crease: they
-  // may be removed along it, and stay where it ends or branches.
+  // may be removed along the crease, except where it ends or branches.
   std::optional<double> creaseAngle = std::nullopt;
   // Forbids new pairs of faces that meet in more than a shared vertex or edge. Existing self-intersections stay.
   bool avoidIntersections = false;
   DecimationMethod method = DecimationMethod::Bounded;
-  // Measure the resulting distance even without an error limit, which takes about as long as reading the file.
+  // Requests that the resulting distance is measured even without an error limit. This takes about as long as reading
+  // the file.
   bool measureDistance = false;
 };
 
@@ -58,8 +59,8 @@ struct DecimationReport {
 // current faces around an edge, not accumulated over former ones: on scans the result is nearer to the original
 // (Lindstrom and Turk, "Fast and memory efficient polygonal simplification", 1998). Vertices at seams and at positions
 // that several vertices share stay. Remaining faces and vertices keep their numbers, though vertices move. The mesh is
-// valid afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. With Quadric, the
-// quadrics are accumulated (docs/adr/0028-openmesh.md); all else holds.
+// valid afterwards (validate()); if cancelled, it is unchanged. O(n log n) on ordinary surfaces. With
+// DecimationMethod::Quadric, the quadrics are accumulated (docs/adr/0028-openmesh.md); everything else applies too.
 DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress = {});
 
 }  // namespace handwheel

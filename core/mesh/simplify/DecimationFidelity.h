@@ -8,13 +8,14 @@
 
 namespace handwheel {
 
-// Returns the setting mesh.decimation_method, for DecimationOptions::method. Presets follow from resources/fidelity.
+// Returns the setting mesh.decimation_method, for DecimationOptions::method. Its presets are derived from the
+// measurements in resources/fidelity/mesh.decimation_method.json.
 inline FidelitySetting decimationMethodSetting() {
   FidelitySetting s;
   s.id = "mesh.decimation_method";
   s.label = translatable("Fidelity", "Method of reducing triangles");
   setChoices(s, {translatable("Fidelity", "bounded"),
-                 translatable("Fidelity", "quadric")});  // in the order of DecimationMethod
+                 translatable("Fidelity", "quadric")});  // choices in the order of DecimationMethod
   s.standard = static_cast<double>(DecimationOptions().method);
   s.budget = FidelityBudget::Wait;
   s.presets = {0.0, 0.0, 0.0};

@@ -36,15 +36,15 @@ class Decimator {
     double cost;
     HalfEdge edge;
     std::uint32_t fromStamp, toStamp;
-    // Reversed order, for std::priority_queue, whose top is the largest.
+    // The order is reversed, because the top of std::priority_queue is the largest element.
     bool operator<(const Candidate& other) const { return cost != other.cost ? cost > other.cost : edge > other.edge; }
   };
 
   // The effect of a collapse on the faces around the edge.
   struct Star {
-    // All faces: first those that stay, in the order of the lists below, then those that are removed.
+    // All faces: first those that stay, in the order of before and after, then those that are removed.
     std::vector<Face> faces;
-    std::vector<TrianglePoints> before, after;  // shapes of those that stay; the moving corner comes first
+    std::vector<TrianglePoints> before, after;  // shapes of the faces that stay; the moving corner comes first
   };
 
   bool prepare(const Progress& progress);
@@ -62,11 +62,11 @@ class Decimator {
   const DecimationOptions& m_options;
   ErrorTracker* m_error;
   std::size_t m_faces;                 // number of live faces
-  std::vector<std::uint32_t> m_stamp;  // per vertex: incremented when its edges change
+  std::vector<std::uint32_t> m_stamp;  // numbers per vertex, incremented when its edges change
   VertexConstraints m_holds;
-  std::vector<std::uint32_t> m_inStar;  // per face: number of the last star that contained it
+  std::vector<std::uint32_t> m_inStar;  // number of the last star that contained each face
   std::uint32_t m_stars = 0;
-  FaceOctree m_octree;  // live faces, if intersections are avoided
+  FaceOctree m_octree;  // live faces; used only if intersections are avoided
   std::priority_queue<Candidate> m_queue;
   Star m_star;
 };

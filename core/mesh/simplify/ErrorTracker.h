@@ -16,8 +16,8 @@ namespace handwheel {
 // assigned to the nearest of the replacements.
 class ErrorTracker {
  public:
-  // Invalid if cancelled. error: mm. density: density of the sample points relative to the original's vertices; above
-  // 0.
+  // Samples the original. The object is invalid if cancelled. error: the largest allowed distance, mm. density: the
+  // density of the sample points relative to the original's vertices, above 0.
   ErrorTracker(const HalfEdgeMesh& original, double error, int density, Progress progress);
 
   // Returns true if the faces "old" may be replaced by "replacements". Points on the replacements must be within the
@@ -38,15 +38,15 @@ class ErrorTracker {
   double m_error;
   double m_spacing = 0.0;             // distance of sample points, mm
   std::vector<Vec3> m_points;         // points on the original's surface
-  std::vector<std::uint32_t> m_head;  // per face: the first point assigned to it
-  std::vector<std::uint32_t> m_next;  // per point: the next point assigned to the same face
+  std::vector<std::uint32_t> m_head;  // first point assigned to each face
+  std::vector<std::uint32_t> m_next;  // next point assigned to the same face, for each point
 
   struct Assigned {
     std::uint32_t point;
     std::uint32_t replacement;
   };
-  std::vector<Assigned> m_moves;  // assignments of the last allows()
-  std::vector<Box> m_boxes;       // boxes of its replacements
+  std::vector<Assigned> m_moves;  // assignments by the last allows()
+  std::vector<Box> m_boxes;       // boxes of the replacements in the last allows()
 };
 
 }  // namespace handwheel

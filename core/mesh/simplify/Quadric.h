@@ -27,13 +27,13 @@ struct Quadric {
     return *this;
   }
 
-  // Returns the same function relative to another origin, at "by" from this one.
+  // Returns the same function relative to another origin, which is "by" away from the present origin.
   Quadric movedTo(const Vec3& by) const { return {a, b + a * by, c + 2.0 * b.dot(by) + by.dot(a * by)}; }
 
   double at(const Vec3& p) const { return p.dot(a * p) + 2.0 * b.dot(p) + c; }
 
-  // Returns the position of the minimum; if that is a line or a plane, near "wanted". pull is the weight of the
-  // distance from "wanted", as a share of the trace.
+  // Returns the position of the minimum. If the minimum is a line or a plane, the result is a position on it near
+  // "wanted". pull is the weight of the distance from "wanted", as a fraction of the trace.
   Vec3 leastNear(const Vec3& wanted, double pull) const {
     const double weight = pull * a.trace();
     if (!(weight > 0.0)) return wanted;

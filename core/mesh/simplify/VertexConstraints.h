@@ -21,7 +21,7 @@ enum class VertexConstraint : std::uint8_t {
 // several vertices share, and, if requested, at borders and creases.
 class VertexConstraints {
  public:
-  // creaseAngle is the smallest angle between the normals at a crease (radian). Invalid if cancelled.
+  // creaseAngle is the smallest angle between the normals at a crease (radian). The object is invalid if cancelled.
   VertexConstraints(const HalfEdgeMesh& mesh, bool keepBorders, std::optional<double> creaseAngle, Progress progress);
 
   void fix(Vertex v) { m_hold[v] = VertexConstraint::Fixed; }
@@ -30,7 +30,7 @@ class VertexConstraints {
 
   // Returns true if two creases would become one when the edge collapses.
   bool mergesCreases(const HalfEdgeMesh& mesh, HalfEdge h) const;
-  // Must be called before collapseEdge().
+  // Transfers constraints to the vertex and the edges that remain. Must be called before collapseEdge().
   void beforeCollapse(const HalfEdgeMesh& mesh, HalfEdge h);
 
  private:
@@ -38,9 +38,9 @@ class VertexConstraints {
   void holdSharedPositions(const HalfEdgeMesh& mesh, const Progress& progress);
   void holdCreases(const HalfEdgeMesh& mesh, double angle, const Progress& progress);
 
-  std::vector<VertexConstraint> m_hold;  // per vertex
-  std::vector<bool> m_isUsed;            // per vertex; during construction
-  std::vector<std::uint8_t> m_crease;    // per half-edge; empty if creases are not kept
+  std::vector<VertexConstraint> m_hold;  // constraint of each vertex
+  std::vector<bool> m_isUsed;            // vertices that faces use; only during construction
+  std::vector<std::uint8_t> m_crease;    // marks of crease half-edges; empty if creases are not kept
 };
 
 }  // namespace handwheel

@@ -27,8 +27,8 @@ struct BitRange {
   int bits() const { return high > low ? high - low : 0; }
 };
 
-// Returns the number of bits of the vertex coordinates as integers of one scale. The time of exact arithmetic grows
-// with its square.
+// Returns the number of bits of the vertex coordinates when written as integers of a common scale. The time of exact
+// arithmetic grows with the square of this number.
 inline int bitsOf(const HalfEdgeMesh& mesh) {
   BitRange range;
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {

@@ -7,8 +7,8 @@
 namespace handwheel {
 
 // Visits the half-edges that leave a vertex within one fan. Calls visit(g) for those in the fan of h, h first, until it
-// returns false. Returns false if a visit did. Allocates no memory and is linear in the visits; a visit may change
-// corners, but no opposites.
+// returns false. Returns false if a visit did. Allocates no memory and takes time linear in the number of visits. A
+// visit may change the corners of faces, but not the opposites of half-edges.
 template <class Visit>
 bool forEachInFan(const HalfEdgeMesh& mesh, HalfEdge h, Visit visit) {
   HalfEdge g = h;
@@ -25,8 +25,8 @@ bool forEachInFan(const HalfEdgeMesh& mesh, HalfEdge h, Visit visit) {
   return true;
 }
 
-// The largest number of faces around an end of an edge that is collapsed. Each test walks around both ends, so a vertex
-// with thousands of faces would make this quadratic.
+// The largest number of faces around an end of an edge that is collapsed. Each test walks around both ends, so without
+// this limit the edges of a vertex with thousands of faces would take quadratic time.
 inline constexpr std::size_t kLargestFan = 256;
 
 // Returns true if collapsing an edge keeps the topology of the surface. It tests the link condition (Dey, Edelsbrunner,

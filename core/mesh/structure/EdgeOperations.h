@@ -10,8 +10,8 @@ namespace handwheel {
 // second face, a new face would have no area, or the diagonal exists already.
 bool flipEdge(HalfEdgeMesh& mesh, HalfEdge h);
 
-// Splits an edge with two faces by a new vertex; each face becomes two. The second halves are the last two faces, that
-// of h first. Returns a half-edge that starts at the new vertex.
+// Splits an edge with two faces by a new vertex; each face becomes two. The second halves become the last two faces;
+// the half of the face of h comes first. Returns a half-edge that starts at the new vertex.
 HalfEdge splitEdge(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p);
 
 }  // namespace handwheel

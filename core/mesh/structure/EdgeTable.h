@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The undirected edges of a triangle list, with their half-edges. These are the half-edges (3 · triangle + corner)
-// along an edge in both directions. Triangles with a repeated vertex are left out. Built in O(n) by bucketing
+// The undirected edges of a triangle list, with their half-edges. An edge has the half-edges (3 · triangle + corner)
+// along it in both directions. Triangles with a repeated vertex are omitted. The table is built in O(n) by bucketing
 // half-edges at their smaller vertex.
 class EdgeTable {
  public:
@@ -20,7 +20,7 @@ class EdgeTable {
     std::uint32_t halfEdge;
   };
 
-  // The result is invalid if cancelled, though safe to iterate.
+  // The table is invalid if cancelled, though safe to iterate.
   EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress = {});
 
   // Calls visit(low, high, span of entries) for each edge, in order of (low, high), until cancelled.
@@ -40,7 +40,7 @@ class EdgeTable {
  private:
   bool fill(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress);
 
-  std::vector<std::size_t> m_starts;  // per vertex
+  std::vector<std::size_t> m_starts;  // index of the first entry of each smaller vertex
   std::vector<Entry> m_entries;
 };
 

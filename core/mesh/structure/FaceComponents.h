@@ -10,7 +10,7 @@ namespace handwheel {
 // vertex connects nothing. All counts of pieces use this definition.
 class FaceComponents {
  public:
-  // The result is invalid if cancelled.
+  // Finds the components of a mesh. The object is invalid if cancelled.
   FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, Progress progress = {});
   // Finds the components of triangles over welded points.
   FaceComponents(const std::vector<Triangle>& triangles, std::size_t points, Progress progress = {});

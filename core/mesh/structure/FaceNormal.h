@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // Returns the unit normal of a triangle. It points to the side from which the corners run counter-clockwise; it is zero
-// for a triangle without area, or so thin that rounding would determine the direction. Corners may have any finite
+// for a triangle without area, or so thin that rounding would determine the direction. Coordinates may have any finite
 // size.
 inline Vec3 unitNormal(const TrianglePoints& t) {
   // The edges are scaled first, so that the products neither overflow nor vanish. Halves are used because the
@@ -21,7 +21,7 @@ inline Vec3 unitNormal(const TrianglePoints& t) {
   b /= size;
   const Vec3 normal = a.cross(b);
   const double length = normal.norm();
-  // Rounding of the products above relative to the products of the lengths.
+  // Bound on the rounding error of the cross product, relative to the product of the lengths.
   constexpr double kRelativeRounding = 0x1p-50;
   return length > kRelativeRounding * a.norm() * b.norm() ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }

@@ -15,16 +15,17 @@ using HalfEdge = std::uint32_t;
 
 // The kinds of half-edges without an opposite.
 enum class Open : std::uint32_t {
-  Border = kNone,    // no face: the surface ends here
-  Seam = kNone - 1,  // unpaired faces: the edge has more than two faces in the file, or the surface is non-orientable
-                     // (Möbius strip). Not a hole by itself, but the loop of a hole may run along it.
+  Border = kNone,  // no other face at the edge: the surface ends at it
+  // The faces at the edge are unpaired: it has more than two faces in the file, or the surface is non-orientable
+  // (Möbius strip). A seam is not a hole by itself, but the loop of a hole may run along it.
+  Seam = kNone - 1,
 };
 
-// An oriented manifold triangle mesh as a half-edge structure. Every vertex has one fan of faces and every edge at most
-// two. It is the directed edge structure of Campagna, Kobbelt, Seidel, "Directed Edges" (1998): half-edge h belongs to
-// face h / 3, runs from corner h % 3 to the next, and stores its opposite. All three arrays are paged and shared
-// between copies, so a copy is a cheap snapshot and two versions are compared page by page (MeshDelta). Faces and
-// vertices never change their numbers: removed ones leave a dead slot. A face with a repeated vertex is kept but
+// An oriented manifold triangle mesh as a half-edge structure. Every vertex has one fan of faces and every edge has at
+// most two faces. It is the directed edge structure of Campagna, Kobbelt, Seidel, "Directed Edges" (1998): half-edge h
+// belongs to face h / 3, runs from corner h % 3 to the next, and stores its opposite. All three arrays are paged and
+// shared between copies, so a copy is a cheap snapshot and two versions are compared page by page (MeshDelta). Faces
+// and vertices never change their numbers: removed ones leave a dead slot. A face with a repeated vertex is kept but
 // connects nothing: its half-edges have no opposite and are not border.
 class HalfEdgeMesh {
  public:
@@ -52,8 +53,8 @@ class HalfEdgeMesh {
   // Returns the next open half-edge along the rim, walking around the end vertex of h. h must be open and proper.
   HalfEdge nextOpen(HalfEdge h) const;
 
-  // Returns the half-edges that start at the vertex of h in its fan of faces, counter-clockwise, from the open one if
-  // there is one. h must be proper.
+  // Returns the half-edges that start at the vertex of h in its fan of faces, counter-clockwise, starting with the open
+  // one if there is one. h must be proper.
   std::vector<HalfEdge> fan(HalfEdge h) const;
   // Calls visit with each half-edge of fan(h), without allocating memory.
   template <class Visit>
@@ -76,8 +77,8 @@ class HalfEdgeMesh {
   Face addFace(const Triangle& corners);
   // Adds a face with its neighbours, or a dead slot, as read from a file.
   Face addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites);
-  void removeFace(Face f);  // the edges of its neighbours become border
-  // Removes the slots from these numbers on. The mesh must have at least as many slots.
+  void removeFace(Face f);  // the half-edges of its neighbours become border
+  // Removes the slots from these numbers on. The mesh must have at least these numbers of slots.
   void truncate(std::size_t vertexSlots, std::size_t faceSlots);
   void setCorner(HalfEdge h, Vertex v);
   void setTriangle(Face f, const Triangle& corners);

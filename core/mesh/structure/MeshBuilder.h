@@ -13,7 +13,7 @@ namespace handwheel {
 // The decisions made in building a half-edge mesh. Numbers are those of the built mesh.
 struct BuildReport {
   std::size_t weldedPoints = 0;       // points of the file that shared an exact position with an earlier one
-  std::vector<Face> reversedFaces;    // reversed so that neighbours agree
+  std::vector<Face> reversedFaces;    // faces that were reversed so that neighbours agree
   std::vector<Vertex> splitVertices;  // vertices made because one position had several fans of faces
   std::size_t nonManifoldEdges = 0;   // edges with more than two faces in the file
   std::size_t unpairedHalfEdges = 0;  // half-edges left as Open::Seam
@@ -27,11 +27,11 @@ struct BuiltMesh {
 
 // Builds a half-edge mesh from a triangle soup. Welds exactly equal positions, reverses faces so that neighbours agree
 // (the fewest in each part), pairs the faces at edges with more than two by the solid wedge between them, and gives
-// every fan of faces a vertex of its own. Face i of the mesh is triangle i of the soup: none is dropped, none is added.
-// The mesh is empty if cancelled.
+// every fan of faces a vertex of its own. Face i of the mesh is triangle i of the soup: no triangle is dropped or
+// added. The mesh is empty if cancelled.
 BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress = {});
 
-// Rebuilds the connectivity of a mesh in place after its faces changed. Like buildMesh(), pairs all edges anew by
+// Rebuilds the connectivity of a mesh in place after its faces changed. Like buildMesh(), it pairs all edges anew by
 // position. Face and vertex numbers stay; if a position has more fans than vertices, vertices are added. If cancelled,
 // the mesh is unchanged.
 BuildReport relink(HalfEdgeMesh& mesh, Progress progress = {});

@@ -4,9 +4,9 @@
 
 #include "base/Error.h"
 
-// The codes of errors of meshes.
+// The error codes of meshes.
 namespace handwheel::MeshError {
 
-extern const ErrorDescription NoTriangles;  // only points or curves, or nothing at all
+extern const ErrorDescription NoTriangles;  // the data contain only points or curves, or nothing at all
 
 }  // namespace handwheel::MeshError

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// Finds the triangles to reverse so that neighbours have consistent orientation. Neighbours share an edge of two
-// triangles; the fewest in each part are reversed. On non-orientable surfaces some edges stay inconsistent. O(n). The
-// result is invalid if cancelled.
+// Finds the triangles to reverse so that neighbours have consistent orientation. Neighbours share an edge with no third
+// triangle. In each part, the fewest possible triangles are reversed. On non-orientable surfaces some edges stay
+// inconsistent. O(n). The result is invalid if cancelled.
 std::vector<bool> trianglesToReverse(const EdgeTable& edges, std::span<const Triangle> triangles,
                                      Progress progress = {});
 

@@ -24,7 +24,7 @@ inline bool hasCornerAt(const HalfEdgeMesh& mesh, Face f, const std::set<PointKe
   return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return positions.contains(positionKey(p)); });
 }
 
-// Returns the key of an edge by its ends; the same for both directions.
+// Returns the key of the edge between two points. It is the same for both directions.
 inline EdgeKey positionKey(const Vec3& p, const Vec3& q) {
   const PointKey from = positionKey(p), to = positionKey(q);
   return from < to ? EdgeKey{from, to} : EdgeKey{to, from};

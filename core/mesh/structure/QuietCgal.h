@@ -4,8 +4,8 @@
 
 namespace handwheel {
 
-// Suppresses CGAL's error messages on stderr during its lifetime. By default, CGAL prints violated preconditions there;
-// here they are ordinary refusals, thrown and caught.
+// Suppresses CGAL's error messages on stderr during its lifetime. By default, CGAL prints violated preconditions. In
+// Handwheel they are ordinary refusals, which are caught as exceptions.
 class QuietCgal {
  public:
   QuietCgal();

@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// Returns the solid angle of a triangle seen from a point, positive from behind. The sum over a closed surface is 4π
-// times its winding number at the point (van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983).
+// Returns the solid angle of a triangle seen from a point. It is positive if seen from behind the triangle. The sum
+// over a closed surface is 4π times its winding number at the point (van Oosterom and Strackee, "The Solid Angle of a
+// Plane Triangle", 1983).
 inline double solidAngle(const TrianglePoints& t, const Vec3& from) {
   const Vec3 a = t[0] - from, b = t[1] - from, c = t[2] - from;
   const double u = a.norm(), v = b.norm(), w = c.norm();

@@ -12,15 +12,15 @@ namespace handwheel {
 
 // Classes of points with equal positions.
 struct PointClasses {
-  std::vector<std::uint32_t> classOf;         // per point
-  std::vector<std::uint32_t> representative;  // per class: its first point
+  std::vector<std::uint32_t> classOf;         // class of each point
+  std::vector<std::uint32_t> representative;  // first point of each class
 };
-// Groups points by exactly equal positions. Two have the same class exactly when their positions are equal (-0 equals
-// 0). Classes are numbered from 0 in order of first appearance. O(n). The result is invalid if cancelled.
+// Groups points by exactly equal positions. Two points have the same class if and only if their positions are equal (-0
+// equals 0). Classes are numbered from 0 in order of first appearance. O(n). The result is invalid if cancelled.
 PointClasses classifyPoints(std::span<const Vec3> points, Progress progress = {});
 
 // Merges the points of a soup that have equal positions. Triangle i stays triangle i. Points that no triangle uses are
-// left out. The result is empty if cancelled.
+// omitted. The result is empty if cancelled.
 TriangleSoup weld(const TriangleSoup& soup, Progress progress = {});
 
 // Rounds every coordinate of a soup to the number type of a file.

@@ -7,7 +7,7 @@
 namespace handwheel {
 
 // The functions of the library hw_step, the only one that links Open CASCADE. It is loaded when it is first needed.
-// Errors and threads are those of the functions in StepWriter.h.
+// Errors and thread safety are those of the functions in StepWriter.h.
 struct StepFunctions {
   Result<std::string> (*write)(const ProfileCurve& profile, Progress progress) = nullptr;
   Result<StepFileReport> (*inspect)(std::string_view bytes, Progress progress) = nullptr;

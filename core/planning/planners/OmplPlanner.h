@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// Plans with a planner of OMPL (the Open Motion Planning Library, 1.5). Its motions are checked by MotionCheck and its
-// states by distances, so that its paths are free between their points, as those of planBySbl() are. planner:
+// Plans with a planner of OMPL (the Open Motion Planning Library, 1.5). Motions are checked by MotionCheck and single
+// configurations by distance queries, so that the path is free at all points, like that of planBySbl(). planner:
 // "rrtconnect", "ompl-prm", "lazyprm", "ompl-sbl", "bitrrt", "bkpiece" or "est". The settings neighbourhood and
-// mostMilestones are ignored: OMPL chooses its own. The seed makes a plan reproducible if only one runs at a time,
-// except for "ompl-prm", for which OMPL searches in a thread of its own.
+// mostMilestones are ignored, because OMPL chooses its own values. Plans with the same seed are equal if only one plan
+// runs at a time, except for "ompl-prm", for which OMPL searches on a thread of its own.
 PlanResult planByOmpl(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                       const PlanSettings& settings, std::string_view planner, Progress progress = {});
 

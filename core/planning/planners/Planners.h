@@ -10,16 +10,16 @@
 
 namespace handwheel {
 
-// A planner that can be chosen.
+// The names of a planner.
 struct PlannerName {
-  const char* id;     // on the command line: "sbl"
-  const char* title;  // English, context "Property"
+  const char* id;     // name on the command line: "sbl"
+  const char* title;  // English, translated for display (context "Property")
 };
 
-// Returns all planners, our own first.
+// Returns all planners, with the planners of Handwheel before those of OMPL.
 std::span<const PlannerName> planners();
 
-// Plans with the planner of this id, which must exist. The path is free between its points with any planner.
+// Plans with the planner of this id, which must exist. Every planner returns a path that is free at all points.
 PlanResult planPath(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                     const PlanSettings& settings, std::string_view planner, Progress progress = {});
 

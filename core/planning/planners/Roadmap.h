@@ -10,19 +10,20 @@
 
 namespace handwheel {
 
-// A probabilistic roadmap of a robot among obstacles, which is kept between plans. It has free configurations, and the
-// motions between neighbours (PRM: Kavraki, Švestka, Latombe and Overmars 1996, Probabilistic roadmaps for path
-// planning in high-dimensional configuration spaces). Motions are proven free (MotionCheck) only if they are on a path
-// from start to goal (lazy PRM: Bohlin and Kavraki 2000), and the results are kept. It grows if there is no path, up to
-// a number of milestones; when it is full it is cleared.
+// A probabilistic roadmap of a robot among obstacles, which is kept between plans. It consists of free configurations,
+// the milestones, and the motions between neighbouring ones (PRM: Kavraki, Švestka, Latombe and Overmars 1996,
+// Probabilistic roadmaps for path planning in high-dimensional configuration spaces). Motions are proven free
+// (MotionCheck) only if they are on a path from start to goal (lazy PRM: Bohlin and Kavraki 2000), and the results are
+// kept. If there is no path, the roadmap grows up to a number of milestones; when it is full, it is cleared.
 //
-// Any thread: one plan at a time, others wait. All plans must be for the same scene, whose collisions must not change.
+// Its functions may be called on any thread; only one plan runs at a time, and other calls wait. All plans must be for
+// the same scene, whose collisions must not change.
 class Roadmap {
  public:
-  static constexpr std::size_t kMostMilestones = 10'000;                  // about 10 MB with their motions
-  explicit Roadmap(std::size_t most = kMostMilestones) : m_most(most) {}  // at least two
+  static constexpr std::size_t kMostMilestones = 10'000;                  // about 10 MB with the motions
+  explicit Roadmap(std::size_t most = kMostMilestones) : m_most(most) {}  // most: at least two
 
-  // Clears the roadmap if the settings of the check differ from those of the last plan.
+  // Plans a path. The roadmap is cleared first if the settings of the check differ from those of the last plan.
   PlanResult plan(const RobotScene& scene, const ArmValues& start, const ArmValues& goal, const PlanSettings& settings,
                   Progress progress = {});
 
@@ -31,8 +32,8 @@ class Roadmap {
 
  private:
   struct Motion {
-    std::uint32_t a, b;  // milestones
-    double length;       // rad, slides in metres
+    std::uint32_t a, b;  // indices of the milestones
+    double length;       // rad; for slides a metre counts as a radian
     bool isFree = false;
   };
   struct Milestone {
@@ -51,9 +52,9 @@ class Roadmap {
   void clear();
 
   const std::size_t m_most;
-  mutable std::mutex m_mutex;  // polled, not timed: ThreadSanitizer does not understand timed mutexes
+  mutable std::mutex m_mutex;  // polled, because ThreadSanitizer does not support timed mutexes
   MotionCheckSettings m_check;
-  std::uint64_t m_random = 0;  // the state of its random numbers
+  std::uint64_t m_random = 0;  // state of the random numbers
   std::vector<Milestone> m_milestones;
   std::vector<Motion> m_motions;
 };

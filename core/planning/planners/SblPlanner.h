@@ -7,11 +7,12 @@
 
 namespace handwheel {
 
-// Plans with single-query, bi-directional, lazy trees (SBL). Sánchez and Latombe 2001, A single-query bi-directional
-// probabilistic roadmap planner with lazy collision checking. Milestones are free configurations, and the motions
-// between them are checked only if they are on a path from start to goal: the longest piece that is not known to be
-// free comes first. If a motion is blocked, the milestones beyond it move to the other tree. The checks are proofs, so
-// that the path is free between its points.
+// Plans with the single-query, bi-directional, lazy planner SBL. (Sánchez and Latombe 2001, A single-query
+// bi-directional probabilistic roadmap planner with lazy collision checking.) Milestones are free configurations, in
+// one tree grown from the start and one from the goal. The motions between them are checked only if they are on a path
+// from start to goal, beginning with the longest interval that is not known to be free. If a motion is blocked, the
+// milestones beyond it move to the other tree. The checks are proofs (MotionCheck), so that the path is free at all
+// points.
 PlanResult planBySbl(const RobotScene& scene, const ArmValues& start, const ArmValues& goal,
                      const PlanSettings& settings, Progress progress = {});
 

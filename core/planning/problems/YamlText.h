@@ -9,16 +9,17 @@
 
 namespace handwheel {
 
-// The limits of untrusted YAML.
+// The limits for untrusted YAML.
 struct YamlLimits {
   static constexpr std::size_t kMostBytes = 16 << 20;
   static constexpr std::size_t kMostNodes = 1'000'000;  // values, lists and maps
   static constexpr std::size_t kDeepest = 100;          // nesting of lists and maps
 };
 
-// Parses untrusted YAML: one document, into the equivalent JSON. Words without quotes and tags are numbers, true, false
-// or null if they read so; all others, and the keys of maps, are texts. Aliases, which make a few lines stand for
-// millions, and repeated keys are refused. O(bytes). Errors: ElementMalformed {element, problem} with the line.
+// Parses one document of untrusted YAML into the equivalent JSON. Scalars without quotes and tags become numbers, true,
+// false or null if they have this form; all others, and the keys of maps, become texts. Repeated keys are refused, and
+// so are aliases, with which a few lines can represent millions. O(bytes). Errors: ElementMalformed {element, problem}
+// with the line.
 Result<nlohmann::json> parseYaml(std::string_view text, std::string_view element);
 
 }  // namespace handwheel

@@ -6,14 +6,16 @@
 
 namespace handwheel {
 
-// The two inverse kinematics of He 2008, for comparison with ours. Both iterate from the start alone, undamped, and
-// ignore limits and singularities. They use only the settings tolerance and length. O(iterations · joints²).
+// The two inverse kinematics of He 2008, for comparison with solvedNumerically(). They iterate from the given start
+// alone, undamped, and ignore limits and singularities. Of the settings they use only tolerance and length.
+// O(iterations · joints²).
 
-// IK1 (equation 6-8): δq = J⁺ δX, with the missing displacement and rotation δX.
+// Solves by IK1 (He 2008, equation 6-8): δq = J⁺ δX, where δX is the missing displacement and rotation.
 NumericalIkResult solvedByJacobian(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                                    const NumericalIkSettings& settings = {});
 
-// IK2 (equations 6-10 and 6-11): δq = (∂T/∂q)⁺ (T' - T), by the Taylor expansion of the twelve numbers of the pose T.
+// Solves by IK2 (He 2008, equations 6-10 and 6-11): δq = (∂T/∂q)⁺ (T' - T), the Taylor expansion of the twelve numbers
+// of the pose T.
 NumericalIkResult solvedByTaylor(const SerialArm& arm, const Pose& tip, const ArmValues& start,
                                  const NumericalIkSettings& settings = {});
 

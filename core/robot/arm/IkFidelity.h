@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the setting ik.tolerance: NumericalIkSettings::tolerance, of lengths in metres and angles in rad.
+// Returns the setting ik.tolerance. It sets NumericalIkSettings::tolerance, for lengths in metres and angles in rad.
 FidelitySetting ikToleranceSetting();
 
 }  // namespace handwheel

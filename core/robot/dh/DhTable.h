@@ -11,16 +11,16 @@ namespace handwheel {
 struct DhJoint : DhRow {
   std::string name;
   std::optional<double> effort = {};  // N·m, N; none: unknown
-  std::string mesh = {};              // file of the link that it moves, in the frame of its row; empty: none
+  std::string mesh = {};  // mesh file of the link that the joint moves, in the frame of the row; empty: none
 };
 
 // A robot as a Denavit-Hartenberg table.
 struct DhTable {
   std::string name;
   std::vector<DhJoint> joints;
-  std::string baseMesh = {};  // likewise, for the part that does not move
+  std::string baseMesh = {};  // mesh file of the link that does not move; empty: none
   double meshUnit = 1.0;      // mm per unit of the meshes
-  double thickness = 0.0;     // mm, for links without a mesh; 0: by the size of the robot
+  double thickness = 0.0;     // mm: thickness of links without a mesh; 0: chosen by the size of the robot
 };
 
 // Returns the link tree of a table: "base", a link for each joint ("link_1", …) and, at the last frame, "flange". The
@@ -28,26 +28,26 @@ struct DhTable {
 // between their joints.
 RobotModel robotOf(const DhTable& table);
 
-// Returns the pairs of links with a short one between them, whose plain cylinders overlap: their collisions mean
-// nothing. None if links have meshes.
+// Returns the pairs of links whose plain cylinders overlap because only a short link is between them: their collisions
+// mean nothing. The result is empty if links have meshes.
 std::set<LinkPair> overlappingLinks(const DhTable& table);
 
-// Reads a table from JSON; docs/robots.md has the keys. Limits: kMostArmJoints joints. Errors: ElementMalformed
-// {element, reason}, ValueOutOfRange, those of parseJson().
+// Reads a table from JSON; docs/robots.md describes the keys. There may be at most kMostArmJoints joints. Errors:
+// ElementMalformed {element, reason}, ValueOutOfRange, the errors of parseJson().
 Result<DhTable> readDhTable(std::string_view json);
-// Returns true if a file is such a table, by its first bytes.
+// Returns true if the first bytes of a file are those of a Denavit-Hartenberg table in JSON.
 bool looksLikeDhTable(std::string_view head);
 
-// A robot that comes with the program, from the published table of its manufacturer.
+// A robot that is supplied with the program, according to the published table of its manufacturer.
 struct LibraryRobot {
   const char* id;     // "irb120"
   const char* title;  // "ABB IRB 120-3/0.6"
   double payload;     // kg
 };
 std::span<const LibraryRobot> robotLibrary();
-// Returns the library robot with this model name; null: none.
+// Returns the library robot with this model name; null if there is none.
 const LibraryRobot* libraryRobot(std::string_view model);
-// Returns null if there is no such robot.
+// Returns the table of the library robot with this id; null if there is no such robot.
 const DhTable* libraryTable(std::string_view id);
 
 }  // namespace handwheel

@@ -10,12 +10,14 @@ namespace handwheel {
 class ControllerPost : public PostProcessor {
  public:
   std::vector<Error> refusals(const RobotProgram& program) const override;
-  // Returns the largest speed, mm/s. A larger one stops a program with an error, or differs from the verified one.
+  // Returns the largest speed of a line, mm/s. At a larger one the controller stops the program with an error, or uses
+  // another speed than the verified one.
   virtual double fastestLine() const = 0;
 };
 
-// ABB: a module with a procedure of the path's name, MoveAbsJ for joint motions and MoveL for lines. Quaternions, mm,
-// degrees. If the base is not the controller's, lines end at the results of CalcRobT for joint values.
+// Writes ABB RAPID: a module with a procedure named after the path. It has MoveAbsJ for joint motions and MoveL for
+// lines, with quaternions, mm and degrees. If the base is not the controller's, the controller computes the ends of
+// lines from joint values, by CalcRobT.
 class RapidPost : public ControllerPost {
  public:
   const char* id() const override { return "rapid"; }
@@ -27,8 +29,8 @@ class RapidPost : public ControllerPost {
   Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
-// KUKA: PTP by joints, LIN by X, Y, Z, A, B, C. The blending of PTP motions is in percent in KRL, not in mm: those stop
-// exactly.
+// Writes KUKA KRL: PTP to joint values and LIN to X, Y, Z, A, B, C. Blending of PTP motions is in percent in KRL, not
+// in mm, so these motions stop exactly.
 class KrlPost : public ControllerPost {
  public:
   const char* id() const override { return "krl"; }
@@ -40,9 +42,10 @@ class KrlPost : public ControllerPost {
   Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
-// Fanuc: J by joints, with the third in this maker's convention (minus the second), L by X, Y, Z, W, P, R in the world
-// frame, which lies at the height of axis 2, or in a frame of the cell, which the program sets as user frame 9. The
-// path of CNT is not defined: all motions stop exactly (FINE).
+// Writes Fanuc LS: J to joint values and L to X, Y, Z, W, P, R. The third joint value follows this maker's convention:
+// the second one is subtracted from it. Poses are in the world frame, which lies at the height of axis 2, or in a frame
+// of the cell, which the program sets as user frame 9. The path of a CNT motion is not defined, so all motions stop
+// exactly (FINE).
 class FanucPost : public ControllerPost {
  public:
   const char* id() const override { return "fanuc"; }
@@ -54,9 +57,9 @@ class FanucPost : public ControllerPost {
   Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
-// Universal Robots: movej and movel by joints; metres and radians. ROS turns the base of these robots by 180° against
-// the controller's, which affects poses but not joint values. In a frame of the cell, and if the base is the
-// controller's, lines are pose_trans(frame, pose).
+// Writes URScript: movej and movel to joint values, in metres and radians. ROS turns the base of these robots by 180°
+// against the controller's, which affects poses but not joint values. If a frame of the cell is used and the base is
+// the controller's, the targets of lines are pose_trans(frame, pose).
 class UrScriptPost : public ControllerPost {
  public:
   const char* id() const override { return "urscript"; }
@@ -68,7 +71,7 @@ class UrScriptPost : public ControllerPost {
   Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
 
-// Returns posts for tables of joints and poses for other programs, for any arm.
+// Return posts that write tables of joint values and poses for other programs. They support any arm.
 std::unique_ptr<PostProcessor> makeCsvPost();
 std::unique_ptr<PostProcessor> makeJsonPost();
 

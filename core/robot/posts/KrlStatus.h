@@ -11,7 +11,7 @@ namespace handwheel {
 
 class ClosedFormIk;
 
-// S and T of KRL, which distinguish the solutions of a robot for a pose.
+// The values S and T of KRL. They distinguish the solutions of a robot for a pose.
 struct KrlStatus {
   // Bit 0: the wrist is behind axis 1 (overhead). Bit 1: axis 3 is beyond the alignment of the wrist with the lower
   // arm. Bit 2: axis 5 is below 0.
@@ -24,8 +24,9 @@ struct KrlStatus {
 // Returns the status of an arm of six revolute joints.
 KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values);
 
-// Finds the joint values with these S and T, within the limits, for a pose of the arm's tip; if there are several, the
-// nearest to the reference. None: there are none. closed: that of the arm.
+// Finds the joint values with these S and T, within the limits, for a pose of the arm's tip. If there are several
+// solutions, the one nearest to the reference is returned; nothing if there is none. closed: the closed form of the
+// arm.
 std::optional<ArmValues> jointsWith(const KrlStatus& wanted, const SerialArm& arm, const ClosedFormIk& closed,
                                     const Pose& tip, const ArmValues& reference);
 

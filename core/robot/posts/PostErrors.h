@@ -7,15 +7,14 @@
 // The error codes of programs for controllers.
 namespace handwheel::PostError {
 
-extern const ErrorDescription WrongJoints;  // {language, wanted, count} the controller moves another number of joints
-extern const ErrorDescription NoSlides;     // {language, joint}
-extern const ErrorDescription TooManyMotions;   // {count, most}
-extern const ErrorDescription NotFinite;        // {motion}
-extern const ErrorDescription StatementUnread;  // {statement, line} it may change the motion of the robot
-extern const ErrorDescription TooFast;          // {motion, mm/s, language, most mm/s}
-extern const ErrorDescription BaseUnknown;      // {robot} the poses of a program are in the base of its controller
-extern const ErrorDescription
-    ConfigurationDiffers;  // {configuration} of the end of a line in the program, which differs from that of the arm
-extern const ErrorDescription MotionDiffers;  // {motion, "kind", "speed" or "blend", wanted, read}
+extern const ErrorDescription WrongJoints;           // {language, wanted, count}: the arm has another number of joints
+extern const ErrorDescription NoSlides;              // {language, joint}: the joint is prismatic
+extern const ErrorDescription TooManyMotions;        // {count, most}: numbers of motions
+extern const ErrorDescription NotFinite;             // {motion}: a value is not a number
+extern const ErrorDescription StatementUnread;       // {beginning of a statement that may change the motion}
+extern const ErrorDescription TooFast;               // {motion, mm/s, language, most mm/s}: the line is too fast
+extern const ErrorDescription BaseUnknown;           // {robot}: the base of its controller is not known
+extern const ErrorDescription ConfigurationDiffers;  // {configuration}: the arm ends the line in another one
+extern const ErrorDescription MotionDiffers;         // {motion, "kind", "speed" or "blend", wanted, read}
 
 }  // namespace handwheel::PostError

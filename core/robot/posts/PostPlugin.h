@@ -4,14 +4,14 @@
 
 #include "robot/posts/PostProcessor.h"
 
-// Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
-// the plugin is loaded. Increment it with every change of PostProcessor.h, RobotProgram.h, SerialArm.h, Error.h or of
-// this file.
+// Version of the plugin interface, in the plugin's metadata. The version must match exactly, and is compared before any
+// code of the plugin is loaded. Increment it with every change of PostProcessor.h, RobotProgram.h, SerialArm.h, Error.h
+// or this file.
 #define HANDWHEEL_POST_PLUGIN "handwheel.post/7"
 
 namespace handwheel {
 
-// Interface of the root object of a plugin that brings a post. A plugin is never unloaded.
+// Interface of the root object of a plugin that provides a post. A plugin is never unloaded.
 class PostPlugin {
  public:
   virtual ~PostPlugin() = default;

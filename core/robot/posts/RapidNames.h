@@ -6,19 +6,20 @@
 
 namespace handwheel {
 
-// The largest length of names in RAPID, which are not case-sensitive.
+// The largest length of names in RAPID. These names are not case-sensitive.
 inline constexpr std::size_t kLongestRapidName = 32;
 
-// Returns the name of the procedure of a path. It is short enough for the suffixes of modules, and is no name of the
+// Returns the name of the procedure of a path. It leaves room for the suffixes of modules, and is no name of the
 // language or a controller. A number is added if another path of the cell, or its module, would have the same name,
-// ignoring the case of letters: both may be loaded into one task.
+// regardless of case: two programs may be loaded into one task.
 std::string rapidName(const RobotProgram& program);
 
 // Returns the name of the frame of a program. A frame of the cell keeps its name for all paths, with the prefix "wobj_"
-// if a path of the cell, its module or the controller uses the name. Another frame has the name of the path.
+// if a path of the cell, its module or the controller uses the name. If the frame is none of the cell, its name is that
+// of the path with the suffix "_frame".
 std::string rapidFrameName(const RobotProgram& program);
 
-// Returns the names that programs may have for the frame program.frameName of a cell, for any names of its paths.
+// Returns the names that programs may have for the frame program.frameName of a cell, whatever the names of the paths.
 std::vector<std::string> rapidFrameNames(const RobotProgram& program);
 
 }  // namespace handwheel

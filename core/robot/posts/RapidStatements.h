@@ -6,26 +6,26 @@
 
 namespace handwheel {
 
-// Returns a name in lower case: the language is not case-sensitive.
+// Returns a name in lower case, as RAPID is not case-sensitive.
 std::string folded(std::string_view name);
 
 // A RAPID module, split into declarations of data and the statements of its procedures. A statement may span several
-// lines, and a line may have several. Functions, traps and error handlers are left out.
+// lines, and a line may contain several statements. Functions, traps and error handlers are omitted.
 class RapidStatements {
  public:
-  explicit RapidStatements(const std::vector<std::string_view>& lines);  // without comments
+  explicit RapidStatements(const std::vector<std::string_view>& lines);  // lines: without comments
   RapidStatements(const RapidStatements&) = delete;
   RapidStatements& operator=(const RapidStatements&) = delete;
 
-  const std::vector<ProgramStatement>& data() const { return m_data; }  // after CONST, PERS or VAR
-  const ProgramRoutines& routines() const { return m_routines; }        // by their names in lower case
+  const std::vector<ProgramStatement>& data() const { return m_data; }  // the declarations after CONST, PERS or VAR
+  const ProgramRoutines& routines() const { return m_routines; }        // the routines, with names in lower case
 
  private:
   void readNext();
   bool takeWord(std::string_view word);
   void skipSpace();
-  void skipTo(std::string_view word);  // a whole word
-  void skipBrackets();                 // with their contents, if they come next
+  void skipTo(std::string_view word);  // skips up to and including this word
+  void skipBrackets();                 // skips brackets with their contents, if they come next
   std::string_view name();
 
   std::string m_text;

@@ -19,11 +19,11 @@
 
 namespace handwheel {
 
-// The target that a waypoint of a path was planned to.
+// The target for which a waypoint of a path was planned.
 struct WaypointTarget {
   std::string name;
-  // Its pose then, in the tool at that waypoint: not the identity if the arm cannot reach the orientation of the
-  // target.
+  // The pose of the target when the waypoint was planned, relative to the tool at the waypoint. It is not the identity
+  // if the arm could not reach the orientation of the target.
   Pose inTool = Pose::Identity();
 
   bool operator==(const WaypointTarget& other) const;
@@ -31,34 +31,37 @@ struct WaypointTarget {
 
 // A waypoint of a path, and the motion that ends there.
 struct Waypoint {
-  JointValues joints;  // values of the whole cell, with the configurations of other robots at that time; rad, mm
+  JointValues joints;  // values of the whole cell, including those of other robots when it was made; rad, mm
   std::string name = {};
   bool isCritical = true;  // set by a person: replanning passes through it
   ProgramMotion::Kind motion = ProgramMotion::Kind::Joint;
   double speed = 0.25;  // see ProgramMotion
   double blend = 0.0;   // mm
   // The ends of the leg for which the planner made the joint motions to this waypoint: the critical waypoints before
-  // and after. While they are unchanged, replanning may keep these motions. Null: not planned. Not compared.
+  // and after. While they are unchanged, replanning may keep these motions. Null: not planned. Comparisons ignore it.
   std::shared_ptr<const std::array<JointValues, 2>> plannedBetween = {};
   std::optional<WaypointTarget> target = {};  // none: it was given as joint values, or edited by hand since
   // The name of the configuration that it was created from; empty: none, or edited by hand since.
   std::string configuration = {};
 
-  // Returns true if the planner made the motions that lead from this critical waypoint to it.
+  // Returns true if the planner made the motions that lead from the critical waypoint `begin` to this one.
   bool isPlannedFrom(const Waypoint& begin) const;
-  bool operator==(const Waypoint& other) const;  // also for cells with other robots
+  // Waypoints of cells with different robots may be compared, too.
+  bool operator==(const Waypoint& other) const;
 };
 
 // The inputs of a path along a curve on a part, for replanning.
 struct PathProcess {
   using Value = std::variant<double, bool, std::string>;
 
-  std::map<std::string, Value>
-      values;                     // values that are not the default, of the operation "process", by its parameters
-  Pose part = Pose::Identity();   // pose of the part, in the frame of the base, when they were chosen
-  Pose planned = part;            // pose of the part when the path was last planned
-  std::optional<Pose> tool = {};  // the tool's centre point then, as in CellPlans::tool; none: unknown
-  std::optional<Pose> base = {};  // base of the robot then, in the frame of the root; none: unchanged
+  // Parameters of the operation "process" that do not have their default values, by name.
+  std::map<std::string, Value> values;
+  Pose part = Pose::Identity();  // pose of the part when the values were chosen, in the frame of the base
+  Pose planned = part;           // pose of the part when the path was last planned
+  // The tool's centre point when the path was last planned, as in CellPlans::tool; none: unknown.
+  std::optional<Pose> tool = {};
+  // Base of the robot when the path was last planned, in the frame of the root; none: it has not moved since.
+  std::optional<Pose> base = {};
 
   bool operator==(const PathProcess& other) const;
 };
@@ -72,14 +75,15 @@ struct RobotPath {
   std::vector<Waypoint> waypoints;
   std::string arm = {};                     // name of its robot, as in CellPlans::arm
   std::optional<PathProcess> process = {};  // none: it was planned between waypoints, or by hand
-  // Former poses of the bases of robots that were moved since, by their names, in the frame of the root.
+  // For robots that were moved since the path was planned: the former poses of their bases in the frame of the root, by
+  // the names of the robots.
   std::map<std::string, Pose, std::less<>> bases = {};
   std::optional<double> clearance = {};  // mm; none: that of the cell
 
   bool operator==(const RobotPath& other) const;
 };
 
-// Joint values under a name.
+// Named joint values.
 struct NamedConfiguration {
   std::string name;
   JointValues joints;    // values of the whole cell; rad, mm
@@ -93,7 +97,8 @@ struct NamedFrame {
   std::string name;
   Pose pose = Pose::Identity();  // in the frame of the root, of the body, or of the link; rigid
   std::uint32_t body = 0;        // id of the body that carries it; 0: none does
-  std::string link = {};         // the name of the link that carries it; empty: none does. Only without a body
+  // The name of the link that carries it; empty: none does. It is empty if a body carries it.
+  std::string link = {};
 
   bool operator==(const NamedFrame& other) const;
 };
@@ -103,13 +108,14 @@ struct NamedTarget {
   std::string name;
   Pose pose = Pose::Identity();  // in the frame of the root, of the body, or in the named frame; rigid
   std::uint32_t body = 0;        // id of the body that it is on and moves with; 0: none
-  std::string frame = {};        // the name of the frame that it belongs to; empty: none. Only without a body
+  // The name of the frame that it belongs to; empty: none. It is empty if it is on a body.
+  std::string frame = {};
 
   bool operator==(const NamedTarget& other) const;
 };
 
-// Returns unique names: the preferred one, or that with the least number from 2 on that makes it unique. Continues from
-// the last number, so that n names take O(n).
+// Generates unique names. A name is the preferred one, or the preferred one with the least number from 2 on that makes
+// it unique. The search continues from the last number, so that n names take O(n).
 class FreeNames {
  public:
   void add(const std::string& taken) { m_taken.insert(taken); }
@@ -130,14 +136,15 @@ struct CellPlans {
   std::vector<NamedTarget> targets;
   std::vector<RobotPath> paths;
   std::vector<NamedFrame> frames;
-  // The name of the frame of programs and of displayed coordinates of targets. Empty: programs are in the base of the
-  // robot, each target in its own frame.
+  // The name of the frame in which programs are written and coordinates of targets are displayed. If it is empty,
+  // programs are in the base of the robot, and each target is displayed in its own frame.
   std::string workFrame = {};
-  // Names of links, or a link and a body ("body.3"), whose collisions are ignored.
+  // Pairs of links, or of a link and a body ("body.3"), between which collisions are ignored.
   std::set<std::pair<std::string, std::string>> allowed;
   std::string arm = {};          // the name of the robot that is planned for; empty: the first
   Pose tool = Pose::Identity();  // the centre point of its tool in the link that carries the tool
-  // Tools of the other robots, by their names; the link itself for missing ones.
+  // Centre points of the tools of the other robots, by the names of the robots; the origin of the link for missing
+  // ones.
   std::map<std::string, Pose, std::less<>> otherTools = {};
   double clearance = 0.0;  // mm: clearance of paths that have none of their own
 
@@ -147,13 +154,15 @@ struct CellPlans {
   const NamedFrame* frame(std::string_view name) const;                  // null: there is none
   // Returns a generator of free names. O(names); reuse it for several names.
   FreeNames pathNames() const;
-  FreeNames poseNames() const;  // neither of a configuration nor of a target
+  // Returns a generator of names that neither a configuration nor a target has.
+  FreeNames poseNames() const;
   FreeNames frameNames() const;
   std::string freePathName(const std::string& preferred) const { return pathNames().take(preferred); }
   std::string freePoseName(const std::string& preferred) const { return poseNames().take(preferred); }
-  std::size_t bytes() const;                                                                      // approximate
+  std::size_t bytes() const;  // approximate size in memory
   double clearanceOf(const RobotPath& path) const { return path.clearance.value_or(clearance); }  // mm
-  // Returns the value of RobotPath::clearance for this clearance, mm.
+  // Returns the value of RobotPath::clearance with which clearanceOf() gives this clearance, mm: none if the cell has
+  // it.
   std::optional<double> ownClearance(double kept) const {
     return kept == clearance ? std::nullopt : std::optional(kept);
   }

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The id of the force source.
+// The id of the force source of clay.
 inline constexpr const char* kClaySource = "clay";
 
 // The force of clay on a tool: a spring between hand and god-object. The god-object is the tool, which the clay holds

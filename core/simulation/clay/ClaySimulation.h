@@ -18,11 +18,11 @@ struct ClayState : SimulationState {
   VolumeSurface surface;
   std::shared_ptr<const ClayMask> mask;  // null: nothing is protected
   std::size_t changedBlocks = 0;  // number of changed blocks of the volume and of the mask since the simulation began
-  bool isComplete = false;        // the gesture has ended, and the volume has all of it
+  bool isComplete = false;        // true: the gesture has ended, and the volume has its whole effect
 };
 
-// Data of a simulation of clay for the servo loop; null before the first step. A volume is read without a lock, and is
-// freed on the thread that writes the next one.
+// The data of a clay simulation for the servo loop. `state` is null before the first step. A volume is read without a
+// lock, and is freed on the thread that writes the next volume.
 struct ClayPatch {
   std::shared_ptr<const ClayState> state;
   std::optional<DrillingLoad> load = {};  // none: not computed yet, or not by this simulation
@@ -30,19 +30,20 @@ struct ClayPatch {
 
 using ClayChannel = SimulationChannel<ClayPatch>;
 
-// The simulation of clay: a brush stroke changes the volume while it is drawn.
+// The simulation of clay. A brush stroke changes the volume while the stroke is drawn.
 class ClaySimulation : public Simulation {
  public:
-  // begin: the initial state. The channel must outlive the simulation.
+  // begin: the initial state.
   ClaySimulation(std::shared_ptr<const ClayState> begin, const ClayBrush& brush, std::shared_ptr<ClayChannel> channel);
 
-  // Applies at most kMostDabs; the rest is left for the next steps. A hand that is too fast for the machine is followed
-  // late instead of by one long step.
+  // Applies at most kMostDabs dabs, and leaves the rest for the next steps. So a hand that is too fast for the machine
+  // is followed late instead of in one long step.
   void step(double dt, std::span<const SimulationInput> inputs) override;
-  // Applies the remaining dabs. To be called at the end of a gesture, or after each step if nobody waits for it.
+  // Applies the remaining dabs. It has to be called at the end of a gesture, or after each step if no thread waits for
+  // the step.
   void finish();
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
-  // The blocks that ClayState::changedBlocks counts.
+  // Returns the blocks that ClayState::changedBlocks counts.
   const std::set<std::array<int, 3>>& changed() const { return m_changed; }
 
   static constexpr std::size_t kMostDabs = 4;

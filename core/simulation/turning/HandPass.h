@@ -10,13 +10,14 @@ namespace handwheel {
 // Builds the pass of a tool that a hand moves. Live input and recordings give the same pass, bit for bit.
 class HandPass {
  public:
-  // blank: a pass without points, with the tool. base: mm, z of the part's lower end in the coordinates of the hand.
-  // mostPoints: limit of the pass.
+  // blank: a pass without points, with the tool. base: z of the part's lower end in the coordinates of the hand, mm.
+  // mostPoints: the largest number of points of the pass.
   HandPass(TurningPass blank, double base, std::size_t mostPoints = TurningPass::kMostPoints)
       : m_pass(std::move(blank)), m_base(base), m_mostPoints(mostPoints) {}
 
-  // Adds the next position of the nose's centre, mm. time: s, by any clock. speed: r/min of the spindle; 0: not known.
-  // Returns the number of points added: none if the pass is full, and one more if the motion crosses the axis.
+  // Adds the next position of the nose's centre, mm. time: the time on any clock, s. speed: the speed of the spindle,
+  // r/min; 0: not known. Returns the number of points added: usually 1; 2 if the motion passes the axis, since the
+  // point nearest to the axis is added first; 0 if the pass is full.
   std::size_t add(const Vec3& position, double time, double speed);
 
   const TurningPass& pass() const { return m_pass; }

@@ -8,13 +8,14 @@
 
 namespace handwheel {
 
-// The id of the force source.
+// The id of the force source of the lathe.
 inline constexpr const char* kLatheSource = "lathe";
 
-// Settings of the forces of a lathe on the hand. Stiffnesses are in units of the scene.
+// Settings of the forces of a lathe on the hand. The mm of stiffnesses are mm in the scene, not at the device
+// (WorkspaceMapping::scale).
 struct LatheTouch {
-  double stiffness = 0.5;    // N/mm, of the spring between the hand and the tool that it holds
-  double plane = 0.3;        // N/mm, of the work plane
+  double stiffness = 0.5;    // N/mm, spring between the hand and the tool that it holds
+  double plane = 0.3;        // N/mm, attraction of the work plane
   double planeReach = 8.0;   // mm, range of the attraction of the work plane
   double forceShare = 0.01;  // factor of the cutting force, which is far beyond the force of a device
   double mostForce = 4.0;    // N, limit of the scaled cutting force
@@ -23,14 +24,15 @@ struct LatheTouch {
   bool operator==(const LatheTouch&) const = default;
 };
 
-// The force of a manual lathe. A plane through the axis, y = 0, attracts the hand. The tool that it holds in a gesture
-// is on a spring, since the slides are only as fast as the machine. While the tool cuts, the force of the cutting law,
-// or the pressure of an abrasive, pushes it along with the work, back, and out of the material; the slides have
-// friction and drag. A hand that holds no tool feels the part from outside, and the grooves of its threads while it
-// does not turn. A tick allocates nothing and takes no lock.
+// The force of a manual lathe. A plane through the axis, y = 0, attracts the hand. A spring connects the hand and the
+// tool that it holds in a gesture, since the slides move only as fast as the machine allows. While the tool cuts, the
+// force of the cutting law, or the pressure of an abrasive, pushes it along with the work, back, and out of the
+// material; the slides have friction and drag. A hand that holds no tool feels the part from outside, and the grooves
+// of its threads while the part does not turn. A tick allocates no memory and takes no lock.
 class LatheForce : public ForceSource {
  public:
-  // material: material for the tools of the simulation; never null. base: mm, z of the part's lower end in the scene.
+  // material: the cutting data of the material for the tools of the simulation; never null. base: z of the part's lower
+  // end in the scene, mm.
   LatheForce(std::shared_ptr<LatheChannel> channel, std::shared_ptr<const LatheMaterial> material,
              const LatheTouch& touch, double base);
 
@@ -38,7 +40,8 @@ class LatheForce : public ForceSource {
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
 
-  // Returns the cutting forces of the last tick by the law, N, without the share.
+  // Returns the cutting forces of the last tick according to the cutting law, N, without the factor
+  // LatheTouch::forceShare.
   const CutForces& cut() const { return m_cut; }
 
  private:

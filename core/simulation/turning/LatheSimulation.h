@@ -11,11 +11,11 @@
 
 namespace handwheel {
 
-// The state of a lathe for the servo loop: tool position and cut. mm and s.
+// The tool position and the cut of a lathe for the servo loop.
 struct LathePatch {
   ProfilePoint tip{0.0, 0.0};       // (r, z)
   ProfilePoint velocity{0.0, 0.0};  // mm/s
-  double time = 0.0;                // s, time of the input that it follows
+  double time = 0.0;                // s, time of the input from which the patch results
   CutConditions cut;                // depth 0: nothing is cut
   ProfilePoint passive{1.0, 0.0};   // direction of the radial force on the tool, as in LatheLoad
   ProfilePoint press{0.0, 0.0};     // N, force on an abrasive, in (r, z)
@@ -27,10 +27,10 @@ struct LathePatch {
   ProfilePatch part;                // the part near the hand, with threads if it does not turn
 };
 
-// The data that a lathe exchanges with the servo loop and the window. Neither waits.
+// The data that a lathe exchanges with the servo loop and the window. None of the three threads waits for another.
 struct LatheChannel : SimulationChannel<LathePatch> {
   static constexpr std::size_t kWaiting = 4096;
-  SpscRing<LatheCommand> commands{kWaiting};  // from the window
+  SpscRing<LatheCommand> commands{kWaiting};  // commands from the window
 };
 
 // A lathe with its part at one moment of the simulation.
@@ -40,38 +40,38 @@ struct LatheMoment : SimulationState {
   TurnedSurface surface;
   SurfaceFinish finish;  // finish of the profile
   LatheState machine;
-  std::shared_ptr<const LatheTool> tool;  // in use; null: none
+  std::shared_ptr<const LatheTool> tool;  // tool in use; null: none
   ProfilePoint tip{0.0, 0.0};             // mm, true position of the tip
-  double quillTip = 0.0;                  // mm
+  double quillTip = 0.0;                  // mm, z of the tip of the fitting in the tailstock's quill
   LatheLoad load;                         // load of the cut
-  bool isCut = false;                     // material was removed since the simulation began
-  double sinceCut = 0.0;                  // s, since material was last removed
-  bool isFull = false;                    // recording is full: the pass has to end
-  bool isHeld = false;                    // the last motion was stopped: by a crash, a limit, or the part
-  double removed = 0.0;                   // mm³, since the simulation began
+  bool isCut = false;                     // true: material was removed since the simulation began
+  double sinceCut = 0.0;                  // s, time since material was last removed
+  bool isFull = false;                    // true: the recording is full, and the pass has to end
+  bool isHeld = false;                    // true: a crash, a limit or the part stopped the last motion
+  double removed = 0.0;                   // mm³, material removed since the simulation began
   std::shared_ptr<const std::vector<LatheCollision>> collisions;  // never null
   std::shared_ptr<const std::vector<LatheWarning>> warnings;      // never null
 };
 
-// The simulation of a manual lathe. Commands of the window and the hand at a device move it, and the tool removes
-// material. All cuts since it began form one pass for each tool.
+// The simulation of a manual lathe. Commands of the window and the hand at a device move the lathe, and the tool
+// removes material. All cuts since the simulation began form one pass for each tool.
 class LatheSimulation : public Simulation {
  public:
   static constexpr double kShownRate = 125.0;  // Hz, largest rate at which the shown part changes
   static constexpr double kThreadRate = 25.0;  // Hz, largest rate for threads, whose triangles take some milliseconds
   static constexpr double kFinger = 0.5;       // mm, radius of the probe that feels the part while no tool is held
 
-  // base: mm, z of the part's lower end in the scene. The channel has one simulation at a time. finish: finish of the
-  // part, which has had this number of passes.
+  // base: z of the part's lower end in the scene, mm. The channel may have only one simulation at a time. finish: the
+  // finish of the part; passesBefore: the number of earlier passes of the part.
   LatheSimulation(LatheRun run, TurnedSurface surface, double base, std::shared_ptr<LatheChannel> channel,
                   SurfaceFinish finish = SurfaceFinish(), std::size_t passesBefore = 0);
 
-  // A device that acts positions the tip; it lets go when its gesture ends. The hand is projected onto the plane
-  // through the axis.
+  // Advances the lathe by a step. A device positions the tip during its gesture, and lets go of the tip when the
+  // gesture ends. The position of the hand is projected onto the plane through the axis.
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
 
-  // Updates the state with all that was cut. To be called after the last step.
+  // Updates the state with all that was cut. It has to be called after the last step.
   void finish();
   const std::vector<TurningPass>& passes() const { return m_passes; }
   const LatheRun& run() const { return m_run; }
@@ -96,8 +96,8 @@ class LatheSimulation : public Simulation {
   TurnedProfile::Range m_threaded;  // range whose triangles lack the last part of a thread
   std::size_t m_shownPasses = 0;    // number of passes whose threads are fully shown
   double m_sincePublished = 0.0;    // s
-  double m_sinceThreaded = 0.0;     // s, since the threads were shown
-  bool m_isPlacing = false;         // a device positions the tip
+  double m_sinceThreaded = 0.0;     // s, time since the threads were shown
+  bool m_isPlacing = false;         // true: a device positions the tip
   ProfilePatch m_part;              // patch of the last input
   std::uint32_t m_number;           // number of this simulation in the channel
   std::uint64_t m_warned = 0;       // number of changes of the warnings in m_now

@@ -11,15 +11,16 @@
 
 namespace handwheel {
 
-// Returns the text in a recording that describes its turning tool. blank: a pass of that tool without points. “turn
-// bore nose 0.8 poles 0.5”: a bore, a nose of 0.8 mm, and control points every 0.5 mm.
+// Returns the text that describes a turning tool in a recording. For example, “turn bore nose 0.8 poles 0.5” means a
+// bore, a nose of 0.8 mm, and control points every 0.5 mm. blank: a pass of the tool without points.
 std::string recordedTurning(const TurningPass& blank);
 
-// Returns the passes of the turning tool in a recording of the window. There is one for each press of the first button
-// while the tool was in use, with the settings at that time; a recording without settings is of the outside, with a
-// nose of 1 mm. The nose was at the displayed tip, its proxy. A pass ends with the button, or where the tip leaps, as
-// in the window; passes that were cancelled with Esc are included. base: mm, z of the lower end of the part. None if
-// the manual lathe was in use: its levers and handwheels are not recorded.
+// Returns the passes of the turning tool in a recording that was made in the window. There is one for each press of the
+// first button while the tool was in use, with the settings at that time. If the recording has no settings, the outside
+// was turned with a nose of 1 mm. The path of a pass is that of the proxy, at which the window displayed the tip. A
+// pass ends when the button is released or the tip leaps, as it does in the window; passes that were cancelled with Esc
+// are included. base: mm, z of the lower end of the part. Returns nothing if the manual lathe was in use: its levers
+// and handwheels are not recorded.
 std::optional<std::vector<TurningPass>> passesOf(const Recording& recording, double base);
 
 }  // namespace handwheel

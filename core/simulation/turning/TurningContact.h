@@ -14,24 +14,24 @@ namespace handwheel {
 struct ProfilePatch {
   static constexpr std::size_t kMost = 512;
 
-  double z = 0.0;        // mm, of the first sample
-  double spacing = 1.0;  // mm, from one to the next
-  double width = 0.0;    // mm, range above its z for which each sample stands; 0: exact
+  double z = 0.0;        // mm, z of the first sample
+  double spacing = 1.0;  // mm, distance from one sample to the next
+  double width = 0.0;    // mm, range above its z that each sample represents; 0: exact
   std::uint32_t count = 0;
-  std::uint32_t simulation = 0;  // number of the simulation that wrote it; the profile of another one may have grown
-  double farSide = 0.0;          // mm: below this there is no material, but free space on the other side
+  std::uint32_t simulation = 0;       // number of its simulation; only another simulation can add material
+  double farSide = 0.0;               // mm, distance below which there is free space on the other side of the material
   std::array<double, kMost> radii{};  // mm, surface: the highest value within the width
 
-  // Returns the displacement upwards by which a disc leaves the material, mm; at most 0 outside of it. It is never less
-  // than for the full profile. 0 beside the patch and on the far side. O(samples below the disc).
+  // Returns the displacement upwards by which a disc leaves the material, mm. It is at most 0 outside of the material,
+  // and 0 beside the patch and on the far side. It is never less than for the full profile. O(samples below the disc).
   double penetration(const ProfilePoint& centre, double radius) const;
 
-  // Returns the width of the chip that a disc takes, mm: of the material within the disc, across its direction of
-  // motion. O(samples below the disc). ahead: unit vector of the motion.
+  // Returns the width of the chip that a disc takes, mm. It is the width of the material within the disc across the
+  // direction of motion. ahead: the unit vector of the motion. O(samples below the disc).
   double chipWidth(const ProfilePoint& centre, double radius, const ProfilePoint& ahead) const;
 
-  // Returns true if a disc is wholly on the far side: in the bore with a tool for the outside, or around the part with
-  // one for the bore.
+  // Returns true if a disc is wholly on the far side. The far side of a tool for the outside is in the bore; that of a
+  // tool for the bore is around the part.
   bool isOnFarSide(const ProfilePoint& centre, double radius) const { return centre.x() + radius <= farSide; }
 
  private:
@@ -40,37 +40,39 @@ struct ProfilePatch {
   void forEachBelow(const ProfilePoint& centre, double radius, const Visit& visit) const;
 };
 
-// Converts a radius to the coordinate of a patch of this side, and back.
+// Converts a radius to the coordinate of a patch of a side, and back.
 inline double sideways(TurningSide side, double r) {
   return side == TurningSide::Bore ? -r : r;
 }
 
-// The half plane of the hand through a part with threads. The grooves in it shift with the angle as their helix rises.
+// The threads of a part in the half plane of the hand. The grooves in this half plane shift with its angle, since their
+// helix rises.
 struct PatchThreads {
   const PartThreads* threads = nullptr;  // null: none
-  double angle = 0.0;                    // about the axis, from +x
+  double angle = 0.0;                    // angle of the half plane about the axis, from +x
 };
 
-// Returns the profile around z, far enough for a nose of this radius to move by as much again. If that has too many
-// samples, each entry is the highest surface of several consecutive samples.
+// Returns the profile around z, far enough for a nose to move by its own radius. If this range has too many samples,
+// each entry is the highest surface of several consecutive samples.
 ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius,
                          TurningSide side = TurningSide::Outside, const PatchThreads& threads = {});
 
-// The settings of a cutting tool on a lathe. Stiffness and resistance are in units of the scene.
+// The settings of a cutting tool on a lathe. The mm of stiffness and resistance are mm in the scene, not at the device
+// (WorkspaceMapping::scale).
 struct TurningTool {
   double noseRadius = 1.0;  // mm
-  double stiffness = 0.5;   // N/mm, of the spring between hand and tool
+  double stiffness = 0.5;   // N/mm, spring between hand and tool
   double resistance = 0.1;  // N·s/mm²: force divided by the speed through material and by the chip width
   TurningSide side = TurningSide::Outside;
 
   bool operator==(const TurningTool&) const = default;
 };
 
-// The god-object of a lathe tool, which follows the hand. It moves freely beside the material and, while it cuts, goes
-// through it more slowly the wider the chip is; otherwise it cannot go deeper into it. Material that comes back around
-// a resting hand, for example by undo, does not push the hand out: it is felt from there inwards, and fully once the
-// hand has left it. The same holds for material that the hand enters from the far side. All in the half plane of the
-// patch.
+// The god-object of a lathe tool, which follows the hand. The tool moves freely beside the material. While it cuts, it
+// goes through the material, more slowly the wider the chip is; otherwise it cannot go deeper into the material.
+// Material that comes back around a resting hand, for example by undo, does not push the hand out. Such material is
+// felt only if the hand moves further in, and fully once the hand has left it. The same holds for material that the
+// hand enters from the far side. All positions are in the half plane of the patch.
 class TurningContact {
  public:
   void reset(const ProfilePoint& hand);

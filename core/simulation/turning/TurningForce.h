@@ -10,13 +10,13 @@ namespace handwheel {
 
 using TurningChannel = SimulationChannel<ProfilePatch>;
 
-// The id of the force source.
+// The id of the force source of turning.
 inline constexpr const char* kTurningSource = "turning";
 
 // The force of a cutting tool on a turning part. It is a spring between the hand and the tool, which goes through
-// material with a speed of force / resistance, even if the loop only allows a softer spring. In a gesture the tool
-// cuts; otherwise it feels the present part. The part turns about z from z = base on, and feels the same from all
-// sides.
+// material with a speed of force / resistance, even if the servo loop only allows a softer spring. In a gesture the
+// tool cuts; otherwise it feels the present part. The part turns about z, has its lower end at z = base, and feels the
+// same from all sides.
 class TurningForce : public ForceSource {
  public:
   TurningForce(std::shared_ptr<TurningChannel> channel, const TurningTool& tool, double base);

@@ -11,21 +11,22 @@
 
 namespace handwheel {
 
-// The settings of drilling by hand: head, material, spindle and feed. voxel: mm, size of the voxels to be cut, which
-// limits the head; 0: the voxels are chosen for the head.
+// The settings of drilling by hand, which are head, material, spindle and feed. The parameter voxel is the size of the
+// voxels to be cut, mm, which limits the head; 0: the voxels are chosen for the head.
 class DrillSettings {
  public:
   explicit DrillSettings(double voxel) { setHead(0, voxel); }
-  // Sets the values of an exercise. material: id of a DrillMaterial; spindle: r/min; feed: mm/s.
+  // Makes the settings of an exercise. material: the id of a DrillMaterial; spindle: the speed, r/min; feed: the feed,
+  // mm/s.
   DrillSettings(const DrillBit& head, std::string_view material, double spindle, double feed);
 
   const DrillBit& head() const { return m_head; }
   DrillSetup setup() const;
-  // Returns the feed by the program for a drill that points away from a surface along `out`, a unit vector.
+  // Returns the feed that the program controls, for a drill that points away from a surface along `out`, a unit vector.
   DrillFeed feedOutOf(const Vec3& out) const;
 
   std::vector<Property> properties(double voxel) const;
-  // Sets a setting. Returns false if the id or the value is invalid.
+  // Changes a setting. Returns false if the id or the value is invalid.
   bool set(std::string_view id, const PropertyValue& value, double voxel);
 
   // Returns the outline of the head on a surface with this normal: the circle that it cuts, and its axis.
@@ -37,8 +38,8 @@ class DrillSettings {
   DrillBit m_head = drillBits().front().tool;
   std::size_t m_material = 0;  // index in drillMaterials()
   double m_rpm = 1000.0;       // r/min
-  double m_speed = 1.0;        // mm/s, of the feed
-  double m_peck = 0.0;         // mm, as in DrillFeed
+  double m_speed = 1.0;        // mm/s, speed of the feed
+  double m_peck = 0.0;         // mm, peck as in DrillFeed
 };
 
 }  // namespace handwheel

@@ -13,11 +13,12 @@ struct VolumePreview : KindPreview {
   std::shared_ptr<const ClayState> state;
 };
 
-// Base class of tools that change a volume through a simulation, and are felt.
+// Base class of tools that change a volume through a simulation. The tools are felt at a device.
 class VolumeTool : public Tool {
  public:
   // The channel between the force source of the tool and its simulation, for the haptic scene.
   const std::shared_ptr<ClayChannel>& channel() const { return m_channel; }
+  // Returns the settings of the contact at a device.
   virtual ClayFeel feelAtDevice() const = 0;
 
  private:

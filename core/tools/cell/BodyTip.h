@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Returns the tip of a tool that a link carries. It is given in the frame of that link, as the middle of the farthest
-// face, edge or point along z. Nothing if the body has no points. O(points).
+// Returns the tip of a tool that a link carries. The tip is the middle of the face, edge or point that is farthest
+// along the z axis of the link, in the frame of the link. Returns nothing if the body has no points. O(points).
 std::optional<Vec3> tipOf(const Body& body);
 
 }  // namespace handwheel

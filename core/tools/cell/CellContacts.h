@@ -15,7 +15,7 @@ struct CellCollision {
   ArmValues values;                        // Values of the planned joints
   std::vector<RobotScene::Nearest> pairs;  // Colliding pairs
   Pose displacement = Pose::Identity();    // Displacement of the whole robot while it is moved with its base
-  // A body that is moved by hand, instead of the pairs; empty: none.
+  // A body that is moved by hand; its contacts replace those of the pairs. Empty: none.
   CollisionBody moved = {};
   Pose movedPose = Pose::Identity();
   std::vector<std::uint32_t> without = {};  // Links that the moved body is not tested against
@@ -28,9 +28,9 @@ struct CellContact {
   double depth = 0.0;            // mm, at least 0
 };
 
-// Returns at most `most` contacts of the collisions, no two at the same position. The deepest of each pair come first,
-// then the others by depth. An object inside another without touching its surface has one contact, at the closest
-// points. Any thread.
+// Returns at most `most` contacts of the collisions, no two within 5 mm of each other. The deepest of each pair come
+// first, then the others by depth. An object inside another without touching its surface has one contact, at the
+// closest points. May be called on any thread.
 std::vector<CellContact> contactsOf(std::span<const CellCollision> collisions, std::size_t most, Progress progress);
 
 }  // namespace handwheel

@@ -10,8 +10,8 @@ namespace handwheel {
 // Tool that moves the links of a robot, and bodies beside it, by hand.
 class CellTool : public Tool {
  public:
-  // Marks the collisions of the displayed cell: of the robot at these joint values, and of a body that is being moved;
-  // null: none.
+  // Marks the collisions of the displayed cell: those of the robot at these joint values, and those of a body that is
+  // being moved. moved: null if there is none.
   using Mark = std::function<void(DisplayModel& shown, const JointValues& joints, const Body* moved)>;
   // Called with the link of a robot that is pressed.
   using Pressed = std::function<void(std::uint32_t link)>;

@@ -9,11 +9,11 @@
 namespace handwheel {
 
 // Returns the operation "configuration", which edits the plans of a cell. It stores the present configuration under a
-// name, moves the robot to a stored one, and removes it; does the same for targets, frames, and poses of the tool;
-// removes paths; and sets the options of planning.
+// name, moves the robot to a stored one, and removes one. It also edits targets, frames and poses of the tool, removes
+// paths, and sets the options of planning.
 const Operation& configurationOperation();
 
-// Returns the fault of a combination of values, as a clause; empty if they fit together.
+// Returns the reason why a combination of values is not allowed, as a clause; empty if it is allowed.
 std::string problemOfConfigurationValues(const OperationValues& values);
 
 // The plans and joints of a cell after the operation.
@@ -22,11 +22,11 @@ struct ChangedCell {
   JointValues joints;
 };
 
-// Applies the operation. Errors: WaypointMissing, PathMissing, FrameMissing, FrameStray, BodyError::BodyMissing, those
-// of CellReach.h and sceneOf(); BodyError::NameTaken and NameUnusable, ValueOutOfRange.
+// Applies the operation. Errors: WaypointMissing, PathMissing, FrameMissing, FrameStray, BodyError::BodyMissing, the
+// errors of CellReach.h and sceneOf(); BodyError::NameTaken and NameUnusable, ValueOutOfRange.
 Result<ChangedCell> changedCell(const OperationValues& values, const RobotCellSnapshot& cell);
 
-// Returns the plans with the contents of an SRDF: pairs that may touch, and its states as configurations. Error:
+// Returns the plans with the contents of an SRDF: pairs that may touch, and its states as configurations. Errors:
 // ValueOutOfRange.
 Result<CellPlans> withSemantics(CellPlans plans, const RobotSemantics& semantics, const RobotCellSnapshot& cell);
 

@@ -8,9 +8,10 @@
 
 namespace handwheel {
 
-// Tool that places a body with one of its faces on another face. The first click takes the face of the body that is to
-// be placed, the second the face of another body or of the robot that it is to lie on. The body is shown there, with an
-// offset and a turn that can be changed; committing is one edit. By the mouse, or by the ray of a device.
+// Tool that lays a body with one of its faces on another face. The first click takes a face of the body to be laid, the
+// second a face of another body or of the robot, on which the body is to lie. The preview shows the body on that face,
+// with an offset and a rotation that can be changed; committing is one edit. Faces are pointed at by the mouse, or by
+// the ray of a device.
 class FaceMateTool : public Tool {
  public:
   // The selection must outlive the tool.
@@ -37,7 +38,7 @@ class FaceMateTool : public Tool {
 
   std::optional<Pointed> pointedBy(const PointerEvent& event, bool isWhole) const;
   ToolReply take(const PointerEvent& event);
-  std::optional<Body> placed() const;  // In the base frame; nothing until both faces are chosen
+  std::optional<Body> placed() const;  // In the frame of the base; nothing: a face is not chosen yet
   const Vec3& meetingPointOf(const FlatFace& face) const;
   ToolReply commit();
 

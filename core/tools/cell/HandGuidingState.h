@@ -8,11 +8,11 @@ namespace handwheel {
 
 // State of HandGuidingTool from press to release.
 struct HandGuidingTool::Guidance {
-  std::shared_ptr<const CellScene> scene;  // The members below refer to it
+  std::shared_ptr<const CellScene> scene;  // The scene, to which the members below refer
   Teleoperation robot;
   ApproachForce approach;
   ArmValues start;
-  Pose tool;                 // Pose at the press
+  Pose tool;                 // Pose of the tool at the press
   std::optional<Pose> hand;  // Pose of a device at the press
   Ray grip;                  // Ray of the mouse at the press
   double pixel;              // mm
@@ -23,7 +23,7 @@ struct HandGuidingTool::Guidance {
   ApproachForce::Felt felt = {};
   std::shared_ptr<const GuideCurve> guide = {};
   std::optional<FollowingTry> following = {};
-  std::optional<PathWaypoint> pulled = {};  // The waypoint that is led instead of the robot
+  std::optional<PathWaypoint> pulled = {};  // The waypoint that is pulled instead of the robot
 };
 
 }  // namespace handwheel

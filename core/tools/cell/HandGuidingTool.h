@@ -13,10 +13,10 @@
 
 namespace handwheel {
 
-// Measurements of an attempt to lead the tool along a path by hand. Help: the assistance (He 2008, chapter 6, compares
-// the three).
+// Measurements of an attempt to lead the tool along a path by hand. help: the assistance (He 2008, chapter 6, compares
+// the three kinds).
 struct HandGuidingTrial {
-  enum class Help { Eyes, Force, Fixture };  // A fixture also gives force
+  enum class Help { Eyes, Force, Fixture };  // Eyes: no assistance; Fixture: pulls the tool to the path
   std::string path;
   Help help = Help::Eyes;
   FollowingStatistics figures;
@@ -26,25 +26,25 @@ struct HandGuidingTrial {
 struct HandGuidingServices {
   // Returns the present cell prepared for planning; null while it is being prepared.
   std::function<std::shared_ptr<const CellScene>()> scene;
-  // Marks the collisions at these joint values.
+  // Marks the collisions of the displayed robot at these joint values.
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
   // Adds the configuration of the document to the selected path, or to a new one.
   std::function<void()> addWaypoint;
   // Returns the time of a monotonic clock, s.
   std::function<double()> time;
-  // Returns the curve of the tool centre point along a path of the cell; null if there is none or it is still being
-  // computed.
+  // Returns the curve of the tool centre point along a path of the cell. The result is null if there is no curve, or
+  // while it is being computed.
   std::function<std::shared_ptr<const GuideCurve>(const std::string& path)> guide;
-  double tolerance = DistanceForceSettings().tolerance;    // mm, tolerance of the distances that the hand feels
+  double tolerance = DistanceForceSettings().tolerance;    // mm; tolerance of the distances that are felt
   double ikTolerance = TeleoperationSettings().tolerance;  // m, rad
   std::vector<HandGuidingTrial>* trials = nullptr;         // The attempts in this document; must outlive the tool
 };
 
 // Tool that guides a robot by hand at its tool. The arm follows, but never through an obstacle or beyond a limit. The
-// hand can start anywhere, and feels the robot's resistance and nearby obstacles. With the mouse the tool moves in the
-// plane of the view, or, with Shift, turns. A path of the cell can be followed, with a virtual fixture that draws the
-// tool to it; the deviation is measured. Waypoints are pulled in the same manner: a press near the tool centre point at
-// one, to which a device is drawn, takes that. Releasing commits one edit.
+// hand can start anywhere, and feels the robot's resistance and nearby obstacles. With the mouse, the tool moves in the
+// plane of the view, or turns if Shift is pressed. A path of the cell can be followed, with a virtual fixture that
+// pulls the tool to the path; the deviation is measured. Waypoints of paths are pulled in the same manner: the press
+// must be near the tool centre point of a waypoint, which attracts a device. Releasing commits one edit.
 class HandGuidingTool : public Tool {
  public:
   HandGuidingTool(RobotCellDocument& document, HandGuidingServices services);
@@ -62,15 +62,15 @@ class HandGuidingTool : public Tool {
   void documentChanged() override;
 
   bool isLeading() const { return m_guidance != nullptr; }
-  // Returns the joint values that the robot is led to, or else those of the document.
+  // Returns the joint values that the robot is led to, or those of the document if nothing is led.
   JointValues joints() const;
-  // Returns the tool centre point at these joint values, in the frame of the base; nothing while the cell is not
+  // Returns the tool centre point at the values of joints(), in the frame of the base; nothing while the cell is not
   // prepared.
   std::optional<Pose> toolPose() const;
 
  private:
-  enum class Mode { Tool, Joints, Waypoints };  // The thing that follows the hand
-  // A waypoint by its indices in the plans, with the tool centre point there, in the frame of the base.
+  enum class Mode { Tool, Joints, Waypoints };  // The object that follows the hand
+  // A waypoint by its indices in the plans, with its tool centre point in the frame of the base.
   struct PathWaypoint {
     std::size_t path, waypoint;
     Vec3 point;
@@ -91,7 +91,7 @@ class HandGuidingTool : public Tool {
   void leadJoints(const Pose& hand);
   Pose wantedPose(const PointerEvent& event) const;
   ToolReply release();
-  std::shared_ptr<const GuideCurve> guide() const;  // Null: none, or not ready yet
+  std::shared_ptr<const GuideCurve> guide() const;  // Null: no guide, or not computed yet
   std::vector<std::string> pathNames() const;
   void addFigures(std::vector<Property>& all) const;
 
@@ -100,20 +100,20 @@ class HandGuidingTool : public Tool {
   std::shared_ptr<Guidance> m_guidance;  // Null: nothing is led
   std::string m_path;                    // The path to follow; empty: none
   Mode m_mode = Mode::Tool;
-  double m_scale = 1.0;         // mm of the tool to a mm of the hand
+  double m_scale = 1.0;         // Motion of the tool per motion of the hand
   bool m_turns = true;          // True if the tool turns with the hand
   bool m_isFelt = true;         // True if the hand feels the robot
   double m_largestForce = 4.0;  // N
-  double m_reach = 10.0;        // mm: a distance below which obstacles push the hand away
+  double m_reach = 10.0;        // mm: distance within which obstacles push the hand away
   double m_snapDistance = 0.0;  // mm; 0: no fixture
-  double m_grasp = 15.0;        // mm: distance within which a waypoint is taken
-  // All waypoints that can be pulled, for these plans, scene and path.
+  double m_grasp = 15.0;        // mm: distance within which a press takes a waypoint
+  // All waypoints that can be pulled, and the plans, scene and path that they were determined for.
   std::vector<PathWaypoint> m_waypoints;
   std::shared_ptr<const CellPlans> m_waypointsOf;
   std::weak_ptr<const CellScene> m_waypointsIn;
   std::string m_waypointsAlong;
   std::optional<PathWaypoint> m_near;  // The waypoint that a press would take
-  std::optional<Vec3> m_tip;           // Position of the device, which is drawn to m_near
+  std::optional<Vec3> m_tip;           // Position of the device tip, which m_near attracts
 };
 
 }  // namespace handwheel

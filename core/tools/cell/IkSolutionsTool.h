@@ -14,13 +14,13 @@ namespace handwheel {
 struct IkSolutionsServices {
   // Returns the present cell prepared for planning; null while it is being prepared.
   std::function<std::shared_ptr<const CellScene>()> scene;
-  // Marks the collisions at these joint values.
+  // Marks the collisions of the displayed robot at these joint values.
   std::function<void(DisplayModel& shown, const JointValues& joints)> mark;
 };
 
-// Tool that shows all inverse kinematics solutions for a pose of the arm's tool. The pose is the present one or typed
-// by the user. One is chosen from a list and shown; committing moves the robot there. On a device the first button goes
-// to the next solution, the second commits.
+// Tool that shows all inverse kinematics solutions for a pose of the arm's tool. The pose is the present one, or is
+// typed by the user. The user chooses a solution from a list and sees it; committing moves the robot to it. On a device
+// the first button goes to the next solution, the second commits.
 class IkSolutionsTool : public Tool {
  public:
   IkSolutionsTool(RobotCellDocument& document, IkSolutionsServices services);
@@ -42,7 +42,7 @@ class IkSolutionsTool : public Tool {
  private:
   const std::vector<CellIkSolution>& solutions() const;
   const CellIkSolution* solution() const;  // The chosen solution; null: there is none
-  bool isThere() const;                    // True if the robot has the joint values of the solution
+  bool isThere() const;                    // True if the robot has the joint values of the chosen solution
   ToolReply choose(std::size_t solution);
   ToolReply commit();
   void forgetSolutions();
@@ -51,7 +51,7 @@ class IkSolutionsTool : public Tool {
   IkSolutionsServices m_services;
   Pose m_pose;  // The examined pose of the tool centre point
   std::size_t m_chosen = 0;
-  // The solutions to m_pose, for m_scene.
+  // The solutions for m_pose in m_scene.
   mutable std::shared_ptr<const CellScene> m_scene;
   mutable std::vector<CellIkSolution> m_solutions;
 };

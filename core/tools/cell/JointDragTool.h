@@ -12,18 +12,18 @@ namespace handwheel {
 
 // The first hit of a ray on a robot cell.
 struct RobotCellPick {
-  std::string part;  // Name as in displayOf()
+  std::string part;  // Name of the part, as in displayOf()
   Vec3 point;        // mm
 };
 
-// Tool that moves a robot by dragging its links. The joint nearest to the link follows the pointer, or, with Shift, the
-// whole arm does. Joint limits are kept. Releasing commits one edit.
+// Tool that moves a robot by dragging its links. The joint nearest to the link follows the pointer, or the whole arm if
+// Shift is pressed. The joints stay within their limits. Releasing commits one edit.
 class JointDragTool : public Tool {
  public:
   using Pick = std::function<std::optional<RobotCellPick>(const Ray&)>;
   JointDragTool(RobotCellDocument& document, Pick pick) : m_document(document), m_pick(std::move(pick)) {}
 
-  // Returns the joint values: the preview while dragging, otherwise those of the document.
+  // Returns the joint values of the preview while a link is dragged, otherwise those of the document.
   const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
   bool isDragging() const { return m_drag.has_value(); }
   bool hasMoved() const { return m_drag && m_drag->values != m_drag->start; }
@@ -40,10 +40,10 @@ class JointDragTool : public Tool {
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  // A joint that can be dragged.
+  // A picked link with the joint that it drags.
   struct Hold {
     std::uint32_t link = kNone;   // The picked link
-    std::uint32_t joint = kNone;  // The nearest joint that moves its point
+    std::uint32_t joint = kNone;  // The nearest joint that moves the picked point
     HeldPoint at;
   };
   struct Drag {
@@ -51,7 +51,7 @@ class JointDragTool : public Tool {
     Ray grip;  // Ray at the press
     bool hasMoved = false;
     bool isWholeArm = false;
-    double travel = 0.0;  // Travel of the joint since the press, without limits; rad, mm
+    double travel = 0.0;  // Motion of the joint since the press, regardless of its limits; rad, mm
     JointValues start, values;
   };
 

@@ -13,7 +13,7 @@ namespace handwheel {
 // Services that PlaceBodyTool uses.
 struct PlaceBodyServices {
   JointDragTool::Pick pick;
-  // Marks the collisions while the body has this pose, given in the frame of the base.
+  // Marks the collisions of a body at its pose, which is given in the frame of the base.
   std::function<void(DisplayModel& shown, const Body& moved)> mark;
   // Returns the number of the selected robot; nothing if none is selected. If robot and selectRobot are null, robots
   // cannot be placed.
@@ -26,13 +26,14 @@ struct PlaceBodyServices {
   std::function<std::string()> frame = {};
 };
 
-// Tool that places the selected body, or else the selected robot, by handles. Arrows along three axes move it, rings
-// about them turn it, by the mouse or a device, in steps unless Ctrl is held. Dragged directly, or by any link of the
-// robot, it moves over the horizontal plane, with Shift up and down. A device that grabs the body itself moves and
-// turns it freely. Typed numbers move and turn it from its present pose; they are previewed and take effect on commit.
-// A selected frame is placed by its handles or numbers, whatever carries it. Each release or commit is one edit. A body
-// that the robot carries is placed on its carrier. The robot on the root has no handles, as everything is measured from
-// its base.
+// Tool that places the selected body, or else the selected robot, by handles. Arrows along three axes move it, and
+// rings about them turn it. The mouse drags a handle in steps unless Ctrl is held; a device drags it without steps. A
+// body that is dragged directly, or a robot that is dragged by one of its links, moves in the horizontal plane, or up
+// and down while Shift is held. A device that grabs the body itself moves and turns it freely. Typed numbers move and
+// turn it from its present pose; they are previewed and take effect on commit. A selected frame is placed by its
+// handles or numbers, even if it is attached to another object. Each release or commit is one edit. A body that a robot
+// carries keeps its carrier; only its pose on the carrier changes. The robot whose base is the root of the cell has no
+// handles, because all poses are measured from its base.
 class PlaceBodyTool : public Tool {
  public:
   // The selection must outlive the tool.

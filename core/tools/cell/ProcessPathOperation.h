@@ -7,28 +7,31 @@
 
 namespace handwheel {
 
-// Returns the operation "process": a path of the tool along a curve on a part.
+// Returns the operation "process", which plans a tool path along a curve on a part.
 const Operation& processPathOperation();
 
-// Values of "along"; those between them are sections.
+// Values of "along". The values between these two denote sections.
 inline constexpr std::size_t kAlongEdge = 0, kAlongDrawn = 4;
 
-// Returns the curve that these values choose on a part with this surface, in the frame of the robot's base, simplified
-// and in the requested direction. body: with its pose in that frame. Errors: TrackMissing, DrawnCurveBroken,
-// NumberMalformed.
+// Returns the curve that the values choose on a part. It is in the frame of the robot's base, simplified and in the
+// requested direction. surface: the surface of the part. body: the part, with its pose in that frame. Errors:
+// TrackMissing, DrawnCurveBroken, NumberMalformed.
 Result<SurfaceTrack> trackOn(const std::shared_ptr<const PartSurface>& surface, const Body& body,
                              const OperationValues& values);
-// Returns the same for a known curve in the frame of the body, near a point in that frame. Empty: nothing is left.
+// Returns a known curve in the frame of the robot's base, cut, simplified and in the requested direction. track, near:
+// the curve and a point near its beginning, in the frame of the body. The result is empty if nothing is left of the
+// curve.
 SurfaceTrack finishedTrack(SurfaceTrack track, const Vec3& near, const Body& body, const OperationValues& values);
 
 // Returns the part that the values name. Errors: BodyMissing, Ambiguous; PartCarried if the robot carries it.
 Result<BodyPointer> partCalled(const OperationValues& values, const CellScene& scene);
 
-// Plans the tool's path along a curve on a part: to its first point from above, along it, away from its last; also from
-// and to given waypoints. With waypoints it does not depend on the present joint values, unless all of them are
-// targets. The whole path is proven free. Errors: those of trackOn() and plannedThrough(), PoseOfTrackUnreachable,
-// TrackBlocked, TrackBroken, WaypointMissing, Cancelled. chosenAt: pose of the part when the curve was chosen, which
-// has moved along with the part; nothing: its present pose. The path stores its values.
+// Plans the tool's path along a curve on a part. It leads to the first point of the curve from above, along the curve,
+// and away from its last point, and optionally from and to given waypoints. With given waypoints the path does not
+// depend on the present joint values, unless all of them are targets. The whole path is proven free of collisions.
+// chosenAt: pose of the part when the curve was chosen; the curve has moved with the part since. Nothing: the present
+// pose. The path stores `values`. Errors: the errors of trackOn() and plannedThrough(), TrackOutOfReach, TrackBlocked,
+// TrackBroken, WaypointMissing, FileTooLarge {"points", count, most}, Cancelled.
 Result<PlannedPath> processPath(const CellScene& scene, const RobotCellSnapshot& cell, const OperationValues& values,
                                 const std::shared_ptr<const PartSurface>& surface, const Body& body,
                                 Progress progress = {}, const std::optional<Pose>& chosenAt = {});

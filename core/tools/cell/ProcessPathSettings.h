@@ -7,18 +7,18 @@
 
 namespace handwheel {
 
-// Settings of the operation "process", which plans a path along a curve. They belong to the tool that plans it, and are
-// fields of the path afterwards. Lengths in mm, angles in rad.
+// Settings of the operation "process", which plans a path along a curve. The tool that plans the path shows them as its
+// settings; the settings of a planned path can still be edited. Lengths are in mm, angles in rad.
 
-// Returns the names of the configurations that such a path may start or end at.
+// Returns the names of the configurations at which the path may start or end.
 std::vector<std::string> processEnds(const CellRobot& robot, const CellPlans& plans);
 
-// Returns all settings of the operation. ends: as from processEnds().
+// Returns all settings of the operation. ends: the result of processEnds().
 std::vector<Property> processPathSettings(const OperationValues& values, const std::vector<std::string>& ends);
-// Returns the settings of a path whose curve is chosen: without those that choose the curve.
+// Returns the settings of a path whose curve is already chosen. Settings that choose the curve are omitted.
 std::vector<Property> settingsOfStoredPath(const OperationValues& values, const std::vector<std::string>& ends);
 
-// Sets a value from one of these settings; nothing happens for an unknown id or a value of another type.
+// Sets a value from one of the settings. Nothing happens for an unknown id or a value of another type.
 void takeProcessSetting(OperationValues& values, const std::vector<std::string>& ends, std::string_view id,
                         const PropertyValue& value);
 

@@ -14,13 +14,13 @@ struct ProcessPathServices {
   JointDragTool::Pick pick;
   // Returns the surface of a body; null while it is being prepared.
   std::function<std::shared_ptr<const PartSurface>(const BodyPointer& body)> surface;
-  // Plans with these values, which name the part.
+  // Plans a path with these values, which also name the part.
   std::function<void(const OperationValues& values)> plan;
 };
 
-// Tool that selects the curve on a part that the robot's tool follows. It is an edge or a section of the part. The
-// curve under the pointer is shown, a click takes it, and the settings define how the tool is held; "commit" plans the
-// path. A curve can also be drawn: by clicks on the part, or in one stroke.
+// Tool that selects the curve on a part that the robot's tool follows. The curve is an edge or a section of the part.
+// The curve under the pointer is shown, a click takes it, and the settings define how the tool is held; "commit" plans
+// the path. A curve can also be drawn: by clicks on the part, or in one stroke.
 class ProcessPathTool : public Tool {
  public:
   ProcessPathTool(const RobotCellDocument& document, ProcessPathServices services);
@@ -33,7 +33,7 @@ class ProcessPathTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  // Edges are hard to hit by hand.
+  // Returns corners and edges, which are hard to hit by hand.
   SnapTargets snapTargets() const override { return {.corners = true, .edges = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
@@ -42,15 +42,16 @@ class ProcessPathTool : public Tool {
   // A point on a body at which a curve is chosen.
   struct BodyPoint {
     BodyId body = 0;
-    Vec3 point = Vec3::Zero();  // In the frame of the robot's base
+    Vec3 point = Vec3::Zero();  // Position in the frame of the robot's base
   };
   std::optional<BodyPoint> bodyPointAt(const PointerEvent& event) const;
-  // Returns the same, or the nearest point on a part whose edge the pointer just misses.
+  // Returns the point on a body under the pointer, or else the nearest point on a part whose edge the pointer just
+  // misses.
   std::optional<BodyPoint> bodyPointNear(const PointerEvent& event) const;
   SurfaceTrack trackAt(const BodyPoint& bodyPoint) const;
   SurfaceTrack shown() const;
   bool isDrawing() const { return m_values.whole("along") == kAlongDrawn; }
-  // Begins the curve at the chosen point, without any other.
+  // Begins the curve at the chosen point, and removes all other points.
   void beginDrawing();
   bool drawTo(const BodyPoint& bodyPoint);
   SurfaceTrack drawnTrack() const;
@@ -64,8 +65,8 @@ class ProcessPathTool : public Tool {
   OperationValues m_values;
   std::optional<BodyPoint> m_hovered, m_chosen;
   SurfaceTrack m_track;  // The displayed curve
-  // The points after the chosen one that a drawn curve leads through, in the frame of the base; and the curve before
-  // each of them and after the last, in the frame of the body at that time.
+  // The points after the chosen one through which a drawn curve leads, in the frame of the base; and the curve up to
+  // the chosen point and up to each of these points, in the frame of the body when it was drawn.
   std::vector<Vec3> m_through;
   std::vector<DrawnCurve> m_drawn;
   BodyPointer m_drawnOn;

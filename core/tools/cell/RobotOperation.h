@@ -7,15 +7,15 @@
 
 namespace handwheel {
 
-// Returns the operation "robot", which edits the robots of a cell. It adds one, removes one, or chooses the one that is
-// planned for.
+// Returns the operation "robot", which edits the robots of a cell. It adds a robot, removes one, or chooses the robot
+// that is planned for.
 const Operation& robotOperation();
 
-// Returns the fault of a combination of values, as a clause; empty if they fit together.
+// Returns the reason why a combination of values is not allowed, as a clause; empty if it is allowed.
 std::string problemOfRobotValues(const OperationValues& values);
 
-// Returns the cell with the operation applied. added: the robot that the values name; null if they name none. Errors:
-// those of RobotChanges.h; ArmMissing.
+// Returns the cell with the operation applied. added: the cell of the robot that the values name; null if they name
+// none. Errors: the errors of RobotChanges.h; ArmMissing.
 Result<RobotCellSnapshot> withRobotsChanged(const OperationValues& values, const RobotCellSnapshot& cell,
                                             const std::shared_ptr<const RobotCellSnapshot>& added);
 

@@ -7,8 +7,9 @@
 
 namespace handwheel {
 
-// Creates the snap features around the holes of a mesh and at its outer edges. Their ids are those of the vertices,
-// half-edges, and loops in the list. Runs on a worker thread. Empty if cancelled.
+// Creates the snap features around the holes of a mesh and at its outer edges. Their ids are the indices of the
+// vertices, the half-edges, and the loops in the list. May be called on a worker thread. The result is empty if
+// cancelled.
 LoopSnapField boundarySnapFeatures(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, SnapOffer offer,
                                    Progress progress = {});
 

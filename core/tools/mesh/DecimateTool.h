@@ -10,11 +10,11 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that reduces the number of triangles of a mesh (decimate()). The goal is a number of triangles, or the fewest
-// that stay within a distance of the present surface.
+// Tool that reduces the number of triangles of a mesh (decimate()). The goal is a number of triangles, or the smallest
+// number that stays within a distance of the present surface.
 class DecimateTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's.
+  // Only the destructor may be called after the document has been destroyed.
   DecimateTool(MeshDocument& document, MeshServices services);
 
   static std::span<const ToolKey> keys();
@@ -37,7 +37,7 @@ class DecimateTool : public Tool {
   MeshDocument& m_document;
   MeshServices m_services;
   Goal m_goal = Goal::Count;
-  // The values of both goals and the crease angle, used or not.
+  // The values of both goals and the crease angle, including those not used at present.
   OperationValues m_values{decimateOperation()};
   bool m_keepsCreases = false;
 };

@@ -16,33 +16,36 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Request to propose a patch for a hole.
+// A request for a proposed patch for a hole.
 struct FillRequest {
   std::uint64_t ticket = 0;  // returned with the answer
   BoundaryLoop loop;
-  std::vector<HoleBridge> bridges = {};  // bridges, as in FillOptions
+  std::vector<HoleBridge> bridges = {};  // bridges across the hole, as in FillOptions
 };
 
 // Services for FillHoleTool, provided by the owner of the document's jobs. All of them are called on the window thread.
 struct FillServices {
-  // Values of the fill operation, shared with the owner, so that a choice holds for the next hole and the next start.
+  // The values of the fill operation. They are shared with the owner, so that a choice is kept for the next hole and
+  // the next start of the tool.
   std::shared_ptr<OperationValues> values = std::make_shared<OperationValues>(fillOperation());
-  std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // "picking", as in MeshServices
-  // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request replaces the previous one.
+  std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // the service "picking", as in MeshServices
+  // The service "fill preview". It proposes a patch and answers by previewReady(), at once or later. A request replaces
+  // the previous one.
   std::function<void(const FillRequest&)> request;
-  // Puts a proposed patch into the document as one step, now or later. Returns false if another job is running.
+  // Adds a proposed patch to the document as one step, at once or later. Returns false if another job is running.
   std::function<bool(const BoundaryLoop&, const FillAttempt&)> commit;
-  // Returns true if the patch is shown before it is put in.
+  // Returns true if the patch is shown before it is added.
   std::function<bool()> showsPatch = [] { return true; };
 };
 
-// Tool that fills holes one by one, with a preview of the patch. The user chooses a hole, sees the patch, accepts it or
-// not, and goes on to the next hole. A line drawn from point to point of the edge of the chosen hole is a bridge that
-// divides the hole there (He 2008, section 4.2). The bridges that the program chose for a long edge are shown and
+// Tool that fills holes one by one, with a preview of the patch. The user chooses a hole, sees the patch, accepts or
+// rejects it, and continues with the next hole. A line drawn from point to point of the edge of the chosen hole is a
+// bridge that divides the hole (He 2008, section 4.2). The bridges that the program chose for a long edge are shown and
 // changed in the same manner.
 class FillHoleTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
+  // Only the destructor may be called after the document has been destroyed. first: the key of the hole that is chosen
+  // first.
   FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first = std::nullopt);
 
   // Receives the answer to a request; a late answer is not shown.
@@ -53,12 +56,12 @@ class FillHoleTool : public Tool {
     Computing,   // the patch is being computed
     Ready,       // there is a patch
     Impossible,  // there is no patch
-    Committing,  // the patch is being put in
+    Committing,  // the patch is being added
   };
   State state() const { return m_state; }
   // The chosen hole; null in the state Choosing.
   const BoundaryLoop* loop() const;
-  // The result in the states Ready and Impossible.
+  // The result of the request; valid in the states Ready and Impossible.
   const FillAttempt& attempt() const { return m_attempt; }
 
   static std::span<const ToolKey> keys();
@@ -69,7 +72,7 @@ class FillHoleTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  bool remembersSettings() const override { return false; }  // FillServices::values does
+  bool remembersSettings() const override { return false; }  // FillServices::values stores them
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking", "fill preview"}; }
 

@@ -8,11 +8,12 @@
 namespace handwheel {
 
 // Tool that creates single faces from three clicked points of open edges. The points are clicked one after the other,
-// counter-clockwise as seen from outside, and the third click creates the face. The face must share an edge with the
-// surface, whose orientation it takes, and touch the surface in no other point.
+// counter-clockwise as seen from outside, and the third click creates the face. The face takes the orientation of the
+// surface. It must share an edge with the surface, and must not touch it elsewhere than at its corners and shared
+// edges.
 class MakeFaceTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's.
+  // Only the destructor may be called after the document has been destroyed.
   MakeFaceTool(MeshDocument& document, MeshServices services);
 
   std::size_t cornerCount() const { return m_corners.size(); }

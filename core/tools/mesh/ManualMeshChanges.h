@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Manual changes of faces or open edges, each with its step. Each of these functions creates one change. Indices that
-// are invalid in the mesh to which it is applied change nothing.
+// Functions that create manual changes of faces or open edges, each with its script step. A change does nothing if its
+// indices are invalid in the mesh to which it is applied.
 
 // Removes faces. text, reason: as in MeshChange.
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason = nullptr);
@@ -22,13 +22,13 @@ MeshChange decimateChange(const DecimationOptions& options);
 MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType numbers);
 // Adds a face over three points of open edges, counter-clockwise as seen from outside.
 MeshChange faceChange(const Triangle& face);
-// Moves the point at ends.a to that at ends.b, and joins them.
+// Moves the point at ends.a to the point at ends.b, and joins the two points.
 MeshChange joinChange(const BoundaryPair& ends);
 // Adds a bridge of faces between two points of open edges.
 MeshChange bridgeChange(const BoundaryPair& ends);
 // Moves a point of an open edge, with all vertices at its position, as far as no face flips or crosses another.
 MeshChange pullChange(Vertex vertex, const Vec3& position);
-// Smooths a boundary loop by smoothBoundary(). loop: its key.
+// Smooths a boundary loop by smoothBoundary(). loop: the key of the loop.
 MeshChange smoothEdgeChange(Vertex loop, const SmoothingOptions& options);
 
 }  // namespace handwheel

@@ -8,17 +8,17 @@
 
 namespace handwheel {
 
-// Returns the haptic contact surface of a mesh. Its triangles are identified by the face indices. Empty if cancelled.
-// O(n log n).
+// Returns the haptic contact surface of a mesh. Its triangles are identified by the face indices. The result is empty
+// if cancelled. O(n log n).
 ContactSurface contactSurfaceOf(const HalfEdgeMesh& mesh, Progress progress = {});
 
-// Returns true if updating the surface is better than building it anew for an edit of this size: on the window thread
-// the update then takes less than a frame.
+// Returns true if updating the surface is better than building it anew for an edit of this size. The update of a small
+// edit on the window thread takes less than a frame.
 constexpr bool isSmallEdit(std::size_t touchedFaces) {
   return touchedFaces <= 10'000;
 }
 
-// Updates the surface of a mesh after an edit of these faces. mesh: after the edit. O(touched log n).
+// Updates the surface of a mesh after an edit of these faces. mesh: the mesh after the edit. O(touched log n).
 void updateSurface(ContactSurface& surface, const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
 
 }  // namespace handwheel

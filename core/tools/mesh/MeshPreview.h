@@ -9,7 +9,7 @@ namespace handwheel {
 
 struct ClayState;
 
-// Preview of a tool on the mesh of a document.
+// The preview of a tool on the mesh of a document.
 struct MeshPreview : KindPreview {
   FaceSelection highlighted;                       // faces under the pointer or about to be selected
   FaceSelection selected;                          // faces that are selected now
@@ -17,7 +17,7 @@ struct MeshPreview : KindPreview {
   std::shared_ptr<const ClayState> voxels;         // voxels whose surface is shown beside the mesh; null: none
 };
 
-// Returns the part of a preview that is on the mesh; empty if there is none.
+// Returns the part of a preview that is on the mesh. The result is empty if there is none.
 inline MeshPreview meshPreviewOf(const ToolPreview& preview) {
   const auto* own = dynamic_cast<const MeshPreview*>(preview.ofKind.get());
   return own ? *own : MeshPreview();

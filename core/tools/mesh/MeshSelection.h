@@ -11,13 +11,14 @@
 
 namespace handwheel {
 
-// Finds a loop by its keyOf(); null if there is none. O(all loops).
+// Finds a loop by its key (keyOf()). Returns null if there is none. O(all loops).
 const BoundaryLoop* loopWithKey(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, Vertex key);
 
-// The closed polyline of a boundary loop.
+// Returns the closed polyline of a boundary loop.
 std::vector<Vec3> outlineOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
 
-// The closed polylines around a set of faces. They separate the faces from others and run along open edges. O(faces).
+// Returns the closed polylines around a set of faces. They separate the faces from others and run along open edges.
+// O(faces).
 std::vector<std::vector<Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const FaceSelection& faces);
 
 // Selected faces and boundary loops of a mesh. Loops are stored by their keys.
@@ -34,14 +35,14 @@ struct MeshSelection {
   bool operator==(const MeshSelection&) const = default;
 };
 
-// Undo history of the selection during a session. Selecting is not an edit of the document, so it has a small history
-// of its own.
+// The undo history of the selection during a session. Selecting is not an edit of the document, so the selection has
+// its own history.
 class SelectionHistory {
  public:
   explicit SelectionHistory(MeshSelection first) { m_steps.push_back(std::move(first)); }
 
   const MeshSelection& present() const { return m_steps[m_at]; }
-  // Adds a step, unless it selects the same.
+  // Adds a step, unless the selection is the same as the present one.
   void change(MeshSelection selection);
   // Replaces the present selection without a step, because part of it no longer exists.
   void replacePresent(MeshSelection selection) { m_steps[m_at] = std::move(selection); }

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Return the reason why OpenMesh changed nothing, as MeshChange::reason. Null if it changed something.
+// Return the reason why OpenMesh changed nothing, as in MeshChange::reason; null if it changed something.
 const char* reasonOf(OpenMeshRefusal refusal);
 const char* reasonOf(const SchemeOutcome& outcome);
 

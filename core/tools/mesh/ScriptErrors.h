@@ -4,7 +4,7 @@
 
 #include "base/Error.h"
 
-// Codes of the errors of steps, the lines of text that edit a mesh.
+// The error codes of script steps, the lines of text that edit a mesh.
 namespace handwheel::ScriptError {
 
 extern const ErrorDescription Malformed;  // {what is wrong, as a clause in English}

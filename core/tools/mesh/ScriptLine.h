@@ -17,8 +17,8 @@
 namespace handwheel {
 
 // Writes an edit of a document as a line of text (a step). A step is a verb, operands, and options "--name value",
-// separated by blanks. Lists have commas and no blanks: "delete 1-20,33", "place --move 0,0,5". Numbers are written
-// with the fewest digits that read back as the same, in any locale.
+// separated by blanks. Lists are separated by commas without blanks: "delete 1-20,33", "place --move 0,0,5". Numbers
+// are written with the fewest digits that read back as the same, in any locale.
 class ScriptLineWriter {
  public:
   explicit ScriptLineWriter(std::string_view verb) : m_text(verb) {}
@@ -37,8 +37,8 @@ std::string rangesText(const FaceSelection& faces);                             
 std::string pairsText(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);  // "1:5,7:9"
 std::string pointText(const Vec3& p);                                                      // "0,0,5"
 
-// Parses an untrusted line of text as a step. A requested value that is missing or out of bounds becomes the problem,
-// of which the first counts; the value returned then is meaningless.
+// Parses an untrusted line of text as a step. A requested value that is missing or out of bounds is recorded as a
+// problem, and the value returned for it is meaningless. Only the first problem is kept.
 class ScriptLineReader {
  public:
   explicit ScriptLineReader(std::string_view text);
@@ -46,22 +46,24 @@ class ScriptLineReader {
   const std::string& verb() const { return m_verb; }
   bool isGood() const { return m_problem.empty(); }
   void complain(std::string problem);
-  // Returns StepMalformed {what is wrong} if there is a problem, also for operands and options that were not requested.
+  // Returns the status of the whole line. Error: ScriptError::Malformed if there is a problem, including operands and
+  // options that were not requested.
   Status status() const;
 
   bool hasWord() const { return m_next < m_words.size(); }
-  std::string word(const char* what);  // the next operand
-  std::string line(const char* what);  // the text after the verb, verbatim
+  std::string word(const char* what);  // returns the next operand
+  std::string line(const char* what);  // returns the text after the verb, verbatim
 
-  // Returns all options of the operation; those not given have the defaults.
+  // Returns all options of the operation. Options that are not given have their default values.
   OperationValues values(const Operation& operation);
 
-  // Returns an index. what: the noun for the message, such as "triangle"; count: the index must be less.
+  // Returns an index. what: the noun for the message, such as "triangle"; count: the index must be less than this
+  // number.
   std::uint32_t index(std::string_view word, const char* what, std::size_t count);
   std::vector<std::uint32_t> indices(std::string_view list, const char* what, std::size_t count);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(std::string_view list, const char* what,
                                                              std::size_t count);
-  // slots: number of face slots of the mesh; the caller leaves out faces that no longer exist.
+  // slots: number of face slots of the mesh; the caller must remove faces that no longer exist.
   FaceSelection faces(std::string_view ranges, std::size_t slots);
   Vec3 point(std::string_view word);  // mm
 

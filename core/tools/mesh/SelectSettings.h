@@ -16,12 +16,12 @@ struct SelectSettings {
 
   Mode mode = Mode::Click;
   Unit brushUnit = Unit::Pixels;
-  double brushLength = 5.0;   // mm; radius
-  double brushPixels = 24.0;  // logical pixels; radius
-  double angle = 0.35;        // radian, between the normals of neighbours
+  double brushLength = 5.0;   // radius, mm
+  double brushPixels = 24.0;  // radius, logical pixels
+  double angle = 0.35;        // largest angle between the normals of neighbouring faces, radian
   bool through = false;       // the lasso also selects back-facing or hidden faces
 
-  // The radius of the brush at a point, mm.
+  // Returns the radius of the brush at a point, mm.
   double brushRadius(const PickRay& pickRay, const Vec3& at) const {
     return brushUnit == Unit::Pixels ? brushPixels * pickRay.pixelAt(at) : brushLength;
   }
@@ -30,7 +30,7 @@ struct SelectSettings {
 
   // Returns the settings that apply in the present mode.
   std::vector<Property> properties() const;
-  // Sets a setting. Numbers are clamped to their limits. Returns false for an unknown id or a value of another type.
+  // Changes a setting. Numbers are clamped to their limits. Returns false for an unknown id or a value of another type.
   bool set(std::string_view id, const PropertyValue& value);
 };
 

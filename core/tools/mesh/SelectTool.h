@@ -15,11 +15,12 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that selects faces and holes. Modes: click, brush, lasso, connected component, or smooth region up to an angle.
-// Shift adds, Control removes. Selecting is not an edit of the document; deleting the selection is one.
+// Tool that selects faces and holes. The modes are click, brush, lasso, connected component, and smooth region up to an
+// angle. Shift adds to the selection, Control removes from it. Selecting is not an edit of the document; deleting the
+// selection is one.
 class SelectTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's.
+  // Only the destructor may be called after the document has been destroyed.
   SelectTool(MeshDocument& document, MeshServices services, MeshSelection selection = {});
   ~SelectTool() override;
 
@@ -34,7 +35,7 @@ class SelectTool : public Tool {
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
-  std::vector<Property> settings() const override;  // with the number of selected faces
+  std::vector<Property> settings() const override;  // includes the number of selected faces
   void setSetting(std::string_view id, const PropertyValue& value) override;
   SnapTargets snapTargets() const override;
   void documentChanged() override;
@@ -99,7 +100,8 @@ class SelectTool : public Tool {
   std::optional<Vertex> m_hoveredLoop;
   std::optional<std::pair<Vec3, double>> m_circle;
 
-  // The running job; results of others are late and ignored. Dies with the tool.
+  // Identifies the running job; results of earlier jobs are ignored. It is destroyed with the tool, so that later
+  // results are ignored too.
   std::shared_ptr<const int> m_job;
 };
 

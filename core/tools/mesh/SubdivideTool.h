@@ -13,7 +13,7 @@ class MeshDocument;
 // Tool that subdivides a whole mesh by a scheme (subdivideAll()). The initial scheme leaves the surface unchanged.
 class SubdivideTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's.
+  // Only the destructor may be called after the document has been destroyed.
   SubdivideTool(MeshDocument& document, MeshServices services);
 
   static std::span<const ToolKey> keys();

@@ -9,16 +9,16 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that moves, rotates and scales a whole mesh by numbers. It also has standard placements: onto its largest flat
-// face, along its main axes, to the origin. The resulting bounding box is shown. The numbers are those of the next edit
-// and are reset after each, so that nothing is scaled twice.
+// Tool that moves, rotates and scales a whole mesh by numbers. It also offers standard placements: onto the largest
+// flat face, along the main axes, or at the origin. The resulting bounding box is shown. The numbers describe the next
+// edit and are reset after it, so that the mesh is not scaled twice.
 class TransformTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's.
+  // Only the destructor may be called after the document has been destroyed.
   TransformTool(MeshDocument& document, MeshServices services)
       : m_document(document), m_services(std::move(services)) {}
 
-  // The transformation of the present mesh.
+  // Returns the transformation of the present mesh that the numbers describe.
   Eigen::Affine3d placement() const;
 
   static std::span<const ToolKey> keys();

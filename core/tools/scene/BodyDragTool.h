@@ -13,7 +13,7 @@ namespace handwheel {
 
 class Document;
 
-// Returns the undo text of removing these bodies.
+// Returns the text of the undo step that removes these bodies.
 QString removeBodiesText(const BodySet& bodies, const std::set<BodyId>& ids);
 
 // The first hit of a ray on a body.
@@ -23,18 +23,18 @@ struct BodyPick {
 };
 
 // Tool that selects bodies by a click and moves them by dragging. A body moves on the horizontal plane through the
-// grabbed point; with Shift, or where that plane is seen from the side, along Z. Its position snaps to a step that fits
-// the zoom, except with Ctrl. Releasing commits one edit.
+// grabbed point. With Shift, or if that plane is seen from the side, the body moves along Z. Its position snaps to a
+// step that fits the zoom, except with Ctrl. When the button is released, the move is committed as one edit.
 class BodyDragTool : public Tool {
  public:
   using Pick = std::function<std::optional<BodyPick>(const Ray&)>;
-  // document: must be a BodyOwner, too. selection: must outlive the tool.
+  // The document must be a BodyOwner, too. The selection must outlive the tool.
   template <class OwningDocument>
   BodyDragTool(OwningDocument& document, BodySelection& selection, Pick pick)
       : m_document(document), m_owner(document), m_selection(selection), m_pick(std::move(pick)) {}
 
   bool isDragging() const { return m_drag.has_value(); }
-  // Returns the body at its dragged pose; null if none is dragged, or it has not moved.
+  // Returns the body at its dragged pose; null if no body is dragged, or the dragged body has not moved.
   const Body* moved() const { return m_drag && m_drag->floor.hasMoved() ? &m_drag->body : nullptr; }
 
   static std::span<const ToolKey> keys();

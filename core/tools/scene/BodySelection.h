@@ -10,12 +10,13 @@
 
 namespace handwheel {
 
-// The selected bodies of a document, shared by tools, menus and panels. Window thread.
+// The selected bodies of a document, shared by tools, menus and panels. Its functions must be called on the window
+// thread.
 class BodySelection {
  public:
   const std::set<BodyId>& bodies() const { return m_bodies; }
   bool empty() const { return m_bodies.empty(); }
-  // Returns the selected body; nothing unless exactly one is selected.
+  // Returns the selected body, or nothing unless exactly one body is selected.
   std::optional<BodyId> body() const { return m_bodies.size() == 1 ? std::optional(*m_bodies.begin()) : std::nullopt; }
 
   void select(BodyId body) { selectAll({body}); }

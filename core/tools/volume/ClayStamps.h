@@ -10,15 +10,16 @@
 
 namespace handwheel {
 
-// The stamps that a clay tool offers: the built-in ones, and those that were loaded. Window thread.
+// The stamps that a clay tool offers: built-in and loaded ones. All functions must be called on the window thread.
 class ClayStamps {
  public:
-  // Names of the choices in the setting; the first means no stamp. English, context "Property", or the names of files.
+  // Returns the names of the choices in the setting; the first means no stamp. The others are English text, translated
+  // in the context "Property", or the names of files.
   std::vector<std::string> names() const;
   std::size_t count() const { return 1 + kBuiltInStamps + m_loaded.size(); }
-  // Returns a stamp by its index in names(); null: no stamp. Each built-in stamp is made on its first use.
+  // Returns a stamp by its index in names(), or null for no stamp. Each built-in stamp is made on its first use.
   std::shared_ptr<const ClayStamp> at(std::size_t number) const;
-  // Adds a stamp, or replaces the one that was loaded under this name. Returns its index.
+  // Adds a stamp, or replaces the stamp that was loaded under this name. Returns its index.
   std::size_t add(const std::string& name, std::shared_ptr<const ClayStamp> stamp);
 
  private:

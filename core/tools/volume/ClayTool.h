@@ -12,14 +12,14 @@
 namespace handwheel {
 
 // Tool that sculpts a volume like clay. While the button is held, it adds, carves, inflates, smooths, flattens, moves,
-// attracts, pinches or masks the material that it passes; this is one undo step. The mouse moves it over the surface as
-// it was when the button was pressed; a haptic device feels the clay and sculpts at its tip.
+// attracts, pinches or masks the material along its path; this is one undo step. The mouse moves the tool over the
+// surface as it was when the button was pressed; a haptic device feels the clay and sculpts at its tip.
 class ClayTool : public VolumeTool {
  public:
   static constexpr double kRate = 60.0;  // steps of the simulation per second
 
-  // The source of stamps. load: asks for a file and adds its stamp, which the setting "stamp" then selects by its
-  // index; none: stamps cannot be loaded.
+  // The source of stamps. load: function that asks for a file and adds its stamp, which the setting "stamp" then
+  // selects by its index; null: stamps cannot be loaded.
   struct StampServices {
     std::shared_ptr<ClayStamps> stamps = std::make_shared<ClayStamps>();
     std::function<void()> load = {};
@@ -30,7 +30,8 @@ class ClayTool : public VolumeTool {
 
   ClayFeel feelAtDevice() const override;
 
-  // Sets the listener for refused strokes: the topmost layer does not accept them, or the volume is to be drilled.
+  // Sets the function that is called when a stroke is refused: the topmost layer accepts no strokes, or the volume is
+  // to be drilled.
   void whenRefused(std::function<void()> listener) { m_refused = std::move(listener); }
 
   static std::span<const ToolKey> keys();
@@ -53,7 +54,7 @@ class ClayTool : public VolumeTool {
   // The geometry of a gesture with the mouse.
   struct Grip {
     std::shared_ptr<const VolumeSnapshot> surface;  // surface that the gesture follows
-    Vec3 point, across;                             // plane of a move
+    Vec3 point, across;                             // a point and the normal of the plane in which material is moved
   };
 
   ClayBrush brushFor(const Modifiers& modifiers) const;
@@ -61,7 +62,8 @@ class ClayTool : public VolumeTool {
   std::shared_ptr<const ClayState> state() const;
   double lift(double pressure) const;
   std::optional<Vec3> positionOf(const PointerEvent& event) const;
-  // Returns the reason why strokes with a brush have no effect; English, context "Tool". Null: they have.
+  // Returns the reason why strokes with a brush have no effect, or null if they have. It is English text, translated in
+  // the context "Tool".
   const char* obstacle(const ClayBrush& brush) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
@@ -74,14 +76,14 @@ class ClayTool : public VolumeTool {
   void setMask(const char* text, std::shared_ptr<const ClayMask> mask);
 
   VolumeDocument& m_document;
-  ClayBrush m_brush;    // brush of the settings
-  ClayBrush m_present;  // brush of the gesture, with the modifiers that were held
+  ClayBrush m_brush;    // brush according to the settings
+  ClayBrush m_present;  // brush of the gesture, with the modifier keys that are held
   double m_resistance = 0.05;
   StampServices m_stamps;
   std::size_t m_stamp = 0;  // index of the stamp
   SimulatedGesture m_gesture;
-  // True while the simulation applies the rest of a finished stroke, and after it was told of the end. Events of the
-  // hand wait meanwhile.
+  // State of a gesture that ends. m_isEnding: the simulation is applying the rest of the stroke, and events of the hand
+  // wait. m_isClosed: the simulation was told of the end.
   bool m_isEnding = false, m_isClosed = false;
   std::vector<PointerEvent> m_waiting;
   std::optional<Grip> m_grip;

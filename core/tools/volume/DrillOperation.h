@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Drills a volume along a path.
+// Returns the operation that drills a volume along a path.
 const Operation& drillOperation();
 
 // Returns the drill that the parameters describe. Errors: VolumeErrors::NoSuchDrill, NoSuchDrillMaterial.
@@ -29,12 +29,12 @@ struct Drilled {
   double seconds = 0.0;                     // duration of the path
 };
 
-// Drills along a path of the head's centre in cycles of `rate` Hz; the shank is the +z axis of the poses. Errors:
+// Drills along a path of the head's centre in cycles of `rate` Hz. The shank is the +z axis of the poses. Errors:
 // VolumeErrors::PathTooLong (more poses than DrillRecord::kMostPoses), Cancelled.
 Result<Drilled> drillAlong(SparseVolume volume, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
-// Drills a part whose voxels are made along the path. Ends early if they turn out not to be exact. Additional error:
-// VolumeErrors::TooLarge, once the cut takes more memory than the system has.
+// Drills a part whose voxels are made along the path. Ends early if the voxels turn out not to be exact. Additional
+// error: VolumeErrors::TooLarge, if the cut takes more memory than the system has.
 Result<Drilled> drillAlong(HybridPart& part, const DrillSetup& setup, const PoseTrajectory& path, double rate,
                            Progress progress);
 

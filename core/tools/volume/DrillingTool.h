@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Tool that drills a volume by hand. A hole is one undo step, and its record is stored with it. In an exercise the
-// drill is that of the task, and the hole is compared with the planned path.
+// Tool that drills a volume by hand. A hole is one undo step, and its record is stored with it. In an exercise, the
+// drill is specified by the task, and the hole is compared with the planned path.
 class DrillingTool : public HandDrill {
  public:
   DrillingTool(VolumeDocument& document, const SimulationServices& services);
@@ -33,7 +33,7 @@ class DrillingTool : public HandDrill {
   void drop(const DrillState& hole) override;
 
   VolumeDocument& m_document;
-  std::shared_ptr<const DrillingTask> m_task;  // null: not an exercise
+  std::shared_ptr<const DrillingTask> m_task;  // null: the document is not an exercise
   std::size_t m_lastCount = 0;                 // number of the document's holes after the last one was added
 };
 

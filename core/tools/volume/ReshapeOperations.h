@@ -10,27 +10,27 @@
 
 namespace handwheel {
 
-// Leaves a wall along the surface of a volume, with a thickness and a side.
+// Returns the operation that leaves a wall along a volume's surface. Its parameters are the thickness and the side.
 const Operation& shellOperation();
-// Moves the surface of a volume outwards or inwards.
+// Returns the operation that moves the surface of a volume outwards or inwards.
 const Operation& offsetOperation();
-// Unites a volume with another, subtracts it, or intersects them.
+// Returns the operation that unites two volumes, subtracts one from the other, or intersects them.
 const Operation& booleanOperation();
-// Removes parts that are smaller than a ball of a diameter; the largest part stays.
+// Returns the operation that removes parts smaller than a ball with a given diameter. The largest part always remains.
 const Operation& debrisOperation();
-// Fills gaps that a ball of a radius cannot enter.
+// Returns the operation that fills gaps that a ball with a given radius cannot enter.
 const Operation& gapsOperation();
-// Smooths small bumps and dents of the whole surface.
+// Returns the operation that smooths small bumps and dents of the whole surface.
 const Operation& smoothOperation();
 
-// Converts between the number of voxels of a ball, rounded to an integer, and its diameter, mm.
+// Converts the number of voxels of a ball, rounded to an integer, to its diameter in mm, and vice versa.
 double diameterOf(std::uint64_t voxels, double voxel);
 std::uint64_t voxelsOf(double diameter, double voxel);
 
-// Returns the number of parts that stay, by the values of debrisOperation().
+// Returns the number of parts that remain with the values of debrisOperation().
 std::size_t keptParts(const VolumeParts& parts, const OperationValues& values, double voxel);
 
-// Returns the volume after one of these operations. Errors: Cancelled, VolumeErrors::NothingLeft; those of shellOf(),
+// Returns the volume after an operation. Errors: Cancelled, VolumeErrors::NothingLeft; the errors of shellOf(),
 // movedSurface(), combined() and withoutGaps().
 Result<SparseVolume> makeShell(const SparseVolume& volume, const OperationValues& values, Progress progress);
 Result<SparseVolume> makeOffset(const SparseVolume& volume, const OperationValues& values, Progress progress);

@@ -12,38 +12,38 @@
 
 namespace handwheel {
 
-// A body that a volume can be combined with.
+// A body with which a volume can be combined.
 struct OtherBody {
-  std::string key;   // unique and constant while the body is offered
-  std::string name;  // name of its document or file; UTF-8
-  // Returns its material, preferably in this grid. Any thread.
+  std::string key;   // unique, and constant while the body is offered
+  std::string name;  // name of the body's document or file, UTF-8
+  // Function that returns the material of the body, preferably in this grid. It may be called on any thread.
   std::function<Result<SparseVolume>(const SparseVolume& grid, Progress)> material;
 };
 
-// The services of the owner of the jobs for the tool. All are called on the window thread.
+// The services that the window provides for the tool. All are called on the window thread.
 struct ReshapeServices {
   struct Job {
-    const char* name;  // English, context "Tool"
+    const char* name;  // English text, translated in the context "Tool"
     std::function<std::function<void()>(Progress)> work;
   };
-  // Starts a job and cancels the previous one; its result reaches the tool through ToolRunner::deliver(). A cancelled
-  // job calls stopped instead.
+  // Function that starts a job and cancels the previous one. The result of the job reaches the tool through
+  // ToolRunner::deliver(); if the job is cancelled, `stopped` is called instead.
   std::function<void(Job, std::function<void()> stopped)> run;
   std::function<void()> cancel;
-  std::function<std::vector<OtherBody>()> bodies;  // bodies that can be combined with the volume at present
+  std::function<std::vector<OtherBody>()> bodies;  // returns the bodies with which the volume can currently be combined
   std::function<void()> addFile;                   // lets the user choose a file that is added to the bodies
   std::function<void(const Error&)> failed;
 };
 
-// Tool that changes a volume as a whole: shell, offset, boolean, debris, gaps, smoothing. The result is computed as a
-// job and shown instead of the volume until it is committed as one step.
+// Tool that changes a volume as a whole: shell, offset, boolean, debris, gaps, smoothing. A job computes the result,
+// which is shown instead of the volume until it is committed as one step.
 class ReshapeTool : public Tool {
  public:
   enum class Change { Shell, Offset, Boolean, Debris, Gaps, Smooth };
   static constexpr int kChanges = 6;
   static const Operation& operation(Change change);
 
-  // The document must outlive all calls except the destructor.
+  // The document must outlive all calls except that of the destructor.
   ReshapeTool(VolumeDocument& document, ReshapeServices services, Change change);
 
   static std::span<const ToolKey> keys();
@@ -83,14 +83,14 @@ class ReshapeTool : public Tool {
   std::vector<OperationValues> m_values;  // values of each change
   std::vector<OtherBody> m_bodies;        // bodies in the order of the setting
   std::size_t m_body = 0;
-  std::optional<Made> m_made;                  // result for the present settings
-  std::shared_ptr<const VolumeParts> m_parts;  // parts of the present volume; null: unknown
+  std::optional<Made> m_made;                  // result for the current settings
+  std::shared_ptr<const VolumeParts> m_parts;  // parts of the current volume; null: unknown
   std::uint64_t m_request = 0;                 // number of the last request
   std::shared_ptr<const int> m_alive =
-      std::make_shared<const int>();  // expires with the tool, for results that arrive later
+      std::make_shared<const int>();  // expires with the tool, for results that arrive after its destruction
   bool m_isWorking = false;
-  bool m_isProposing = true;  // results for the settings are computed automatically
-  bool m_isToCommit = false;  // commit as soon as the result is available
+  bool m_isProposing = true;  // true if results for the settings are computed automatically
+  bool m_isToCommit = false;  // true if the result is committed as soon as it is available
 };
 
 }  // namespace handwheel

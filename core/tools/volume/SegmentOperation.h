@@ -18,7 +18,8 @@ namespace handwheel {
 // voxel, and a flag for smoothing.
 const Operation& segmentOperation();
 
-// Parses a range: "300:2000", or open at an end, "300:" or ":50". None for any other text.
+// Parses a range such as "300:2000", or one that is open at an end: "300:" or ":50". Returns nothing for any other
+// text.
 std::optional<ValueRange> rangeIn(std::string_view text);
 
 struct Segmented {
@@ -28,10 +29,11 @@ struct Segmented {
   std::size_t kept = 0;
 };
 
-// Makes a volume of an image. An empty range means all values above otsuThreshold(). begin: called before the volume is
-// made, with its voxel, mm, and the bytes that it needs; an error of it ends the work. Errors: those of
-// volumeOfImage(); VolumeErrors::NothingInRange also where smoothing leaves nothing.
+// A function that is called before a volume is made. voxel: edge of a voxel, mm. bytes: memory that the volume needs.
+// An error that it returns ends the work.
 using BeginMaking = std::function<Status(double voxel, double bytes)>;
+// Makes a volume of an image. An empty range means all values above otsuThreshold(). Errors: those of volumeOfImage()
+// and of `begin`; VolumeErrors::NothingInRange also if smoothing leaves nothing.
 Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress,
                           const BeginMaking& begin = {});
 

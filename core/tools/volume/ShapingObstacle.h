@@ -6,7 +6,8 @@ namespace handwheel {
 
 class VolumeDocument;
 
-// Returns the reason why only the drill may change a volume. Null: all tools may. English, context "Tool".
+// Returns the reason why only the drill may change a volume. Returns null if all tools may. It is English text,
+// translated in the context "Tool".
 const char* shapingObstacle(const VolumeDocument& document);
 
 }  // namespace handwheel

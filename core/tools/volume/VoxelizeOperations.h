@@ -18,23 +18,24 @@ namespace handwheel {
 Parameter lengthParameter(const char* id, const char* label, std::string meaning, double least = 1e-9,
                           double largest = 1e9);
 
-// Makes a volume of a surface: its parameters are the voxel, the method and the thickness of walls.
+// Returns the operation that makes a volume from a surface. Its parameters are the voxel, the method and the thickness
+// of walls.
 const Operation& voxelizeOperation();
 
-// Makes a mesh of a volume's surface, with fewer triangles if the parameters require it.
+// Returns the operation that makes a mesh from a volume's surface, with fewer triangles if the parameters require it.
 const Operation& remeshOperation();
 
 struct Remeshed {
   HalfEdgeMesh mesh;
-  std::size_t before = 0;                 // triangles of the surface
-  std::optional<double> largestDistance;  // largest distance from it, mm; none: not reduced
+  std::size_t before = 0;                 // number of triangles of the surface
+  std::optional<double> largestDistance;  // largest distance from the surface, mm; none: not reduced
 };
 
-// Returns the approximate number of triangles of remesh(): that of the surface, or the requested one; for a distance it
-// is estimated on sample pieces of the surface. 0 if cancelled.
+// Returns the approximate number of triangles of remesh(): that of the surface, or the requested number. For a largest
+// distance, it is estimated from sample pieces of the surface. Returns 0 if cancelled.
 double predictedTriangles(const VolumeSurface& surface, const OperationValues& values, Progress progress = {});
 
-// Errors: Cancelled.
+// Makes the mesh of remeshOperation(). Error: Cancelled.
 Result<Remeshed> remesh(const SparseVolume& volume, const OperationValues& values, Progress progress);
 
 }  // namespace handwheel

@@ -13,25 +13,25 @@
 
 namespace handwheel {
 
-// The settings for making a volume of a surface, with the cost. The voxel is proposed until one is chosen: as a share
-// of the extent, or for drilling by the rule of drilling, if that suits the size of the part.
+// The settings for making a volume of a surface, and the cost. A voxel is proposed until the user chooses one: a
+// fraction of the extent, or, for drilling, the voxel by the rule of drilling if it suits the size of the part.
 class VoxelizeSettings {
  public:
   // The reason for the size of the voxel.
   enum class Reason {
-    Drilling,  // whole steps of density at 1 mm/s and 1 kHz (drillVoxel())
-    Extent,    // usualVoxel()
-    Wall,      // four voxels per wall
+    Drilling,  // the rule of drilling: whole steps of density at 1 mm/s and 1 kHz (drillVoxel())
+    Extent,    // a fraction of the extent: usualVoxel()
+    Wall,      // the walls: four voxels per wall
     Chosen,
   };
 
   // The purpose of the volume.
   enum class Purpose { Any, Drilling };
 
-  // O(n).
+  // Measures the surface. O(n).
   explicit VoxelizeSettings(const TriangleSoup& surface, Purpose purpose = Purpose::Any);
 
-  // Returns voxel, method and wall thickness; 0: none.
+  // Returns the properties: the voxel, the method, and the wall thickness. Wall thickness 0: no walls.
   std::vector<Property> properties() const;
   void change(std::string_view id, const PropertyValue& value);
 
@@ -39,13 +39,13 @@ class VoxelizeSettings {
   Reason reason() const;
   std::optional<double> wall() const;  // mm
   VoxelMethod method() const;
-  double across() const;  // voxels along the largest extent
-  double bytes() const;   // predictedMakingBytes()
+  double across() const;  // number of voxels along the largest extent
+  double bytes() const;   // memory by predictedMakingBytes()
   double seconds() const;
 
  private:
   double proposed(Reason& reason) const;
-  double area() const;  // mm², including both sides of walls
+  double area() const;  // mm², including both sides of the walls
 
   Purpose m_purpose;
   WallMeasure m_measure;

@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// Returns the intersection of a ray and the plane of the axis facing the viewer. The plane contains the axis, z, and
-// faces the viewer as far as it can; mm. None: the ray is along the axis, or the intersection is behind the viewer.
+// Returns the intersection of a ray with the axis plane that faces the viewer. The plane contains the axis, z, and
+// faces the viewer as far as possible. Positions are in mm. Returns nothing if the ray is along the axis or if the
+// intersection is behind the viewer.
 std::optional<Vec3> intersectAxisPlane(const Ray& ray);
 
 }  // namespace handwheel

@@ -9,19 +9,19 @@
 
 namespace handwheel {
 
-// The operation "train": trains a model of cutting forces on a table of cuts.
+// Returns the operation "train", which trains a model of cutting forces on measured cuts.
 const Operation& trainOperation();
 TrainingOptions trainingOptionsOf(const OperationValues& values);
 
-// Returns the description of 'force': the forces of a cut by each law.
+// Returns the operation "force", which calculates the forces of a cut by each law.
 const Operation& forceOperation();
-// Returns the missing values as a clause; empty if none is missing.
+// Returns the missing values as a clause. The text is empty if no value is missing.
 std::string problemOfForceValues(const OperationValues& values);
 CutConditions cutOf(const OperationValues& values);
 CuttingEdge edgeOf(const OperationValues& values);
 ThrustSettings thrustOf(const OperationValues& values);
 
-// Returns the work that bends: null if it is not given.
+// Returns the slender work that the force bends. Returns nothing if its values are not given.
 std::optional<SlenderWork> slenderWorkOf(const OperationValues& values);
 SpindleDrive driveOf(const OperationValues& values);
 

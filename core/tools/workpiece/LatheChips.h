@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// Returns the chip of a cut as a curled line, for display. It goes from the tip outward and up over the rake, tighter
-// for a thin chip and with more coils for a wide one, and runs with the work. Empty if nothing is cut. tip: mm, in the
-// scene; turns: spindle revolutions. O(1).
+// Returns the chip of a cut as a curled line, for display. The line goes from the tip outward and up over the rake
+// face, and moves with the work. A thin chip is curled more tightly, and a wide chip has more coils. The result is
+// empty if nothing is cut. tip: the position of the tip in the scene, mm; turns: the revolutions of the spindle. O(1).
 std::vector<std::vector<Vec3>> chipCurl(const LatheLoad& load, const Vec3& tip, double turns);
 
 }  // namespace handwheel

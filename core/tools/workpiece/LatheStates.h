@@ -11,14 +11,14 @@
 
 namespace handwheel {
 
-// The state of a lathe at each part of a document, for undo and redo. Keeps no part alive.
+// The states of a lathe at the versions of a part, for undo and redo. They keep no version alive.
 class LatheStates {
  public:
   using Part = std::shared_ptr<const TurnedPart>;
 
-  // part: null for the uncut bar.
+  // Stores the state of the lathe at a version of the part. part: null for the uncut bar.
   void note(const Part& part, const LatheState& state);
-  std::optional<LatheState> of(const Part& part) const;  // none: not noted. O(parts)
+  std::optional<LatheState> of(const Part& part) const;  // none: no state is stored; O(parts)
 
  private:
   std::optional<LatheState> m_ofBar;

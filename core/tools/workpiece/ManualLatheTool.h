@@ -18,9 +18,10 @@
 namespace handwheel {
 
 // Tool that works a part on a manual lathe. Keys and commands turn the handwheels and work the levers; the mouse drags
-// the tool in the plane through the axis, a haptic device holds it. All cuts until the tool has been clear for kIdle,
-// or the tool ends, are one undo step; undo stops the slides, and takes a tool out of the material that comes back. A
-// crash stops the lathe, is listed, and recorded in the document at once; undo does not remove it.
+// the cutting tool in the plane through the axis, or a haptic device holds it. All cuts until the cutting tool has been
+// clear of the part for kIdle, or until this tool ends, are one undo step. Undo stops the slides, and takes a cutting
+// tool out of material that comes back. A crash stops the lathe, is listed, and is recorded in the document at once;
+// undo does not remove the crash.
 class ManualLatheTool : public Tool, public UnfinishedGesture {
  public:
   static constexpr double kIdle = 0.8;  // s
@@ -29,7 +30,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   struct Left {
     LatheSetup setup;
     LatheState state;         // state with all levers off
-    bool wasTurning = false;  // the spindle was turning until then
+    bool wasTurning = false;  // true: the spindle was turning until then
   };
 
   // Initial values, from the settings turn.spacing, turn.force_model and turn.step.
@@ -37,7 +38,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
     double spacing = 0.0;  // mm, distance between the samples of an uncut bar
     ForceLaw law = ForceLaw::Kienzle;
     double step = turnStepSetting().standard;  // ms, step of the simulation
-    double forceLimit = 0.0;                   // N, limit of the exercise; 0: any
+    double forceLimit = 0.0;                   // N, limit of the exercise; 0: no limit
     // State of the lathe at the end of the previous tool for this document, updated at the end of this one; null: the
     // initial state.
     std::shared_ptr<std::optional<Left>> left{};
@@ -50,32 +51,32 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
   const LatheTools& tools() const { return m_tools; }
-  double forceLimit() const { return m_forceLimit; }  // N, limit of the exercise that it is work on; 0: none
-  // The material of the part; never null. It changes when the document names another material.
+  double forceLimit() const { return m_forceLimit; }  // N, limit of the exercise; 0: no limit
+  // Returns the material of the part; never null. The material changes when the document names another material.
   const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }
   LatheSetup setup() const { return latheOf(m_document.workpiece()); }
 
-  // Returns true if it began with all slides and wheels as they were left.
+  // Returns true if the tool began with all slides and wheels as they were left.
   bool isWhereLeft() const { return m_isWhereLeft; }
 
   // Returns the present state; never null.
   std::shared_ptr<const LatheMoment> moment() const;
   // Returns all crashes since the tool began, in order.
   std::vector<LatheCollision> collisions() const;
-  // Returns all warnings, likewise.
+  // Returns all warnings since the tool began, in order.
   std::vector<LatheWarning> warnings() const;
-  // Returns the zero of the Z of crashes, mm above the lower end of the bar: shownZero() of the document.
+  // Returns the zero of the Z of crashes, mm above the lower end of the bar. It is shownZero() of the document.
   double eventsZero() const;
   // Returns the values of the read-out: X as diameter or radius, by the setup, and Z; mm.
   ProfilePoint readout() const;
-  // Returns whether the tool in use was touched off, in X and in Z; the read-out is meaningless before.
+  // Returns whether the tool in use was touched off, in X and in Z; the read-out is meaningless until then.
   std::array<bool, 2> isTouchedOff() const;
 
-  // Number of times that the tool was taken out of material that undo or redo brought back.
+  // Returns the number of times that the tool was taken out of material that undo or redo brought back.
   int returnCount() const { return m_returns; }
 
-  // Returns the roughness Ra of the part at the tip, µm; none: it is not known, or there is no part. For a file, paper
-  // or disk: at the middle of its width.
+  // Returns the roughness Ra of the part at the tip, µm. Returns nothing if it is not known or if there is no part. For
+  // a file, abrasive paper or disk, it is the roughness at the middle of its width.
   std::optional<double> roughnessHere() const;
 
   // Executes a command of a lever or a wheel.
@@ -86,16 +87,16 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   // the nearest face, anywhere along the work, since a turner draws the tool away along the other axis before
   // measuring.
   double touchGap(bool isX) const;
-  static constexpr double kTouching = 0.05;  // mm, touchGap() that counts as touching: a sheet of paper
-  // Touches off: sets the read-out of the tool in use to this value, X as diameter or radius; one undo step.
+  static constexpr double kTouching = 0.05;  // mm, touchGap() that counts as touching: about the thickness of paper
+  // Touches off by setting the read-out of the tool in use to a value, X as diameter or radius. This is one undo step.
   void touchOff(bool isX, double value);
-  // Mounts a tool on a side of the post, or a drill in the tailstock; an empty id takes the tool off. One undo step.
-  // Returns the reason for a refusal.
+  // Mounts a tool on a side of the post, or a drill in the tailstock; an empty id takes the tool off. This is one undo
+  // step. Returns the reason for a refusal, or nothing.
   std::optional<MountRefusal> mount(std::size_t station, const std::string& id);
-  // Replaces the setup of the lathe; one undo step. False: the setup is impossible, and nothing was changed.
+  // Replaces the setup of the lathe as one undo step. Returns false, without a change, if the setup is impossible.
   bool setUp(const LatheSetup& setup, const QString& text);
-  // Records crashes, and ends the pass if the tool has been clear for kIdle, or at once. Returns true if there was a
-  // pass. To be called as soon as hasToCommit() is true.
+  // Records crashes, and ends the pass if the tool has been clear for kIdle or if isAtOnce is true. Returns true if
+  // there was a pass. It has to be called as soon as hasToCommit() is true.
   bool endPass(bool isAtOnce = false);
   bool hasToCommit() const;
 
@@ -140,8 +141,8 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   LatheTools m_tools;
   ForceLaw m_law;
   double m_forceLimit;
-  std::shared_ptr<std::optional<Left>> m_left;  // null: not kept
-  std::string m_materialName;                   // name in the document of m_material
+  std::shared_ptr<std::optional<Left>> m_left;  // null: the state is not kept
+  std::string m_materialName;                   // name of m_material in the document
   std::shared_ptr<const LatheMaterial> m_material;
   std::shared_ptr<LatheChannel> m_channel = std::make_shared<LatheChannel>();
   std::shared_ptr<const TurnedPart> m_part;  // part of the document; null: nothing was cut yet
@@ -153,13 +154,13 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   std::size_t m_recorded = 0;                // number of crashes of this simulation that the document has
   int m_returns = 0;
   bool m_isCommitting = false;
-  bool m_isDragging = false;  // the mouse drags the tool
-  bool m_isRapid = false;     // an action began a power traverse
+  bool m_isDragging = false;  // true: the mouse drags the tool
+  bool m_isRapid = false;     // true: an action began a power traverse
   bool m_showsChips = true;
-  Vec3 m_grab = Vec3::Zero();  // from the mouse to the tip during a drag
+  Vec3 m_grab = Vec3::Zero();  // displacement from the mouse to the tip during a drag
   std::shared_ptr<const LatheDisplay> m_display;
   std::shared_ptr<const LatheSetup> m_displayed;  // the setup that m_display shows
-  mutable PartedBlock m_parted;                   // parted block of the shown part
+  mutable PartedBlock m_parted;                   // result of showPartedOff() for the shown part
   SimulatedGesture m_gesture;
 };
 

@@ -8,11 +8,12 @@
 
 namespace handwheel {
 
-// Returns the name of a pass by its tool: "Drilling pass 3". number: from 1; tool: null for a round nose on this side.
+// Returns the name of a pass according to its tool, such as "Drilling pass 3". number: the number of the pass, from 1;
+// tool: null for a round nose on `side`.
 QString passName(const LatheTool* tool, TurningSide side, const QString& number);
 
-// Returns a text on the last passes of a part for the history: "Boring pass 2–3: −41 mm³". before: number of earlier
-// passes; removed: mm³, by the later ones.
+// Returns a text on the last passes of a part for the history, such as "Boring pass 2–3: −41 mm³". before: the number
+// of earlier passes; removed: the volume that the last passes removed, mm³.
 QString passesText(const TurnedPart& part, std::size_t before, double removed);
 
 }  // namespace handwheel

@@ -8,11 +8,13 @@
 
 namespace handwheel {
 
-// The operation "thread": cuts a thread into a workpiece, between two heights of the document.
+// Returns the operation "thread", which cuts a thread into a workpiece. The thread lies between two positions along Z,
+// in the coordinates of the document.
 const Operation& threadOperation();
 
-// Returns the pass that cuts the thread. The default depth is that of the ISO metric profile, from the present surface:
-// the largest radius of the range outside, the least in a bore. Errors: ElementMalformed {"thread", what is wrong}.
+// Returns the pass that cuts the thread. The default depth is that of the ISO metric profile, measured from the present
+// surface. The surface is at the largest radius of the range outside, and at the least radius in a bore. Errors:
+// ElementMalformed {"thread", what is wrong}.
 Result<TurningPass> threadPass(const WorkpieceSnapshot& workpiece, const OperationValues& values);
 
 }  // namespace handwheel

@@ -12,10 +12,11 @@
 
 namespace handwheel {
 
-// Tool that cuts a turning workpiece by hand. While the button is held the round nose of a lathe tool removes the
-// material that it passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that
-// faces the viewer, and begins at the surface if pressed inside of the part, so that a click alone cuts nothing. A
-// haptic device feels the part and moves the tool anywhere, since the part turns (turning(), source()).
+// Tool that cuts a turning workpiece by hand. While the button is held, the round nose of a lathe tool removes the
+// material that it passes. This is one pass and one undo step. The mouse moves the nose in the plane through the axis
+// that faces the viewer. A pass that begins with a press inside of the part begins at the surface, so a click alone
+// cuts nothing. With a haptic device the user feels the part (TurningForce) and can approach it from any side: the part
+// turns, so the cut depends only on the distance from the axis and on z.
 class TurnTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
@@ -26,7 +27,7 @@ class TurnTool : public Tool {
     TurningMethod method = TurningMethod::Trim;    // turn.method
     double resolution = 0.5;                       // mm (turn.resolution)
     double noseRadius = TurningTool().noseRadius;  // mm, may be that of an exercise
-    double largestFeed = 0.0;                      // mm per revolution, limit of an exercise; 0: any
+    double largestFeed = 0.0;                      // mm per revolution, limit of an exercise; 0: no limit
   };
   TurnTool(WorkpieceDocument& document, const SimulationServices& services, const Start& start);
 
@@ -71,12 +72,12 @@ class TurnTool : public Tool {
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;
-  Vec3 m_lift = Vec3::Zero();  // from the mouse to the tool during its pass
+  Vec3 m_lift = Vec3::Zero();  // displacement from the mouse to the tool during a pass
   std::optional<double> m_tooFast;
   std::optional<Vec3> m_position;                            // displayed position of the tool's centre
   mutable std::shared_ptr<const TurningState> m_shownState;  // the state whose part the preview shows
   mutable std::shared_ptr<const DisplayModel> m_shown;
-  mutable PartedBlock m_parted;  // parted block of m_shown
+  mutable PartedBlock m_parted;  // result of showPartedOff() for m_shown
 };
 
 }  // namespace handwheel

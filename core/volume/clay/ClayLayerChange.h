@@ -11,41 +11,42 @@
 
 namespace handwheel {
 
-// The change that a layer of clay makes: the changed blocks before and after. Other blocks of the volume are not held.
+// The change that a layer of clay makes: its changed blocks before and after. Other blocks of the volume are not
+// stored.
 //
-// Stored depths end at four voxels, and a stroke may be deeper. So that a fraction of the stroke moves the surface by
-// that fraction, distances beyond that are propagated from the samples near the surface through the changed blocks
-// (Sethian 1996; of first order). They are computed on first use.
+// Stored depths end at four voxels, and a stroke may be deeper. Distances beyond that are propagated from the samples
+// near the surface through the changed blocks (Sethian 1996; of first order), so that a fraction of the stroke moves
+// the surface by that fraction. They are computed on first use.
 //
-// Immutable; reading on several threads is safe.
+// Objects are immutable, and may be read on several threads.
 class ClayLayerChange {
  public:
-  // Largest sample that a fraction of a layer produces, so that it never makes a block full or empty. A depth from here
-  // on means "at least so much".
+  // Largest sample that a fraction of a layer produces, so that it never makes a block full or empty. A sample of this
+  // size or more means at least this depth.
   static constexpr int kDeepestSample = VolumeBlock::kFull - 1;
-  static constexpr float kKnownDepth = 3.0f;  // voxels; up to this depth all volumes hold exact distances
+  static constexpr float kKnownDepth = 3.0f;  // voxels; up to this depth, all volumes hold exact distances
 
   ClayLayerChange(const SparseVolume& base, const SparseVolume& top);
   ClayLayerChange(const ClayLayerChange&) = delete;
   ClayLayerChange& operator=(const ClayLayerChange&) = delete;
 
-  // Volumes before and after the change, with only the changed blocks.
+  // The volumes before and after the change. They contain only the changed blocks.
   const SparseVolume& base() const { return m_base; }
   const SparseVolume& top() const { return m_top; }
   // The blocks that differ, in the order of isBlockBefore().
   const std::vector<VoxelIndex>& blocks() const { return m_blocks; }
   bool changes(const VoxelIndex& block) const;
 
-  // Depths of the voxels of a changed block, in voxels.
+  // The depths of the voxels of a changed block, in voxels.
   struct Distances {
     std::array<float, VolumeBlock::kCount> base;  // distance below the surface before the change
     std::array<float, VolumeBlock::kCount>
-        change;  // difference of the distance after the change; 0 where neither surface is near
+        change;  // difference of the distance after the change; 0 if neither surface is near
   };
   // Returns the distances of a block, or null if it is unchanged. The first call takes O(voxels of all changed blocks).
   const Distances* distances(const VoxelIndex& block) const;
 
-  // Memory of the changed blocks before and after.
+  // Returns the memory of the changed blocks before and after the change, bytes.
   std::size_t bytes() const;
 
  private:
@@ -54,7 +55,7 @@ class ClayLayerChange {
   std::vector<VoxelIndex> m_blocks;
   SparseVolume m_base, m_top;
   mutable std::once_flag m_once;
-  mutable std::vector<Distances> m_distances;  // in the order of the blocks
+  mutable std::vector<Distances> m_distances;  // distances of the blocks, in the same order
 };
 
 }  // namespace handwheel

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <vector>
 
-// Helpers shared by dabs on volumes and on masks: a swept ball, and its blocks.
+// Functions that dabs on volumes and on masks share.
 namespace handwheel {
 
-// A ball that is swept along a segment, in voxels of a grid.
+// A ball that is swept along a segment; lengths are in voxels of a grid.
 struct SweptBall {
   Vec3 centre, displacement;  // the displacement ends at the centre
   double radius;
@@ -45,7 +45,7 @@ inline Vec3 middleOf(const VoxelIndex& block) {
   return firstOf(block).cast<double>() + Vec3::Constant(3.5);
 }
 
-// Returns the matching blocks within the bounding box of two points, extended by reach; in voxels.
+// Returns the matching blocks within the bounding box of two points, extended by reach. All lengths are in voxels.
 template <class Matches>
 std::vector<VoxelIndex> blocksAround(const Vec3& a, const Vec3& b, double reach, Matches matches) {
   const VoxelIndex low = SparseVolume::blockOf((a.cwiseMin(b).array() - reach).floor().cast<int>().matrix());
@@ -58,7 +58,7 @@ std::vector<VoxelIndex> blocksAround(const Vec3& a, const Vec3& b, double reach,
   return blocks;
 }
 
-// Replaces the content of the blocks by the result of make(block). Returns the blocks that changed.
+// Replaces the content of each block by the result of make(block). Returns the blocks that changed.
 template <class Make>
 std::vector<VoxelIndex> replace(SparseVolume& volume, const std::vector<VoxelIndex>& blocks, Make make) {
   std::vector<SparseVolume::Content> made(blocks.size());

@@ -8,7 +8,7 @@ namespace handwheel {
 
 enum class DrillShape {
   Ball,   // a ball on a shank that does not cut
-  Burr,   // the same as Ball, under its trade name
+  Burr,   // the same shape as Ball, under its trade name
   Twist,  // a cylinder with a conical tip
   Saw,    // a disc across the spindle
 };
@@ -25,13 +25,13 @@ struct DrillBit {
   static constexpr double kLeastWidth = 0.01;                               // mm
 
   double radius() const { return 0.5 * diameter; }
-  // Distance from the centre to the foremost point, mm. The centre of a twist drill is where its cone has the full
-  // diameter.
+  // Returns the distance from the centre to the foremost point, mm. The centre of a twist drill is where its cone
+  // reaches the full diameter.
   double reach() const;
-  // Distance from the centre to the cutting edge, mm: reach(), or the radius of a saw.
+  // Returns the distance from the centre to the cutting edge, mm: reach(), or the radius of a saw.
   double edge() const { return shape == DrillShape::Saw ? radius() : reach(); }
-  // Returns the depth of a point inside the head, mm; outside, the negative distance. from: the vector from the centre
-  // to the point; axis: unit vector to the shank.
+  // Returns the depth of a point inside the head, mm. Outside, the result is the negative distance. from: the vector
+  // from the centre to the point; axis: unit vector towards the shank.
   double signedDepth(const Vec3& from, const Vec3& axis) const;
 };
 

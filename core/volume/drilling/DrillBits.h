@@ -12,24 +12,24 @@
 
 namespace handwheel {
 
-// A kind of drill bit in the usual size.
+// A kind of drill bit, with its usual size.
 struct DrillBitType {
-  std::string id;  // stable, for files and the command line: "twist"
+  std::string id;  // stable id for files and the command line, such as "twist"
   DrillBit tool;
 
   static constexpr std::size_t kMost = 100;  // largest number of types in a table
 };
 
-// Reads a table of drill bits as in resources/drilling/tools.json. Errors: those of parseJson(), ElementMalformed {the
-// table, the problem and its drill}.
+// Reads a table of drill bits in the form of resources/drilling/tools.json. Errors: the errors of parseJson(),
+// ElementMalformed {the table, the problem and its drill}.
 Result<std::vector<DrillBitType>> drillBitsFromJson(std::string_view text);
 // Returns the built-in drill bits; the first is the default.
 const std::vector<DrillBitType>& drillBits();
 
-// Returns the drill bit for a word such as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8": the id, the
-// diameter in mm, and the width of a saw. None if the word is not valid.
+// Returns the drill bit for a word such as "ball:6", "twist:6", "burr:4", "saw:30" or "saw:30:0.8". A word consists of
+// the id, the diameter in mm, and the width of a saw. Returns nothing if the word is not valid.
 std::optional<DrillBit> drillBitOf(std::string_view word);
-// The inverse of drillBitOf().
+// Returns the word for a drill bit; the inverse of drillBitOf().
 std::string wordOf(const DrillBit& bit);
 
 }  // namespace handwheel

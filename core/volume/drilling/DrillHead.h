@@ -23,12 +23,13 @@ class DrillHead {
 
   bool isBall() const { return m_isBall; }
 
-  // Returns the depth of a point inside the head, in the tool's unit; negative outside, with at most the distance as
-  // its amount. from: the vector from the centre to the point; axis: unit vector to the shank.
+  // Returns the depth of a point inside the head, in the unit of the tool. Outside, the result is negative and its
+  // magnitude is at most the distance. from: the vector from the centre to the point; axis: unit vector towards the
+  // shank.
   double inside(const Vec3& from, const Vec3& axis) const { return row<1>(from, axis, 0.0, 0.0)[0]; }
 
-  // Returns upper bounds of inside() for a head that moves by at most `across` and `along` its axis, at Count points,
-  // each one unit further along x.
+  // Returns upper bounds of inside() at Count points, each one unit further along x, for a head that moves by at most
+  // `across` its axis and `along` it.
   template <int Count>
   Eigen::Array<double, Count, 1> row(const Vec3& from, const Vec3& axis, double across, double along) const {
     using Row = Eigen::Array<double, Count, 1>;

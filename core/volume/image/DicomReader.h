@@ -11,23 +11,23 @@ namespace handwheel {
 
 inline constexpr const char* kDicomLibrary = "GDCM";
 
-// The series that is read if the files contain several.
+// The choice of a series if the files contain several. OfFirst: the series of the first file.
 enum class DicomChoice { OfFirst, Largest };
 
 // Appends a file to the input of readDicom().
 void appendDicomFile(std::string_view file, std::string& files);
 
-// Reads the image of a series of DICOM from its files in any order, in a process of its own (IsolatedReader.h): its
-// slices in the order of their positions, rescaled. Tilted slices stay as they are (ImageGrid); for uneven and missing
-// slices there is a remark, and values between them are interpolated linearly. No data about the patient is returned.
-// Errors: LibraryFailed with the reason, OutOfMemory, Cancelled.
+// Reads the image of a DICOM series from its files in any order, in a separate process (IsolatedReader.h). The slices
+// are sorted by their positions and rescaled. Tilted slices stay tilted (ImageGrid). Uneven and missing slices cause a
+// remark, and values between slices are interpolated linearly. No data about the patient are returned. Errors:
+// LibraryFailed with the reason, OutOfMemory, Cancelled.
 Result<ImageFile> readDicom(std::string_view files, DicomChoice choice, Progress progress);
 
-// Reads the image in the answer of plugins/formats/dicom, which is not trusted. Errors: LibraryFailed if it is
+// Reads the image in the answer of plugins/formats/dicom, which is not trusted. Error: LibraryFailed if the answer is
 // malformed.
 Result<ImageFile> imageInAnswer(std::string_view answer);
 
-// Returns true if the first bytes are those of a DICOM file.
+// Returns true if a file that begins with these bytes is in DICOM.
 bool looksLikeDicom(std::string_view bytes);
 
 }  // namespace handwheel

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// The minimum and maximum of each cube of 8³ samples of an image. Regions that no surface passes are found with it
-// without reading their samples.
+// The minimum and maximum of each cube of 8³ samples of an image. They identify regions that no surface passes, without
+// reading the samples of these regions.
 class ImageExtremes {
  public:
   explicit ImageExtremes(const ImageVolume& image);

@@ -13,32 +13,32 @@
 
 namespace handwheel {
 
-// A remark about the reading of an image.
+// A remark about the reading of an image. Braces below enclose the figures of a remark.
 struct ImageRemark {
   enum class Kind {
-    NoSpacing,       // the file does not state the spacing: it is 1 mm
-    NotNumbers,      // {samples} that are not numbers; they are set to the least value
-    FirstOfSeveral,  // {values per sample, or images} the first is read
-    Tilted,          // {degrees} the slices are sheared against their normal
-    Uneven,          // {mm, mm} least and largest distance of slices; they are resampled
-    SlicesMissing,   // {slices} missing, as a distance is a multiple; interpolated from their neighbours
-    OtherSeries,     // {slices} of other series in the folder, left out
-    SamePosition,    // {slices} left out, as there is another one at the same position
-    NotReadable,     // {files} that begin like those of the series and cannot be read
+    NoSpacing,       // the file does not state the spacing, which is set to 1 mm
+    NotNumbers,      // {samples}: they are not numbers, and are set to the least value
+    FirstOfSeveral,  // {values per sample, or images}: only the first is read
+    Tilted,          // {degrees}: the slices are sheared against their normal
+    Uneven,          // {mm, mm}: least and largest distance of slices, which are resampled
+    SlicesMissing,   // {slices}: they are missing where a distance is a multiple of the usual one; interpolated
+    OtherSeries,     // {slices}: they belong to other series in the folder, and are not read
+    SamePosition,    // {slices}: they are not read, as other slices are at the same positions
+    NotReadable,     // {files}: they begin like those of the series, but cannot be read
   };
   Kind kind;
   std::vector<double> figures = {};
 };
 
-// An image as it was read.
+// An image that was read from a file.
 struct ImageFile {
   ImageVolume image;
   std::vector<ImageRemark> remarks;
-  std::string content = {};  // meaning of the values, if the file states it
+  std::string content = {};  // meaning of the values; empty: the file does not state it
 };
 
-// Reads at most `most` bytes of the file with this name, from the folder of the file that refers to it. Errors: those
-// of reading files.
+// Function that reads at most `most` bytes of the file with this name, in the folder of the file that refers to it.
+// Returns the errors of reading files.
 using SiblingFile = std::function<Result<std::string>(const std::string& name, std::size_t most)>;
 
 // The type of samples in a file.
@@ -51,19 +51,20 @@ struct SampleLayout {
   std::endian order = std::endian::little;
   double slope = 1.0;  // value = slope · number + intercept
   double intercept = 0.0;
-  std::size_t perSample = 1;  // interleaved numbers per sample; the first is used
+  std::size_t perSample = 1;  // number of interleaved numbers per sample; only the first is used
 };
 
-// Makes an image of the samples in these bytes; excess bytes are ignored. 16-bit if that holds all values, else single
-// precision. Values that are not finite are set to the least one, with a remark. Errors: DataTruncated,
-// ElementMalformed (for a slope that is not finite), those of checkGrid().
+// Makes an image of the samples in these bytes; excess bytes are ignored. The image has 16 bits per sample if they can
+// hold all values, or else single precision. Values that are not finite are set to the least one, with a remark.
+// Errors: DataTruncated, ElementMalformed (if the slope is not finite), and the errors of checkGrid().
 Result<ImageFile> imageOfBytes(const ImageGrid& grid, const SampleLayout& layout, std::string_view bytes);
-// Makes an image of numbers as text, separated by blanks. Errors: NumberMalformed, too.
+// Makes an image of numbers as text, separated by blanks. Errors: NumberMalformed, and the errors of imageOfBytes().
 Result<ImageFile> imageOfText(const ImageGrid& grid, const SampleLayout& layout, std::string_view text);
 
-// Returns true if 16 bits hold all values.
+// Returns true if 16-bit integers can represent all values.
 bool areShort(const std::vector<float>& values);
-// Makes an image of values. Precondition: checkGrid(), and as many values as the grid has samples. Errors: none.
+// Makes an image of values. checkGrid() must accept the grid, and there must be one value for each sample. No errors
+// occur.
 ImageFile imageOfValues(const ImageGrid& grid, std::vector<float> values);
 
 // Returns the number of bytes that the samples of an image take in a file.

@@ -14,16 +14,16 @@
 
 namespace handwheel {
 
-// The grid of an image in space: an origin and three steps, mm. The first sample is at the origin. The steps need
-// neither be orthogonal (slices of a tilted scanner are sheared) nor right-handed.
+// The grid of an image in space: an origin and three steps, in mm. The first sample is at the origin. The steps may be
+// oblique (slices of a tilted scanner are sheared) or left-handed.
 //
 // Coordinates are those of a patient lying on the back, as in DICOM: x to the left, y to the back, z to the head.
 struct ImageGrid {
   std::array<int, 3> size{0, 0, 0};  // samples along each axis; the first axis is stored fastest
   Vec3 origin = Vec3::Zero();
-  Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();  // a column for each axis
+  Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();  // one column for each axis
 
-  static constexpr int kMostAlong = 1 << 16;  // samples along an axis
+  static constexpr int kMostAlong = 1 << 16;  // largest number of samples along an axis
   static constexpr std::size_t kMostSamples = std::size_t{1} << 31;
 
   std::size_t count() const {
@@ -33,19 +33,20 @@ struct ImageGrid {
   Vec3 position(const Vec3& index) const { return origin + steps * index; }
 };
 
-// Checks that an image of this grid can be stored and used. Errors: ElementMalformed (invalid size, coordinates that
+// Checks that an image with this grid can be stored and used. Errors: ElementMalformed (invalid size, coordinates that
 // are not finite, coplanar steps), FileTooLarge.
 Status checkGrid(const ImageGrid& grid);
 
-// Scalar values on a regular grid, such as a CT. Immutable in use; copies copy the samples.
+// Scalar values on a regular grid, such as a CT. Images are not modified after their construction; copies copy the
+// samples.
 class ImageVolume {
  public:
-  // Precondition: checkGrid(), and as many samples as the grid has.
+  // Constructs an image. checkGrid() must accept the grid, and there must be one sample for each of its positions.
   ImageVolume(const ImageGrid& grid, std::vector<std::int16_t> samples) : m_grid(grid), m_samples(std::move(samples)) {}
   ImageVolume(const ImageGrid& grid, std::vector<float> samples) : m_grid(grid), m_samples(std::move(samples)) {}
 
   const ImageGrid& grid() const { return m_grid; }
-  // Calls visit with the samples: a span of int16_t, or of float (all finite).
+  // Calls visit with the samples: a span of int16_t, or of float whose values are all finite.
   template <class Visit>
   auto visitSamples(Visit visit) const {
     return std::visit([&](const auto& samples) { return visit(std::span(samples)); }, m_samples);

@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// Unpacks a gzip or zlib stream (RFC 1952, RFC 1950) up to a size limit. The format is detected by its first bytes;
-// bytes beyond the limit are not unpacked. Memory grows with the output, which deflate limits to 1032 times the input.
-// Errors: FileTooLarge if the limit is more than a quarter of systemMemory(); LibraryFailed {zlib, reason} if the
-// stream is damaged or truncated.
+// Unpacks a gzip or zlib stream (RFC 1952, RFC 1950) up to a size limit. The first bytes determine the format; output
+// beyond the limit is not unpacked. Memory grows with the output, which deflate limits to 1032 times the input. Errors:
+// FileTooLarge if the limit is more than a quarter of systemMemory(); LibraryFailed {zlib, reason} if the stream is
+// damaged or truncated.
 Result<std::string> inflated(std::string_view packed, std::size_t most);
 
 // Returns true if the bytes begin like a gzip stream.

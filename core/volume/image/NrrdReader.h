@@ -6,14 +6,15 @@
 
 namespace handwheel {
 
-// Reads an image in NRRD, attached or detached. The format is defined at teem.sourceforge.net/nrrd/format.html,
-// versions 1 to 5; encodings raw, gzip and text (hex and bzip2 are refused). Axes may have space directions or
-// spacings; with a named space, coordinates are converted to those of ImageGrid. With more than three axes, or a first
-// axis of vector components, the first image is read. A header has at most a megabyte. Errors: HeaderMalformed,
-// ElementMalformed {field, what is wrong}, Unsupported, those of imageOfBytes(), inflated(), and of the sibling.
+// Reads an image in NRRD, attached or detached. The format is defined at teem.sourceforge.net/nrrd/format.html.
+// Versions 1 to 5 and the encodings raw, gzip and text are supported (hex and bzip2 are refused). Axes may have space
+// directions or spacings; with a named space, coordinates are converted to those of ImageGrid. If there are more than
+// three axes, or the first axis is of vector components, only the first image is read. A header has at most a megabyte.
+// Errors: HeaderMalformed, ElementMalformed {field, problem}, Unsupported, and the errors of imageOfBytes(), inflated()
+// and the sibling function.
 Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling);
 
-// Returns true if the first bytes are those of such a file.
+// Returns true if a file that begins with these bytes is in NRRD.
 bool looksLikeNrrd(std::string_view bytes);
 
 }  // namespace handwheel

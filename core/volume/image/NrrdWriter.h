@@ -9,9 +9,9 @@
 namespace handwheel {
 
 // Returns an image as an NRRD file: raw, little-endian, in the coordinates of ImageGrid. content: the meaning of the
-// values, one line; may be empty.
+// values in one line, which may be empty.
 std::string nrrdOf(const ImageVolume& image, const std::string& content = {});
-// Appends an image as an NRRD file to a text.
+// Appends an image as an NRRD file to the text `file`.
 void appendNrrd(const ImageVolume& image, const std::string& content, std::string& file);
 
 }  // namespace handwheel

@@ -8,11 +8,12 @@
 
 namespace handwheel {
 
-// Content of an image made by distancesOf(), for the field "content" of NRRD.
+// The content of an image made by distancesOf(), for the field "content" of NRRD.
 inline constexpr const char* kSignedDistance = "signed distance in mm, inside below 0";
 
-// Returns the distances of a volume from its surface as an image of all its voxels, mm: negative inside, limited to
-// nearly four voxels. Errors: VolumeErrors::TooLarge (for more than a third of the free memory), those of checkGrid().
+// Returns an image of the distances from a volume's surface at all its voxels, mm. They are negative inside, and
+// limited to nearly four voxels. Errors: VolumeErrors::TooLarge (if the image takes more than a third of the free
+// memory), and the errors of checkGrid().
 Result<ImageVolume> distancesOf(const SparseVolume& volume);
 
 }  // namespace handwheel

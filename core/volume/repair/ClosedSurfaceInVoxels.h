@@ -15,29 +15,31 @@ namespace handwheel {
 
 // A surface prepared for voxelisation: welded, closed by cones, and in voxels of its grid.
 struct ClosedSurfaceInVoxels {
-  TriangleSoup closed;  // voxels
+  TriangleSoup closed;  // in voxels
   BoundaryCaps caps;
-  SparseVolume grid;  // empty, with room around the surface
+  SparseVolume grid;  // an empty volume with a margin around the surface
   Box bounds;         // mm
 
-  // Number of blocks that the grid needs along each axis, from its origin on.
+  // Returns the number of blocks that the grid needs along each axis, counted from its origin.
   VoxelIndex blocks() const;
-  // Signed volume inside, in mm³; overlaps count several times.
+  // Returns the signed volume inside, mm³. Overlaps count several times.
   double enclosed() const;
-  // Returns the fraction of the area of the used triangles that is near the volume's surface, from samples all over
-  // them. 0 if cancelled.
+  // Returns the fraction of the area of some triangles that is near the volume's surface, measured at points all over
+  // these triangles. isUsed: true for each triangle of `closed` to measure. Returns 0 if cancelled.
   double nearShare(const SparseVolume& volume, const std::vector<bool>& isUsed, const Progress& progress) const;
   // Returns the error for a volume without material: VolumeErrors::NoVoxelInside or NothingInside.
   Error nothingInside() const;
 };
 
 // Returns the fraction of points, in voxels of the volume's grid, that have inside and outside samples among the 4³
-// around them. All others are farther than a voxel from its surface. 1 for no points; 0 if cancelled.
+// samples around them. All other points are farther than a voxel from the surface. Returns 1 for no points, and 0 if
+// cancelled.
 double nearShare(const SparseVolume& volume, const std::vector<Vec3>& points, const Progress& progress);
 
 // Returns an error if a volume does not represent its surface: it kept less than kLeastKept of the surface's area, or
-// of the enclosed volume, both by its samples and up to its own surface. Errors: VolumeErrors::SurfaceIsLost,
-// MaterialIsLost. expected: volume of the solid, mm³.
+// of the enclosed volume. The material is measured by the number of samples inside, and, if that is too little, also up
+// to the surface between the samples; the larger result counts. nearShare: the fraction of the surface that was kept;
+// expected: the volume of the solid, mm³. Errors: VolumeErrors::SurfaceIsLost, MaterialIsLost.
 std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, double expected);
 
 // Prepares a surface for voxelisation. wideFrom: see closeBoundaries(). alignedTo: see volumeOfSurface(). O(n log n).
@@ -45,7 +47,7 @@ std::optional<Error> lossRefusal(const SparseVolume& volume, double nearShare, d
 // (for the volume, its triangles and the cones); Cancelled.
 Result<ClosedSurfaceInVoxels> closedInVoxels(const TriangleSoup& soup, double voxel, double wideFrom,
                                              const std::optional<Vec3>& alignedTo, Progress progress);
-// Prepares a surface whose voxels are not all made at once; without the error TooLarge.
+// Prepares a surface whose voxels are not all made at once. Returns the errors of closedInVoxels() except TooLarge.
 Result<ClosedSurfaceInVoxels> closedInGrid(const TriangleSoup& soup, double voxel, double wideFrom,
                                            const std::optional<Vec3>& alignedTo, Progress progress);
 

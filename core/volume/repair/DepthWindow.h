@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// The depths of a block and of four voxels around it, in voxels. They are modified and written back as the content of
-// the block.
+// The depths of a block and of four voxels around it, in voxels. After modification, they are written back as the
+// content of the block.
 class DepthWindow {
  public:
   static constexpr int kMargin = 4;
@@ -26,17 +26,17 @@ class DepthWindow {
 
   // Replaces each depth of the block by the mean of the (2 reach + 1)³ voxels around it; reach: 1 to kMargin.
   void average(int reach);
-  // The treatment of the depths beside the surface when distances are restored.
+  // The treatment of the depths next to the surface when distances are restored.
   enum class Beside {
-    Corrected,  // corrected to distances by their slope; for depths with a wrong gradient near the surface
-    Kept,       // kept, as they are distances already
+    Corrected,  // corrected to distances by their slope, for depths with a wrong gradient near the surface
+    Kept,       // kept, for depths that are already distances
   };
-  // Restores distances from the surface in all depths, by propagation from those beside it (Sethian 1996, without the
-  // heap, as depths end at four voxels).
+  // Restores distances from the surface in all depths, by propagation from the depths next to it (Sethian 1996, but
+  // without the heap, as depths end at four voxels).
   void redistance(Beside beside = Beside::Corrected);
 
-  // Returns the content for these depths, with those of the old content where isKept(x, y, z). Uniform if all are at
-  // the limit.
+  // Returns the content for these depths. Where isKept(x, y, z), the depths of the old content are kept. The content is
+  // uniform if all depths are at the limit.
   template <class IsKept>
   SparseVolume::Content content(const SparseVolume::Content& old, IsKept isKept) const;
 
@@ -49,7 +49,7 @@ class DepthWindow {
   Depths m_depths;
 };
 
-// Returns the content for these samples: uniform if all are at the same limit.
+// Returns the content for these samples. It is uniform if all samples are at the same limit.
 SparseVolume::Content contentOf(std::shared_ptr<VolumeBlock> block);
 // Returns a copy of a content's samples for modification.
 std::shared_ptr<VolumeBlock> samplesOf(const SparseVolume::Content& content);

@@ -14,33 +14,37 @@
 
 namespace handwheel {
 
-// Membranes that close wide curved holes, by the generalised winding number. They are the level set of one half of the
-// winding number, the sum of the solid angles of the surface. A membrane is smooth over a hole, meets the surface at
-// its edge, and is planar for a hole with a planar edge; it is shaped by the whole surface, not only by the centre of
-// the hole.
+// Membranes that close wide curved holes, by the generalised winding number. A membrane is the surface where the
+// winding number, the sum of the solid angles of the surface, is one half. It is smooth over a hole, meets the surface
+// at the edge of the hole, and is planar if that edge is planar. Its shape depends on the whole surface, not only on
+// the centre of the hole.
 //
-// The winding number is the integer one of the surface closed by cones (ScanlineCrossings), minus the solid angle of
-// the cones. So it differs from that, and is evaluated, only in the blocks around the cones.
+// The winding number is the integer winding number of the surface closed by cones (ScanlineCrossings), minus the solid
+// angle of the cones. So the two numbers differ noticeably only in the blocks around the cones, and the generalised one
+// is evaluated only in these blocks.
 class WindingNumberFill {
  public:
-  // closed: in voxels. cones: those of its triangles that are over the wide holes. Empty if cancelled.
+  // closed: closed surface in voxels. cones: the triangles of `closed` that are over wide holes. The object is empty if
+  // cancelled.
   WindingNumberFill(const TriangleSoup& closed, std::span<const std::uint32_t> cones, const Progress& progress);
 
-  // Predicts the number of blocks to a factor of two, unless one hole shadows another. O(n).
+  // Predicts the number of blocks. The holes are treated separately; the result is right to a factor of two unless they
+  // influence each other. O(n).
   static double predictedBlocks(const TriangleSoup& closed, std::span<const std::uint32_t> cones);
-  static constexpr double kWide = 4.0;  // voxels, least width of a hole that is closed by a membrane and not by a lid
-  static constexpr double kBytes = 160.0;  // memory per block while the volume is made
+  static constexpr double kWide = 4.0;     // voxels; narrower holes are closed by cones instead of membranes
+  static constexpr double kBytes = 160.0;  // bytes of memory per block while the volume is made
 
   bool isEmpty() const { return m_blocks.empty(); }
-  // Blocks that membranes may pass; elsewhere the integer winding number decides.
+  // Returns the blocks that membranes may pass. In other blocks, the integer winding number decides.
   const std::vector<VoxelIndex>& blocks() const { return m_blocks; }
   bool contains(const VoxelIndex& block) const { return m_near.contains(keyOf(block)); }
-  // Returns the winding number at a point, given that of the closed surface.
+  // Returns the winding number at a point. closed: the winding number of the closed surface at the point.
   double winding(const Vec3& p, int closed) const { return closed - m_cones.turns(p); }
 
   struct Samples {
     std::array<bool, VolumeBlock::kCount> isInside;
-    std::array<float, VolumeBlock::kCount> distance;  // voxels, distance from a membrane, of first order; kNone: far
+    std::array<float, VolumeBlock::kCount>
+        distance;  // voxels, distance from a membrane, of first order; kNone: far from all membranes
   };
   static constexpr float kNone = 1e9F;
   // Returns the samples of one of the blocks.

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A brick of 16³ samples of an image, with a bit for each. It is bit x of row 16 z + y.
+// A brick of 16³ samples of an image, with one bit per sample. The sample (x, y, z) is bit x of row 16 z + y.
 struct SegmentBrick {
   static constexpr int kSide = 16;
   std::array<std::uint16_t, kSide * kSide> rows{};
@@ -27,40 +27,41 @@ struct SegmentBrick {
   }
 };
 
-// A part of an image, defined by a range of values and by bricks. It contains the samples with values in the range,
-// except where bricks list its samples. So a range alone takes no memory, and painting takes that of the bricks that it
-// touches.
+// A part of an image, defined by a range of values and by bricks. In a brick that is present, the segment contains the
+// samples whose bits are set; everywhere else it contains the samples with values in the range. So a range alone takes
+// no memory, and painting takes only the memory of the bricks that it touches.
 //
-// A value: copies share bricks. Reading different copies on different threads is safe.
+// Segment is a value type: copies share bricks. Reading different copies on different threads is safe.
 class Segment {
  public:
   using Brick = std::shared_ptr<const SegmentBrick>;
 
   Segment() = default;
   explicit Segment(const ValueRange& range) : m_range(range) {}
-  // bricks: those of a whole image of this size, in the order of brickAt(); null: defined by the range.
+  // bricks: the bricks of a whole image of this size, in the order of brickAt(). A null brick is defined by the range.
   Segment(const ValueRange& range, const std::array<int, 3>& size, std::vector<Brick> bricks);
 
   const ValueRange& range() const { return m_range; }
   bool isByRangeAlone() const { return m_bricks.empty(); }
-  // Bricks of the whole image, in the order of brickAt(); empty: all are defined by the range.
+  // Returns the bricks of the whole image, in the order of brickAt(). The result is empty if all bricks are defined by
+  // the range.
   std::span<const Brick> bricks() const { return m_bricks; }
   bool hasValue(double value) const { return value >= m_range.least && value <= m_range.largest; }
 
-  // Returns the brick of a sample; null: defined by the range.
+  // Returns the brick that contains a sample, or null if that brick is defined by the range.
   const SegmentBrick* brickOf(int x, int y, int z) const {
     return m_bricks.empty() ? nullptr : m_bricks[brickAt(x, y, z)].get();
   }
   // Returns true if a sample is in the segment. O(1).
   bool contains(const ImageVolume& image, const VoxelIndex& sample) const;
 
-  // Returns the present brick of a sample, evaluated if it is defined by the range. O(samples of a brick).
+  // Returns a copy of the brick that contains a sample, evaluated if it is defined by the range. O(samples of a brick).
   SegmentBrick filledBrick(const ImageVolume& image, const VoxelIndex& sample) const;
-  // Replaces the brick of a sample in an image of this size.
+  // Replaces the brick that contains a sample, in an image of this size.
   void setBrick(const std::array<int, 3>& size, const VoxelIndex& sample, Brick brick);
 
-  bool operator==(const Segment& other) const;  // compares shared bricks, not samples
-  // Memory of the bricks that are not shared with the other segment; bytes.
+  bool operator==(const Segment& other) const;  // compares pointers to bricks, not samples
+  // Returns the memory of the bricks that are not shared with the other segment, bytes.
   std::size_t bytesBeside(const Segment& other) const;
 
   static std::array<int, 3> bricksOf(const std::array<int, 3>& size);
@@ -75,10 +76,10 @@ class Segment {
 
   ValueRange m_range{0.0, 0.0};
   std::array<int, 3> m_count{0, 0, 0};  // number of bricks along each axis
-  std::vector<Brick> m_bricks;          // empty: all are defined by the range
+  std::vector<Brick> m_bricks;          // empty: all bricks are defined by the range
 };
 
-// Reads the membership of an image's samples in a segment. Both must outlive it.
+// Reads the membership of an image's samples in a segment. The image and the segment must outlive the reader.
 template <class Sample>
 class SegmentReader {
  public:
@@ -95,7 +96,7 @@ class SegmentReader {
     if (!brick) return m_segment.hasValue(static_cast<double>(m_samples[indexOf(x, y, z)]));
     return brick->at(x & 15, y & 15, z & 15);
   }
-  // Reads a row along x: 1 for samples in the segment.
+  // Reads a row along x: sets 1 for samples in the segment, and 0 for the others.
   void readRow(int y, int z, std::span<std::uint8_t> row) const {
     for (int x = 0; x < m_size[0]; ++x) row[static_cast<std::size_t>(x)] = at(x, y, z) ? 1 : 0;
   }
@@ -106,7 +107,7 @@ class SegmentReader {
   const Segment& m_segment;
 };
 
-// Calls visit with a SegmentReader.
+// Calls visit with a SegmentReader for the sample type of the image, and returns its result.
 template <class Visit>
 auto readSegment(const ImageVolume& image, const Segment& segment, Visit visit) {
   return image.visitSamples([&]<class Sample>(std::span<const Sample> samples) {

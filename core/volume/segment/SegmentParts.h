@@ -13,15 +13,15 @@ namespace handwheel {
 // order of their first samples in the image.
 class SegmentParts {
  public:
-  // O(samples of the image). Must not be used if cancelled.
+  // O(samples of the image). The object must not be used if the construction was cancelled.
   SegmentParts(const ImageVolume& image, const Segment& segment, const Progress& progress = {});
 
-  // Number of samples of each part.
+  // Returns the number of samples of each part.
   const std::vector<std::size_t>& samples() const { return m_samples; }
   std::size_t total() const;
-  // Returns the number of parts with at least so many samples; these are the first.
+  // Returns the number of parts with at least this number of samples. These are the first parts.
   std::size_t countFrom(std::size_t samples) const;
-  // Returns the part that contains a sample; none: it is not in the segment. O(log row).
+  // Returns the index of the part that contains a sample, or nothing if the sample is not in the segment. O(log row).
   std::optional<std::size_t> partAt(const VoxelIndex& sample) const;
   // Returns the segment of the parts [first, end). O(samples of the segment).
   Segment only(std::size_t first, std::size_t end) const;
@@ -38,9 +38,9 @@ class SegmentParts {
 
   std::array<int, 3> m_size;
   ValueRange m_range;
-  std::vector<Run> m_runs;             // row by row
-  std::vector<std::size_t> m_begins;   // first run of each row, and the end of the last
-  std::vector<std::uint32_t> m_parts;  // part of each run
+  std::vector<Run> m_runs;             // the runs, row by row
+  std::vector<std::size_t> m_begins;   // index of the first run of each row, then the number of runs
+  std::vector<std::uint32_t> m_parts;  // index of the part of each run
   std::vector<std::size_t> m_samples;
 };
 

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Applies a median filter over 3³ samples to a segment. Beyond the border of the image its samples are repeated.
-// Isolated samples vanish, and steps of one sample are smoothed. On all threads of the arena; O(samples), and two bytes
-// of memory for each. The result must not be used if cancelled.
+// Applies a median filter over 3³ samples to a segment. The samples at the border of the image are repeated beyond it.
+// Isolated samples vanish, and steps of one sample are smoothed. Runs on all threads of the arena. O(samples), with two
+// bytes of memory per sample. The result must not be used if the function was cancelled.
 Segment smoothed(const ImageVolume& image, const Segment& segment, const Progress& progress = {});
 
 }  // namespace handwheel

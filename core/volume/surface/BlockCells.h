@@ -14,18 +14,18 @@ namespace handwheel {
 // next blocks. A block owns the edges that begin at its samples.
 class BlockCells {
  public:
-  static constexpr std::size_t kEdges = 3 * VolumeBlock::kCount;  // index: 3 · sample + axis
+  static constexpr std::size_t kEdges = 3 * VolumeBlock::kCount;  // index of an edge: 3 · sample + axis
 
-  // An edge of the block, or of a next block along some axes.
+  // An edge of the block, or of a neighbouring block that follows it along some axes.
   struct Edge {
-    VoxelIndex block;  // 0 or 1 along each axis
+    VoxelIndex block;  // offset of the block that owns the edge, 0 or 1 along each axis
     std::size_t edge;
   };
 
   BlockCells(const SparseVolume& volume, const VoxelIndex& block);
 
-  // Calls visit(edge, position of the surface on it from 0 to 1) for each edge that the surface crosses, in ascending
-  // order.
+  // Calls visit(edge, position of the surface on the edge, from 0 to 1) for each edge that the surface crosses, in
+  // ascending order of the edges.
   template <class Visit>
   void forEachCrossedEdge(Visit visit) const {
     constexpr std::array<std::size_t, 3> kSteps{1, kSide, kSide * kSide};
@@ -38,7 +38,7 @@ class BlockCells {
     }
   }
 
-  // Calls visit(three edges) for each triangle of the surface in the cells of the block.
+  // Calls visit(the three edges of the corners) for each triangle of the surface in the cells of the block.
   template <class Visit>
   void forEachTriangle(Visit visit) const {
     const MarchingCubesTable& table = MarchingCubesTable::table();
@@ -53,7 +53,7 @@ class BlockCells {
     }
   }
 
-  // Returns a point on an edge, mm.
+  // Returns the point at a fraction of an edge, mm.
   Vec3 pointOn(std::size_t edge, double share) const {
     const auto i = static_cast<int>(edge / 3);
     Vec3 at = (m_first + VoxelIndex(i & 7, i >> 3 & 7, i >> 6)).cast<double>();

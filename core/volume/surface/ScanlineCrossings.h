@@ -14,44 +14,48 @@
 
 namespace handwheel {
 
-// Crossings of a closed surface with rows of voxel centres, and voxels' winding numbers. Rows are along x; the winding
-// number counts how often the surface encloses a voxel. Crossings are decided exactly: a row through an edge or corner
-// is shifted symbolically, so the number is 0 at both ends of every row.
+// Crossings of a closed surface with rows of voxel centres, and winding numbers of voxels. Rows are along x. The
+// winding number of a voxel counts how often the surface encloses the voxel. Crossings are decided exactly: a row
+// through an edge or corner is shifted symbolically, so that the winding number is 0 at both ends of every row.
 class ScanlineCrossings {
  public:
   struct Crossing {
-    double x;  // voxels
+    double x;  // in voxels
     int step;  // 1: into the surface, -1: out of it
     std::uint32_t triangle;
 
     bool operator<(const Crossing& other) const { return std::pair(x, triangle) < std::pair(other.x, other.triangle); }
   };
 
-  // closed: points in voxels, where centres of voxels have integer coordinates; each edge occurs equally often in both
-  // directions (closeBoundaries()). within: the rows to evaluate, by their y and z, none: all; triangles that none of
-  // these rows crosses may be missing. Empty if cancelled. O(n + area), on all threads of the arena.
+  // closed: the surface, with points in voxels; centres of voxels have integer coordinates. Each edge must occur
+  // equally often in both directions (closeBoundaries()). within: the rows to evaluate, by their y and z; nullopt: all
+  // rows. Triangles that cross none of these rows may be missing. The object is empty if the construction was
+  // cancelled. Runs on all threads of the arena. O(n + area).
   ScanlineCrossings(const TriangleSoup& closed, Progress progress = {},
                     const std::optional<Eigen::AlignedBox2i>& within = {});
 
   // Returns the crossings of a row, sorted by x.
   std::span<const Crossing> row(int y, int z) const;
-  // O(log crossings of the row).
+  // Returns the winding number of a voxel. O(log crossings of the row).
   int winding(const VoxelIndex& voxel) const;
   bool isInside(const VoxelIndex& voxel) const { return winding(voxel) > 0; }
 
-  // Returns true if all winding numbers are 0 or 1: then each triangle bounds the inside.
+  // Returns true if all winding numbers are 0 or 1. Each triangle then bounds the inside.
   bool isSimple() const { return m_isSimple; }
-  // Largest winding number.
+  // Returns the largest winding number.
   int mostTurns() const { return m_mostTurns; }
-  // Returns the crossings at which rows enter or leave the inside: flags of the triangles, and the points. A point is
-  // inside if its winding number is above one half; turns(point, integer number) returns it. O(crossings).
+  // A function that returns the winding number of a point, given the point and the integer winding number after the
+  // crossing at the point.
   using Turns = std::function<double(const Vec3&, int)>;
+  // Crossings at which rows enter or leave the inside.
   struct Bounding {
-    std::vector<bool> triangles;
+    std::vector<bool> triangles;                         // flags of the triangles that are crossed there
     std::vector<std::pair<Vec3, std::uint32_t>> points;  // points in voxels, each with its triangle
   };
+  // Returns the crossings at which rows enter or leave the inside. A point is inside if its winding number, as returned
+  // by `turns`, is above one half. O(crossings).
   Bounding boundingBy(const Turns& turns) const;
-  // Flags of the triangles that a row crosses.
+  // Returns flags of the triangles: true for each triangle that a row crosses.
   const std::vector<bool>& crossed() const { return m_crossed; }
   std::size_t bytes() const;
 

@@ -12,9 +12,11 @@ namespace handwheel {
 
 // Returns the surface of a volume by marching cubes (MarchingCubesTable). The triangles share points. The surface is
 // closed, manifold, oriented and free of self-intersections, as long as the coordinates resolve a thousandth of a
-// voxel. O(blocks), on all threads of the arena; the result is the same for any number of them. Empty if cancelled.
+// voxel. Runs on all threads of the arena; the result does not depend on their number. O(blocks). The result is empty
+// if cancelled.
 TriangleSoup surfaceOf(const SparseVolume& volume, Progress progress = {});
-// Returns the blocks with cells that the surface may pass: those with samples, and those whose upper sides touch them.
+// Returns the blocks with cells that the surface may cross. These are the blocks with samples, and the blocks that
+// touch them at their upper sides.
 std::vector<VoxelIndex> blocksWithCells(const SparseVolume& volume);
 
 }  // namespace handwheel

@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// A volume as it is exchanged with the process for VDB files. It is serialised as a line with its voxel and origin
-// (mm), a flag for fog volumes, and the number of other grids, followed by its regions (VolumeSerialization.h) in the
-// byte order of this machine.
+// A volume as it is exchanged with the process for VDB files. bytesOf() writes a line with the voxel and the origin
+// (mm), a flag for fog volumes, and the number of other grids. The regions of the volume follow (VolumeSerialization.h)
+// in the byte order of this machine.
 struct VdbVolume {
   SparseVolume volume;
   bool isFog = false;
@@ -20,7 +20,8 @@ struct VdbVolume {
 };
 
 std::string bytesOf(const VdbVolume& volume);
-// Returns nothing if the bytes are malformed. Memory: at most 64 times the bytes.
+// Parses the bytes that bytesOf() returns. Returns nothing if the bytes are malformed. Takes at most 64 times the
+// memory of the bytes.
 std::optional<VdbVolume> vdbVolumeIn(std::string_view bytes);
 
 }  // namespace handwheel

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Driver of the example device. The environment variable HANDWHEEL_EXAMPLE_DEVICE is the path of its socket.
+// Driver of the example device. The environment variable HANDWHEEL_EXAMPLE_DEVICE contains the path of the device's
+// socket.
 class ExampleDriver final : public DeviceDriver {
  public:
   std::string id() const override { return "example"; }

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// Session of a fictitious example device. It answers every force with its position. Both are three signed 16-bit
-// numbers, low byte first: mN along x, y, z; and hundredths of a mm.
+// Session of a fictitious example device. The device answers every force with its position. Force and position are
+// three signed 16-bit numbers each, low byte first: mN along x, y and z, and hundredths of a mm.
 class ExampleSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
@@ -24,7 +24,7 @@ class ExampleSession final : public Session {
 
  private:
   bool send(const Vec3& force) noexcept;
-  bool receive() noexcept;  // returns true if a whole answer has come; m_stream is null when the device is gone
+  bool receive() noexcept;  // returns true if a whole answer was received; m_stream is null if the device is gone
 
   Connect m_connect;
   std::unique_ptr<ByteStream> m_stream;

@@ -13,12 +13,12 @@ namespace handwheel::falcon {
 
 using Firmware = std::vector<std::uint8_t>;
 
-// Returns true if the firmware is already running. It stays loaded until the power is off. Leaves the port in running
-// mode. False also when the device is gone.
+// Returns true if the firmware is running. Returns false also if the device is gone. The firmware stays loaded until
+// the power is off. The port is left in running mode.
 bool runs(FtdiPort& port, Clock& clock) noexcept;
 
-// Loads the firmware, which often fails and is tried ten times. Leaves the port in running mode.
-// Errors: Cancelled, Unreachable (gone), NotResponding (what it did not answer).
+// Loads the firmware. This often fails, so it is tried ten times. The port is left in running mode. Errors: Cancelled,
+// Unreachable (device gone), NotResponding (the step to which the device did not answer).
 Status loadFirmware(FtdiPort& port, Clock& clock, const Firmware& firmware, Progress progress);
 
 }  // namespace handwheel::falcon

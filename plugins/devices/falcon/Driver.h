@@ -7,8 +7,8 @@
 
 namespace handwheel::falcon {
 
-// Driver of the Novint Falcon. It is not known what its motors do when communication stops: so a separate process holds
-// the device (Guard.cpp), and sends zero torque when the program dies.
+// Driver of the Novint Falcon. The behaviour of its motors when communication stops is not known. Therefore a separate
+// process holds the device (Guard.cpp), and sends zero torque when the program dies.
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "falcon"; }

@@ -15,12 +15,12 @@ class FtdiPort {
 
   // Switches to bootloader mode: 9600 baud, 8N1, no flow control, RTS low, DTR pulsed.
   bool toBootloader() noexcept;
-  bool toFirmwareLoad() noexcept;  // 142,857 baud, DTR low
-  bool toRunning() noexcept;       // 1.5 Mbaud, answers within 1 ms
+  bool toFirmwareLoad() noexcept;  // switches to 142,857 baud, DTR low
+  bool toRunning() noexcept;       // switches to 1.5 Mbaud, with answers within 1 ms
 
   bool write(std::span<const std::uint8_t> bytes) noexcept { return m_usb->write(bytes); }
-  // Reads received bytes, without the chip's two status bytes at the head of each 64-byte packet. 0: nothing in time;
-  // kGone.
+  // Reads received bytes, without the chip's two status bytes at the start of each 64-byte packet. Returns the number
+  // of bytes, 0 if no bytes came within the timeout (s), or kGone.
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept;
   bool isGone() const noexcept { return m_usb->isGone(); }
 

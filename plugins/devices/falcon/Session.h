@@ -11,12 +11,12 @@
 namespace handwheel::falcon {
 
 // Session of a Novint Falcon, from its port to the servo loop. No torque is sent before all three arms are homed: until
-// then its position is unknown, and it jumps when it becomes known. The user pulls the grip out and pushes it in; the
-// light is red until then.
+// then the position of the device is unknown, and it jumps when it becomes known. To home the arms, the user pulls the
+// grip out and pushes it in. The light is red until then.
 class Session final : public handwheel::Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<UsbTransport>>()>;
-  using ReadFirmware = std::function<Result<Firmware>()>;  // called only when the device has none
+  using ReadFirmware = std::function<Result<Firmware>()>;  // called only if the device has no firmware
   Session(Connect connect, ReadFirmware readFirmware, std::shared_ptr<Clock> clock)
       : m_connect(std::move(connect)), m_readFirmware(std::move(readFirmware)), m_clock(std::move(clock)) {}
 
@@ -34,11 +34,11 @@ class Session final : public handwheel::Session {
   Connect m_connect;
   ReadFirmware m_readFirmware;
   std::shared_ptr<Clock> m_clock;
-  std::unique_ptr<FtdiPort> m_port;  // null: not open, or gone
+  std::unique_ptr<FtdiPort> m_port;  // null: the port is not open, or the device is gone
   AnswerReader m_answers;
-  bool m_missed = false;  // the last packet was not answered in time
+  bool m_missed = false;  // true: the last packet was not answered in time
   DeviceState m_state;
-  Vec3 m_point = kHome;  // m, in the mechanism's frame
+  Vec3 m_point = kHome;  // m, position in the frame of the mechanism
   double m_lastAnswer = 0.0;
 };
 

@@ -9,7 +9,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 namespace handwheel::haply {
 
@@ -27,8 +27,9 @@ std::uint16_t port() {
 }
 
 std::string contentOf(const char* path) {
-  std::ifstream stream(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();  // an iterator of the buffer would throw where reading fails
+  return text.str();
 }
 
 std::string addressOf(std::uint16_t number) {

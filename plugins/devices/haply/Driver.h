@@ -8,8 +8,8 @@
 
 namespace handwheel::haply {
 
-// Driver of Haply devices by the manufacturer's service on this machine. On port 10001 or the one in the environment
-// variable HANDWHEEL_HAPLY_PORT.
+// Driver of Haply devices that uses the manufacturer's service on this machine. The port of the service is 10001, or
+// the value of the environment variable HANDWHEEL_HAPLY_PORT.
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "haply"; }
@@ -17,7 +17,8 @@ class Driver final : public DeviceDriver {
   std::unique_ptr<Device> make(const std::string& address) override;
 };
 
-// Returns true if a TCP socket listens on a port. table: the kernel's table of sockets (/proc/net/tcp or tcp6).
+// Returns true if a TCP socket listens on a port. table: the content of the kernel's table of sockets (/proc/net/tcp or
+// tcp6).
 bool listens(std::string_view table, std::uint16_t port);
 
 }  // namespace handwheel::haply

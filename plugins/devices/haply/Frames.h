@@ -22,21 +22,21 @@ struct Message {
   std::string payload;
 };
 
-// Assembles messages from a server's byte stream, in pieces of any size.
+// Assembles messages from the byte stream of a server, which may arrive in pieces of any size.
 class FrameReader {
  public:
   void take(std::span<const std::uint8_t> bytes);
-  // Returns the next whole message; nothing when more bytes are needed, or when the stream is broken.
+  // Returns the next whole message. Returns nothing if more bytes are needed, or if the stream is broken.
   std::optional<Message> next();
-  // Returns true if the server violates the protocol, or a message is larger than any that is expected. Nothing more
-  // will come.
+  // Returns true if the server has violated the protocol, or a message is larger than any expected message. No more
+  // messages will be returned.
   bool isBroken() const { return m_broken; }
 
  private:
   struct Header {
     bool isLast = false;
     std::uint8_t opcode = 0;
-    std::size_t start = 0;  // start of the payload, from the frame's first byte
+    std::size_t start = 0;  // start of the payload, in bytes from the first byte of the frame
     std::uint64_t length = 0;
   };
   std::optional<Header> header() const;
@@ -44,7 +44,7 @@ class FrameReader {
   std::optional<Message> finish(const Header& header, std::string payload);
 
   std::string m_bytes;
-  std::optional<Message> m_fragments;  // a message with more frames to come
+  std::optional<Message> m_fragments;  // message of which more frames are to come
   bool m_broken = false;
 };
 

@@ -10,9 +10,9 @@
 
 namespace handwheel::haply {
 
-// Session of a Haply device by the manufacturer's service. The service answers each message with one frame, and sends
-// none by itself: so each exchange is one message and one frame. A late answer is waited for before the next message is
-// sent, or answers and messages would stay out of step permanently.
+// Session of a Haply device that uses the manufacturer's service. The service answers each message with one frame, and
+// sends no frames by itself. So each exchange consists of one message and one frame. A late answer is awaited before
+// the next message is sent, because otherwise answers and messages would be out of step permanently.
 class Session final : public handwheel::Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
@@ -28,10 +28,10 @@ class Session final : public handwheel::Session {
 
   Connect m_connect;
   std::shared_ptr<Clock> m_clock;
-  std::unique_ptr<WebSocket> m_socket;  // null: not open, or gone
+  std::unique_ptr<WebSocket> m_socket;  // null: the connection is not open, or is gone
   std::string m_deviceId;
   bool m_hasGrip = false;
-  bool m_asked = false;  // a message was sent that is not answered yet
+  bool m_asked = false;  // true: a message was sent that is not answered yet
   double m_lastAnswer = 0.0;
   DeviceState m_state;
 };

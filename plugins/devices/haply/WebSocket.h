@@ -20,7 +20,8 @@ class WebSocket {
                                                  const std::string& host);
 
   bool send(std::string_view text);
-  // Returns the newest text received, waiting up to `timeout` (s) for one. Answers pings.
+  // Returns the newest text received, or waits up to `timeout` (s) for one. Answers pings. Returns nothing if no text
+  // was received.
   std::optional<std::string> receive(double timeout);
   bool isGone() const { return m_gone; }
   void sendClose();

@@ -4,7 +4,8 @@
 
 namespace handwheel {
 
-// Clock of the device protocols; tests use their own. Seconds from any origin, never backwards.
+// Clock of the device protocols. Tests use their own clocks. Times are in seconds from an arbitrary origin, and never
+// decrease.
 class Clock {
  public:
   virtual ~Clock() = default;

@@ -14,17 +14,18 @@ namespace handwheel {
 // folder in HANDWHEEL_GUARDS.
 std::string guardPath(const std::string& name);
 
-// Starts a guard process, and connects to it by an unnamed socket. No other process can connect. It is in a session of
-// its own: signals of the terminal to the program do not reach it. Error: Unreachable with the system's reason.
+// Starts a guard process and connects to it through an unnamed socket, to which no other process can connect. The guard
+// is in a session of its own, so that signals from the terminal to the program do not reach it. Error: Unreachable with
+// the system's reason.
 Result<std::unique_ptr<ByteStream>> startGuard(const std::string& path, const std::string& address);
 
-// Creates a session with a device that a guard process holds. path: its program; address: that of the device; kind,
-// name: see OutOfProcessSession.
+// Creates a session with a device that a guard process holds. path: the path of the guard program; address: the address
+// of the device; kind, name: see OutOfProcessSession.
 std::unique_ptr<Session> guarded(const std::string& path, const std::string& address, const DeviceCapabilities& kind,
                                  const std::string& name);
 
-// Runs a guard process; its main function. Serves the session that make() creates for the address, until the program is
-// gone. Returns the exit code.
+// Runs a guard process: its main() calls only this function. Serves the session that make() creates for the address
+// until the program that started the guard is gone. Returns the exit code.
 int runDeviceHost(int argc, char** argv,
                   const std::function<std::unique_ptr<Session>(const std::string& address)>& make);
 

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A byte stream on a file descriptor. Does not allocate after its construction.
+// A byte stream on a file descriptor. It does not allocate memory after its construction.
 class FileStream final : public ByteStream {
  public:
   explicit FileStream(int descriptor) : m_descriptor(descriptor) {}  // takes ownership
@@ -25,10 +25,10 @@ class FileStream final : public ByteStream {
   int m_descriptor;
 };
 
-// Connect to a Unix socket, or to a TCP port. Error: Unreachable with the system's reason.
+// Connects to a Unix socket. Like the functions below, it returns the error Unreachable with the system's reason.
 Result<std::unique_ptr<ByteStream>> connectUnix(const std::string& path);
-Result<std::unique_ptr<ByteStream>> connectLoopback(std::uint16_t port);  // TCP to 127.0.0.1
-// Opens a serial port in raw mode. No echo, no line editing, at 115,200 baud on ports that have a rate.
+Result<std::unique_ptr<ByteStream>> connectLoopback(std::uint16_t port);  // connects to a TCP port of 127.0.0.1
+// Opens a serial port in raw mode, without echo and line editing. Ports with a selectable rate are set to 115,200 baud.
 Result<std::unique_ptr<ByteStream>> openSerial(const std::string& path);
 
 }  // namespace handwheel

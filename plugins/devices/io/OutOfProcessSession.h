@@ -13,11 +13,12 @@
 namespace handwheel {
 
 // Session with a device that another process holds (guard::SessionHost). The motors stop when this program dies. The
-// two communicate over a stream; each exchange costs a round trip, about 0.1 ms.
+// two processes communicate over a stream; each exchange costs a round trip, about 0.1 ms.
 class OutOfProcessSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;  // starts the process
-  // kind: the capabilities until the device itself was queried; name: the device's name, for errors.
+  // kind: the capabilities to report until the device itself has been queried; name: the name of the device, for error
+  // messages.
   OutOfProcessSession(Connect connect, std::shared_ptr<Clock> clock, const DeviceCapabilities& kind, std::string name)
       : m_connect(std::move(connect)), m_clock(std::move(clock)), m_capabilities(kind), m_name(std::move(name)) {}
 
@@ -36,7 +37,7 @@ class OutOfProcessSession final : public Session {
   std::shared_ptr<Clock> m_clock;
   DeviceCapabilities m_capabilities;
   std::string m_name;
-  std::unique_ptr<ByteStream> m_stream;  // null: not open, or the process is gone
+  std::unique_ptr<ByteStream> m_stream;  // null: the session is not open, or the process is gone
   guard::Reader m_reader;
   guard::Buffer m_out{};
   std::array<std::uint8_t, 2 * guard::kLargestMessage> m_in{};

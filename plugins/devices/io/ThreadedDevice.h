@@ -11,9 +11,10 @@
 
 namespace handwheel {
 
-// Device that runs its session on a thread of its own. So the session may wait, allocate and parse; the servo thread
-// only exchanges the newest reading and force with it, without locks. Costs a delay of about one exchange, which the
-// session states in its capabilities. Readings are always finite, and no force outlives a servo loop that has stopped.
+// Device that runs its session on a thread of its own. The session may therefore wait, allocate and parse; the servo
+// thread only exchanges the newest reading and force with it, without locks. The cost is a delay of about one exchange,
+// which the session states in its capabilities. Readings are always finite, and no force outlives a servo loop that has
+// stopped.
 class ThreadedDevice final : public Device {
  public:
   explicit ThreadedDevice(std::unique_ptr<Session> session);

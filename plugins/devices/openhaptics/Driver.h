@@ -6,14 +6,15 @@
 
 namespace handwheel::openhaptics {
 
-// Driver of the Touch and Phantom devices of 3D Systems, by OpenHaptics. Only the manufacturer's library communicates
-// with them, and it brings files into a process that are not compatible with ours: a separate process loads it
-// (Guard.cpp), if that was built. The driver learns whether a device is connected only by opening it; the
-// manufacturer's set-up gives it a name. HANDWHEEL_OPENHAPTICS_DEVICES has names, separated by colons; without it there
-// is the one that the manufacturer calls the default.
+// Driver of the Touch and Phantom devices of 3D Systems through OpenHaptics. Only the manufacturer's library
+// communicates with these devices, and it loads files into its process that are not compatible with Handwheel.
+// Therefore a separate process (Guard.cpp) loads the library, if that process was built. The driver can find out
+// whether a device is connected only by opening it. The manufacturer's set-up program gives each device a name. The
+// environment variable HANDWHEEL_OPENHAPTICS_DEVICES lists the names, separated by colons; if it is not set, the
+// manufacturer's default device is used.
 class Driver final : public DeviceDriver {
  public:
-  explicit Driver(std::string bridge);  // path of the program
+  explicit Driver(std::string bridge);  // bridge: the path of the guard program
   Driver();
 
   std::string id() const override { return "openhaptics"; }
@@ -26,10 +27,10 @@ class Driver final : public DeviceDriver {
 
 inline constexpr const char* kDefaultDevice = "default";
 
-// Returns the inherent damping, N·s/mm, for the stiffness (N/mm) and the rate (Hz) that are stated for a device.
+// Returns the inherent damping, N·s/mm, of a device, computed from its stated stiffness (N/mm) and rate (Hz).
 double touchDamping(double stiffness, double rate);
 
-// Returns the capabilities of a Touch, until the device itself was queried.
+// Returns the capabilities of a Touch, which are reported until the device itself has been queried.
 DeviceCapabilities touchCapabilities();
 
 }  // namespace handwheel::openhaptics

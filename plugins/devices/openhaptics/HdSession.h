@@ -13,9 +13,9 @@
 
 namespace handwheel::openhaptics {
 
-// Session with a 3D Systems device by the HD API of OpenHaptics. This calls back a thousand times a second on a thread
-// of its own. The only class that uses the manufacturer's functions. Their frame is ours: x right, y up, z towards the
-// user; mm, N, N·mm. One at a time.
+// A session with a 3D Systems device through the HD API of OpenHaptics. The API calls back a thousand times a second,
+// on a thread of its own. No other class uses the manufacturer's functions. Their frame is the one of this program: x
+// to the right, y up, z towards the user; their units are mm, N and N·mm. Only one session may be open at a time.
 class HdSession final : public Session {
  public:
   // name: the device's name in the manufacturer's set-up; "default": the manufacturer's choice.
@@ -43,7 +43,7 @@ class HdSession final : public Session {
   HHD m_device = HD_INVALID_HANDLE;
   HDSchedulerHandle m_callback = 0;
   HDenum m_calibrationStyle = 0;
-  // Shared between the manufacturer's thread and ours.
+  // Data that the thread of the API shares with the thread that calls exchange().
   struct TimedForce {
     DeviceForce force;
     double time = 0.0;  // s
@@ -51,8 +51,8 @@ class HdSession final : public Session {
   TripleBuffer<DeviceState> m_states;
   TripleBuffer<TimedForce> m_forces;
   std::atomic<std::uint32_t> m_ticks{0};
-  std::atomic<bool> m_canCalibrate{false};  // it is at a position where its calibration can be updated
-  // Used by our thread alone.
+  std::atomic<bool> m_canCalibrate{false};  // the device is where its calibration can be updated
+  // Data that only the thread that calls exchange() uses.
   double m_lastTick = 0.0;
   DeviceState m_last;
 };

@@ -7,9 +7,9 @@
 namespace handwheel::polhem {
 
 // Driver of the Polhem on a serial port. It finds the serial ports of the board that the Polhem is built on, a Teensy
-// (USB 16c0:0483). Other things are built on it, too: a port is opened only when the user chooses it.
-// HANDWHEEL_POLHEM_PORT is a port that is none of these. The reaction of its motors to a loss of communication is not
-// known: so a separate process holds it (Guard.cpp).
+// (USB 16c0:0483). Other products use the same board, so a port is opened only when the user chooses it. The
+// environment variable HANDWHEEL_POLHEM_PORT adds a port that is not found in this manner. The reaction of the motors
+// to a loss of communication is not known; therefore a separate process holds the device (Guard.cpp).
 class Driver final : public DeviceDriver {
  public:
   explicit Driver(std::string sysfs = "/sys/class/tty", std::string dev = "/dev")

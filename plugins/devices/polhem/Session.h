@@ -12,8 +12,8 @@
 
 namespace handwheel::polhem {
 
-// Session with a Polhem on a serial port. Each exchange sends a force and receives a reading. Its frame is x towards
-// the user, y right, z up.
+// A session with a Polhem device on a serial port. Each exchange sends a force and receives a reading. In the device's
+// own frame, x points towards the user, y to the right and z up.
 class Session final : public handwheel::Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
@@ -26,7 +26,7 @@ class Session final : public handwheel::Session {
 
  private:
   bool send(const Vec3& force) noexcept;
-  bool receive(double timeout) noexcept;  // returns true if a reading came; m_stream is null when the device is gone
+  bool receive(double timeout) noexcept;  // returns true if a reading arrived; resets m_stream if the device is gone
 
   Connect m_connect;
   std::shared_ptr<Clock> m_clock;

@@ -17,13 +17,13 @@ struct Hid {
     std::string name;
     int buttons = 0;
   };
-  std::function<std::vector<Entry>()> find;  // devices with six axes
+  std::function<std::vector<Entry>()> find;  // finds the devices with six axes
   std::function<Result<std::unique_ptr<HidTransport>>(const std::string& path)> open;
 };
 
-// Driver of SpaceMouse devices by spacenavd or by HID reports. One device by spacenavd's socket if the daemon runs,
-// else each device by its HID reports. Never both: the daemon reads the same devices, and every movement would count
-// twice.
+// Driver of SpaceMouse devices through spacenavd or HID reports. If the daemon spacenavd runs, the driver offers one
+// device on its socket; otherwise it offers each device through its HID reports. It never uses the socket and the
+// reports together, because the daemon reads the same devices and every movement would count twice.
 class Driver final : public DeviceDriver {
  public:
   explicit Driver(Hid hid, std::vector<std::string> sockets = {"/run/spnav.sock", "/var/run/spnav.sock"})
@@ -37,7 +37,8 @@ class Driver final : public DeviceDriver {
   std::optional<std::string> daemon();  // finds the socket of a running daemon
   bool answers(const std::string& path);
 
-  // A socket file, and whether a daemon listened there. Trying again would switch the lamp of the device on and off.
+  // The result of the last attempt to connect to a socket file. It is kept because each attempt switches the lamp of
+  // the device on and off.
   struct Asked {
     std::string identity;
     double at = 0.0;

@@ -12,11 +12,12 @@
 
 namespace handwheel::spacemouse {
 
-// The time (s) without a report after which a displaced cap counts as released. Reports come every 16 ms while it is
-// held, so the report of its release was lost. Shorter gaps are radio trouble, and the cap keeps its displacement.
+// The time (s) without a report after which a displaced cap counts as released. A held cap sends a report every 16 ms,
+// so after this time the report of its release must have been lost. In shorter gaps, which a disturbed radio link
+// causes, the cap keeps its displacement.
 inline constexpr double kHeld = 1.0;
 
-// Session with a SpaceMouse by its HID reports. Its lamp is on while it is open.
+// A session with a SpaceMouse through its HID reports. The lamp of the device is on while the session is open.
 class HidSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<HidTransport>>()>;

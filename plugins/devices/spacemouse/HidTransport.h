@@ -6,11 +6,13 @@
 
 namespace handwheel {
 
-// Interface to send and receive the reports of a HID device. Each read gives one whole report, each write takes one.
+// Interface to send and receive the reports of a HID device. Each read returns one complete report, and each write
+// sends one.
 class HidTransport {
  public:
   virtual ~HidTransport() = default;
-  // Reads a report, its number first. Returns its length; 0: none came in time; kGone.
+  // Reads a report, whose first byte is its number. Returns the length of the report, 0 if none arrived within the
+  // timeout, or kGone if the device is gone.
   virtual std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept = 0;
   virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
 };

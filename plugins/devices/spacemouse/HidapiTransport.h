@@ -6,7 +6,7 @@
 
 namespace handwheel::spacemouse {
 
-// Returns the HID functions by hidapi on the kernel's hidraw nodes.
+// Returns the HID functions of the library hidapi, which uses the kernel's hidraw nodes.
 Hid hidapi();
 
 }  // namespace handwheel::spacemouse

@@ -18,12 +18,12 @@ struct Model {
   std::uint16_t product;
 };
 
-// Finds a known product; null if it is unknown, or does not have six axes.
+// Finds a known product; returns null if the product is unknown or does not have six axes.
 const Model* modelOf(std::uint16_t vendor, std::uint16_t product);
 
-// Returns true if a HID device is a supported controller with six axes. It has to be of one of the two manufacturers, a
-// multi-axis controller (usage page 1, usage 8), and none of the mice and keypads that report the same. Products newer
-// than this list are accepted.
+// Returns true if a HID device is a supported controller with six axes. It must be a multi-axis controller (usage page
+// 1, usage 8) of one of the two manufacturers, and none of their mice and keypads that report the same usage. Products
+// newer than this list are accepted.
 bool isSixAxis(std::uint16_t vendor, std::uint16_t product, std::uint16_t usagePage, std::uint16_t usage);
 
 }  // namespace handwheel::spacemouse

@@ -8,8 +8,8 @@
 
 namespace handwheel::spacemouse {
 
-// The cap's displacement from rest, in the units of HID reports. X right, Y towards the user, Z down (right-handed),
-// and the rotation vector about the same axes. Full scale is 350; devices are known to exceed it.
+// The cap's displacement from rest, in the units of HID reports. X is to the right, Y towards the user and Z down
+// (right-handed); the rotation vector refers to the same axes. Full scale is 350; devices are known to exceed it.
 struct Counts {
   std::array<int, 3> translation{};
   std::array<int, 3> rotation{};
@@ -19,11 +19,11 @@ struct Counts {
 };
 
 inline constexpr int kFullScale = 350;
-inline constexpr double kTravel = 1.4;    // mm at full scale, by the report descriptors (1400 times 1e-4 cm)
-inline constexpr double kFullTilt = 1.0;  // rad at full scale; by convention, the descriptors give no angle
+inline constexpr double kTravel = 1.4;    // mm at full scale, from the report descriptors (1400 times 1e-4 cm)
+inline constexpr double kFullTilt = 1.0;  // rad at full scale; a convention, because the descriptors state no angle
 
-// Sets position and orientation from counts. In the frame of Device.h: x right, y up, z towards the user. Each axis is
-// clamped to full scale.
+// Sets position and orientation from counts. They are in the frame of Device.h: x right, y up, z towards the user. Each
+// axis is clamped to full scale.
 void setPose(const Counts& counts, DeviceState& state);
 
 // Returns the capabilities that all models share.

@@ -9,11 +9,12 @@
 
 namespace handwheel::spacemouse {
 
-// Axes, buttons and battery according to the HID reports received. Any bytes are accepted; other reports than those of
-// these devices change nothing.
+// Axes, buttons and battery according to the HID reports received. Any bytes are accepted; reports that SpaceMouse
+// devices do not send change nothing.
 class Reports {
  public:
-  // Processes one report, its number first. Returns true if it has values of the axes, even the same as before.
+  // Processes one report, whose first byte is its number. Returns true if the report contains values of the axes, even
+  // if they are unchanged.
   bool take(std::span<const std::uint8_t> report);
   void rest() { m_counts = {}; }
 

@@ -10,8 +10,8 @@
 namespace handwheel::spacemouse {
 
 // Axes and buttons according to the records received from spacenavd. A record is eight 32-bit numbers in the machine's
-// byte order, the first of which is the type. They may arrive in pieces. Its axes are x right, y up, z away from the
-// user.
+// byte order, the first of which is the type. Records may arrive in pieces. The axes of spacenavd are x right, y up, z
+// away from the user.
 class SocketRecords {
  public:
   void take(std::span<const std::uint8_t> bytes);

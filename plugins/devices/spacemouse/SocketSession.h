@@ -11,14 +11,15 @@
 
 namespace handwheel::spacemouse {
 
-// Session with a SpaceMouse by the daemon spacenavd. The kernel passes only changes to the daemon, so a cap that is
-// held still sends nothing: it keeps its displacement until the daemon reports otherwise or ends.
+// Session with a SpaceMouse through the daemon spacenavd. The kernel passes only changes to the daemon, so no records
+// arrive while the cap is held still. The session keeps the last displacement until the daemon reports another one or
+// ends.
 class SocketSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
   explicit SocketSession(Connect connect) : m_connect(std::move(connect)) {}
 
-  // Returns the number of buttons is not known.
+  // Returns capabilities with 32 buttons, because the daemon does not report the number of buttons.
   DeviceCapabilities capabilities() const override { return capabilitiesWith(32); }
   Status open(Progress progress) override;
   DeviceState exchange(const DeviceForce& force) noexcept override;
@@ -26,7 +27,7 @@ class SocketSession final : public Session {
 
  private:
   Connect m_connect;
-  std::unique_ptr<ByteStream> m_stream;  // null: not open, or gone
+  std::unique_ptr<ByteStream> m_stream;  // null: the session is not open, or the daemon is gone
   SocketRecords m_records;
 };
 

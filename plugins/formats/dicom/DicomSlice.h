@@ -14,26 +14,27 @@
 
 namespace handwheel {
 
-// The image data in the header of a DICOM file. No data about the patient are read.
+// The image data in the header of a DICOM file. Data about the patient are not read.
 struct DicomSlice {
   std::string_view bytes;  // content of the file
   std::string series;      // unique identifier of the series
   std::array<int, 3> size{0, 0, 0};
-  Vec3 spacing = Vec3::Ones();                        // mm; the third: distance of frames, or the thickness
-  Vec3 origin = Vec3::Zero();                         // centre of the first pixel, mm
+  Vec3 spacing = Vec3::Ones();  // mm; the third is the distance of frames, or the thickness of the slice
+  Vec3 origin = Vec3::Zero();   // centre of the first pixel, mm
   Vec3 across = Vec3::UnitX(), down = Vec3::UnitY();  // unit vectors along rows and columns
 
   Vec3 normal() const { return across.cross(down); }
-  // Position along the normal, mm.
+  // Returns the position of the slice along its normal, mm.
   double height() const { return normal().dot(origin); }
-  // Returns true if both can be slices of one image.
+  // Returns true if the two slices can be slices of one image.
   bool belongsWith(const DicomSlice& other) const;
 };
 
-// Returns the slice in a file; none if it is not a grey image of a supported size.
+// Returns the slice in a file, or nothing if the file is not a grey image of a supported size.
 std::optional<DicomSlice> sliceOf(std::string_view file);
 
-// Returns the values of a slice, all frames, rescaled: slope · number + intercept. None if they cannot be unpacked.
+// Returns the values of all frames of a slice, rescaled by slope · number + intercept. Returns nothing if the pixels
+// cannot be unpacked.
 std::optional<std::vector<float>> valuesOf(const DicomSlice& slice);
 
 }  // namespace handwheel

@@ -14,8 +14,8 @@ namespace handwheel {
 struct ExaminedFace {
   TopoDS_Face face;
   BRepAdaptor_Surface surface;
-  double u[2], v[2];  // bounds of its parameters
-  double area = 0.0;  // approximate
+  double u[2], v[2];  // bounds of the parameters
+  double area = 0.0;  // approximate area
   struct Sample {
     gp_Pnt point;
     gp_Dir normal;
@@ -25,12 +25,12 @@ struct ExaminedFace {
 
 std::vector<ExaminedFace> examine(const TopoDS_Shape& shape);
 
-// Returns true if a face is of revolution about an axis: all its normals intersect it (H. Pottmann, J. Wallner,
-// "Computational Line Geometry", 3.3.1).
+// Returns true if a face is a surface of revolution about an axis. All its normals then intersect the axis (H.
+// Pottmann, J. Wallner, "Computational Line Geometry", 3.3.1).
 bool isOfRevolution(const ExaminedFace& face, const gp_Ax1& axis);
 
-// Returns the axis about which the largest area is of revolution. It points in the positive direction of the nearest
-// coordinate axis, and its location is the point nearest to the origin.
+// Returns the axis for which the faces of revolution have the largest total area. It points in the positive direction
+// of the nearest coordinate axis, and its location is its point nearest to the origin.
 std::optional<gp_Ax1> axisOf(const std::vector<ExaminedFace>& faces);
 
 }  // namespace handwheel

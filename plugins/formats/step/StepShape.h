@@ -14,10 +14,10 @@ namespace handwheel {
 // The content of a STEP file.
 struct StepShape {
   TopoDS_Shape shape;  // mm
-  int parts = 0;       // roots of the file
+  int parts = 0;       // number of roots of the file
   int partsRead = 0;
   int solids = 0;
-  int openShells = 0;  // open shells and single faces that belong to no solid
+  int openShells = 0;  // number of open shells, and of single faces, that belong to no solid
   std::string unit;    // unit of its lengths: "millimetre", "inch"; empty: not stated
 };
 

@@ -9,10 +9,11 @@
 
 namespace handwheel {
 
-// Returns the volume of the first level set, or else of the first fog volume. Errors: LibraryFailed with the reason.
+// Returns the volume of the first level set. If there is no level set, the first fog volume is used. Errors:
+// LibraryFailed with the reason.
 Result<VdbVolume> volumeOfGrids(const openvdb::GridPtrVec& grids);
 
-// Returns a level set of a volume, three voxels deep on both sides.
+// Converts a volume to a level set, three voxels deep on both sides.
 openvdb::FloatGrid::Ptr gridOf(const SparseVolume& volume);
 
 }  // namespace handwheel

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// A post for a made-up language, as an example of a plugin. It has the usual statements: joint motions in degrees,
-// lines by a position in mm and a quaternion, zones.
+// A post for a made-up language, as an example of a plugin. The language has the usual statements: joint motions in
+// degrees, lines to a position in mm and a quaternion, and zones.
 //
 //   PROGRAM weld_seam_1
 //   JOINT 0.000000 30.000000 ... SPEED 25.00 ZONE 0.000

@@ -4,8 +4,8 @@
 
 namespace handwheel {
 
-// The position of a slide in turns and divisions of its dial. They are counted from the zero that was set. Plain
-// values, any thread; mm. Values that are not finite change nothing.
+// The position of a slide in turns and divisions of its dial. They are counted from the zero that was set. Lengths are
+// in mm, and values that are not finite change nothing. Different objects may be used on different threads.
 class DialCount {
  public:
   static constexpr int kMostDivisions = 1000;
@@ -20,13 +20,15 @@ class DialCount {
   int perTurn() const { return m_perTurn; }
   double mmPerDivision() const { return m_mmPerDivision; }
 
-  // Returns the reading in divisions. Within a thousandth of a division of a tenth it is that tenth.
+  // Returns the reading in divisions. If it differs from a multiple of 0.1 by at most 0.001, it is rounded to this
+  // multiple.
   double divisions() const;
   double turns() const;         // whole turns, rounded down
   double restOfTurn() const;    // divisions, 0 to below perTurn()
   double wheelDegrees() const;  // clockwise rotation of the wheel, 0 to below 360, independent of the zero
 
-  // Returns the value after some tenths of a division. From a position on a tenth it comes to one on a tenth.
+  // Returns the value after turning by some tenths of a division. If the present position is on a tenth, the result is
+  // exactly on a tenth, too.
   double after(double tenths) const;
 
  private:

@@ -10,11 +10,12 @@
 
 namespace handwheel {
 
-// A handwheel with a graduated dial, like those of a machine tool's slides. Turned clockwise the value rises. The wheel
-// is dragged around its centre; with the focus, a notch of the mouse wheel or an arrow key is one division (Shift: ten,
-// Ctrl: a tenth) and Page Up and Down are a turn. Home or a double click sets the dial to zero at the present value, as
-// the ring of a slide is set. Its owner may answer moved() with another value: further turning counts from that. Values
-// in mm. Window thread.
+// A handwheel with a graduated dial, like those of a machine tool's slides. Turning it clockwise increases the value.
+// The user drags the wheel around its centre. While the dial has the focus, a notch of the mouse wheel or an arrow key
+// turns it by one division (Shift: ten, Ctrl: a tenth), and Page Up and Page Down by a full turn. Home or a double
+// click sets the zero of the dial to the present value, like the ring of a real slide. The owner may answer moved() by
+// setting another value; further turning counts from this value. Values are in mm. All calls must be made on the window
+// thread.
 class HandwheelDial : public QWidget {
   Q_OBJECT
 
@@ -30,15 +31,15 @@ class HandwheelDial : public QWidget {
   void setRange(double least, double largest);  // range of the value for turning by hand; none when least > largest
   void setPrefix(const QString& prefix);        // before the number: "⌀", "R"
   void setLabel(const QString& label);          // accessible name: "Cross slide"
-  // For windows in which keys belong to something else and nothing scrolls: the mouse gives it no focus, and its wheel
-  // turns it without.
+  // Makes the mouse independent of the focus: a click does not give the dial the focus, and the mouse wheel turns it
+  // without focus. For windows in which the keys have another use and nothing scrolls.
   void setMouseFirst();
 
   double value() const { return m_count.value(); }
   double zero() const { return m_count.zero(); }
   QString numberText() const;   // the displayed value: "⌀ 12.350 mm"
   QString readingText() const;  // "2 turns + 47.0 div"
-  QString text() const;         // both
+  QString text() const;         // displayed value and reading
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -47,8 +48,8 @@ class HandwheelDial : public QWidget {
   QPointF centre() const;
 
  signals:
-  void moved(double mm);        // by the user, to this value
-  void zeroChanged(double mm);  // by the user
+  void moved(double mm);        // emitted when the user turned the dial to this value
+  void zeroChanged(double mm);  // emitted when the user set the zero
 
  protected:
   bool event(QEvent* event) override;
@@ -78,7 +79,7 @@ class HandwheelDial : public QWidget {
   QPointF m_pressed;
   bool m_isHeld = false;
   bool m_isMouseFirst = false;
-  std::optional<double> m_angle;  // angle of the pointer, radian, while it turns the wheel
+  std::optional<double> m_angle;  // angle of the mouse pointer while it drags the wheel, rad; none: no dragging
 };
 
 }  // namespace handwheel

@@ -10,19 +10,19 @@
 
 namespace handwheel {
 
-// Returns the colour of a word in a program editor. It has a contrast of at least 4.5:1 on the ground of lists and
-// fields.
+// Returns the colour of a word in a program editor. The colour has a contrast of at least 4.5:1 on the background of
+// lists and fields.
 QColor programColour(EditorWord::Kind kind, ThemeKind theme);
 
-// Colours the words of a program and underlines marked ones. Only the lines that the editor reports as visible are
-// coloured, so that a long program opens at once.
+// A highlighter that colours the words of a program and underlines marked words. Only the lines that the editor reports
+// as visible are coloured, so that a long program opens at once.
 class ProgramHighlighter : public QSyntaxHighlighter {
   Q_OBJECT
 
  public:
   explicit ProgramHighlighter(QTextDocument* document);
 
-  // Sets the visible lines, counted from 0. Colours those that are not coloured yet.
+  // Sets the visible lines, counted from 0. Colours those lines that are not coloured yet.
   void show(int first, int last);
   // Colours the visible lines again, after a change of the marks or the theme.
   void refresh();
@@ -35,7 +35,8 @@ class ProgramHighlighter : public QSyntaxHighlighter {
 
   int m_first = 0;
   int m_last = 0;
-  int m_round = 1;  // lines with another number in their state have old colours, or none
+  // The number of the present colouring. Lines with another number in their state have outdated colours or none.
+  int m_round = 1;
   ThemeKind m_theme;
 };
 

@@ -8,7 +8,8 @@ namespace handwheel {
 
 class ProgramEditor;
 
-// The margin of a program: line numbers, marks, an arrow at the executed line. A click puts the cursor there.
+// The margin of a program, with line numbers, marks and the executed line. A click moves the cursor to the
+// clicked line.
 class ProgramMargin : public QWidget {
   Q_OBJECT
 

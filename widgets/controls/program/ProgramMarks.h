@@ -22,14 +22,14 @@ struct ProgramMark {
   bool operator==(const ProgramMark&) const = default;
 };
 
-// Sets the marks of a document. They are kept at its lines and move with them while it is edited. Those of lines that
-// the document does not have go to its last one. Cost: all lines once.
+// Sets the marks of a document. The marks are attached to its lines and move with them while it is edited. Marks of
+// lines beyond the end of the document are attached to its last line. O(lines + marks).
 void setProgramMarks(QTextDocument& document, std::vector<ProgramMark> marks);
 
-// Returns the marks of a line; empty when there are none.
+// Returns the marks of a line. The result is empty if there are none.
 const std::vector<ProgramMark>& programMarks(const QTextBlock& line);
 
-// Returns the worst severity of at least one mark.
+// Returns the worst severity of the marks, of which there must be at least one.
 ProgramMark::Severity worstOf(const std::vector<ProgramMark>& marks);
 
 QColor severityColour(ProgramMark::Severity severity, const ThemeColours& colours);

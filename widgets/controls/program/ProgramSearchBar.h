@@ -11,14 +11,15 @@ namespace handwheel {
 
 class ProgramEditor;
 
-// A bar below a program for incremental search. Enter goes on, Shift+Enter back, Esc closes it.
+// A bar below a program for incremental search. Enter goes to the next occurrence, Shift+Enter to the previous one, and
+// Esc closes the bar.
 class ProgramSearchBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProgramSearchBar(ProgramEditor* editor);
 
-  // Shows it with a text, or with the last one.
+  // Shows the bar with a text to search for. If the text is empty, the last one is kept.
   void start(const QString& text);
   // Goes to the next occurrence of the text, or the previous one.
   void go(bool backwards);

@@ -15,30 +15,31 @@ class PropertyRow : public QWidget {
   Q_OBJECT
 
  public:
-  // Creates the row for this kind of property, showing its value.
+  // Creates the row for a property, showing its value. The class of the row depends on the kind of the property.
   static PropertyRow* make(const Property& property, LengthUnit unit, QWidget* parent);
 
   const std::string& id() const { return m_id; }
-  // Returns true if this row can show the property: same id and kind.
+  // Returns true if this row can show the property, because id and kind are the same.
   bool fits(const Property& property) const;
   void showProperty(const Property& property, LengthUnit unit);
-  // Shows why the document has not taken a value. A text stays in the field, to be corrected, or until Esc restores the
-  // former one.
+  // Shows the reason why the document has refused a value. A refused text stays in the field until it is corrected or
+  // Esc restores the former one.
   void refuse(const PropertyValue& entered, const QString& reason);
-  // Leaves the remark on the value to the owner of the row, so that the row keeps its height: here, only its label
-  // looks bad.
+  // Leaves the display of the remark on the value to the owner of the row, so that the row keeps its height. The row
+  // itself only marks its label as invalid.
   void showRemarkOutside();
-  // Returns the remark with the label: "Points: they cannot be scored without a limit"; empty: no remark.
+  // Returns the remark with the label: "Points: they cannot be scored without a limit". The result is empty if there is
+  // no remark.
   QString namedRemark() const;
   bool isRefused() const { return !m_refusal.isEmpty(); }
 
  signals:
   void edited(const PropertyValue& value, bool stillDragging);
-  void typed(const PropertyValue& value);  // emitted before it is entered
+  void typed(const PropertyValue& value);  // emitted for a number while it is being typed, before it is entered
   void remarkChanged();
 
  protected:
-  // Shares of label and editor in the width of a line.
+  // Stretch factors of label and editor in a line.
   static constexpr int kLabelStretch = 2, kEditorStretch = 3;
 
   enum class Kind { Number, Switch, Text, LongText, Colour, Choice, List, ReadOnly };
@@ -46,13 +47,13 @@ class PropertyRow : public QWidget {
   static QString translated(const std::string& english);
 
   explicit PropertyRow(QWidget* parent);
-  // Lays out the parts; to be called once. The label is beside the editor, or the editor is alone. after: a widget at
-  // the end of its line.
+  // Lays out the parts; to be called once. The label is beside the editor, or the editor has the line to itself. below:
+  // a widget below the editor; after: a widget at the end of the editor's line.
   void arrange(QWidget* editor, bool besideLabel = true, QWidget* below = nullptr, QWidget* after = nullptr);
 
   virtual void showValue(const Property& property, LengthUnit unit) = 0;
   virtual void setLabel(const QString& label) = 0;  // accessible name, or the text of an editor that shows it
-  // Puts back the refused input. Returns true if it stays until it is corrected.
+  // Shows the refused input in the editor again. Returns true if it stays until it is corrected.
   virtual bool keep(const PropertyValue& entered) {
     (void)entered;
     return false;

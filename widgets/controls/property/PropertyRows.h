@@ -40,7 +40,7 @@ class NumberRow : public PropertyRow {
   QSlider* m_slider;
   QLabel* m_lower;
   QLabel* m_upper;
-  bool m_slid = false;  // the slider was moved since it was pressed
+  bool m_slid = false;  // the slider has been moved since it was pressed
   double m_least = 0.0;
   double m_largest = 0.0;
 };
@@ -68,7 +68,7 @@ class TextRow : public PropertyRow {
   explicit TextRow(QWidget* parent);
 
  protected:
-  // Creates a row with another widget beside the line.
+  // Creates a row with another widget beside the line edit.
   TextRow(QWidget* parent, QWidget* beside);
   void showValue(const Property& property, LengthUnit unit) override;
   void setLabel(const QString& label) override;
@@ -80,7 +80,7 @@ class TextRow : public PropertyRow {
 
   QLineEdit* m_line;
   QString m_value;           // displayed text
-  bool m_isNumbers = false;  // its numbers have the decimal separator of the user
+  bool m_isNumbers = false;  // the text consists of numbers, which are shown with the user's decimal separator
 };
 
 // A row for a text of several lines, below its label. It is entered when the field is left, or by Ctrl+Return.

@@ -11,7 +11,7 @@ namespace handwheel {
 
 // A list of the bodies of a document: colour, name, link and eye. Several can be selected. F2 or a double click
 // renames, Del removes, Space and a click on an eye hide or show; bodies are dragged onto their carriers. The list
-// itself changes nothing, but emits requests.
+// itself does not change the document, but emits requests.
 class BodyList : public QTreeView {
   Q_OBJECT
 
@@ -23,9 +23,9 @@ class BodyList : public QTreeView {
   void setSelected(const std::set<BodyId>& bodies);
 
  signals:
-  void selected(const std::set<handwheel::BodyId>& bodies);  // by the user
+  void selected(const std::set<handwheel::BodyId>& bodies);  // emitted when the user changes the selection
   void renameRequested(handwheel::BodyId body, const QString& name);
-  void removalRequested();  // the selected bodies
+  void removalRequested();  // the user wants to remove the selected bodies
   void visibilityRequested(const std::set<handwheel::BodyId>& bodies, bool visible);
   void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);  // see BodyModel
 
@@ -44,7 +44,7 @@ class BodyList : public QTreeView {
 
   BodyModel* m_model;
   std::set<BodyId> m_selected;
-  bool m_isFollowing = false;  // the selection is set from outside, or rows are inserted or removed
+  bool m_isFollowing = false;  // the selection is being set by the program, or rows are being inserted or removed
 };
 
 }  // namespace handwheel

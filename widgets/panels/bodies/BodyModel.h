@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// The bodies of a document as rows, in the order in which they were added. If there are carriers, each is a row after
-// those of the bodies without a carrier, with the bodies that it carries below it. A change of the document costs a
-// comparison of pointers for each body.
+// A tree model of the bodies of a document, in the order of their addition. If there are carriers, each has a row after
+// the rows of the bodies without a carrier. The bodies that it carries are the children of this row. A change of the
+// document costs a comparison of pointers for each body.
 class BodyModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -21,11 +21,11 @@ class BodyModel : public QAbstractItemModel {
 
   explicit BodyModel(QObject* parent = nullptr);
 
-  // carriers: the names of objects that can carry bodies (Body::carrier).
+  // Sets the bodies to show. carriers: the names of objects that can carry bodies (Body::carrier).
   void setBodies(const BodySet& bodies, const QStringList& carriers = {});
   BodyPointer body(const QModelIndex& index) const;  // null for an invalid index, and for a carrier
-  QModelIndex indexOf(BodyId id) const;  // index of the name; invalid when there is none; O(carriers · log n)
-  QModelIndex indexOfCarrier(const QString& name) const;  // the same
+  QModelIndex indexOf(BodyId id) const;  // index of the body's name; invalid if there is none; O(carriers · log n)
+  QModelIndex indexOfCarrier(const QString& name) const;  // index of the name of a carrier; invalid if there is none
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& index) const override;
@@ -42,8 +42,9 @@ class BodyModel : public QAbstractItemModel {
 
  signals:
   void renameRequested(handwheel::BodyId body, const QString& name);
-  // Emitted when bodies were dropped on a carrier; empty: beside all carriers, or on a body without one. Bodies dropped
-  // on a carried body are to get its carrier.
+  // Emitted when bodies were dropped. carrier: the carrier that the bodies are to get: the one on which they were
+  // dropped, or the carrier of the body on which they were dropped. The name is empty for a body without a carrier and
+  // for empty space.
   void carrierRequested(const std::set<handwheel::BodyId>& bodies, const QString& carrier);
 
  private:
@@ -59,7 +60,7 @@ class BodyModel : public QAbstractItemModel {
 
   QStringList m_carriers;
   std::vector<Bodies> m_bodies{1};  // the bodies without a carrier, then those of each carrier
-  QString m_mimeType;               // unique to this model: numbers of bodies mean nothing elsewhere
+  QString m_mimeType;               // unique to this model, because body numbers are meaningless in other models
 };
 
 }  // namespace handwheel

@@ -9,16 +9,16 @@ class QLabel;
 
 namespace handwheel {
 
-// Describes the selected defect, or all of a kind, with a repair button.
+// A card with a description of the selected defect or kind, and a repair button.
 class DefectCard : public QFrame {
   Q_OBJECT
 
  public:
   explicit DefectCard(QAction* fix, QWidget* parent = nullptr);
 
-  // remains: the reason why it is still there after a repair or fix, as the end of a sentence; or empty.
+  // Shows a defect. remains: the end of a sentence with the reason why it remains after a repair or fix, or empty.
   void showDefect(const QString& name, const QString& hint, const QString& remains);
-  // Shows the expected effect of the fix: a sentence, or empty.
+  // Shows a sentence on the expected effect of the fix. An empty text removes it.
   void showPreview(const QString& text);
 
  private:

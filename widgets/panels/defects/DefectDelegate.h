@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Draws the rows of the defects list. A group has its icon, count and eye; a defect has its measurements at the right.
+// A delegate that draws the rows of the defects list. The row of a group shows icon, count and eye; the row of a defect
+// shows its measurements at the right.
 class DefectDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -16,9 +17,9 @@ class DefectDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-  // Sets the loop under the cursor in the viewport, drawn as if under the cursor here; -1 for none.
+  // Sets the loop under the cursor in the viewport, whose row is drawn like the row under the cursor; -1: none.
   void setHighlightedLoop(int loop) { m_highlightedLoop = loop; }
-  // Advances the animated symbol of a running search. Called by the panel while one runs.
+  // Advances the animated symbol of a running search. To be called by the panel at intervals while a search runs.
   void turnSpinner() { m_spinnerAngle = (m_spinnerAngle + 30) % 360; }
 
  signals:

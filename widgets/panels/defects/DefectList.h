@@ -28,7 +28,7 @@ struct DefectRow {
   int row;  // -1: all
 };
 
-// The reasons why defects remain: by kind, and by row where that is known.
+// The reasons why defects remain: by kind, and also by row if a row has a reason of its own.
 struct DefectReasons {
   std::map<DefectKind, QString> ofKind;
   std::map<std::pair<DefectKind, int>, QString> ofRow;
@@ -45,9 +45,9 @@ struct RepairFindings {
   std::set<DefectKind> hopeless;
 };
 
-// The defects of a mesh document as the window shows them. Adds to the document the choice of loops that count as
-// holes, the loop names, the self-intersections (found later, by a job) and the reasons why a hole could not be filled.
-// Follows changes of the document; window thread.
+// The defects of a mesh document as the window shows them. Beyond the data of the document it knows which loops count
+// as holes, the names of loops, the self-intersections (found later, by a job), and the reasons why a hole could not be
+// filled. It follows changes of the document, and is used on the window thread.
 class DefectList : public QObject {
   Q_OBJECT
 
@@ -61,33 +61,36 @@ class DefectList : public QObject {
   // Return loop ids. A loop that the user keeps open, or that is the outer edge of a sheet, is no hole.
   const std::vector<int>& holes() const { return m_holes; }
   const std::vector<int>& keptOpen() const { return m_keptOpen; }
-  // Debris is given by indices into defects().components.
-  std::size_t sheetCount() const;  // open sheets, whose outer boundaries are in keptOpen()
+  std::size_t sheetCount() const;  // number of open sheets, whose outer boundaries are in keptOpen()
+  // Returns indices into defects().components.
   const std::vector<std::size_t>& debris() const { return m_debris; }
-  // Excludes pieces with one of these corners from the debris, however small: a fix cut them from a larger body.
+  // Excludes pieces with one of these corners from the debris, however small. Used for pieces that a fix cut from a
+  // larger body.
   void keepPieces(const std::set<PointKey>& corners);
 
-  // Returns the self-intersections in the numbers of the document's file, which may have fewer digits. Absent until
-  // computed for the present mesh.
+  // Returns the self-intersections after rounding to the number type of the document's file. They are absent until they
+  // were computed for the present mesh.
   const std::optional<FacePairs>& selfIntersections() const { return m_selfIntersections; }
   void setSelfIntersections(std::uint64_t revision, FacePairs pairs);
 
   // Returns the number of defects of this kind; for self-intersections 0 while unknown.
   std::size_t count(DefectKind kind) const;
-  // Returns the numbers of all kinds of defects; without self-intersections while these are unknown.
+  // Returns the number of defects by kind. Self-intersections are missing while they are unknown.
   std::map<DefectKind, std::size_t> counts() const;
-  // Sets the counts before the fix that made the present mesh, and the outcomes of the loops. Kept until the mesh
-  // changes.
+  // Sets the counts before the fix that made the present mesh, and the outcomes of the loops. They are kept until the
+  // mesh changes.
   void setBefore(std::map<DefectKind, std::size_t> counts, LoopCounts loops);
   const LoopCounts& loopOutcomes() const { return m_findings.loopOutcomes; }
-  // Returns a phrase for each further change of the last repair. Kept until the mesh changes.
+  // Returns a phrase for each further change of the last repair. They are kept until the mesh changes.
   const QStringList& doneBesides() const { return m_findings.doneBesides; }
-  // Returns sentences about patches of the last repair that a person should look at. Kept until the mesh changes.
+  // Returns sentences about patches of the last repair that a person should look at. They are kept until the mesh
+  // changes.
   const QStringList& patchWarnings() const { return m_findings.patchWarnings; }
-  // Returns the sentence about material that the last repair removed from the outside; empty if there is none. Kept
-  // until the mesh changes.
+  // Returns the sentence about material that the last repair removed from the outside; empty if there is none. It is
+  // kept until the mesh changes.
   const QString& removalWarning() const { return m_findings.removalWarning; }
-  // Returns nothing if the number before is unknown, or is the same.
+  // Returns the number of defects of this kind before the fix that made the present mesh. Returns nothing if it is
+  // unknown, or the same as now.
   std::optional<std::size_t> countBefore(DefectKind kind) const;
   // Returns the state of the present mesh, with its self-intersections once they are computed.
   MeshState state() const;
@@ -95,8 +98,9 @@ class DefectList : public QObject {
   // found that it cannot resolve them.
   bool isClean() const;
 
-  // Returns the number of a loop, assigned when it first appears, from 1; holes and outer edges are counted separately.
-  // It does not change while other holes are filled; an outer edge that becomes a hole gets a number among these.
+  // Returns the number of a loop, assigned when it first appears, from 1. Holes and outer edges are counted separately.
+  // The number does not change while other holes are filled. An outer edge that becomes a hole gets a number among the
+  // holes.
   int loopNumber(int id) const;
   // Returns the name of a loop: "Hole 3".
   QString loopName(int id) const;
@@ -104,22 +108,22 @@ class DefectList : public QObject {
   QString loopTitle(int id) const;
   QString loopLength(int id) const;  // "31.2 mm"
   QString loopDetail(int id) const;
-  // Returns a text like "Area 12 mm². 0.3 mm off the plane that fits best (RMS). 2 islands in it."
+  // Returns a text like "Area 12 mm². 0.3 mm from the best-fitting plane (RMS). 2 islands inside: …".
   QString loopMeasures(int id) const;
 
   FillFailure failure(int id) const;
   void setFailure(int id, FillFailure failure);
-  // Returns the reason why a defect other than a hole remains after a repair or fix, as the end of a sentence: its own
-  // reason, else that of its kind. Kept until the mesh changes.
+  // Returns the reason why a defect other than a hole remains after a repair or fix, as the end of a sentence. It is
+  // the reason of the row, or else that of the kind. It is kept until the mesh changes.
   QString reason(DefectKind kind, int row) const;
-  // Returns true if a fix of all of this kind was tried on the present mesh and changed nothing; see reason().
+  // Returns true if a fix of all defects of this kind was tried on the present mesh and changed nothing; see reason().
   bool isHopeless(DefectKind kind) const { return m_findings.hopeless.contains(kind); }
   void setHopeless(DefectKind kind);
-  // Return and set everything that is kept until the mesh changes: for the state of the history to which undo and redo
-  // return.
+  // Return and set everything that is kept until the mesh changes, so that undo and redo can restore it together with
+  // the mesh.
   const RepairFindings& findings() const { return m_findings; }
   void setFindings(RepairFindings findings);
-  // Sets the reason of a row, or with -1 that of the rows of the kind without their own.
+  // Sets the reason of a row, or with -1 that of all rows of the kind that have none of their own.
   void setReason(DefectKind kind, int row, const QString& reason);
   // Sets the failures by loop key; keys of removed loops are allowed.
   void setFailures(const std::map<Vertex, FillFailure>& failures);
@@ -131,7 +135,7 @@ class DefectList : public QObject {
 
  signals:
   void changed();
-  // Emitted when only these reasons have changed, not the rows.
+  // Emitted when the reasons of this kind have changed, but not the rows.
   void reasonsChanged(DefectKind kind);
 
  private:
@@ -145,9 +149,11 @@ class DefectList : public QObject {
   std::vector<std::size_t> m_debris;
   std::set<PointKey> m_keptPieces;  // corners of kept pieces; by position, so that undo and redo find them again
   std::optional<FacePairs> m_selfIntersections;
-  std::optional<FacePairs> m_intersectionsBeforeRounding;  // for the same mesh in the numbers of the former file
-  std::vector<Vertex> m_keys;                              // by loop id
-  std::map<std::pair<bool, Vertex>, int> m_numbers;        // by (is an outer edge, key); from 1, never reused
+  // The self-intersections of the same mesh in the former number type of its file. They are compared with the new ones
+  // once these are computed.
+  std::optional<FacePairs> m_intersectionsBeforeRounding;
+  std::vector<Vertex> m_keys;                        // keys of the loops, by loop id
+  std::map<std::pair<bool, Vertex>, int> m_numbers;  // numbers by (is an outer edge, key); from 1, never reused
   LoopNumbers m_named;
   std::map<Vertex, FillFailure> m_failures;
   RepairFindings m_findings;

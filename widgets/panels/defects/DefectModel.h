@@ -11,16 +11,16 @@
 namespace handwheel {
 
 // A tree model of the defects of a document. It has one group for each kind and one row for each defect. Rows are
-// created when they are shown, so hundreds of thousands cost nothing.
+// created when they are shown, so hundreds of thousands of defects cost nothing.
 class DefectModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
   enum Role {
     KindRole = Qt::UserRole,  // int of DefectKind
-    LoopRole,                 // loop id of a hole or kept-open row, else -1
+    LoopRole,                 // loop id for a row of a hole or kept-open loop, else -1
     DetailRole,               // secondary text at the right
-    BriefRole,                // its most important part, for narrow rows
+    BriefRole,                // the most important part of the secondary text, for narrow rows
     CountRole,                // count of a group; -1 while still searching
     BeforeRole,               // the count of a group before the last repair; -1 when there is nothing to compare
     NoteRole,                 // the reason why the defect of a row remains after a repair or fix
@@ -33,15 +33,16 @@ class DefectModel : public QAbstractItemModel {
   const DefectList* defectList() const { return m_defectList; }
 
   QModelIndex groupIndex(DefectKind kind) const;
-  QModelIndex loopIndex(int loop) const;  // invalid when there is none
+  QModelIndex loopIndex(int loop) const;  // index of the row of a loop; invalid if there is none
   bool isShown(DefectKind kind) const { return !m_hidden.contains(kind); }
   void setShown(DefectKind kind, bool shown);
 
-  // Returns an explanation of a kind, with the number of affected triangles of this mesh where that matters.
+  // Returns an explanation of a kind, with the number of affected triangles of the mesh if this is relevant.
   QString hint(DefectKind kind) const;
-  // Returns the bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
+  // Returns the bounding box of a row's defect and a direction from which the defect is visible, to move the camera.
   std::pair<Box, Vec3> viewTargetOf(const QModelIndex& index) const;
-  // Returns the faces of a row's defect; none for a loop, an edge or a vertex, or for an index that is no row.
+  // Returns the faces of a row's defect. The result is empty if the defect is a loop, an edge or a vertex, and for an
+  // invalid index.
   std::vector<Face> facesOf(const QModelIndex& index) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -64,7 +65,7 @@ class DefectModel : public QAbstractItemModel {
   std::vector<Vertex> verticesOf(DefectKind kind, int row) const;
 
   QPointer<const DefectList> m_defectList;
-  std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // Flipped faces are no longer a defect
+  std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // kinds whose marks are not drawn in the viewport
 };
 
 }  // namespace handwheel

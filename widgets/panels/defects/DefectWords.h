@@ -10,7 +10,7 @@ namespace handwheel {
 
 // Returns the name of a kind of defects: "Holes", "Non-manifold edges", …
 QString defectKindName(DefectKind kind);
-// Returns an explanation of a kind, the criterion, and the remedies.
+// Returns an explanation of a kind of defects, with its criterion and the remedies.
 QString defectKindHint(DefectKind kind);
 
 }  // namespace handwheel

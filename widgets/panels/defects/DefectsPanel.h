@@ -28,31 +28,31 @@ struct DefectsPanelActions {
   QAction* preview;
   QAction* thickenSheet;
   QAction* cutAndClose;
-  QAction* fix;  // for the selection in the list
+  QAction* fix;  // fixes the selected defects
 };
 
-// The panel with the defects of the current document. It has an overall state, a list by kind, and the settings for the
-// selected hole. Selection and hovering are synchronised with the viewport.
+// The panel with the defects of the current document. It shows the overall state, the list of defects by kind, and the
+// settings for the selected hole. Selection and hovering are synchronised with the viewport.
 class DefectsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit DefectsPanel(const DefectsPanelActions& actions, QWidget* parent = nullptr);
 
-  void setDefectList(DefectList* defectList);  // null when no document is open
+  void setDefectList(DefectList* defectList);  // null: no document is open
   DefectModel* model() const { return m_model; }
   HoleSettings* settings() const { return m_settings; }
 
-  // Shows the expected effect of the offered fix: a sentence, or empty.
+  // Shows a sentence on the expected effect of the offered fix. An empty text removes it.
   void showFixPreview(const QString& text);
-  void setSelectedLoop(int loop);     // -1 for none
+  void setSelectedLoop(int loop);     // selects the row of a loop; -1: none
   void setHighlightedLoop(int loop);  // the loop under the cursor in the viewport
 
  signals:
   void loopSelected(int loop);
   void loopHovered(int loop);
-  void defectActivated(const QModelIndex& index);  // a click: move the camera there
-  void defectChosen(const QModelIndex& index);     // a row or a group; invalid for none
+  void defectActivated(const QModelIndex& index);  // emitted for a click; the camera is to move to the defect
+  void defectChosen(const QModelIndex& index);     // emitted for a selected row or group; invalid: none
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -74,7 +74,7 @@ class DefectsPanel : public QWidget {
   QWidget* m_empty;
   DefectList* m_defectList = nullptr;
   int m_selectedLoop = -1;
-  bool m_following = false;  // the selection is being set from outside
+  bool m_following = false;  // the selection is being set by the program
   std::set<int> m_expanded;  // expanded kinds; lost at each model reset
   QTimer m_spinner;
 };

@@ -22,10 +22,10 @@ enum class LengthUnit;
 struct PreviewState {
   enum class Kind { Off, Working, Ready, Failed };
   Kind kind = Kind::Off;
-  std::size_t triangles = 0;                // set if ready
+  std::size_t triangles = 0;                // number of triangles of the patch; set if the preview is ready
   FillMethod method = FillMethod::Fair;     // the method of the patch; differs from the chosen one if that failed
-  FillFailure failure = FillFailure::None;  // set if failed
-  PatchComparison shape = {};               // set if ready
+  FillFailure failure = FillFailure::None;  // reason of the failure; set if the preview failed
+  PatchComparison shape = {};               // comparison with the surroundings; set if the preview is ready
 };
 
 // The settings and buttons for filling the selected hole. Changes apply to the preview at once.
@@ -33,8 +33,8 @@ class HoleSettings : public QFrame {
   Q_OBJECT
 
  public:
-  // The actions are those of the menus and keys. thickenSheet, with its thickness, and cutAndClose are shown when they
-  // are possible.
+  // Creates the buttons for these actions, which also exist in menus and have keys. thickenSheet, with its thickness,
+  // and cutAndClose are shown only if they are possible.
   HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QAction* thickenSheet, QAction* cutAndClose,
                QWidget* parent = nullptr);
 
@@ -44,11 +44,12 @@ class HoleSettings : public QFrame {
   void setMethod(FillMethod method);
   void showLoop(const QString& name, const QString& detail, const QString& measures);
   void showPreview(const PreviewState& state);
-  // Shows the expected effect of the other action whose button is under the pointer: a sentence, or empty.
+  // Shows a sentence on the expected effect of another action, whose button is under the pointer. An empty text removes
+  // it.
   void showOtherPreview(const QString& text);
   // Sets the thickness that a sheet will get, mm.
   void showThickness(double thickness, LengthUnit unit);
-  // Returns true if the comparison of the methods is open, and their statistics are needed.
+  // Returns true if the comparison of the methods is open, so that their statistics are needed.
   bool isComparing() const;
   void showTrials(const std::vector<MethodTrial>& trials);
 
@@ -56,7 +57,7 @@ class HoleSettings : public QFrame {
   void methodChanged(handwheel::FillMethod method);
   void compareRequested();
   void thicknessEdited(double thickness);  // mm
-  void thickeningPointed(bool isPointed);  // the pointer or the focus is on the button of thickenSheet
+  void thickeningPointed(bool isPointed);  // the pointer or the focus comes to the button of thickenSheet, or leaves it
 
  private:
   QToolButton* compareButton();

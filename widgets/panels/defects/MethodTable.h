@@ -13,7 +13,7 @@ namespace handwheel {
 struct MethodTrial {
   FillMethod method = FillMethod::Fair;
   FillFailure failure = FillFailure::None;
-  PatchStatistics statistics;  // valid when it did not fail
+  PatchStatistics statistics;  // valid if the method did not fail
   double milliseconds = 0.0;
 };
 

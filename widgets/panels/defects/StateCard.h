@@ -10,11 +10,12 @@ namespace handwheel {
 
 class DefectList;
 
-// Returns the state of a mesh in a word or two: "3 holes", "Watertight". The most important defect comes first; panel,
-// card and status bar use the same text.
+// Returns the state of a mesh in a word or two: "3 holes", "Watertight". It names the most important defect only;
+// panel, card and status bar use the same text.
 QString stateHeadline(const DefectList& defectList);
 
-// Shows the overall state of a document. "Watertight" in green, or its defects, most important first.
+// Shows the overall state of a document. The headline is "Watertight" in green, or the most important defect; the
+// details below list them all.
 class StateCard : public QFrame {
   Q_OBJECT
 

@@ -11,8 +11,9 @@
 
 namespace handwheel {
 
-// Shows the live position of a device. Each measured axis has a bar from the middle and its value. If the hand at the
-// device is simulated, a knob on each bar moves it, by the mouse or with arrow keys.
+// A widget that shows the live position of a device. Each measured axis has a bar that starts in the middle of its
+// range, and its value. If the hand at the device is simulated, the user moves it with a knob on each bar, by mouse or
+// arrow keys.
 class AxisBars : public QWidget {
   Q_OBJECT
 
@@ -23,10 +24,11 @@ class AxisBars : public QWidget {
   void setDevice(const DeviceCapabilities& device);
   void showState(const DeviceState& state);
 
-  // Sets the meanings of the axes in the work, X first; empty and missing words: unknown.
+  // Sets the meanings of the device axes in the document, X first, such as "radius (X)" on a lathe. An empty or missing
+  // word means that the axis has no special meaning.
   void setWords(const QStringList& words);
 
-  // Sets whether the user moves the simulated hand here.
+  // Sets whether the user can move the simulated hand with this widget.
   void setLed(bool isLed);
   // Sets the target of the hand, which the knobs show.
   void showHand(const HandPose& hand);
@@ -35,16 +37,17 @@ class AxisBars : public QWidget {
   QString text(std::size_t axis) const;
   QString text() const;
   std::size_t axes() const { return m_axes.size(); }
-  double share(std::size_t axis) const;  // share of the range, -1 to 1; 0 for NaN
+  double share(std::size_t axis) const;  // position within the range, -1 to 1; 0 for NaN
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
-  // Returns the bar of an axis, from one end of its range to the other.
+  // Returns the rectangle of the bar of an axis, which extends over its whole range.
   QRectF barRect(std::size_t axis) const;
 
  signals:
-  void handLed(const handwheel::HandPose& hand);  // only its position and orientation differ
+  // Emitted when the user moves the hand. Only its position and orientation have changed.
+  void handLed(const handwheel::HandPose& hand);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -69,7 +72,7 @@ class AxisBars : public QWidget {
   std::vector<Axis> m_axes;
   QStringList m_words;
   HandPose m_hand;
-  std::size_t m_chosen = 0;  // axis that mouse and keys move
+  std::size_t m_chosen = 0;  // axis that the mouse and the keys move
   bool m_isLed = false;
   bool m_isDragged = false;
 };

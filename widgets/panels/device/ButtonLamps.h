@@ -6,8 +6,9 @@
 
 namespace handwheel {
 
-// Shows the buttons of a device as lamps, lit while held. They are numbered from 1. If the hand at the device is
-// simulated, a click on a lamp holds the button until the next click; so does its number as a key.
+// A widget that shows a device's buttons as lamps, which are lit while held. The buttons are numbered from 1. If the
+// hand at the device is simulated, a click on a lamp or the key of its number holds the button until the next click or
+// key press.
 class ButtonLamps : public QWidget {
   Q_OBJECT
 
@@ -19,20 +20,20 @@ class ButtonLamps : public QWidget {
   void setCount(int count);
   void showButtons(std::uint32_t held);  // bit n: button n + 1
 
-  // Sets whether the user presses the buttons here.
+  // Sets whether the user can press the buttons with this widget.
   void setLed(bool isLed);
 
-  QString text() const;  // "Held: 1, 3", or a text for none
+  QString text() const;  // displayed text: "Held: 1, 3", or that no button is held
 
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
-  QRect lampRect(int button) const;  // lamp of button + 1
+  QRect lampRect(int button) const;  // rectangle of the lamp of button number `button` + 1
 
  signals:
-  void toggled(int button);  // button + 1 is to be pressed, or released
+  void toggled(int button);  // emitted when the user wants to press or release button number `button` + 1
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -13,7 +13,8 @@ class QToolButton;
 
 namespace handwheel {
 
-// Shows and selects the device in use. Has its status, and advice when it is not ready.
+// A card that shows and selects the device in use. It displays the status of the device, and advice if the device is
+// not ready.
 class DeviceCard : public QWidget {
   Q_OBJECT
 
@@ -21,12 +22,12 @@ class DeviceCard : public QWidget {
   explicit DeviceCard(QWidget* parent = nullptr);
 
   void showDevice(const DeviceInUse& view);
-  void showStatus(DeviceStatus status);  // status of the chosen device, as it changes
+  void showStatus(DeviceStatus status);  // to be called when the status of the chosen device changes
   void showLoop(const ServoLoopStatus& loop);
 
  signals:
   void deviceChosen(const std::string& driver, const std::string& address);
-  void deviceLeft();  // no device is to be used any more
+  void deviceLeft();  // emitted when the user chooses to use no device
   void rescanRequested();
   void realTimeAdviceRequested();
 
@@ -41,7 +42,7 @@ class DeviceCard : public QWidget {
 
   DeviceInUse m_view;
   bool m_isRealTimeRefused = false;
-  std::vector<DeviceInfo> m_listed;  // the rows after the first
+  std::vector<DeviceInfo> m_listed;  // devices of the rows after the first
   QComboBox* m_choice;
   QFrame* m_state;
   QLabel* m_icon;

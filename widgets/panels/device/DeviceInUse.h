@@ -13,12 +13,12 @@ namespace handwheel {
 // The devices found and the state of the chosen one, for display.
 struct DeviceInUse {
   std::vector<DeviceInfo> found;
-  std::optional<DeviceInfo> chosen;  // unplugged: not among those found
+  std::optional<DeviceInfo> chosen;  // not among the found devices if it is unplugged
   DeviceCapabilities capabilities;   // capabilities of the chosen device
   DeviceStatus status = DeviceStatus::Absent;
   std::vector<std::string> spaceMice;  // names of the SpaceMouse devices that move the view
-  bool isPointer = false;              // the mouse is used as device
-  bool isLed = false;                  // nobody holds it: its hand is moved in the panel
+  bool isPointer = false;              // the mouse is used as a device
+  bool isLed = false;                  // the hand at the device is simulated, and moved in the panel
   bool isForceOn = false;
 };
 

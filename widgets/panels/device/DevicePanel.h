@@ -22,9 +22,9 @@ class TimingPage;
 struct HandPose;
 struct ServoSample;
 
-// The panel for the haptic devices. For the one in use it has pages for live values, mapping, servo timing and data
-// sheet, and the state of the safety chain. It only displays, and emits signals for the user's requests; while it is
-// hidden, samples and timings are ignored.
+// The panel for the haptic devices. For the device in use, it has pages for live values, mapping, servo timing and data
+// sheet, and it shows the state of the safety chain. The panel only displays values, and emits signals for the user's
+// requests. While it is hidden, it ignores samples and timings.
 class DevicePanel : public QWidget {
   Q_OBJECT
 
@@ -37,18 +37,19 @@ class DevicePanel : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
-  // To be called at the rate of the display. stiffnessAtDevice: felt as 1 in the scene.
+  // Shows a sample of the servo loop. To be called at the rate of the display. stiffnessAtDevice: the stiffness at the
+  // device for a stiffness of 1 in the scene.
   void showSample(const ServoSample& sample, double stiffnessAtDevice = 1.0);
-  void showHand(const HandPose& hand);          // for a device that nobody holds: the target of its hand
+  void showHand(const HandPose& hand);          // shows the target of a simulated hand
   void setAxisWords(const QStringList& words);  // see AxisBars
-  void showLoop(const ServoLoopStatus& loop);   // at a low rate, like the next function
+  void showLoop(const ServoLoopStatus& loop);   // to be called at a low rate, like the next function
   void showTiming(const ServoStatistics& measure);
 
  signals:
   void deviceChosen(const std::string& driver, const std::string& address);
   void deviceLeft();
   void rescanRequested();
-  // Emitted with the changed mapping. Its sceneFromView is the one last set.
+  // Emitted with the changed mapping. Its sceneFromView is unchanged since the last call of setMapping().
   void mappingChanged(const handwheel::WorkspaceMapping& mapping);
   void forceOnChanged(bool isOn);
   void forceTestRequested();
@@ -73,9 +74,9 @@ class DevicePanel : public QWidget {
   QLabel* m_safety;
   SafetyActionHold m_memory;
   DeviceInUse m_view;
-  double m_rate = 0.0;        // measured, Hz
+  double m_rate = 0.0;        // measured rate of the loop, Hz
   QString m_softened;         // text on the reduced stiffness
-  double m_softenedAt = 0.0;  // s since the loop started
+  double m_softenedAt = 0.0;  // time of this text, s since the loop started
 };
 
 }  // namespace handwheel

@@ -12,24 +12,26 @@
 
 namespace handwheel {
 
-// Texts on the state and properties of a device, translated.
+// Translated texts on the state and properties of a device.
 class DeviceText {
   Q_DECLARE_TR_FUNCTIONS(DeviceText)
 
  public:
   static QString status(DeviceStatus status);
-  // Returns the remedy for a status; empty if there is none. driver: that of the device, as each homes differently.
+  // Returns the remedy for a status. The result is empty if there is none. driver: the driver of the device, because
+  // homing differs between drivers.
   static QString advice(DeviceStatus status, const std::string& driver);
   // Returns one sentence for each action of the safety chain, in the order of its stages.
   static QStringList safety(SafetyActions actions);
-  // Describes a reduced stiffness and its reason. Both stiffnesses at the device, N/mm; rate: that of the loop, Hz.
+  // Describes a reduced stiffness and its reason. stiffness, asked: the reduced and the requested stiffness at the
+  // device, N/mm; rate: the rate of the loop, Hz.
   static QString softened(double stiffness, double asked, const DeviceInUse& device, double rate,
                           const QLocale& locale);
-  // Returns advice for a loop that is not real-time, and the command to follow it.
+  // Returns advice for a loop that is not real-time, with the command that makes it real-time.
   static QString realTimeAdvice();
   static QString realTimeCommand();
 
-  // The data sheet: name and value of each line. Properties that the device lacks are left out.
+  // A line of the data sheet, with the name and the value of a property. Properties that the device lacks are omitted.
   struct Line {
     QString name;
     QString value;

@@ -9,7 +9,7 @@ namespace handwheel {
 
 struct ServoSample;
 
-// A plot of the requested and the sent force against time. The safety chain accounts for the difference. It freezes
+// A plot of the requested and the sent force against time. They differ because of the safety chain. The plot freezes
 // while the user reads a point, and does not draw while it is hidden.
 class ForcePlot : public PlotWidget {
   Q_OBJECT
@@ -17,7 +17,7 @@ class ForcePlot : public PlotWidget {
  public:
   explicit ForcePlot(QWidget* parent = nullptr);
 
-  // The gain is that of the mapping, from newtons in the scene to newtons at the device.
+  // Adds a sample. forceGain: the gain of the mapping from newtons in the scene to newtons at the device.
   void showSample(const ServoSample& sample, double forceGain);
   void clear();
 

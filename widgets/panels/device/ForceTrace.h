@@ -12,16 +12,16 @@ namespace handwheel {
 class ForceTrace {
  public:
   static constexpr double kSeconds = 10.0;
-  static constexpr double kSpacing = 0.025;  // s between points, at least: about a pixel of the plot
+  static constexpr double kSpacing = 0.025;  // least time between points, s: about a pixel of the plot
 
   struct Point {
-    double time = 0.0;   // s since the loop started
+    double time = 0.0;   // s since the servo loop started
     double asked = 0.0;  // N
     double sent = 0.0;   // N
   };
 
-  // Adds a point. A time before the last one belongs to another loop: all earlier points are dropped. Times that are
-  // not finite are ignored.
+  // Adds a point. If its time is before the last one, the servo loop was started again, and all earlier points are
+  // dropped. Times that are not finite are ignored.
   void add(const Point& point);
   void clear() { m_count = 0; }
 
@@ -33,7 +33,7 @@ class ForceTrace {
   const Point& last() const { return at(m_count - 1); }
 
  private:
-  std::array<Point, 512> m_ring;  // more than kSeconds / kSpacing
+  std::array<Point, 512> m_ring;  // the points; there is room for more than kSeconds / kSpacing
   std::size_t m_first = 0;
   std::size_t m_count = 0;
 };

@@ -13,12 +13,12 @@ class PropertyList;
 
 // Converts a mapping to properties, depending on the capabilities of the device.
 std::vector<Property> mappingProperties(const WorkspaceMapping& mapping, const DeviceCapabilities& device);
-// Returns the mapping with one property changed. When a device axis is assigned to another view axis, the two swap, so
-// that each still moves one. Unknown properties change nothing.
+// Returns the mapping with one property changed. When a device axis is assigned to another view axis, the two device
+// axes swap, so that each still moves one view axis. Unknown properties change nothing.
 WorkspaceMapping withProperty(WorkspaceMapping mapping, const std::string& id, const PropertyValue& value);
 
-// A form for the mapping of a device: axes, scale, dead zone, clutch. It does not change the view's part of the
-// mapping.
+// A form for the mapping of a device: axes, scale, dead zone, clutch. It does not change
+// WorkspaceMapping::sceneFromView.
 class MappingForm : public QWidget {
   Q_OBJECT
 

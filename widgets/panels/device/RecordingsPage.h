@@ -14,8 +14,8 @@ class QTableWidgetItem;
 
 namespace handwheel {
 
-// The page with the haptic recordings of a document. It shows a running recording, the list, and the position of
-// playback. It only displays, and emits signals for the user's requests.
+// The page with the haptic recordings of a document. It shows a running recording, the list of recordings, and the
+// position of playback. The page only displays values, and emits signals for the user's requests.
 class RecordingsPage : public QWidget {
   Q_OBJECT
 
@@ -40,11 +40,11 @@ class RecordingsPage : public QWidget {
 
   explicit RecordingsPage(const Actions& actions, QWidget* parent = nullptr);
 
-  // chosen: a key; empty: none.
+  // Shows the list of recordings. chosen: the key of the selected row; empty: none.
   void showRecordings(const std::vector<Row>& rows, const QString& chosen);
   void showRecorded(double seconds, std::size_t ticks);  // length of the running recording
   void showNotRecording();
-  void showPosition(double seconds, double duration);  // position of playback; duration 0: none
+  void showPosition(double seconds, double duration);  // position of playback, s; duration 0: no playback
   void editName(const QString& key);
 
  signals:

@@ -8,18 +8,18 @@
 
 namespace handwheel {
 
-// Holds each action of the safety chain long enough to be read. Most last only a few ticks.
+// A memory that holds each action of the safety chain long enough to be read. Most actions last only a few ticks.
 class SafetyActionHold {
  public:
   static constexpr double kHold = 1.0;  // s
 
-  // Returns the actions that are active or were within kHold. time: s since the loop started; a time that goes back
-  // clears the memory.
+  // Adds the active actions and returns those that are active or were active within the last kHold. time: s since the
+  // loop started; a time that goes back clears the memory.
   SafetyActions add(SafetyActions actions, double time);
   void clear() { m_left = {}; }
 
  private:
-  std::array<double, 32> m_left{};  // s for which each bit is still to be shown
+  std::array<double, 32> m_left{};  // remaining time for which each bit is shown, s
   double m_time = 0.0;
 };
 

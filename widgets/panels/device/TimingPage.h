@@ -36,7 +36,7 @@ class TimingPage : public QWidget {
   QComboBox* m_kind;
   PlotWidget* m_plot;
   QLabel* m_summary;
-  std::array<TimingCounts, 3> m_counts{};  // in the order of the choice
+  std::array<TimingCounts, 3> m_counts{};  // in the order of the combo box
 };
 
 }  // namespace handwheel

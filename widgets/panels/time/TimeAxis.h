@@ -10,13 +10,13 @@ namespace handwheel {
 
 // The axis on which recordings are compared: time, or the distance along their paths. A position on it is in s or mm.
 // On the axis of distance, values of two recordings at the same position of the part are drawn above each other,
-// independent of the speeds. Window thread; a query costs O(log points).
+// independently of the speeds. An axis is used on the window thread; a query costs O(log points).
 class TimeAxis {
  public:
   enum class Kind { Time, Distance };
 
   void setRecordings(const std::vector<TimeLineRecording>& recordings);
-  // Sets the kind. Distance needs recordings that all have one; else it stays time.
+  // Sets the kind. It remains Kind::Time unless all recordings have a distance along their paths.
   void setKind(Kind kind) { m_kind = hasDistance() ? kind : Kind::Time; }
   Kind kind() const { return m_kind; }
   bool hasDistance() const;
@@ -24,7 +24,7 @@ class TimeAxis {
   std::size_t recordings() const { return m_lanes.size(); }
   double duration(std::size_t recording) const { return m_lanes[recording].duration; }
   double length(std::size_t recording) const;  // length of one recording
-  double length() const;                       // the longest; 0 without any
+  double length() const;                       // length of the longest one; 0 if there is none
 
   // Convert between a position and the first time at which a recording is there, within its duration.
   double timeAt(std::size_t recording, double position) const;
@@ -39,8 +39,8 @@ class TimeAxis {
   Kind m_kind = Kind::Time;
 };
 
-// Thins a curve to at most so many points, peaks and dips among them: enough for a picture of that width. Points that
-// are not finite are left out. O(points).
+// Thins a curve to at most `most` points, which include its peaks and dips. They suffice for a picture that is as many
+// pixels wide. Points that are not finite are left out. O(points).
 std::vector<QPointF> thinnedCurve(const std::vector<QPointF>& points, std::size_t most);
 
 }  // namespace handwheel

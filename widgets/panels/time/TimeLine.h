@@ -13,7 +13,7 @@ namespace handwheel {
 struct TimeLineCurve {
   QString name;                 // "Cutting force"; curves of the same name are drawn together
   QString unit;                 // "N"
-  std::vector<QPointF> points;  // (s, value), times ascending
+  std::vector<QPointF> points;  // time (s) and value, times ascending
   QString label = {};           // text beside the line; empty: the name of the recording
 };
 
@@ -28,10 +28,11 @@ struct TimeLineMarker {
 // A recording as a time line shows it.
 struct TimeLineRecording {
   QString name;
-  double duration = 0.0;  // s; one that is not finite or below zero counts as zero
+  double duration = 0.0;  // s; a duration that is not finite or below zero counts as zero
   std::vector<TimeLineCurve> curves;
   std::vector<TimeLineMarker> markers;
-  std::vector<QPointF> distance;  // (s, mm) along the path of the tool, both ascending; empty: unknown
+  // Time (s) and distance along the path of the tool (mm), both ascending. It is empty if the distance is unknown.
+  std::vector<QPointF> distance;
 };
 
 }  // namespace handwheel

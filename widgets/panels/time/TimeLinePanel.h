@@ -17,9 +17,9 @@ namespace handwheel {
 class TimePlot;
 class TimeTrack;
 
-// Plays and scrubs one or two recordings, with their curves and markers. The panel shows no recording itself: it emits
-// the time to the owner of the display. Two recordings share one axis, of time or of distance, and the first sets the
-// pace. Space plays and stops. Window thread.
+// A panel that plays and scrubs one or two recordings, with their curves and markers. The panel does not show a
+// recording itself, but emits the time for the code that shows it. Two recordings share one axis, of time or distance,
+// and the first one determines the speed. The space bar plays and stops. All calls must be made on the window thread.
 class TimeLinePanel : public QWidget {
   Q_OBJECT
 
@@ -28,24 +28,25 @@ class TimeLinePanel : public QWidget {
 
   explicit TimeLinePanel(QWidget* parent = nullptr);
 
-  // Sets the recordings, of which at most two are shown. Stops, and goes to the beginning, without a signal.
+  // Sets the recordings, of which at most two are shown. Stops the playback and goes to the beginning, without emitting
+  // a signal.
   void setRecordings(std::vector<TimeLineRecording> recordings);
-  // Shows a time of the first recording, without a signal.
+  // Shows a time of the first recording, without emitting a signal.
   void setTime(double seconds);
-  // Returns the present time of a recording, s; 0 if there is none.
+  // Returns the present time of a recording, s, or 0 if the recording does not exist.
   double timeOf(std::size_t recording) const;
   double time() const { return timeOf(0); }
 
   void setPlaying(bool isPlaying);
   bool isPlaying() const { return m_timer.isActive(); }
-  void setSpeed(double speed);  // within kSlowest to kFastest; the nearest available speed is used
+  void setSpeed(double speed);  // from kSlowest to kFastest; the nearest available speed is used
   double speed() const;
   void setAxis(TimeAxis::Kind kind);
-  // Advances as in playing, by a time on the clock, s.
+  // Advances the position by an elapsed real time, s, like playback.
   void advance(double seconds);
 
  signals:
-  void timeChanged(double s);  // time of the first recording; see timeOf() for the other one
+  void timeChanged(double s);  // s: time of the first recording; see timeOf() for the other one
   void playingChanged(bool isPlaying);
 
  protected:
@@ -63,8 +64,9 @@ class TimeLinePanel : public QWidget {
 
   std::vector<TimeLineRecording> m_recordings;
   TimeAxis m_axis;
-  double m_position = 0.0;  // on the axis
-  double m_time = 0.0;      // time of the first recording: on the axis of distance it may rest while time goes on
+  double m_position = 0.0;  // position on the axis
+  // Time of the first recording, s. On a distance axis, the position may rest while time passes.
+  double m_time = 0.0;
   QTimer m_timer;
   QElapsedTimer m_clock;
   TimePlot* m_plot;

@@ -16,7 +16,7 @@ class TimePlot : public PlotWidget {
   void showCurves(Plot plot);         // to be used instead of setPlot()
   void setPosition(double position);  // units of x
 
-  // Convert between a position on the axis and pixels of this widget.
+  // Convert between positions on the axis and pixels of this widget.
   double screenX(double position) const;
   double positionAt(double screenX) const;
 

@@ -14,12 +14,13 @@
 namespace handwheel {
 
 // The track of a time line, with a lane and the markers of each recording. Dragging moves the position; a click on a
-// marker goes to it. Keys: arrows a step (Shift: ten, Ctrl: a tenth), Page Up and Down the markers, Home and End.
+// marker goes to this marker. The arrow keys move the position by a step (Shift: ten, Ctrl: a tenth), Page Up and Page
+// Down to the previous and the next marker, and Home and End to the ends.
 class TimeTrack : public QWidget {
   Q_OBJECT
 
  public:
-  // The displayed markers and lanes, in units of the axis.
+  // A displayed marker. The positions of markers and the lengths of lanes are in units of the axis.
   struct Marker {
     double position = 0.0;
     QString label;
@@ -28,9 +29,9 @@ class TimeTrack : public QWidget {
   struct Lane {
     QString name;
     double length = 0.0;
-    std::vector<Marker> markers;  // ascending
+    std::vector<Marker> markers;  // in ascending order of position
   };
-  // Conversion between a position and a pixel: the same as in the plot above.
+  // The functions that convert between positions and pixels. They must agree with the plot above the track.
   struct Mapping {
     std::function<double(double)> screenX;
     std::function<double(double)> positionAt;
@@ -41,9 +42,9 @@ class TimeTrack : public QWidget {
   void setLanes(std::vector<Lane> lanes);
   void setPosition(double position, const QString& text);  // text: accessible description of the position
 
-  // Returns the next marker of any lane behind or before the position.
+  // Returns the position of the nearest marker of any lane after the present position, or before it.
   std::optional<double> nextMarker(bool backwards) const;
-  // Return the marker at the position, or below a pixel.
+  // Return the marker at the present position, or at a pixel; null: none.
   const Marker* markerHere() const;
   const Marker* markerAt(const QPointF& pixel) const;
 
@@ -73,7 +74,7 @@ class TimeTrack : public QWidget {
   double m_position = 0.0;
 };
 
-// Returns the colour of an event, as everywhere in the window.
+// Returns the colour of events of a severity, which is the same everywhere in the window.
 QColor markerColour(TimeLineMarker::Severity severity);
 
 }  // namespace handwheel

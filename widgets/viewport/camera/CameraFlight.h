@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// Animates the camera to a goal within a quarter of a second. The motion is eased, with one step per frame.
+// An animation of the camera to a goal within a quarter of a second. The motion is eased, with one step per frame.
 class CameraFlight {
  public:
-  // step: receives each intermediate camera, the goal last.
+  // step: the function that receives each intermediate camera, and finally the goal.
   explicit CameraFlight(std::function<void(const CameraState&)> step);
 
   void start(const CameraState& from, const CameraState& goal);

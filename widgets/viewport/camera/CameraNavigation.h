@@ -11,23 +11,23 @@ namespace handwheel {
 
 using Vec2 = Eigen::Vector2d;
 
-// The camera position of a renderer with its near and far distances.
+// The position of a renderer's camera, with the distances of its near and far planes.
 struct CameraClippingRange {
   Vec3 position;
   double nearest;
   double farthest;
 };
 
-// Projects points to the view and computes the camera moves of gestures. Plain values, nothing is drawn. Positions on
-// the screen are in logical pixels from the upper left corner, y down.
+// Projects points to the view and computes the camera moves of gestures. It only computes, and draws nothing. Positions
+// on the screen are in logical pixels from the upper left corner, with y downwards.
 class CameraNavigation {
  public:
-  // size: width and height of the view in logical pixels; less than one pixel counts as one.
+  // size: the width and height of the view in logical pixels. Values below one pixel count as one pixel.
   CameraNavigation(const CameraState& camera, const Vec2& size);
 
   const CameraState& camera() const { return m_camera; }
   bool isPerspective() const { return m_camera.projection == Projection::Perspective; }
-  // Return model units (mm) per pixel: at the focus, and at p.
+  // Return the number of model units (mm) per pixel at the focus and at p.
   double unitsPerPixel() const { return m_camera.height / m_size.y(); }
   double unitsPerPixelAt(const Vec3& p) const;
 
@@ -39,17 +39,17 @@ class CameraNavigation {
   double depth(const Vec3& p) const { return (p - m_camera.centre).dot(m_camera.towardsViewer()); }
   // Returns the point of the plane through the focus that appears at s.
   Vec3 fromScreen(const Vec2& s) const;
-  // Returns the pick ray at s. Starts at the eye; under parallel projection in front of the box.
+  // Returns the pick ray through s. The ray starts at the eye, or under parallel projection in front of the box.
   ViewRay rayAt(const Vec2& s, const Box& box) const;
-  // Returns a camera whose range contains everything within the bounding sphere of the box, unless it is very close to
-  // the eye.
+  // Returns a camera whose clipping range contains the bounding sphere of the box, except for parts very close to the
+  // eye or behind it.
   CameraClippingRange viewpoint(const Box& box) const;
 
   // Rotates about the screen axes through pivot, which keeps its screen position.
   CameraState orbited(const Vec3& pivot, const Vec2& delta) const;
   // Moves the camera so that the model turns by the rotation vector `turn` about pivot, which keeps its screen
-  // position, and then moves by `shift` on the screen. Along the axes of the view (x right, y up, z towards the
-  // viewer); shift in shares of the height of the view.
+  // position, and then moves by `shift` on the screen. Vectors are in the axes of the view (x right, y up, z towards
+  // the viewer). shift: in units of the height of the view.
   CameraState movedByHand(const Vec3& pivot, const Vec2& shift, const Vec3& turn) const;
   // Moves the camera so that the grabbed point moves by delta on the screen.
   CameraState panned(const Vec2& delta, const Vec3& grabbed) const;
@@ -58,7 +58,7 @@ class CameraNavigation {
   CameraState zoomedAbout(const Vec3& fixed, double factor) const;
   CameraState zoomedAt(const Vec2& cursor, double factor) const { return zoomedAbout(fromScreen(cursor), factor); }
   // Fits all points into the view, as large as possible. share: the fraction of the view that they fill, 0…1. covered:
-  // pixels at the lower edge to keep free, at most half of the view.
+  // the number of pixels at the lower edge to keep free, at most half of the view.
   CameraState fitted(std::span<const Vec3> points, double share, double covered = 0.0) const;
 
  private:
@@ -73,11 +73,12 @@ class CameraNavigation {
 std::array<Vec3, 8> cornersOf(const Box& box);
 // Returns the orientation of a standard view.
 Eigen::Quaterniond orientationOf(StandardView view);
-// Returns the rotation from the sides of standard views to those of a lathe, as its operator sees them. Right is along
-// the axis, z, away from the chuck, front is the side of the tool, x, and top is against y.
+// Returns the rotation from the standard sides to the sides of a lathe, as its operator sees them. Right is along the
+// axis z, away from the chuck; the front is the side of the tool, along x; the top is along -y.
 Eigen::Quaterniond latheFrame();
-// Returns the upright orientation that looks against outward, with z up. From straight above or below it is that of
-// StandardView. outward need not be of unit length; zero, or a vector that is not finite, gives the isometric view.
+// Returns the orientation that looks against outward, with z up. From straight above or below, it is the orientation of
+// the standard view. outward: not necessarily of unit length; zero, or a vector that is not finite, gives the isometric
+// view.
 Eigen::Quaterniond uprightTowards(const Vec3& outward);
 // Returns the orientation that looks against outward, by the shortest rotation from the present one.
 Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward);

@@ -13,22 +13,23 @@ namespace handwheel {
 // valid for the whole picture; under perspective, near objects are larger.
 enum class Projection { Parallel, Perspective };
 
-// The vertical field of view under perspective; radian.
+// The vertical field of view under perspective, rad.
 inline constexpr double kFieldOfView = 30.0 * kRadiansPerDegree;
 
-// The position, orientation and projection of a camera. A value; each document has its own.
+// The position, orientation and projection of a camera. Each document has its own camera state.
 struct CameraState {
   Vec3 centre = Vec3::Zero();  // the focus: the point in the middle of the view
-  // Turns view axes (x right, y up, z towards the viewer) into model axes.
+  // Rotation from the axes of the view (x right, y up, z towards the viewer) to those of the model.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  double height = 1.0;  // length seen from the bottom to the top of the view, in the plane through the focus; mm
+  double height = 1.0;  // visible length from the bottom to the top of the view at the focus, mm
   Projection projection = Projection::Parallel;
 
   Vec3 right() const { return orientation * Vec3::UnitX(); }
   Vec3 up() const { return orientation * Vec3::UnitY(); }
   Vec3 towardsViewer() const { return orientation * Vec3::UnitZ(); }
 
-  // Returns the distance of the eye from the focus under perspective: there the field of view spans the height.
+  // Returns the distance of the eye from the focus under perspective. At this distance, the field of view spans
+  // `height`.
   double eyeDistance() const { return height / (2.0 * std::tan(kFieldOfView / 2.0)); }
   Vec3 eye() const { return centre + eyeDistance() * towardsViewer(); }
 

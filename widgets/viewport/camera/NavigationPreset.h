@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The presets of mouse navigation; some imitate the program they are named after.
+// The presets of mouse navigation; some imitate the programs after which they are named.
 enum class NavigationPreset { Handwheel, Blender, FreeCad, SolidWorks, Laptop };
 inline constexpr std::array kNavigationPresets{NavigationPreset::Handwheel, NavigationPreset::Blender,
                                                NavigationPreset::FreeCad, NavigationPreset::SolidWorks,
@@ -19,12 +19,12 @@ inline constexpr std::array kNavigationPresets{NavigationPreset::Handwheel, Navi
 // The camera motions that a mouse drag can control.
 enum class NavigationGesture { None, Orbit, Pan, Zoom };
 
-// The gesture of a drag with exactly these buttons and modifiers. Modifiers are Shift, Ctrl, Alt.
+// The gesture of a drag with exactly these buttons and modifiers. The modifiers are Shift, Ctrl and Alt.
 struct NavigationBinding {
   Qt::MouseButtons buttons;
   Qt::KeyboardModifiers modifiers;
   NavigationGesture gesture;
-  bool onBackground = false;  // only when the drag starts beside the model
+  bool onBackground = false;  // true: valid only for drags that start beside the model
 };
 
 // Returns the mouse bindings of a preset.
@@ -35,13 +35,13 @@ NavigationGesture gestureFor(NavigationPreset preset, Qt::MouseButtons buttons, 
 // Returns true if the wheel zooms in when turned away from the user, not towards.
 bool wheelAwayEnlarges(NavigationPreset preset);
 
-// Returns the id of a preset for settings: "handwheel", "blender", "freecad", "solidworks", "laptop". Unknown ids give
-// Handwheel.
+// Converts between presets and their ids for settings: "handwheel", "blender", "freecad", "solidworks", "laptop". An
+// unknown id is converted to the preset Handwheel.
 QString idOf(NavigationPreset preset);
 NavigationPreset presetOf(const QString& id);
 // Returns the name of a preset for menus, translated.
 QString nameOf(NavigationPreset preset);
-// Returns the navigation hints: pairs of input and effect, such as "Shift+middle", "pan". Translated.
+// Returns the translated navigation hints of a preset: pairs of input and effect, such as "Shift+middle", "pan".
 std::vector<std::pair<QString, QString>> navigationHints(NavigationPreset preset);
 
 }  // namespace handwheel

@@ -15,7 +15,7 @@ using VertexValues = std::shared_ptr<const std::vector<double>>;
 // and lightness, so that equal steps look equal and both signs have equal weight; people who confuse red with green can
 // distinguish the ends (Moreland, "Diverging color maps for scientific visualization", 2009).
 struct ColourScale {
-  double range = 1.0;  // mm, above zero: values beyond have the colour of the end
+  double range = 1.0;  // mm, above zero; values beyond ±range have the colour of the end
 
   QColor at(double value) const;
 

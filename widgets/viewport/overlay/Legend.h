@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// Draws the legend of a colour scale. It is at the right edge, vertically centred; in logical pixels. Needs no
-// application object; with one, texts are in its font.
+// Draws the legend of a colour scale. It is at the right edge, vertically centred. size: size of the view in logical
+// pixels. The function needs no application object; if there is one, its font is used.
 void paintLegend(QPainter& painter, const QSizeF& size, const ColourScale& scale, LengthUnit unit,
                  const SceneColours& colours);
 

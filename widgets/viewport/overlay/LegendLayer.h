@@ -12,7 +12,7 @@ namespace handwheel {
 // A view layer that draws the legend of a colour scale. The coloured geometry is in other layers.
 class LegendLayer : public ViewLayer {
  public:
-  void setScale(const std::optional<ColourScale>& scale);  // none: no legend
+  void setScale(const std::optional<ColourScale>& scale);  // scale: nothing for no legend
 
   Box bounds() const override { return {}; }
   std::vector<Vec3> outline() const override { return {}; }

@@ -12,7 +12,8 @@
 namespace handwheel {
 
 // Draws the axis triad and the scale bar over the view. The triad is at the lower left, the scale bar, under parallel
-// projection only, at the lower right; in logical pixels. Needs no application object; with one, texts are in its font.
+// projection only, at the lower right. Sizes are in logical pixels. No application object is needed; if there is one,
+// texts are in its font.
 void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& camera, LengthUnit unit,
                   const SceneColours& colours);
 
@@ -28,10 +29,10 @@ double textWidth(const QPainter& painter, const QString& text);
 // The length of a scale bar and its size on the screen. The length is the largest of 1, 2, 5 × 10ⁿ of the unit that is
 // not longer than maxPixels.
 struct ScaleBar {
-  double length;  // in the unit
+  double length;  // length in the displayed unit
   double pixels;
   LengthUnit unit;
-  QString label() const;  // millimetres also as µm and m
+  QString label() const;  // text with the unit; millimetres may be converted to µm or m
 };
 // Computes the scale bar. unitsPerPixel: mm per pixel.
 ScaleBar scaleBar(double unitsPerPixel, double maxPixels, LengthUnit unit = LengthUnit::Millimetre);

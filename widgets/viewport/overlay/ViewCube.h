@@ -10,8 +10,8 @@
 namespace handwheel {
 
 // A cube in the corner of the view that turns with the camera. A click on a side, an edge or a corner selects the view
-// from there, a drag orbits; with the keyboard focus, the arrow keys turn by 45°. Mouse events beside the cube go to
-// the view.
+// from its direction, and a drag orbits. While the cube has the keyboard focus, the arrow keys turn the view by 45°.
+// Mouse events beside the cube are left to the view.
 class ViewCube : public QWidget {
   Q_OBJECT
 
@@ -22,16 +22,16 @@ class ViewCube : public QWidget {
   void setColours(const SceneColours& colours);
   QSize sizeHint() const override;
 
-  // Returns a translated name: "Front", "Front · Right · Top".
+  // Returns the translated name of a region: "Front", "Front · Right · Top".
   static QString nameOf(const CubeRegion& region);
 
  signals:
   void chosen(const handwheel::CubeRegion& region);
-  void stepped(int around, int up);  // by the keyboard, for steppedFrom()
+  void stepped(int around, int up);  // emitted for arrow keys, with the arguments for steppedFrom()
   void dragStarted();
-  void dragged(const QPointF& delta);  // logical pixels
+  void dragged(const QPointF& delta);  // emitted while the cube is dragged; delta: logical pixels
   void dragEnded();
-  void entered();  // the cursor is over the cube, no longer over the model
+  void entered();  // emitted when the cursor moves from the model to the cube
 
  protected:
   void paintEvent(QPaintEvent* event) override;

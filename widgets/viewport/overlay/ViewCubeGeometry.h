@@ -17,18 +17,18 @@ using CubeRegion = Eigen::Vector3i;
 struct CubeCell {
   CubeRegion region;
   CubeRegion side;
-  std::array<Vec2, 4> outline;  // pixels
+  std::array<Vec2, 4> outline;  // corners of the cell, pixels
 };
 
 // The view cube projected to the screen, under parallel projection.
 class ViewCubeGeometry {
  public:
-  // half: half of the cube's edge.
+  // half: half the length of the cube's edge, pixels.
   ViewCubeGeometry(const Eigen::Quaterniond& orientation, const Vec2& middle, double half);
 
   std::vector<CubeCell> cells() const;  // cells of the visible sides
   std::optional<CubeRegion> regionAt(const Vec2& position) const;
-  Vec2 toScreen(const Vec3& p) const;  // the cube reaches from -1 to 1
+  Vec2 toScreen(const Vec3& p) const;  // projects a point of the cube, which extends from -1 to 1
 
  private:
   Eigen::Quaterniond m_toView;
@@ -40,7 +40,8 @@ class ViewCubeGeometry {
 std::pair<Vec3, Vec3> axesOn(const CubeRegion& side);
 // Returns the region that faces the viewer most.
 CubeRegion regionFacing(const Eigen::Quaterniond& orientation);
-// Returns the region reached by steps of 45° around the vertical and upwards. Every region can be reached.
+// Returns the region that is reached by steps of 45° around the vertical and upwards. Every region can be reached by
+// some steps.
 CubeRegion steppedFrom(const CubeRegion& region, int aroundSteps, int upSteps);
 
 }  // namespace handwheel

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A contact point of two surfaces, with the outward normal of one.
+// A contact point of two surfaces, with the outward normal of one of them.
 struct ContactMark {
   Vec3 position = Vec3::Zero();  // mm
   Vec3 normal = Vec3::UnitZ();   // unit length
@@ -19,11 +19,11 @@ struct ContactMark {
 // Returns the colour of contacts. It stands out on surfaces in the colour of collisions.
 QColor contactColour();
 
-// A view layer with dots at contact points. Lines lead along the normals. Nothing hides them. It is not fitted and not
-// picked.
+// A view layer with dots at contact points. A line from each dot shows the normal. The model does not hide dots and
+// lines, and they are ignored by fitting and picking.
 class ContactLayer : public ViewLayer {
  public:
-  static constexpr double kNormalLength = 40.0;  // mm
+  static constexpr double kNormalLength = 40.0;  // length of the lines, mm
 
   ContactLayer();
   ~ContactLayer() override;

@@ -8,16 +8,16 @@
 
 namespace handwheel {
 
-// A point of the path of a tool, for drawing.
+// A point of the path of a tool, for drawing. A leg is the part of a path from one waypoint to the next.
 struct PathPoint {
   Vec3 at;                                     // mm
-  std::size_t leg = 0;                         // leg through this point, or ending at it
+  std::size_t leg = 0;                         // number of the leg that contains the point or ends at it
   PathLine::Look look = PathLine::Look::Feed;  // look of the piece from the previous point
 };
 
-// Returns the lines that draw a path with its direction and its waypoints. Travel is drawn as dashes; an arrow is in
-// the middle of each leg; a dot at the beginning and at the end of each leg. Short legs may have none. Lines of one
-// look follow each other. Points that are not finite are left out. O(points · log points).
+// Returns the lines that draw a path with its direction and its waypoints. Pieces of Look::Travel are drawn as dashes.
+// An arrow is in the middle of each leg, and a dot at its beginning and at its end; they are left out where legs are
+// short. The lines are sorted by look. Points that are not finite are left out. O(points · log points).
 std::vector<PathLine> pathPicture(std::span<const PathPoint> points);
 
 }  // namespace handwheel

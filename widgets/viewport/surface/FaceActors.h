@@ -10,20 +10,20 @@
 
 namespace handwheel {
 
-// The actors of a set of faces that is drawn in one colour. It is split into pieces by face number: so a change of a
-// large set costs only the changed pieces, and a large set is built over several frames.
+// The actors of a set of faces that is drawn in one colour. The set is split into pieces by face number. Therefore a
+// change of a large set costs only the changed pieces, and a large set is built over several frames.
 class FaceActors {
  public:
   static constexpr Face kPieceFaces = 16'384;
 
   FaceActors(LayerProps& props, double lift, double opacity);
 
-  bool set(const FaceSelection& faces);  // returns false when they are the same as before
+  bool set(const FaceSelection& faces);  // sets the faces; returns false if they are unchanged
   void setColour(const QColor& colour);
-  // To be called when the mesh was replaced or edited.
+  // Marks all pieces as outdated. To be called when the mesh was replaced or edited.
   void setStale();
   bool isStale() const { return !m_stale.empty(); }
-  // Builds one stale piece. Returns the approximate cost in triangles; 0 when none is stale.
+  // Builds one stale piece. Returns the approximate cost in triangles, or 0 if no piece is stale.
   std::size_t takeOne(const HalfEdgeMesh& mesh, const Vec3& origin);
   void prepare(const LayerFrame& frame);
 

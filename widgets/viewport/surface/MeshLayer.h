@@ -18,19 +18,20 @@ class MeshLayer : public ViewLayer {
   MeshLayer();
   ~MeshLayer() override;
 
-  // Sets the number of faces that are built and drawn together, from the next setMesh() on: the setting
+  // Sets the number of faces that are built and drawn together, from the next setMesh() on. The value is the setting
   // view.block_faces.
   void setBlockFaces(Face faces);
   // Sets the approximate number of triangles that a slow display draws of a large mesh while the camera moves, from the
-  // next setMesh() or edit on: the setting view.coarse_triangles.
+  // next setMesh() or edit on. The value is the setting view.coarse_triangles.
   void setCoarseTriangles(std::size_t triangles);
 
   // Shows another model, and keeps the marks. Returns at once; the blocks appear over the next frames.
   void setMesh(const HalfEdgeMesh& mesh);
-  // Does the same with known bounds of the live faces, because computing them is slow for a large mesh.
+  // Shows another model whose bounds are known, because computing them is slow for a large mesh. bounds: the bounds of
+  // the live faces.
   void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
-  // Does the same, with all blocks built by this call and none pickable: for pictures. values: per vertex slot, or
-  // null.
+  // Shows another model for pictures: builds all blocks before it returns, and makes no face pickable. values: one
+  // value per vertex slot, or null.
   void setMeshAtOnce(const HalfEdgeMesh& mesh, VertexValues values, const ColourScale& scale);
   // Shows the same model after an edit that touched these faces (added, removed, turned or with moved corners).
   // Rebuilds only the blocks concerned.
@@ -38,10 +39,10 @@ class MeshLayer : public ViewLayer {
   // Removes the mesh and every mark.
   void clear();
 
-  // Colours the mesh by a value per vertex slot, with a legend, until it changes or is replaced; null removes them. The
-  // blocks change colour over the next frames.
+  // Colours the mesh by one value per vertex slot, with a legend, until the mesh is edited or replaced; null removes
+  // the colours. The blocks change colour over the next frames.
   void setSurfaceValues(VertexValues values, const ColourScale& scale);
-  // Changes the colour scale of these values; rebuilds no geometry.
+  // Changes the colour scale of the surface values, without building geometry again.
   void setColourScale(const ColourScale& scale);
 
   void setLoops(std::vector<LoopMark> loops);
@@ -50,21 +51,22 @@ class MeshLayer : public ViewLayer {
   void setLineMarks(std::vector<LineMark> marks);
   // Draws the outline of a section on the model.
   void setSection(std::vector<SectionMark> section);
-  // Shows a translucent patch over the model, the preview of an operation. Empty removes it.
+  // Shows a translucent patch over the model, as the preview of an operation. An empty patch removes it.
   void setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-  // Highlights this loop like one under the cursor, for hovering in a list; -1 for none.
+  // Highlights a loop like the one under the cursor, when its row is hovered in a list; -1: none.
   void setHighlightedLoop(int id);
 
-  // Sets the faces that are selected, and those that a tool highlights, until the next call.
+  // Set the faces that are selected or highlighted by a tool, until the next call.
   void setSelectedFaces(const FaceSelection& faces);
   void setHighlightedFaces(const FaceSelection& faces);
-  // Shows another version instead of the mesh while a tool works on it; null for none. Nothing else follows it: marks
-  // and picking are those of the mesh. It appears once its blocks are built, and is skipped when the next version
-  // arrives sooner.
+  // Shows another version instead of the mesh while a tool works on it; null: shows the mesh. Marks and picking still
+  // refer to the mesh. The version appears when its blocks are built, and is skipped if the next version arrives
+  // earlier.
   void setPreviewMesh(const std::shared_ptr<const PreviewMesh>& previewMesh);
 
-  // Returns the search structure over the faces of the mesh, for tools, too. It is that of an older version while the
-  // present one's is being built; null before the first.
+  // Returns the search structure over the faces of the mesh, for picking and for tools. While the structure of the
+  // present version is being built, the result may be that of an older version; it is null before the first one is
+  // ready.
   std::shared_ptr<const FaceHierarchy> faces() const;
 
   Box bounds() const override;
@@ -90,8 +92,8 @@ class MeshLayer : public ViewLayer {
   std::unique_ptr<Private> d;
 };
 
-// Return the face or the loop of a mesh layer that was hit; kNone and -1 if it was something else. A loop within 8
-// pixels takes precedence over the face it lies on.
+// Return the face or the loop of a mesh layer that was hit, or kNone and -1 if the hit is not of that kind. A loop
+// within 8 pixels of the cursor takes precedence over the face behind it.
 Face faceOf(const Pick& pick);
 int loopOf(const Pick& pick);
 

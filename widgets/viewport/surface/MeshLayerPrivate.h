@@ -11,7 +11,8 @@ namespace handwheel {
 
 struct PreviewMesh;
 
-// The private data of MeshLayer, shared by its source files. One sets the content, the other answers the view.
+// The private data of MeshLayer, shared by its source files. One of these files sets the content, the other answers the
+// calls of the view.
 class MeshLayer::Private {
  public:
   explicit Private(MeshLayer& layer)
@@ -30,7 +31,7 @@ class MeshLayer::Private {
                      },
                      [this] { q.report(LayerChange::OutOfMemory); }}) {}
 
-  // Drops the search structure, values and tool versions of the previous mesh.
+  // Drops the search structure and the values of the previous mesh.
   void dropDerived(bool areFacesAwaitedNow) {
     faces.reset();
     areFacesAwaited = areFacesAwaitedNow;
@@ -46,13 +47,14 @@ class MeshLayer::Private {
     origin = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
     marks.setMesh(mesh, origin);
   }
-  // Faces around the touched ones share normals with them, but are nearly always in the same blocks.
+  // Returns the blocks of the faces that the preview changes. Neighbouring faces, whose normals change with them, are
+  // nearly always in the same blocks.
   std::set<std::size_t> previewBlocks() const {
     std::set<std::size_t> found;
     if (previewMesh) previewMesh->touched.forEach([&](Face f) { found.insert(f / preparation.blockFaces()); });
     return found;
   }
-  // Marks no hovered face while another version is shown.
+  // Updates the hovered marks. No face is marked while a preview version of the mesh is shown.
   void markHovered() { marks.setHovered(listLoop, hoveredLoop, previewMesh ? kNone : hoveredFace); }
 
   MeshLayer& q;
@@ -66,7 +68,7 @@ class MeshLayer::Private {
   std::shared_ptr<const FaceHierarchy> faces;  // for picking
   bool areFacesAwaited = false;
   MeshPreparation preparation;
-  VertexValues values;  // values that colour the mesh; null for none
+  VertexValues values;  // values that colour the mesh; null: none
   ColourScale colourScale;
   std::shared_ptr<const PreviewMesh> previewMesh;
   int listLoop = -1;

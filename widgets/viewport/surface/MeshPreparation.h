@@ -13,31 +13,31 @@
 
 namespace handwheel {
 
-// The default approximate number of triangles of the simplified mesh. A slow display draws it instead of a large mesh
-// while the camera moves: the setting view.coarse_triangles.
+// The default approximate number of triangles of the simplified mesh. A slow display draws the simplified mesh instead
+// of a large mesh while the camera moves. The setting is view.coarse_triangles.
 inline constexpr std::size_t kCoarseTriangles = 50000;
-// Returns true if a mesh gets a simplified version. It must have at most a quarter of the triangles, or the loss of
-// quality is not worth it.
+// Returns true if a mesh gets a simplified version. The version must have at most a quarter of the triangles, because
+// otherwise the gain does not justify the loss of quality.
 bool hasCoarseVersion(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
 
-// Prepares a mesh for drawing and picking on worker threads. Builds the blocks, a simplified version and the search
-// structure. Works on a snapshot; results are delivered on the window thread, except those of a mesh that has been
-// replaced meanwhile.
+// Prepares a mesh for drawing and picking on worker threads. It builds the blocks, a simplified version and the search
+// structure from a snapshot. The results are delivered on the window thread; results of a mesh that has been replaced
+// meanwhile are discarded.
 class MeshPreparation {
  public:
   struct Receivers {
     std::function<void(std::size_t block, SurfaceGeometry)> block;
     std::function<void(SurfaceGeometry)> coarse;
     std::function<void(std::shared_ptr<const FaceHierarchy>)> faces;
-    std::function<void()> outOfMemory;  // some of these results will not be delivered
+    std::function<void()> outOfMemory;  // called if memory runs out: some results will not be delivered
   };
 
   explicit MeshPreparation(Receivers receivers) : m_receivers(std::move(receivers)) {}
   ~MeshPreparation() { cancel(); }
 
-  // Sets the number of faces per block, from the next startAll() on: the setting view.block_faces.
+  // Sets the number of faces per block, from the next startAll() on. The value is the setting view.block_faces.
   void setBlockFaces(Face faces) { m_nextBlockFaces = faces; }
-  Face blockFaces() const { return m_blockFaces; }  // the present number
+  Face blockFaces() const { return m_blockFaces; }  // number of faces per block in the present preparation
 
   // Sets the size of the simplified version, from the next start on.
   void setCoarseTriangles(std::size_t triangles) { m_coarseTriangles = triangles; }
@@ -45,15 +45,16 @@ class MeshPreparation {
   // Sets the vertex values, from the next start on; null for none.
   void setValues(VertexValues values) { m_values = std::move(values); }
 
-  // Builds all blocks of the mesh and the rest. Drops pending work.
+  // Builds all blocks of a mesh, the simplified version and the search structure. Drops pending work.
   void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
-  // After an edit: builds the given blocks, those still pending of the former state, and the rest.
+  // Prepares a mesh after an edit. Builds the given blocks, the blocks that are still pending, the simplified version
+  // and the search structure.
   void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
                  const std::vector<std::size_t>& blocks);
-  // Builds all blocks of the last started mesh with other values, and the rest.
+  // Builds everything again for the last started mesh, after setValues().
   void startAgain(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
-  // Builds blocks of a version that is shown only temporarily. One run ends before the next starts, so that something
-  // is visible even if versions arrive fast; of those that arrive meanwhile only the last is built.
+  // Builds blocks of a version that is shown only temporarily. Each run ends before the next one starts, so that some
+  // versions are visible even if they arrive fast. Of the versions that arrive during a run, only the last is built.
   void show(const HalfEdgeMesh& mesh, const Vec3& origin, const std::set<std::size_t>& blocks);
   void cancel();
   // Waits for the blocks and delivers them.
@@ -62,10 +63,10 @@ class MeshPreparation {
  private:
   struct Block {
     std::size_t number;
-    std::shared_ptr<SurfaceGeometry> geometry;  // shared, as futures hand out copies
+    std::shared_ptr<SurfaceGeometry> geometry;  // shared, because futures return copies
   };
   struct Rest {
-    std::shared_ptr<SurfaceGeometry> coarse;  // null if there is none
+    std::shared_ptr<SurfaceGeometry> coarse;  // null: no simplified version
     std::shared_ptr<const FaceHierarchy> faces;
   };
 

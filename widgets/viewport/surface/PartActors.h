@@ -18,9 +18,9 @@
 
 namespace handwheel {
 
-// The VTK actors of rigid parts. Parts of one soup share their geometry; a part that only moved gets another matrix. A
-// part whose soup changed shows its former shape until the new one has been built; parts of one group that changed
-// together also change together on the screen.
+// The VTK actors of rigid parts. Parts with the same soup share their geometry, and a part that only moves gets another
+// matrix. A part with a new soup shows its former shape until the new shape has been built. Parts of one group that
+// changed together also change together on the screen.
 class PartActors {
  public:
   using Soup = std::shared_ptr<const TriangleSoup>;
@@ -29,29 +29,29 @@ class PartActors {
 
   // Sets the parts, which are identified by name.
   void set(const std::vector<DisplayPart>& parts);
-  // Returns the soups whose shape is still to be built, those first that have been awaited longest.
+  // Returns the soups whose shape is still to be built, in the order of their waiting time, the longest first.
   std::vector<Soup> missing() const;
-  // Takes a finished shape; takeOne() then uploads it block by block. Returns false when no part waits for this soup.
+  // Takes a finished shape; takeOne() then uploads it block by block. Returns false if no part waits for this soup.
   bool setShape(const Soup& soup, PartShape& made);
-  // Builds one block, so that no frame uploads more than that. Returns its number of triangles; 0 when none was
-  // waiting.
+  // Uploads one block, so that no frame uploads more than one. Returns the number of its triangles, or 0 if no block
+  // was waiting.
   std::size_t takeOne();
 
   void setStyle(const SurfaceStyle& style);
   // Sets the model point at the origin of the drawing.
   void setOrigin(const Vec3& origin);
-  // Tints the parts of this name, and of its group, with the accent colour; empty: none.
+  // Tints the part with this name, and the parts of its group, with the accent colour; empty: no part.
   void setHighlighted(const std::string& name);
 
-  // Tints the parts of these names more strongly. isCovered: draws all others translucently, so that these are visible.
-  // Returns false when nothing changes.
+  // Tints the parts of these names more strongly. isCovered: true if all other parts are drawn translucently, so that
+  // the selected ones are visible. Returns false if nothing changes.
   bool setSelected(const std::set<std::string>& names, bool isCovered);
 
   // Draws the parts with the names of the proposed ones translucently, because two coincident opaque surfaces cause
-  // z-fighting. Returns false when they are the same as before.
+  // z-fighting. Returns false if these parts are unchanged.
   bool setFaded(const std::vector<DisplayPart>& proposed);
 
-  // Draws the parts of this group translucently, because they no longer belong to the others; empty: none.
+  // Draws the parts of this group translucently, such as pieces that were cut off from a workpiece; empty: no group.
   void setFaintGroup(const std::string& group);
 
   bool isEmpty() const { return m_parts.empty(); }
@@ -60,10 +60,10 @@ class PartActors {
   const Box& bounds() const { return m_bounds; }
   // Returns some thousand points to estimate the extent of the parts in any direction.
   std::vector<Vec3> outline() const;
-  // Returns the first part along a ray, by its number, which it keeps while a part of its name exists. A part whose
-  // search structure is not ready is not found.
+  // Returns the first part along a ray. Its element is the number of the part, which stays the same while a part with
+  // its name exists. A part whose search structure is not ready is not found.
   std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const;
-  // Returns the name of a part; empty if there is no such part.
+  // Returns the name of a part; the result is empty if there is no such part.
   std::string nameOf(std::uint64_t number) const;
   int builtCount() const { return m_built; }
 
@@ -71,7 +71,7 @@ class PartActors {
   struct Shape {
     PartOutline outline;
     Vec3 origin = Vec3::Zero();
-    std::size_t blockCount = 0;  // 0: not built yet
+    std::size_t blockCount = 0;  // number of blocks; 0: not built yet
     std::vector<vtkSmartPointer<vtkPolyData>> blocks;
     bool isComplete() const { return blockCount > 0 && blocks.size() == blockCount; }
     std::shared_ptr<const FaceHierarchy> faces;
@@ -82,11 +82,11 @@ class PartActors {
     DisplayPart description;
     std::uint64_t number = 0;
     ShapePointer wanted;
-    ShapePointer awaited;  // an earlier shape that may be in preparation, and is newer than the shown one; else null
-    ShapePointer shown;    // null while there is nothing to show
+    ShapePointer awaited;  // a shape in preparation, newer than the shown and older than the wanted one; else null
+    ShapePointer shown;    // the shown shape; null: no shape is ready
     std::vector<vtkSmartPointer<vtkActor>> actors;
-    std::uint64_t wantedSince = 0;    // number of the call of set() that brought the wanted shape
-    std::uint64_t outdatedSince = 0;  // number of the call since which the shown one is out of date; 0: it is not
+    std::uint64_t wantedSince = 0;    // number of the call of set() that set the wanted shape
+    std::uint64_t outdatedSince = 0;  // number of the call that made the shown shape outdated; 0: up to date
     bool isIn(const std::string& group) const { return !group.empty() && description.group == group; }
     ShapePointer complete() const;
   };
@@ -109,16 +109,16 @@ class PartActors {
   std::map<Soup, std::weak_ptr<Shape>> m_shapes;
   std::deque<std::pair<ShapePointer, SurfaceGeometry>> m_queue;
   std::uint64_t m_lastNumber = 0;
-  std::uint64_t m_changes = 0;  // calls of set()
+  std::uint64_t m_changes = 0;  // number of calls of set()
   Box m_bounds;
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();
   std::set<std::string> m_faded;
   std::string m_faintGroup;
-  std::string m_highlighted;       // a name
+  std::string m_highlighted;       // name of the highlighted part
   std::string m_highlightedGroup;  // group of that part
   std::set<std::string> m_selected;
-  bool m_isCovered = false;  // the selected parts are covered
+  bool m_isCovered = false;  // all parts except the selected ones are drawn translucently
   int m_built = 0;
 };
 

@@ -11,8 +11,8 @@
 namespace handwheel {
 
 // Builds the shapes of parts one by one on a worker thread. They are delivered on the window thread. A shape in
-// preparation is finished and delivered even when it is no longer requested: so a part whose shape changes faster than
-// it can be built still shows some of the intermediate states.
+// preparation is finished and delivered even if it is no longer requested. Therefore a part whose shape changes faster
+// than it can be built still shows some of its intermediate states.
 class PartPreparation {
  public:
   using Soup = std::shared_ptr<const TriangleSoup>;
@@ -22,7 +22,7 @@ class PartPreparation {
       : m_receiver(std::move(receiver)), m_outOfMemory(std::move(outOfMemory)) {}
   ~PartPreparation() { cancel(); }
 
-  // Requests shapes in this order, replacing those that are waiting.
+  // Requests shapes in the given order. They replace the requests that are still waiting.
   void request(const std::vector<Soup>& soups);
   void cancel();
   // Waits for all requested shapes and delivers them.
@@ -30,13 +30,13 @@ class PartPreparation {
   bool isUnderWay() const { return m_run != nullptr; }
 
  private:
-  using Run = QFutureWatcher<std::shared_ptr<PartShape>>;  // shared, as futures hand out copies
+  using Run = QFutureWatcher<std::shared_ptr<PartShape>>;  // shared, because futures return copies
 
   void startNext();
   void deliver();
 
   Receiver m_receiver;
-  std::function<void()> m_outOfMemory;  // a shape will not be delivered
+  std::function<void()> m_outOfMemory;  // called if memory runs out: a shape will not be delivered
   std::deque<Soup> m_waiting;
   Soup m_present;  // the soup of the run
   std::unique_ptr<Run> m_run;

@@ -12,7 +12,7 @@ namespace handwheel {
 // A view layer that shows rigid parts. Its elements are parts.
 class PartsLayer : public ViewLayer {
  public:
-  // Proposed parts are translucent, and neither fitted nor picked.
+  // Proposed parts are translucent. They cannot be picked, and the camera is not fitted to them.
   enum class Role { Model, Proposed };
   explicit PartsLayer(Role role = Role::Model);
   ~PartsLayer() override;
@@ -20,9 +20,9 @@ class PartsLayer : public ViewLayer {
   // Shows these parts. Returns at once. A part whose soup is still the same object is moved, not rebuilt; one whose
   // soup changed keeps its former shape until the new one has been built.
   void setParts(const std::vector<DisplayPart>& parts);
-  // Does the same, with all shapes built by this call: for pictures.
+  // Shows these parts, and builds all their shapes before it returns, as a picture needs them.
   void setPartsAtOnce(const std::vector<DisplayPart>& parts);
-  // Draws the parts with the names of these proposals of a tool translucently.
+  // Draws translucently each part for which a tool proposes another one of the same name.
   void setFaded(const std::vector<DisplayPart>& proposed);
   // Draws the parts of this group translucently, from now on; empty: none.
   void setFaintGroup(const std::string& group);
@@ -49,7 +49,7 @@ class PartsLayer : public ViewLayer {
   std::unique_ptr<Private> d;
 };
 
-// Returns the name of the part that was hit; empty if it was not of a layer of parts.
+// Returns the name of the part that was hit; empty if the pick is not on a layer of parts.
 std::string partOf(const Pick& pick);
 
 }  // namespace handwheel

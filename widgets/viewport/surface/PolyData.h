@@ -19,7 +19,8 @@ void setColours(vtkPolyData& data, const std::vector<unsigned char>& colours);
 // Converts surface geometry to vtkPolyData.
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry);
 
-// Converts the live faces among these to vtkPolyData. Without normals or colours, relative to an origin near the model.
+// Converts the live faces of a range to vtkPolyData. The result has no normals and no colours, and its points are
+// relative to an origin near the model.
 vtkSmartPointer<vtkPolyData> facesOf(const HalfEdgeMesh& mesh, std::span<const Face> faces, const Vec3& origin);
 
 // Builds vtkPolyData from coloured points, lines and triangles. Positions are relative to an origin near the model.

@@ -9,15 +9,15 @@
 namespace handwheel {
 
 // A view layer for the surface of a volume, which may change every frame. It has one element, 0. While the camera moves
-// on a slow display it is drawn coarse.
+// on a slow display, a simplified version is drawn.
 class VolumeLayer : public ViewLayer {
  public:
-  enum class Look { Clay, Mesh };  // Mesh: in the style of the mesh that it is a part of
+  enum class Look { Clay, Mesh };  // Mesh: in the style of the mesh to which it belongs
   explicit VolumeLayer(Look look = Look::Clay);
   ~VolumeLayer() override;
 
-  // Shows a volume with its surface; an empty one: nothing. Protected material is dark; null: none is protected. Only
-  // changed pieces are uploaded, and the changes of one call appear in one frame. Returns at once.
+  // Shows the surface of a volume; an empty volume shows nothing. Protected material is dark; null: no material is
+  // protected. Only changed pieces are uploaded, and the changes of one call appear in one frame. Returns at once.
   void setVolume(const SparseVolume& volume, const VolumeSurface& surface,
                  std::shared_ptr<const ClayMask> mask = nullptr);
 

@@ -7,12 +7,12 @@
 
 namespace handwheel {
 
-// Returns true if the arguments ask for a batch repair. That is: several operands, a folder, or an option that only
-// batches have.
+// Returns true if the arguments ask for a batch repair. This is the case if there are several operands, a folder, or an
+// option that only batches have.
 bool isBatch(const Arguments& arguments);
 
-// Runs 'handwheel repair' on many files. Exit codes: kExitDone: all are closed; kExitSomethingLeft: some are not, but
-// none failed; kExitError: one failed, or the batch could not be started.
+// Runs 'handwheel repair' on many files. Returns kExitDone if all meshes are closed, kExitSomethingLeft if some are not
+// closed but no file failed, and kExitError if a file failed or the batch could not be started.
 int runBatchRepair(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

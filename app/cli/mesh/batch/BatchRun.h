@@ -24,8 +24,9 @@ struct BatchRequest {
   bool asJson = false;
 };
 
-// Repairs many files, each in a child process. Some run in parallel; if one fails, the others continue. Prints the
-// result of each and keeps the report up to date: a killed run loses only its last moments.
+// Repairs many files, each in a child process. Several children run in parallel; if one fails, the others continue. The
+// class prints the result of each file and keeps the report up to date, so that a killed run loses only its last
+// moments.
 class BatchRun {
  public:
   explicit BatchRun(BatchRequest request);
@@ -36,7 +37,7 @@ class BatchRun {
  private:
   using Clock = std::chrono::steady_clock;
   struct Running {
-    std::size_t file;  // in the plan
+    std::size_t file;  // index of the file in the plan
     FileTimestamp stamp;
     Clock::time_point start;
     std::optional<Clock::time_point> askedToEnd;  // time of the request to end
@@ -58,15 +59,16 @@ class BatchRun {
   int exitCode() const;
 
   BatchRequest m_request;
-  std::map<std::string, const BatchEntry*> m_earlier;  // by output; entries of an earlier run with the same options
-  std::vector<std::optional<BatchEntry>> m_entries;    // by file
+  std::map<std::string, const BatchEntry*>
+      m_earlier;                                     // entries of an earlier run with the same options, by output path
+  std::vector<std::optional<BatchEntry>> m_entries;  // index: the file in the plan
   std::size_t m_finished = 0;
   std::vector<Running> m_running;
   std::vector<std::unique_ptr<ChildProcess>> m_children;  // child processes of m_running, in the same order
   ProgressBar m_bar{"Repairing"};
   Clock::time_point m_nextReport = Clock::time_point::max();
   bool m_isMute = false;                // stdout cannot be written any more
-  bool m_isReported = false;            // the report on disk has all finished files
+  bool m_isReported = false;            // the report on disk contains all finished files
   bool m_isReportFailureKnown = false;  // the failure to write the report was reported
 };
 

@@ -10,7 +10,8 @@ class QListWidget;
 
 namespace handwheel {
 
-// A dialog that asks which pairs of links and bodies may touch. It lists those that may, and those that were found.
+// A dialog that asks which pairs of links and bodies may touch. It lists the pairs that may touch already, and those
+// that were found to collide.
 class PairsDialog : public QDialog {
   Q_OBJECT
 
@@ -19,7 +20,7 @@ class PairsDialog : public QDialog {
   PairsDialog(const CellPlans& plans, const std::set<PairNames>& found, const BodySet& bodies, QWidget* parent);
 
  signals:
-  // allowed: pairs that may touch from now on; forbidden: those that no longer may. Not both are empty.
+  // allowed: pairs that may touch from now on; forbidden: those that no longer may. At least one of them is not empty.
   void chosen(const std::vector<handwheel::PairNames>& allowed, const std::vector<handwheel::PairNames>& forbidden);
 
  private:

@@ -14,7 +14,7 @@ namespace handwheel {
 class DefectList;
 struct BoundaryLoop;
 
-// The hole that RepairDemo repairs, with the loops that remain of it. They are recognised by the vertices of its
+// The hole that RepairDemo repairs, with the loops that remain of it. These loops are recognised by the vertices of the
 // original boundary.
 class DemoHole {
  public:
@@ -28,7 +28,7 @@ class DemoHole {
   const Vec3& outward() const { return m_outward; }
 
   bool holds(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const;
-  // Returns the shortest loop that remains of it; null if it is closed.
+  // Returns the shortest loop that remains of the hole, or null if the hole is closed.
   const BoundaryLoop* nextPart(const HalfEdgeMesh& mesh, const DefectList& defectList) const;
   // Returns the nearest two points of a loop that divide it into similar parts and can be bridged.
   static std::optional<BoundaryPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);

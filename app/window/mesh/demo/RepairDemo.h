@@ -29,7 +29,7 @@ class RepairDemo : public QObject {
   void setDocument(MeshTab* document);
   QAction* action() { return &m_action; }
   bool isRunning() const { return m_hand.isRunning(); }
-  // Returns the present step with its instructions; empty if no demonstration runs.
+  // Returns the present step with its instructions. The result is empty if no demonstration runs.
   Suggestion step();
 
  signals:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "base/Units.h"
 #include "mesh/measure/Deviation.h"
@@ -27,11 +27,13 @@ class DeviationPanel : public QWidget {
  public:
   explicit DeviationPanel(QWidget* parent = nullptr);
 
-  // Shows a comparison. Null while it is running or after it was cancelled; status then describes this.
+  // Shows a comparison. deviation: null while the comparison is running or after it was cancelled. status: the text
+  // that describes this state.
   void show(const MeshDeviation* deviation, LengthUnit unit, const QString& status = {});
-  // Returns the displayed reading.
+  // Returns the displayed distance under the pointer.
   QString reading() const;
-  // Shows the distance of the surface point under the pointer from the scan; none: the pointer is not on the surface.
+  // Shows the distance of the surface point under the pointer from the surface that the mesh is compared with; none:
+  // the pointer is not on the mesh.
   void setReading(const std::optional<double>& distance);
 
  signals:

@@ -16,7 +16,7 @@ struct MeshDeviation;
 struct MeshTab;
 struct Pick;
 
-// Compares the current mesh with its original state or with another file. Shows the distances as colours on the
+// Compares the current mesh with its original state or with another file. The distances are shown as colours on the
 // surface, as statistics in a panel, and under the pointer. They are removed when the mesh changes.
 class DeviationView : public QObject {
   Q_OBJECT
@@ -37,7 +37,7 @@ class DeviationView : public QObject {
 
  private:
   enum class Round { First, Second };
-  // path: the file to compare with; empty for the mesh as it was opened.
+  // Compares a mesh. path: the file to compare with; empty: the mesh as it was opened.
   void compare(MeshTab* document, const QString& path, Round round);
   void take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round);
   void fail(MeshTab* document, std::uint64_t request, const Error& error);
@@ -57,7 +57,7 @@ class DeviationView : public QObject {
   QPointer<DeviationPanel> m_panel;
   MeshTab* m_document = nullptr;
   const MeshTab* m_running = nullptr;  // document whose comparison is running
-  std::uint64_t m_request = 0;         // number of the present comparison: the results of earlier ones are discarded
+  std::uint64_t m_request = 0;  // number of the present comparison; the results of earlier comparisons are discarded
 };
 
 }  // namespace handwheel

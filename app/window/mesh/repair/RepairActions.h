@@ -23,9 +23,9 @@ class RepairActions : public QObject {
 
   QAction* repairAll() { return &m_repairAll; }
   QAction* removeDebris() { return &m_removeDebris; }
-  QAction* undoRepair() { return &m_undoRepair; }  // undoes the last repair; for the card
+  QAction* undoRepair() { return &m_undoRepair; }  // undoes the last repair; used by the suggestion card
   QAction* goOneByOne() { return &m_oneByOne; }
-  QAction* repairByVolume() { return &m_byVolume; }  // for the card
+  QAction* repairByVolume() { return &m_byVolume; }  // used by the suggestion card
   QAction* fill() { return &m_fill; }
   QAction* keepOpen() { return &m_keepOpen; }
   QAction* preview() { return &m_showPreview; }
@@ -43,7 +43,8 @@ class RepairActions : public QObject {
   void follow();
   void followPreview();
   void followUndo();
-  // Enables an action of the document, or disables it with a reason: no job can begin, or the given one.
+  // Enables an action of the document, or disables it with a reason. This is the reason why no job can start, or else
+  // the given reason.
   void offerJob(QAction& action, bool isThere, const QString& reason) const;
   bool isTried(const MeshTab& document) const;
   void fillSelected();

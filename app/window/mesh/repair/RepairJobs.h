@@ -24,8 +24,8 @@ class LogModel;
 struct Message;
 struct DocumentTab;
 
-// Runs changes of a mesh as jobs on snapshots. The result becomes one undo step; if the document was changed meanwhile,
-// the result is discarded and the job runs once more.
+// Runs changes of a mesh as jobs on snapshots. The result becomes one undo step. If the document was changed while the
+// job ran, the result is discarded and the job runs once more.
 class RepairJobs : public QObject {
   Q_OBJECT
 
@@ -33,29 +33,31 @@ class RepairJobs : public QObject {
   RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
              QObject* parent = nullptr);
 
-  // prepared: results of the preview for this hole; may be empty.
+  // Fills a hole. prepared: the results of the preview for this hole; may be empty.
   void fill(MeshTab* document, int loop, PreparedFill prepared);
   void repairAll(MeshTab* document);
   void removeDebris(MeshTab* document);
-  // Applies a change requested by a tool, or a fix of these defects. Changes run one after the other.
+  // Applies a change. "of" names the defects that it fixes; it is empty for the change of a tool. Changes run one after
+  // the other.
   void change(MeshTab* document, MeshChange wanted, std::optional<DefectRow> of = std::nullopt);
 
-  // Return true if a fill, a repair or another change is waiting or running, for any document or for this one.
+  // Return true if a fill, a repair or another change is waiting or running, for any document or for the given one.
   bool isWorking() const { return !m_working.empty(); }
   bool isWorkingOn(const DocumentTab* document) const { return m_working.count(document) > 0; }
   // Returns the reason why nothing can be changed now in this document; empty: it can be changed.
   QString obstacle(const MeshTab* document) const;
 
  signals:
-  // key: the loop that was filled. cache: the filler cache, valid for the present document.
+  // Emitted when a hole was filled. key: the loop that was filled. cache: the filler cache, valid for the present
+  // document.
   void filled(handwheel::MeshTab* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> cache);
   void workingChanged();
-  // A change had no effect. why: a sentence.
+  // Emitted when a change had no effect. what: the change; why: the reason, as a sentence.
   void changedNothing(const handwheel::MeshTab* document, const QString& what, const QString& why);
-  // A change had its effect on some of the sheets only. what: the change; how: the affected sheets, and the reason for
-  // the others.
+  // Emitted when a change had an effect on only some of the sheets. what: the change; how: the affected sheets, and the
+  // reason for the others.
   void changedPartly(const handwheel::MeshTab* document, const QString& what, const QString& how);
-  // A job failed.
+  // Emitted when a job failed.
   void message(const handwheel::Message& message);
 
  private:
@@ -65,7 +67,7 @@ class RepairJobs : public QObject {
     MeshTab* document;
     MeshChange wanted;
     std::optional<DefectRow> of;
-    std::uint64_t revision = 0;  // revision for which it runs
+    std::uint64_t revision = 0;  // revision of the document to which the change is applied
   };
   void startChange(Request request, Round round);
   void logChange(const MeshTab& document, const MeshChange& done, const QString& text, const QString& command);
@@ -73,7 +75,7 @@ class RepairJobs : public QObject {
   void dropChanges(const DocumentTab* document);
   void startRepair(MeshTab* document, Round round);
   void changed(const Request& request, const QString& text, const InspectedMesh& after, const ChangeEffects& effects);
-  double nearWeld() const;  // tolerance for the defects of a job's result
+  double nearWeld() const;  // value of the setting mesh.near_weld, with which the result of a job is inspected
   bool isStale(MeshTab* document, std::uint64_t revision) const;
   struct Filled {
     FillFailure failure;
@@ -86,7 +88,7 @@ class RepairJobs : public QObject {
     RepairOptions options;
     FidelityValues settings;
     std::string step;
-    std::optional<FacePairs> pairs;  // intersecting pairs in the result, if those of the mesh before are known
+    std::optional<FacePairs> pairs;  // intersecting pairs in the result; none: those before the repair were unknown
     RemainingDefects left;
   };
   void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
@@ -100,8 +102,8 @@ class RepairJobs : public QObject {
   JobRunner& m_jobs;
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
-  std::multiset<const DocumentTab*> m_working;  // documents of the jobs
-  std::deque<Request> m_changes;                // the first is running
+  std::multiset<const DocumentTab*> m_working;  // the document of each job
+  std::deque<Request> m_changes;                // the first request is running
 };
 
 }  // namespace handwheel

@@ -17,26 +17,26 @@ struct MeshTab;
 
 // The effect of a change, in words.
 struct ChangeSummary {
-  QString line;                 // for the log
-  QString how;                  // for the message, a list of phrases; may be empty
-  bool isPartly = false;        // the change had its effect on some of the sheets only
+  QString line;                 // text for the log
+  QString how;                  // text for the message, a list of phrases; may be empty
+  bool isPartly = false;        // the change had an effect on only some of the sheets
   bool hasLostWalls = false;    // walls thinner than the voxels were lost
-  bool isWorthMessage = false;  // it is worth a message
+  bool isWorthMessage = false;  // the effect is shown as a message, not only in the log
 };
 
 // Summarises a change after it was committed. text: the name of the change, translated.
 ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, const QString& text);
 
-// Returns a sentence for each patch of a repair that differs from its surroundings. names: those of the former loops,
-// by id.
+// Returns a sentence for each patch of a repair that differs from its surroundings. names: the names of the loops
+// before the repair, by id.
 QStringList patchWarningsOf(const RepairReport& report, const std::map<int, QString>& names);
 
-// Returns the effects of a repair that the counts of defects before and after it do not show, a phrase each.
+// Returns the effects of a repair that the numbers of defects before and after it do not show, one phrase for each.
 QStringList doneBesides(RepairReport report, const std::map<DefectKind, std::size_t>& before,
                         const std::map<DefectKind, std::size_t>& after, LengthUnit unit);
 
-// Adds the effects of a repair to the log, and a warning for each loop that needs one. names: those of the former
-// loops, by id.
+// Adds the effects of a repair to the log, and a warning for each loop that needs one. names: the names of the loops
+// before the repair, by id.
 void logRepair(LogModel& log, const MeshTab& document, const RepairReport& report, const std::map<int, QString>& names,
                const QString& command);
 

@@ -8,15 +8,15 @@
 
 namespace handwheel {
 
-// Returns the reasons why loops are still open after a repair. The map is indexed by their keys in its result. Contains
-// only loops that were to be closed.
+// Returns the reasons why loops are still open after a repair. The map is indexed by the keys of the loops in the
+// repaired mesh. It contains only loops that were to be closed.
 std::map<Vertex, FillFailure> failuresOf(const RepairReport& report);
 
-// Returns the reasons why the other defects of its result remain, translated.
+// Returns the reasons why the defects other than open loops remain after a repair, translated.
 DefectReasons reasonsOf(const RemainingDefects& left, const RepairReport& report, const RepairOptions& options);
 
-// Notes the reason why a change left some of the defects that it was to repair: the rows of the list keep it. of: these
-// defects. isSame: the change had no effect, so that its row is still the same.
+// Stores in the rows of the list the reason why a change left some of the defects that it was to repair. of: the row of
+// these defects. isSame: the change had no effect, so this row still stands for the same defect.
 void noteReasons(DefectList& defectList, const MeshChange& change, std::optional<DefectRow> of, bool isSame);
 
 }  // namespace handwheel

@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// A histogram with a logarithmic scale and two handles, the ends of a range. A handle is dragged, or moved by the arrow
-// keys: left and right by a hundredth (Ctrl: by a thousandth); up and down select the other one.
+// A histogram with a logarithmic scale and two handles for the ends of a range. A handle is dragged or moved by the
+// arrow keys: left and right move it by a hundredth (with Ctrl by a thousandth), up and down select the other handle.
 class HistogramView : public QWidget {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class HistogramView : public QWidget {
   explicit HistogramView(QWidget* parent = nullptr);
 
   void setHistogram(const ImageHistogram& histogram);
-  // Sets the range. The handle of an infinite end is at the end of the values.
+  // Sets the range. The handle of an infinite end is shown at the end of the values.
   void setRange(const ValueRange& range);
   const ValueRange& range() const { return m_range; }
 
@@ -25,7 +25,7 @@ class HistogramView : public QWidget {
   QSize minimumSizeHint() const override { return {120, 80}; }
 
  signals:
-  // Emitted when the user changes the range. stillDragging is true while a handle is dragged; the final range is sent
+  // Signals that the user changes the range. stillDragging is true while a handle is dragged; the final range is sent
   // again with false.
   void rangeEdited(const handwheel::ValueRange& range, bool stillDragging);
 
@@ -44,9 +44,9 @@ class HistogramView : public QWidget {
   double valueAt(double x) const;
   void move(double value, bool stillDragging);
 
-  ImageHistogram m_histogram;  // copy with wider bins
+  ImageHistogram m_histogram;  // copy of the histogram with wider bins
   ValueRange m_range{0.0, 0.0};
-  Handle m_handle = Handle::Lower;  // handle moved by keys and mouse
+  Handle m_handle = Handle::Lower;  // handle that keys and the mouse move
   bool m_isDragging = false;
 };
 

@@ -19,8 +19,8 @@ class SlicesPanel;
 class VolumeDocument;
 
 // The segmentation of a scan in the window: the docks “Segmentation” and “Slices”. They are shown while a document with
-// a scan is current, unless the user has closed them. Every change of the segment is an edit of the document. Window
-// thread.
+// a scan is current, unless the user has closed them. Every change of the segment is an edit of the document. All
+// functions must be called on the window thread.
 class Segmentation : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class Segmentation : public QObject {
 
   QAction* action() { return &m_toggle; }
   void setDocument(DocumentTab* document);
-  // To be called before a document is destroyed.
+  // Removes all references to a document. Must be called before the document is destroyed.
   void forget(DocumentTab* document);
   bool isSettled() const { return m_counting.isIdle() && !m_pause.isActive(); }
 
@@ -37,7 +37,7 @@ class Segmentation : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  // The result of a job on a segment: the new segment, or the problem.
+  // The result of a job on a segment: the new segment or an error.
   struct Changed {
     std::optional<Segment> segment;
     QString problem = {};
@@ -58,11 +58,11 @@ class Segmentation : public QObject {
   void endStroke();
   void dropStroke();
   void commitWaiting();
-  // Commits immediately, or after the stroke that is being painted on this document.
+  // Commits immediately, or after the end of the stroke that is being painted on this document.
   void afterStroke(const Document& document, std::function<void()> commit);
   void setBrush();
   void setGreys(const GreyWindow& greys);
-  // Runs a change as a job, and repeats it if the segment was changed meanwhile.
+  // Runs a change as a job, and repeats the job if the segment was changed during it.
   void change(const QString& name, const QString& text, const Change& how);
   void keepFirst(int parts);
   void grow(const Vec3& index);
@@ -96,7 +96,7 @@ class Segmentation : public QObject {
   std::vector<Waiting> m_waiting;
   SegmentStatistics m_figures;  // statistics of m_counted
   Segment m_counted;
-  QTimer m_pause;  // delay after the last change of the segment
+  QTimer m_pause;  // delay after the last change of the segment, before it is counted
   JobRunner m_counting;
 };
 

@@ -23,11 +23,11 @@ class NumberField;
 // Statistics of a segment.
 struct SegmentStatistics {
   std::shared_ptr<const SegmentParts> parts;
-  double faces = 0.0;  // facesOf(), mm²
+  double faces = 0.0;  // area of the segment's boundary as from facesOf(), mm²
 };
 
-// The controls of a segmentation. They are range, parts, smoothing, the action of the mouse in the slices, greys, and
-// the surface. The panel reports actions by signals. Window thread.
+// The controls of a segmentation. They are for the range, parts, smoothing, the action of the mouse in the slices, the
+// greys, and the surface. The panel reports actions by signals. All functions must be called on the window thread.
 class SegmentationPanel : public QWidget {
   Q_OBJECT
 
@@ -48,9 +48,9 @@ class SegmentationPanel : public QWidget {
 
   void setScan(const std::shared_ptr<const Scan>& scan);
   void setSegment(const Segment& segment);
-  // Shows the statistics. Null parts: still being counted.
+  // Shows the statistics. If the parts are null, shows that they are still being counted.
   void setFigures(const SegmentStatistics& figures);
-  // Shows that counting has failed; a surface can still be made.
+  // Shows that counting has failed. A surface can still be made.
   void setUncounted();
   void setGreys(const GreyWindow& greys);
   // Shows the value and the position at the crosshair.
@@ -58,11 +58,11 @@ class SegmentationPanel : public QWidget {
   Brush brush() const;
   void stepRadius(double factor);
   Surface surface() const;
-  double surfaceBytes() const;  // memory that the surface needs; 0 until the parts are counted
+  double surfaceBytes() const;  // memory that the surface requires; 0: the parts are not counted yet
 
  signals:
   void rangeEdited(const handwheel::ValueRange& range, bool stillDragging);
-  void firstPartsKept(int parts);  // number of the largest parts to keep
+  void firstPartsKept(int parts);  // emits the number of the largest parts to keep
   void smoothingRequested();
   void brushChanged();
   void greysEdited(const handwheel::GreyWindow& greys);
@@ -76,7 +76,7 @@ class SegmentationPanel : public QWidget {
   QWidget* makeSurface();
   void take(const ValueRange& range, bool stillDragging);
   void showRange(const ValueRange& range);
-  std::size_t debrisLimit() const;  // samples
+  std::size_t debrisLimit() const;  // largest part that counts as debris, in samples of the scan
   void showDebris();
   void showMemory();
 

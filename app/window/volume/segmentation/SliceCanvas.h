@@ -12,13 +12,14 @@
 
 namespace handwheel {
 
-// The action of the left button in a slice.
+// The action of the left mouse button in a slice.
 enum class SliceAction { Look, Paint, Erase, Grow };
 
 // A slice of a scan at the crosshair, with the segment over it. Letters name the patient's sides. The left button
-// performs the chosen action, or moves the crosshair with Shift; the right one changes level and width of the greys,
-// the middle one pans; the wheel changes the slice, or zooms with Ctrl. Keys do the same at the crosshair: arrows, Page
-// up and down, Home and End, Space for the action, [ and ] for the radius, + and - to zoom.
+// performs the chosen action, or moves the crosshair with Shift; the right button changes the level and width of the
+// greys, and the middle button pans. The wheel changes the slice, or zooms with Ctrl. Keys act at the crosshair:
+// arrows, Page up and down, Home and End move it, Space performs the action, [ and ] change the radius, and + and -
+// zoom.
 class SliceCanvas : public QWidget {
   Q_OBJECT
 
@@ -35,7 +36,7 @@ class SliceCanvas : public QWidget {
   const SliceView& view() const { return m_view; }
   int slice() const;
   void goToSlice(int slice);
-  // Returns the position of a sample on the widget, pixels.
+  // Returns the position of a sample in the widget, pixels.
   QPointF shownAt(const Vec3& index) const;
 
   QSize sizeHint() const override { return {300, 260}; }
@@ -44,8 +45,8 @@ class SliceCanvas : public QWidget {
  signals:
   void crosshairMoved(const handwheel::Vec3& index);
   void greysEdited(const handwheel::GreyWindow& greys);
-  // Emitted for a stroke of the brush: its first position, each next one, its end. opposite: erase instead of paint, or
-  // vice versa.
+  // The signals of a stroke of the brush: its first position, each further position, and its end. opposite: true if the
+  // brush erases instead of painting, or vice versa.
   void strokeBegan(int through, const handwheel::Vec3& index, bool opposite);
   void strokeMoved(const handwheel::Vec3& index);
   void strokeEnded();
@@ -64,7 +65,7 @@ class SliceCanvas : public QWidget {
  private:
   enum class Drag { None, Look, Stroke, Greys, Pan };
 
-  QRectF pictureArea() const;  // area of all samples, pixels of the widget
+  QRectF pictureArea() const;  // area of all samples, in pixels of the widget
   Vec3 indexAt(const QPointF& position) const;
   Vec3 inImage(const Vec3& index) const;
   void zoomAt(const QPointF& position, double factor);
@@ -83,12 +84,12 @@ class SliceCanvas : public QWidget {
   Vec3 m_crosshair = Vec3::Zero();
   SliceAction m_action = SliceAction::Look;
   double m_radius = 5.0;  // mm
-  QImage m_picture;       // empty: to be drawn again
+  QImage m_picture;       // picture of the slice; empty: it must be drawn again
   double m_zoom = 1.0;    // 1: the whole slice is visible
-  QPointF m_pan;          // offset of the picture's centre from the widget's, pixels
+  QPointF m_pan;          // offset of the picture's centre from the centre of the widget, pixels
   Drag m_drag = Drag::None;
-  QPointF m_last;                  // position of the pointer while it drags
-  std::optional<QPointF> m_hover;  // position of the pointer; none: outside
+  QPointF m_last;                  // position of the pointer during dragging
+  std::optional<QPointF> m_hover;  // position of the pointer; none: outside the widget
 };
 
 }  // namespace handwheel

@@ -13,8 +13,8 @@ class QSlider;
 
 namespace handwheel {
 
-// Axial, coronal and sagittal slices of a scan with one crosshair, each with a slider. They are side by side, or one
-// above the other if the panel is higher than wide. Window thread.
+// Axial, coronal and sagittal slices of a scan with a common crosshair. Each has a slider. They are side by side, or
+// one above the other if the panel is higher than wide. All functions must be called on the window thread.
 class SlicesPanel : public QWidget {
   Q_OBJECT
 

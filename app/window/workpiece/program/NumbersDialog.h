@@ -9,7 +9,8 @@ namespace handwheel {
 
 class NumberField;
 
-// A dialog that asks for some numbers. The window stays usable meanwhile. Deleted when closed.
+// A dialog that asks for some numbers. The window stays usable while the dialog is open. The dialog is deleted when it
+// is closed.
 class NumbersDialog : public QDialog {
   Q_OBJECT
 
@@ -21,12 +22,12 @@ class NumbersDialog : public QDialog {
     double value, least, largest;
     QString tip = {};
   };
-  // button: text of the button that accepts.
+  // button: the text of the button that accepts the numbers.
   NumbersDialog(const QString& title, const QString& intro, const QString& button, std::vector<Number> numbers,
                 QWidget* parent);
 
  signals:
-  void chosen(const std::vector<double>& values);  // in the order of the numbers; all within their limits
+  void chosen(const std::vector<double>& values);  // values in the order of the numbers, all within their limits
 
  private:
   std::vector<NumberField*> m_fields;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "window/kinds/KindUi.h"
 
@@ -23,7 +23,7 @@ class SimulationBanner;
 struct DisplayModel;
 
 // The dock “Program” of workpieces, with a page for each document. A page is made when it is first shown; the view
-// shows its content while the dock is open. Window thread.
+// shows its content while the dock is open. It must be used on the window thread.
 class ProgramDock : public QObject {
   Q_OBJECT
 
@@ -37,9 +37,10 @@ class ProgramDock : public QObject {
   void setVisible(bool isVisible);  // visibility of the document, and so of its program in the view
   bool isSettled() const;
 
-  // Opens a program in the dock; false: the file name is not that of a program.
+  // Opens a program in the dock. Returns false if the file name is not that of a program.
   bool take(const QString& path);
-  // Returns the name of the program whose text would be lost with a document; empty: none.
+  // Returns the name of the program whose text would be lost with a document. The name is empty if there is no such
+  // program.
   QString unsavedOf(const DocumentTab& document) const;
   void saveOf(const DocumentTab& document, std::function<void(bool isSaved)> ended);
 
@@ -59,13 +60,13 @@ class ProgramDock : public QObject {
 
   WindowContext m_parts;
   QAction m_toggle;
-  bool m_isOpen = false;     // set by the user, for all workpieces
-  bool m_isInFront = false;  // in front of the panels that are tabbed with it
+  bool m_isOpen = false;     // true: the user has opened the dock, for all workpieces
+  bool m_isInFront = false;  // true: the dock is in front of the panels that are tabbed with it
   QPointer<QDockWidget> m_dock;
   QPointer<QStackedWidget> m_pages;
   QPointer<SimulationBanner> m_banner;
   std::shared_ptr<PathLayer> m_layer, m_zeroLayer;
-  std::pair<double, double> m_zero;  // mm: z of the drawn zero, and its size; 0: none is drawn
+  std::pair<double, double> m_zero;  // mm: z and size of the drawn zero; size 0: no zero is drawn
   bool m_isVisible = true;           // visibility of the document
   std::map<const DocumentTab*, std::unique_ptr<ProgramSession>> m_sessions;
   DocumentTab* m_document = nullptr;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "machining/program/ProgramSetup.h"
 
@@ -23,17 +23,18 @@ class NumberField;
 class ProgramEditor;
 class ProgramPlayer;
 
-// A line of the list below a program: an error, a collision, a note. A click on it selects its position in the text.
+// An error, a collision or a note in the list below a program. A click on it selects its position in the text.
 struct ProgramFinding {
   enum class Weight { Note, Warning, Error };
   Weight weight = Weight::Note;
   int line = 0;    // line of the program, from 1; 0: none
-  int column = 0;  // from 1; 0: the whole line
+  int column = 0;  // column in the line, from 1; 0: the whole line
   QString text;
   std::optional<std::size_t> move;  // move of the tool path that ends at the finding
 };
 
-// The widgets of a program: editor, dialect and nose, run and cut, findings, player. It decides nothing. Window thread.
+// A panel with the widgets of a program. They are the editor, the dialect and the nose radius, the buttons to run and
+// cut, the findings, and the player. The panel makes no decisions. It must be used on the window thread.
 class ProgramPanel : public QWidget {
   Q_OBJECT
 
@@ -47,7 +48,7 @@ class ProgramPanel : public QWidget {
   ProgramEditor& editor() { return *m_editor; }
   ProgramPlayer& player() { return *m_player; }
 
-  QString name() const;  // file name, with a sign if its text is not saved
+  QString name() const;  // file name, with a mark if the text is not saved
   void setName(const QString& name);
   ProgramDialect dialect() const;
   void setDialect(ProgramDialect dialect);  // emits no signal
@@ -58,7 +59,7 @@ class ProgramPanel : public QWidget {
   // Sets the list of findings and the marks in the editor.
   void setFindings(std::vector<ProgramFinding> findings);
   void setSummary(const QString& text);
-  // Shows a run with its progress (0…1) and a button to cancel it.
+  // Shows whether a program is running, with its progress (0…1) and a button to cancel it.
   void setRunning(bool isRunning);
   void setProgress(double fraction);
   void setCuttable(bool isCuttable, const QString& why);
@@ -72,7 +73,7 @@ class ProgramPanel : public QWidget {
   void cutRequested();
   void findingChosen(const handwheel::ProgramFinding& finding);
   void dropped(const QString& path);
-  void saveRequested();  // by its key in the editor
+  void saveRequested();  // emitted when the key for saving is pressed in the editor
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

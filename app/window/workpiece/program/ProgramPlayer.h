@@ -14,14 +14,15 @@ class QToolButton;
 namespace handwheel {
 
 // Controls to play a program by line and by time. They are Back, Play or Pause, Step, a slider, and the speed relative
-// to the machine. They request times by signals, and show the time that is set. Window thread.
+// to the machine. They request times through signals and show the time that is set. It must be used on the window
+// thread.
 class ProgramPlayer : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProgramPlayer(QWidget* parent = nullptr);
 
-  // Sets the length of a run, s; 0: there is no run. Stops playing.
+  // Sets the duration of a run, s; 0: there is no run. Stops playing.
   void setDuration(double seconds);
   void setTime(double seconds);  // emits no signal
   double time() const { return m_time; }
@@ -49,7 +50,7 @@ class ProgramPlayer : public QWidget {
   double m_time = 0.0;
 };
 
-// Returns "1:05.3": minutes and seconds, with hours if there are any.
+// Returns a time as minutes and seconds, such as "1:05.3", with hours if there are any.
 QString programTime(double seconds);
 
 }  // namespace handwheel

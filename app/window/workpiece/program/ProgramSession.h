@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // moc cannot read <numbers>, which Units.h includes, without this before it
 
 #include "document/workpiece/ProgramTrial.h"
 #include "viewport/path/PathLayer.h"
@@ -24,12 +24,12 @@ struct CycleRest;
 // The display of a program run in the view.
 struct ProgramPicture {
   PathLayer::Lines lines;
-  std::vector<std::vector<Vec3>> tool;       // outlines
+  std::vector<std::vector<Vec3>> tool;       // outlines of the tool
   std::shared_ptr<const DisplayModel> part;  // the part cut up to the current position; null: the part of the document
 };
 
-// The program of one document: its text, file, runs, and the current position. Window thread; runs are jobs on copies
-// of their input.
+// The program of one document: its text, file, runs, and the current position. It is used on the window thread; runs
+// are jobs on copies of their input.
 class ProgramSession : public QObject {
   Q_OBJECT
 
@@ -47,12 +47,12 @@ class ProgramSession : public QObject {
   bool isSimulated() const { return m_trial != nullptr; }
   bool isCuttable() const;
   QString cuttingTip() const;  // the effect of cutting, or the reason why it is impossible
-  // Cuts the work with the program that was run; asks first if there are collisions.
+  // Cuts the work with the program that was run. If there are collisions, the user is asked first.
   void cut();
-  // Shows the part of the document; the text stays.
+  // Ends the display of the run, so that the view shows the part as it is in the document; the text stays.
   void leave();
 
-  // Reads a program, and replaces the text; undo of the editor restores it.
+  // Reads a program, which replaces the text. Undo in the editor restores the former text.
   void read(const QString& path);
   void save(std::function<void(bool isSaved)> ended);
 
@@ -64,7 +64,7 @@ class ProgramSession : public QObject {
   const WorkpieceDocument& workpiece() const;
   ProgramSetup setup() const;
   void prepareActions();
-  bool isToBeDoneByHand() const;  // required by the exercise; O(its description)
+  bool isToBeDoneByHand() const;  // the exercise requires this; O(size of its description)
   // Returns the nose radius of the first tool of the exercise that turns the outside, mm; none: there is no exercise,
   // or no such tool.
   std::optional<double> noseOfExercise() const;
@@ -112,16 +112,16 @@ class ProgramSession : public QObject {
   DocumentTab& m_document;
   QAction m_open, m_save, m_saveAs, m_fromPasses, m_cycles;
   QPointer<ProgramPanel> m_panel;
-  ProgramTools m_tools;                               // the table; tools that are not in it have the nose of the panel
-  std::shared_ptr<const ProgramTools> m_storedTools;  // last table of the document
+  ProgramTools m_tools;  // the tool table; other tools have the nose radius that the panel shows
+  std::shared_ptr<const ProgramTools> m_storedTools;  // tool table of the document when it was last read
   bool m_isByHand = false;                            // the exercise allows no programs
   bool m_hasOwnTools = false;                         // the user made the table, so it is kept for the next text
   QString m_path;                                     // path of the file; empty: none yet
   ProgramFile m_file;
-  std::uint64_t m_texts = 0;  // number of texts begun; a file that was saved belongs to its own text only
+  std::uint64_t m_texts = 0;  // number of texts begun; a finished save sets m_path only if it is still the same
   JobRunner m_checks, m_runs, m_views, m_files;
-  QString m_text;  // last text
-  QTimer m_pause;  // since the last change of the text
+  QString m_text;  // text after its last change
+  QTimer m_pause;  // runs since the last change of the text; a check follows
 
   ProgramTrial::Pointer m_trial;  // null: the present text was not run
   WorkpieceSnapshot m_start;      // initial workpiece of the trial

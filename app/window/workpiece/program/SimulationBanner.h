@@ -12,20 +12,20 @@ namespace handwheel {
 
 class MessageBar;
 
-// A banner over the view while that shows the simulated cut of a program. It says that the document does not have the
-// cut yet. It lies below the messages of the window. Window thread.
+// A banner over the view while the view shows the simulated cut of a program. It tells the user that the document does
+// not contain the cut yet. It lies below the messages of the window. It must be used on the window thread.
 class SimulationBanner : public QFrame {
   Q_OBJECT
 
  public:
   explicit SimulationBanner(QWidget* view);
 
-  // isCuttable: the program touches the part; why: tool tip of the button.
+  // Shows the banner. isCuttable: true if the program touches the part; why: the tool tip of the button.
   void showFor(bool isCuttable, const QString& why);
 
  signals:
   void cutRequested();
-  void leaveRequested();  // show the part of the document
+  void leaveRequested();  // request to show the part of the document
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <cstddef>  // included before <numbers> of Units.h, which moc cannot parse by itself
 
 #include "machining/program/ProgramSetup.h"
 
@@ -12,12 +12,13 @@ class QTableWidget;
 
 namespace handwheel {
 
-// A dialog that changes the tool table of a program. The window stays usable meanwhile. Deleted when closed.
+// A dialog that changes the tool table of a program. The window stays usable while the dialog is open. The dialog is
+// deleted when it is closed.
 class ToolTableDialog : public QDialog {
   Q_OBJECT
 
  public:
-  // bodies: the tools of the lathe to choose from. post: the tools in its post, from T1.
+  // bodies: the tools of the lathe to choose from. post: the tools in the tool post, from T1.
   ToolTableDialog(const ProgramTools& tools, LatheTools bodies, LatheTools post, ProgramDialect dialect,
                   QWidget* parent);
 

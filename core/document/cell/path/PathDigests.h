@@ -7,12 +7,14 @@
 
 namespace handwheel {
 
-// Digests of the inputs on which the verification of paths depends. For a proof that outlives the session: equal if
-// PathBasis (document/cell/path/PathBasis.h) finds no change, also in a cell that was stored and read again. Reads all
-// shapes once, about 5 s for a gigabyte of them. A value; any thread.
+// Digests of the inputs on which the verification of paths depends. They serve proofs that outlive the session: digests
+// are equal if PathBasis (document/cell/path/PathBasis.h) finds no change, also in a cell that was stored and read
+// again. The constructor reads all shapes once, which takes about 5 s for a gigabyte. The type is a value, which may be
+// used on any thread.
 class PathDigests {
  public:
-  // former: digests of an earlier state of the cell; data shared with that state is not read again.
+  // former: digests of an earlier state of the cell; data that the cell shares with that state are not read again.
+  // Null: none.
   explicit PathDigests(std::shared_ptr<const RobotCellSnapshot> cell, const PathDigests* former = nullptr);
 
   BasisDigests of(const RobotPath& path) const;
@@ -22,7 +24,7 @@ class PathDigests {
   std::string m_robots, m_bodies, m_allowed;
 };
 
-// Returns the first difference.
+// Returns the first input whose digests differ.
 BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now);
 
 }  // namespace handwheel

@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Reads a binary OFF file. The body begins after the line end that follows headerEnd. Geomview writes it big-endian
-// with a colour count after each face; others write little-endian, or omit the colour counts: the variant is recognised
-// by the counts.
+// Reads a binary OFF file. The body begins after the line end that follows headerEnd. Geomview writes big-endian
+// numbers with a colour count after each face; other programs write little-endian numbers or omit the colour counts.
+// The variant is recognised by the counts.
 Result<MeshFile> readBinaryOff(std::string_view bytes, std::size_t headerEnd, OffKeyword keyword,
                                const ReadOptions& options, Progress progress);
 

@@ -8,22 +8,22 @@
 
 namespace handwheel {
 
-// The first word of an OFF file, which defines the attributes of vertices. [ST][C][N][4][n]OFF (Geomview manual, "OFF
-// files").
+// The first word of an OFF file, which defines the attributes of vertices. Its syntax is [ST][C][N][4][n]OFF (Geomview
+// manual, "OFF files").
 struct OffKeyword {
   bool texture = false;         // two numbers after each vertex
-  bool colour = false;          // in binary files four numbers
-  bool normal = false;          // three numbers
-  bool otherDimension = false;  // 4OFF, nOFF: no points in space
-  std::size_t length = 0;       // characters; a count may follow without a blank
+  bool colour = false;          // a colour after each vertex: four numbers in binary files
+  bool normal = false;          // three numbers after each vertex
+  bool otherDimension = false;  // 4OFF or nOFF: the vertices are not points in space
+  std::size_t length = 0;       // number of characters; a count may follow without a blank
 
   bool hasAttributes() const { return texture || colour || normal; }
 };
 
-// Parses the first word of an OFF file. Returns none if it is not a keyword.
+// Parses the first word of an OFF file. Returns nothing if the word is not a keyword.
 std::optional<OffKeyword> parseOffKeyword(std::string_view word);
 
-// Returns true if the first word outside comments is the keyword.
+// Returns true if the first word outside comments is a keyword of OFF files.
 bool beginsWithOffKeyword(std::string_view bytes);
 
 }  // namespace handwheel

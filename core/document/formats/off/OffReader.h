@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Reads an OFF file, text or "OFF BINARY". The keyword may be missing. Faces of one or two corners are points and
-// lines: listed as lost.
+// Reads an OFF file in text or binary ("OFF BINARY"). The keyword may be missing. Faces of one or two corners are
+// points and lines, which are listed as lost.
 Result<MeshFile> readOff(std::string_view bytes, const ReadOptions& options, Progress progress);
 
 }  // namespace handwheel

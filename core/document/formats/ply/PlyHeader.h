@@ -14,7 +14,7 @@ namespace handwheel {
 
 // Number type of a PLY property.
 enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
-std::size_t sizeOf(PlyType type);  // bytes
+std::size_t sizeOf(PlyType type);  // bytes of a number
 
 // A property of a PLY element.
 struct PlyProperty {
@@ -37,11 +37,11 @@ enum class PlyEncoding { Text, LittleEndian, BigEndian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Text;
   std::vector<PlyElement> elements;
-  std::size_t bodyAt = 0;  // byte
+  std::size_t bodyAt = 0;  // offset of the body, bytes
   std::uint64_t bodyLine = 0;
 };
 
-// Reads the header of a PLY file. Errors: HeaderMalformed, TypeUnknown, TokenUnexpected; with the line.
+// Reads the header of a PLY file. Errors, with the line: HeaderMalformed, TypeUnknown, TokenUnexpected.
 Result<PlyHeader> readPlyHeader(std::string_view bytes);
 
 }  // namespace handwheel

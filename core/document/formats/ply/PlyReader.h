@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns true if the first word is that of PLY files.
+// Returns true if bytes begin with the signature of PLY files.
 bool looksLikePly(std::string_view bytes);
 
 // Reads a PLY file, text or binary of either byte order. Faces are polygons or triangle strips; elements and properties

@@ -11,23 +11,23 @@
 
 namespace handwheel {
 
-// Result of reading part of a row. After Bad the rest of the row is unusable, but the next one can be read; after Ended
-// nothing can be read any more. error() returns the reason.
+// Result of reading part of a row. After Bad the rest of the row is unusable, but the next row can be read. After Ended
+// no further row can be read. error() then returns the reason.
 enum class RowState { Good, Bad, Ended };
 
-// Reads the rows of a PLY body as text: one line each. Same functions as PlyBinaryRows.
+// A reader of the rows of a PLY body in text, with one row per line. It has the same functions as PlyBinaryRows.
 class PlyTextRows {
  public:
   PlyTextRows(std::string_view bytes, const PlyHeader& header) : m_scanner(bytes, header.bodyAt, header.bodyLine) {}
 
   // Returns false if there is no further row.
   bool begin() { return m_scanner.findWord(); }
-  // Reads the number as a file of this type stores it.
+  // Reads a number and rounds it as a file of this type stores it.
   RowState number(PlyType type, double& value);
   RowState integer(PlyType type, std::int64_t& value);
   RowState skip(PlyType type, std::uint64_t numbers);
   RowState end();
-  // Reports that the row has an impossible value.
+  // Sets the error of a row with an impossible value.
   RowState refuse(Error error);
   // Skips the rest of a bad row.
   void abandon() { m_scanner.nextLine(); }
@@ -35,7 +35,7 @@ class PlyTextRows {
   const Error& error() const { return m_error; }
   InputPosition inputPosition() const { return m_scanner.inputPosition(); }
   std::size_t position() const { return m_scanner.position(); }
-  // Returns true if anything other than white space is left.
+  // Returns true if anything other than white space follows.
   bool hasExcess() { return m_scanner.findWord(); }
 
  private:
@@ -45,7 +45,7 @@ class PlyTextRows {
   Error m_error;
 };
 
-// Reads the rows of a binary PLY body: no gaps, no separators.
+// A reader of the rows of a binary PLY body, which has no gaps or separators.
 class PlyBinaryRows {
  public:
   PlyBinaryRows(std::string_view bytes, const PlyHeader& header);

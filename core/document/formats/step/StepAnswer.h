@@ -8,8 +8,8 @@ namespace handwheel {
 
 inline constexpr const char* kStepLibrary = "Open CASCADE";
 
-// Reads the mesh in the output of plugins/formats/step, which is as untrusted as any file. Errors: LibraryFailed if it
-// is inconsistent; CountMismatch if parts or faces are missing, which are damage if options.partial is set;
+// Reads the mesh in the output of plugins/formats/step, which is untrusted. Errors: LibraryFailed if the output is
+// inconsistent; CountMismatch if parts or faces are missing (listed as damage instead if options.partial is set);
 // OutOfMemory, Cancelled.
 Result<MeshFile> meshIn(std::string_view answer, const ReadOptions& options, Progress progress);
 

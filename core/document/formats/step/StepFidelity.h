@@ -6,6 +6,6 @@
 
 namespace handwheel {
 
-FidelitySetting stepChordSetting();  // step.chord: ReadOptions::stepChord, in diagonals
+FidelitySetting stepChordSetting();  // step.chord: ReadOptions::stepChord, as a fraction of the diagonal
 
 }  // namespace handwheel

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Reads a binary STL file. 80 bytes of header, a count, 50 bytes per facet, little-endian. A count that is too small
-// hides no facet.
+// Reads a binary STL file. The file consists of a header of 80 bytes, a count, and 50 bytes per facet, little-endian.
+// All facets are read even if the count is too small.
 Result<MeshFile> readBinaryStl(std::string_view bytes, const ReadOptions& options, Progress progress);
 
 }  // namespace handwheel

@@ -6,13 +6,14 @@
 
 namespace handwheel {
 
-// Returns true if the size exactly matches the count of a binary STL. Then it can be nothing else.
+// Returns true if the size exactly matches the count of a binary STL file. The file can then have no other format.
 bool isWholeBinaryStl(std::string_view bytes);
 
-// Returns true if this is text STL: binary files may begin with "solid" too.
+// Returns true if bytes are a text STL file. The word "solid" is not sufficient, because binary files may begin with
+// it, too.
 bool isTextStl(std::string_view bytes);
 
-// Reads an STL file, as binary unless isTextStl(). Every facet has three points of its own.
+// Reads an STL file, as binary unless isTextStl(). Every facet gets three points of its own.
 Result<MeshFile> readStl(std::string_view bytes, const ReadOptions& options, Progress progress);
 
 }  // namespace handwheel

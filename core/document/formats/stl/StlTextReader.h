@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Reads a text STL file. Any number of solids in one file; keywords in any case; a name is the text after "solid".
+// Reads a text STL file. There may be any number of solids; keywords may be in upper or lower case. The text after
+// "solid" is a name.
 Result<MeshFile> readTextStl(std::string_view bytes, const ReadOptions& options, Progress progress);
 
 }  // namespace handwheel

@@ -10,23 +10,24 @@
 
 namespace handwheel {
 
-// Assembles the objects of a 3MF file according to its build section. The result of a small file may be huge, or
-// endless: it is counted first, and rejected beyond 2^25 triangles or points, 100 nested components, or for a cycle.
+// The assembly of the objects of a 3MF file according to its build section. As the result of a small file may be huge
+// or endless, it is counted first. It is rejected if it has more than 2^25 triangles or points, more than 100 nested
+// components, or a cycle.
 class ThreeMfBuild {
  public:
-  // Returns the part with the path in a reference, or null.
+  // A function that returns the part with the path in a reference, or null.
   using FindPart = std::function<const ThreeMfPart*(const std::string& path)>;
 
   ThreeMfBuild(FindPart findPart, MeshAssembly& assembly) : m_findPart(std::move(findPart)), m_assembly(assembly) {}
 
-  // Adds the triangles of the root part's items to the assembly. If the build section is lost (withoutBuild), every
-  // object is built that is not a component of another. Returns false if reading must end; the assembly has the reason.
+  // Adds the triangles of the root part's items to the assembly. withoutBuild: the build section is lost, and every
+  // object that is not a component of another is built. Returns false if reading must end; the assembly has the reason.
   bool build(const ThreeMfPart& root, bool withoutBuild);
 
  private:
   struct Size {
     std::uint64_t points = 0, triangles = 0;
-    int height = 0;  // components within each other
+    int height = 0;  // depth of nested components
     bool isCounting = false;
   };
   struct Target {
@@ -42,7 +43,7 @@ class ThreeMfBuild {
   FindPart m_findPart;
   MeshAssembly& m_assembly;
   std::map<const ThreeMfObject*, Size> m_sizes;
-  std::set<const ThreeMfReference*> m_broken;  // damage that was tolerated
+  std::set<const ThreeMfReference*> m_broken;  // references with damage that was tolerated
 };
 
 }  // namespace handwheel

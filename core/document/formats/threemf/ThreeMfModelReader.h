@@ -9,9 +9,9 @@
 
 namespace handwheel {
 
-// Reads the text of one model part. Damage, and attributes that are lost, go to the assembly; its progress runs from
-// byte `begin` on. A truncated text gives the part before the end, if the assembly tolerates that. Returns false if
-// reading must end; the assembly has the reason.
+// Reads the text of one model part. Damage and lost attributes are recorded in the assembly. A truncated text gives the
+// part before its end, if the assembly tolerates the damage. begin: the position of the text among all model parts, in
+// bytes; for progress. Returns false if reading must end; the assembly has the reason.
 bool readThreeMfModel(std::string_view text, const std::string& partName, std::uint64_t begin, MeshAssembly& assembly,
                       ThreeMfPart& part);
 

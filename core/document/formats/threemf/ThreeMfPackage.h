@@ -9,22 +9,24 @@
 
 namespace handwheel {
 
-// The archive of a 3MF file as an Open Packaging Conventions package. ECMA-376 part 2. Names of parts are
-// case-insensitive. If a function returns false, reading must end; the assembly has the reason.
+// The archive of a 3MF file as an Open Packaging Conventions package (ECMA-376 part 2). Names of parts are
+// case-insensitive. If a function returns false, reading must end, and the assembly has the reason.
 class ThreeMfPackage {
  public:
   ThreeMfPackage(std::string_view archive, MeshAssembly& assembly, Progress progress);
 
-  // Returns the total size of all model parts, unpacked, as announced.
+  // Returns the total unpacked size of all model parts, as announced by the archive.
   std::uint64_t modelBytes() const;
 
-  // Finds the part that the package's relationships name as the model; in damaged files the most likely one.
+  // Finds the part that the package's relationships name as the model. In a damaged file, finds the most likely part.
   bool findModel(std::string& name);
 
-  // Reads the text of a part. A damaged one is an error, or its readable rest. Safe for Qt's XML reader.
+  // Reads the text of a part and checks that it is safe for Qt's XML reader. A damaged part is an error, or the
+  // readable text before the damage if the assembly tolerates it.
   bool read(const std::string& name, std::string& text);
 
-  // Returns the name of the entry for a reference like "/3D/Objects/a.model"; empty if there is none.
+  // Returns the name of the archive's entry for a reference such as "/3D/Objects/a.model"; empty if there is no such
+  // entry.
   std::string entryFor(std::string_view reference) const;
 
  private:
@@ -32,7 +34,7 @@ class ThreeMfPackage {
 
   ZipReader m_zip;
   MeshAssembly& m_assembly;
-  Progress m_progress;                         // for cancelling only
+  Progress m_progress;                         // used for cancelling only
   std::map<std::string, std::string> m_names;  // entry names by their lower-case form
 };
 

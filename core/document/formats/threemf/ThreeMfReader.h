@@ -7,11 +7,12 @@
 namespace handwheel {
 
 // Reads a 3MF file. Everything in its build section becomes one list of triangles, in millimetres; a transform that
-// mirrors reverses their orientation. Objects lose their names and bounds, materials and colours are lost. Parts of the
-// production extension are read. A ZIP archive that unpacks to too much is refused (FileTooLarge).
+// mirrors reverses their orientation. The names of objects, the boundaries between them, materials and colours are
+// lost. Parts of the production extension are read. A ZIP archive that unpacks to too many bytes is refused
+// (FileTooLarge).
 Result<MeshFile> readThreeMf(std::string_view bytes, const ReadOptions& options, Progress progress);
 
-// Returns true if this is a ZIP archive, but not one of our own documents.
+// Returns true if bytes are a ZIP archive, but not a container of this program.
 bool looksLikeThreeMf(std::string_view bytes);
 
 }  // namespace handwheel

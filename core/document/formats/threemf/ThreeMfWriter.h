@@ -10,11 +10,12 @@
 
 namespace handwheel {
 
-// Encodes triangles as a 3MF file with one object in millimetres. The object is built once; deflated. Coordinates are
-// rounded to the number type first and written with the shortest digits that read back to the same double; they must be
-// finite. The archive is empty if cancelled, or if the library fails. O(points + triangles).
+// Encodes triangles as a 3MF file with one object in millimetres. The build section has the object once. Coordinates
+// must be finite; they are rounded to the number type and written with the fewest digits that read back to the same
+// double. The archive is compressed with deflate. The result is empty after a cancellation, or if the library fails.
+// O(points + triangles).
 std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, Progress progress = {});
-// Encodes them with another unit for these numbers, which are not scaled.
+// Encodes triangles as a 3MF file in the given unit. The coordinates are already in this unit and are not scaled.
 std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, LengthUnit unit, Progress progress = {});
 
 }  // namespace handwheel

@@ -12,13 +12,13 @@
 
 namespace handwheel {
 
-// Checks that a text is safe for Qt's XML reader. Returns none if it is. That reader takes time quadratic in a tag's
-// attributes and keeps texts in one piece: no tag over 8 KiB, no text over 16 MiB, no document type (which could define
-// entities), UTF-8 only. O(text). Checks the cancel flag. Errors: TextEncoding, ElementMalformed {"XML", problem}, with
-// the byte; Cancelled.
+// Checks that a text is safe for Qt's XML reader. Returns nothing if it is safe, otherwise an error: TextEncoding,
+// ElementMalformed {"XML", problem} with the byte, or Cancelled. Safe texts are in UTF-8, with no tag over 8 KiB, no
+// text over 16 MiB and no document type, because Qt's reader takes time quadratic in a tag's attributes, keeps each
+// text in one piece and resolves entities. O(text).
 std::optional<Error> objectionToXml(std::string_view text, const Progress& progress = {});
 
-// Returns the attribute's text as bytes, without blanks around it; empty if there is none. Only ASCII is kept.
+// Returns the text of an attribute as bytes, without blanks around it. Each character that is not ASCII becomes '?'.
 std::string asciiOf(QStringView value);
 
 }  // namespace handwheel

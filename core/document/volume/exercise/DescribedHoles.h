@@ -9,9 +9,9 @@
 namespace handwheel {
 
 // Reads the holes in the description of an exercise. Its form is {"holes": [{"points": [[time, depth, beside, across],
-// …]}]}. Time in s; depth of the tip below the entry along the planned path, and its distances from that path along two
-// orthogonal directions, mm; the last two may be omitted. The drill moves straight between points, with its shank along
-// the path. Error: ElementMalformed.
+// …]}]}. The time is in s, all lengths are in mm. The depth of the tip is measured from the entry along the planned
+// path; `beside` and `across` are the distances of the tip from that path along two orthogonal directions, and may be
+// omitted. The drill moves straight between points, with its shank along the path. Error: ElementMalformed.
 Result<DrilledHoles> describedHoles(const nlohmann::json& description, const DrillingTask& task);
 
 }  // namespace handwheel

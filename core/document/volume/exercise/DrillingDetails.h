@@ -7,17 +7,17 @@
 
 namespace handwheel {
 
-// Returns thrust or torque over time with a reference curve and the breakthrough. The reference is (3-22) or (3-23) at
-// the same feed. Its constants are those for which both curves agree for a ball deep in the material: Ks = kp / (2
-// ktc), Ru = kp / 5; so only their shapes are compared.
+// Returns thrust or torque over time with a reference curve and the breakthrough. The reference is He 2008, eq. 3-22
+// for thrust and 3-23 for torque, at the same feed. Its constants (agreeingReference()) are those for which both curves
+// agree for a spherical head entirely in the material, so the comparison concerns only the shapes of the curves.
 ReportCurve thrustCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
 ReportCurve torqueCurve(const DrillSetup& setup, const std::vector<DrillMoment>& moments);
-// Returns the depth of the tip along the plan, and its deviation.
+// Returns the depth of the tip along the planned path and its deviation from the path, over time.
 ReportCurve depthCurve(const std::vector<DrillMoment>& moments);
 ReportCurve heatCurve(const std::vector<DrillMoment>& moments);
 
 // Returns the details of a report in addition to the marks: the section of the hole, the peaks, the curves, the
-// breakthrough, and the faults. holes, review: of the same work.
+// breakthrough, and the faults. holes, review: the holes and the review of the same work.
 ReportDetails drillingDetails(const DrillingTask& task, const DrilledHoles& holes, const DrillReview& review,
                               Progress progress = {});
 

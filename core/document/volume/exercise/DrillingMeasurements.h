@@ -7,21 +7,21 @@
 
 namespace handwheel {
 
-// Returns all figures of drilling, with their units.
+// Returns the types of all figures of drilling, with their units.
 const std::vector<MeasurementType>& drillingMeasurementTypes();
 
-// Returns the tries of the holes of a work.
+// Returns the tries at the holes of a work.
 DrillTries triesOf(const VolumeSnapshot& work);
 
-// The drilling of an exercise, replayed for its figures.
+// The drilling of an exercise, replayed to measure its figures.
 class MeasuredDrilling {
  public:
   MeasuredDrilling(const DrillingTask& task, const VolumeSnapshot& work, Progress progress);
 
-  // Measures a figure, or states the reason why it cannot. Deterministic.
+  // Measures a figure, or states the reason why it cannot be measured. The result is deterministic.
   Measurement measure(const MarkingCriterion& criterion) const;
 
-  // Replay of the holes; none: cancelled, or another drill was used.
+  // Replay of the holes; none: the replay was cancelled, or another drill was used.
   const std::optional<DrillReview>& review() const { return m_review; }
 
  private:

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Exercises of drilling: students drill a hole into a volume. It is compared with the planned path. The target is that
-// path; the imported file is the stock.
+// Exercises of drilling: students drill a hole into a volume along a planned path. The path is the target, and the
+// imported file is the stock.
 class DrillingSubject : public ExerciseSubject {
  public:
   std::string id() const override { return "drilling"; }
@@ -17,7 +17,7 @@ class DrillingSubject : public ExerciseSubject {
   std::vector<MeasurementType> figures() const override;
 
   Status applyTolerance(MarkingCriterion& criterion) const override;
-  // The forbidden region must not be touched at all.
+  // Returns the usual limit of a figure. The forbidden region must not be touched at all.
   std::optional<double> usualLimit(const std::string& figure, const ExerciseTask&) const override {
     return figure == "forbidden" ? std::optional(0.0) : std::nullopt;
   }
@@ -35,18 +35,20 @@ class DrillingSubject : public ExerciseSubject {
   bool startsSlowly() const override { return true; }
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
   std::optional<std::size_t> triesOf(const Snapshot& work) const override;
-  // The description is that of describedHoles().
+  // Makes the work from a description, whose form is that of describedHoles().
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;
   // Returns nothing, as holes are drilled by hand.
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
-  // Takes the path of the last hole from its contact with the stock. Error: NothingDrilled.
+  // Returns the task with the path of the last hole as its target. The path begins at the first contact of the drill
+  // with the stock. Holes of a saw are skipped. Error: NothingDrilled.
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
   std::vector<std::string> targetEndings() const override;
-  // Replaces the stock by a document of a volume, a VDB file or images.
+  // Replaces the stock by a volume from a document, a VDB file or images.
   Result<ImportedTask> withImportedTarget(const ExerciseTask& task, const std::filesystem::path& path,
                                           std::optional<double> facing, Progress progress) const override;
-  // Always returns the error WithoutTarget: a path has no ends to turn, no sizes to round, and no drawing.
+  // These functions and exportDrawing() always return the error WithoutTarget. They are meant for turned parts: a path
+  // cannot be turned end for end, has no sizes to round, and has no drawing.
   Result<TaskPointer> withTurnedTarget(const ExerciseTask& task) const override;
   Result<RoundedTask> withRoundedTarget(const ExerciseTask& task, double step, double largestFillet) const override;
 
@@ -62,8 +64,8 @@ class DrillingSubject : public ExerciseSubject {
   VolumeKind m_kind;
 };
 
-// Returns the displayed planned path and forbidden region: a thin rod to the entry and on through the stock, and the
-// balls.
+// Returns the parts that display a plan. The planned path is a thin rod, which begins outside of the stock and ends
+// a short way behind the entry; the forbidden region consists of balls.
 std::vector<DisplayPart> planParts(const DrillPlan& plan);
 
 }  // namespace handwheel

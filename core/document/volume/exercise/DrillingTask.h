@@ -10,11 +10,11 @@
 
 namespace handwheel {
 
-// The penalty for holes in the forbidden region that were undone. Otherwise only the final work is marked.
+// The penalty for undone holes in the forbidden region. All other criteria mark only the final work.
 enum class FailedTries {
-  CostTheMark,  // costs the mark for that region only
-  FailTheWork,  // costs as much as if they still existed
-  AreListed,    // costs nothing
+  CostTheMark,  // the mark for the forbidden region is lost
+  FailTheWork,  // the holes count as if they still existed
+  AreListed,    // the holes are only listed
 };
 
 // The data of an exercise of drilling: the stock, the drill, and its planned path.
@@ -29,23 +29,24 @@ struct DrillingTask : ExerciseTask {
   double feed = 1.0;                       // mm/s, for drilling with the mouse
   FailedTries failedTries = FailedTries::CostTheMark;
 
-  // Returns a task at the site of the skull, with its brain as the forbidden region.
+  // Returns a task at the site of the skull, where the brain is the forbidden region.
   static DrillingTask ofSkull();
 
   const SparseVolume& volume() const;
   DrillSetup setup() const;
 };
 
-// Converts a task to and from JSON, as in containers and descriptions; docs/format.md lists the keys.
+// Converts a task to and from JSON, for containers and descriptions; docs/format.md lists the keys.
 nlohmann::json toJson(const DrillingTask& task);
 DrillingTask drillingTaskFrom(const nlohmann::json& json, std::vector<Error>& damage);
 
 // Returns the properties that teachers can change.
 std::vector<Property> propertiesOf(const DrillingTask& task);
-// Errors: ReferenceMissing {property}, ElementMalformed, ValueOutOfRange.
+// Returns the task with a changed property. Errors: ReferenceMissing {property}, ElementMalformed, ValueOutOfRange.
 Result<DrillingTask> withTaskProperty(DrillingTask task, const std::string& id, const PropertyValue& value);
 
-// Returns the task of an assigned exercise, without the stock; null if it has none, or is not about drilling.
+// Returns the task of an assigned exercise, without the stock. Returns null if the exercise has no task, or is not
+// about drilling.
 std::shared_ptr<const DrillingTask> assignedDrilling(const AssignedExercise& assigned);
 
 }  // namespace handwheel

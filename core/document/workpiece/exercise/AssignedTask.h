@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// Returns the task of the exercise that a workpiece is work on. Null: it is not work on an exercise of turning.
+// Returns the task of the exercise that a workpiece is work on. Returns null if the workpiece is not work on an
+// exercise of turning.
 std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned);
 
 // Returns true if the marking scheme, as the student sees it, has a criterion for a figure, such as "force".

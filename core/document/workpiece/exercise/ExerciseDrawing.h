@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Returns the texts on the drawing of an exercise's target. They are title, material, and from the criteria that
-// students see the tolerances, threads and roughness.
+// Returns the texts on the drawing of an exercise's target. They are the title, the material, and the tolerances,
+// threads and roughness of the criteria that students see.
 DrawingTitle drawingTitleOf(const Exercise& exercise, const TurningTask& task);
 
 }  // namespace handwheel

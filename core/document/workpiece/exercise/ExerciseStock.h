@@ -10,17 +10,18 @@ namespace handwheel {
 // The initial workpiece of a student in an exercise of turning.
 struct ExerciseStock {
   WorkpieceSnapshot bar;
-  std::shared_ptr<const TurningTask> task;  // with the target, if there is one
+  std::shared_ptr<const TurningTask> task;  // the task, with its target if there is one
 };
 
-// Returns the largest deviation of a part from the target of the task, mm: above the chuck, and above the bar behind
-// the target. The task must have a target.
+// Returns the largest deviation of a part from the target of the task, mm. Only the range above the chuck and above the
+// lower end of the target counts. The task must have a target.
 double targetError(const ExerciseStock& exercise, const TurnedProfile& part);
 
-// Returns the stock of an exercise document's value; none for other documents, and exercises about other work.
+// Returns the stock of an exercise document's value; nothing for other documents and for exercises about other work.
 std::optional<ExerciseStock> exerciseStock(const Snapshot& content);
 
-// Returns the workpiece that a document is, or that is the work on its exercise; null: there is none.
+// Returns the workpiece in the value of a document, which is a workpiece document or an exercise with work. Returns
+// null if there is no workpiece.
 std::shared_ptr<const WorkpieceSnapshot> turnedWorkIn(const SnapshotPointer& content);
 
 }  // namespace handwheel

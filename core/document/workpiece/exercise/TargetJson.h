@@ -9,12 +9,13 @@
 
 namespace handwheel {
 
-// Returns a target as JSON within an exercise. The key is "segments", an array of five numbers each as in the blob of a
-// workpiece's target (document/workpiece/target/TargetBlobs.h).
+// Returns a target as JSON for an exercise. Its key "segments" has an array of five numbers for each segment, as in the
+// blob of a workpiece's target (document/workpiece/target/TargetBlobs.h).
 nlohmann::json toJson(const TargetProfile& target);
 
-// Reads a target; also from "outer" and "inner", points [r, z] that never go back in z, of the outside and of a bore
-// that is open at one end or both. None for null. Accepts any JSON, and adds an invalid target to the damage.
+// Reads a target from any JSON, also from the keys "outer" and "inner" instead of "segments". These are the points [r,
+// z], which never go back in z, of the outside and of a bore that is open at one end or both. Returns nothing for null.
+// An invalid target is added to the damage.
 std::optional<TargetProfile> targetFrom(const nlohmann::json& json, std::vector<Error>& damage);
 
 }  // namespace handwheel

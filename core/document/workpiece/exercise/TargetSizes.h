@@ -9,10 +9,10 @@ namespace handwheel {
 
 // Returns the sizes of a target as criteria of a marking scheme, along its outline.
 //
-// They are diameters, tapers, arcs, and the lengths from the finished face to the other faces, except inside the chuck
-// and sizes that the bar already has. A curve of many short lines (withCurves()) has a criterion of its form, the
-// distance from the target, after all sizes, instead of its tapers. The limits are those of general tolerances (ISO
-// 2768-1, class m); each gives a point. The ids are empty.
+// The sizes are diameters, tapers, arcs, and the lengths from the finished face to the other faces. Sizes inside the
+// chuck and sizes that the bar already has are left out. A curve of many short lines (withCurves()) has, instead of its
+// tapers, a criterion for its distance from the target; this follows after all sizes. The limits are general tolerances
+// (ISO 2768-1, class m). Each criterion gives one point, and its id is empty.
 std::vector<MarkingCriterion> sizesOfTarget(const TurningTask& task);
 
 }  // namespace handwheel

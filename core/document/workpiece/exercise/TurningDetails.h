@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Returns the details of turning work for a report. They are a picture of the part over its target, the largest force
-// and power, the shape, the path of the tool, roughness, force and power over time, collisions and overloads. O(samples
-// + points of the passes).
+// Returns the details of turning work for a report. The details are a picture of the part over its target, the largest
+// force and power, the shape, the path of the tool, roughness, force and power over time, collisions and overloads.
+// O(samples + points of the passes).
 ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& work, Progress progress);
 
 }  // namespace handwheel

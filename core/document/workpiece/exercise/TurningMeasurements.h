@@ -13,24 +13,26 @@ namespace handwheel {
 // Returns all figures of turning, with their units and arguments.
 const std::vector<MeasurementType>& turningMeasurementTypes();
 
-// Does the work of ExerciseSubject::positionProblem() for parts that are made from this bar.
+// Implements ExerciseSubject::positionProblem() for parts that are made from a bar.
 std::string positionProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
 
-// Returns the largest force (N) and power (kW) of the passes of a workpiece after those of `before`, as they are
-// marked; null: of all passes. `before` must be that workpiece at an earlier time. None: too much work, or cancelled.
+// Returns the largest force (N) and power (kW), as they are marked, of the passes of a workpiece after the passes of
+// `before`. `before` must be an earlier part of that workpiece; if it is null, all passes count. Returns nothing if the
+// computation takes too much work or is cancelled.
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    const TurnedPart* before, Progress progress = {});
 
-// "1.25"; "∞" while the spindle stood still.
+// Returns a feed as text, such as "1.25", or "∞" for a spindle that stood still.
 std::string feedText(double feed);
 
-// A turned part with a review of its passes, for measuring. Computed once for all figures.
+// A turned part with a review of its passes, for measuring. It is computed once for all figures.
 class MeasuredPart {
  public:
   // The review is missing if it takes too much work; figures that need it are then not measured.
   MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& workpiece, Progress progress);
 
-  // Deterministic. A figure that cannot be measured has a remark with the reason.
+  // Measures the figure of a criterion. The result is deterministic. A figure that cannot be measured has a remark with
+  // the reason.
   Measurement measure(const MarkingCriterion& criterion, Progress progress = {}) const;
 
   const TurnedProfile& profile() const { return m_profile; }
@@ -39,17 +41,19 @@ class MeasuredPart {
   const std::vector<LatheCollision>& crashes() const;
   // Returns the crashes that only the review finds.
   std::vector<CrashMoment> unrecordedCrashes() const;
-  // Returns true if the passes give this part, sample by sample, and its finish. False: the file was manipulated.
+  // Returns true if the passes give this part, sample by sample, and its finish. Returns false if the file was
+  // manipulated.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
-  // Returns the cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
   using Load = CutLoad;
+  // Returns the cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
   std::vector<Load> loads() const;
   // Returns the roughness of a side over a range. It is the finish stored with the part or, if that has gaps as in
-  // files of older programs, the finish of the passes at the speed of the task. None if part of the range is uncut.
+  // files of older programs, the finish of the passes at the speed of the task. Returns nothing if part of the range is
+  // uncut.
   std::optional<FinishReading> finish(TurningSide side, AxisRange range) const;
   // Returns the finish at a sample.
   FinishMark finishAt(TurningSide side, std::size_t i) const;
-  // Returns the Z that remarks count from, mm.
+  // Returns the zero point of the Z values in remarks, mm.
   double zero() const { return m_task.zero(); }
 
  private:

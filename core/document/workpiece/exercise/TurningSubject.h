@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// Exercises of turning: students cut a workpiece, which is measured against a drawing.
+// Exercises of turning, in which students cut a workpiece that is measured against a drawing.
 class TurningSubject : public ExerciseSubject {
  public:
   std::string id() const override { return "turning"; }
@@ -35,13 +35,12 @@ class TurningSubject : public ExerciseSubject {
   std::vector<ExerciseText> conditions(const ExerciseTask& task) const override;
   SnapshotPointer start(const ExerciseTask& task) const override;
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
-  // Judges by the passes; those of files of older programs count as made by hand.
+  // Judges the origin by the passes. Passes in files of older programs count as made by hand.
   WorkOrigin originOf(const Snapshot& work) const override;
   bool areProgramsAllowed(const ExerciseTask& task) const override;
   // Reads {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z],
-  // …],
-  // "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}. All but "points", the positions of the
-  // centre of the nose, are optional.
+  // …], "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}. The key "points" contains the
+  // positions of the centre of the nose; all other keys are optional.
   Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                    Progress progress) const override;
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;

@@ -18,7 +18,7 @@ struct AllowedTool {
   bool operator==(const AllowedTool&) const = default;
 };
 
-// The data of an exercise of turning: bar, lathe, tools and target shape.
+// The data of a turning exercise: bar, lathe, tools and target shape.
 struct TurningTask : ExerciseTask {
   static constexpr std::size_t kMostTools = 50;
   static constexpr double kLargestSpeed = 10'000.0;  // r/min
@@ -27,24 +27,25 @@ struct TurningTask : ExerciseTask {
   StockCylinder stock{40.0, 100.0, 0.0};
   std::string material = "medium-carbon-steel";  // id of a WorkMaterial
   ReviewedLathe lathe{800.0, 25.0, 100.0, 2.0};
-  double forceLimit = 2000.0;      // N, limit of the lathe, shown to the student; 0: any
-  double powerLimit = 3.0;         // kW; 0: any
+  double forceLimit = 2000.0;      // N, limit of the lathe, shown to the student; 0: no limit
+  double powerLimit = 3.0;         // kW; 0: no limit
   bool areProgramsAllowed = true;  // for students; false: all cuts are made by hand
   std::vector<AllowedTool> tools;
   std::optional<TargetProfile> target;
 
-  // Returns Z of the zero of the drawing and of programs, mm: the finished face, or the free end of the bar, as
-  // programZero().
+  // Returns Z of the zero point of the drawing and of programs, mm, as programZero() does: the finished face, or the
+  // free end of the bar if there is no target.
   double zero() const { return target ? target->upperEnd() : stock.position + stock.length; }
 };
 
-// The task in the JSON of containers and descriptions; docs/format.md lists the keys.
+// Convert a task to and from the JSON of containers and descriptions; docs/format.md lists the keys.
 nlohmann::json toJson(const TurningTask& task);
 TurningTask turningTaskFrom(const nlohmann::json& json, std::vector<Error>& damage);
 
 // Returns the properties that teachers change.
 std::vector<Property> propertiesOf(const TurningTask& task);
-// Errors: ReferenceMissing {property}, ElementMalformed, ValueOutOfRange.
+// Returns the task with another value of a property. Errors: ReferenceMissing {property}, ElementMalformed,
+// ValueOutOfRange.
 Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, const PropertyValue& value);
 
 }  // namespace handwheel

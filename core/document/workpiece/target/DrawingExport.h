@@ -10,13 +10,15 @@
 
 namespace handwheel {
 
-// Returns the file formats of drawings. DXF and SVG hold the exact half section, PDF a drawing with dimensions.
+// Returns the file formats of drawings. DXF and SVG contain the exact half section, and PDF contains a drawing with
+// dimensions.
 std::vector<FileFormat> drawingFormats();
+// Returns true if a path has the extension of one of these formats.
 bool isDrawingName(const std::filesystem::path& path);
 
-// Writes a section in the format that the extension of the path names: the whole file or nothing. DXF and SVG are read
-// back and compared within 1e-6 mm. PDF needs fonts, so a QGuiApplication. Errors: CheckFailed, LibraryFailed, those of
-// writeFileAtomically().
+// Writes a section in the format that the extension of the path names. Either the whole file is written or nothing. DXF
+// and SVG are read back and compared within 1e-6 mm. PDF needs fonts and therefore a QGuiApplication. Errors:
+// CheckFailed, LibraryFailed, and the errors of writeFileAtomically().
 Result<WrittenFile> exportDrawing(const TargetProfile& section, const DrawingTitle& title,
                                   const std::filesystem::path& path, Progress progress);
 

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Returns a sheet as a PDF file in the size of the sheet. Needs fonts, so a QGuiApplication; any thread. Error:
-// LibraryFailed.
+// Returns a sheet as a PDF file in the size of the sheet. This needs fonts and therefore a QGuiApplication. May be
+// called on any thread. Error: LibraryFailed.
 Result<std::string> pdfOf(const Sheet& sheet, const std::string& title);
 
 }  // namespace handwheel

@@ -18,15 +18,15 @@ struct ImportedTarget {
   TargetProfile profile;
   std::string source;       // name of the file, UTF-8
   std::vector<Note> notes;  // remarks on the reading for the user
-  bool isPlaced = false;    // true: the file is a workpiece of our own, with a bar around the target
+  bool isPlaced = false;    // true: the file is a Handwheel workpiece, with a bar around the target
 };
 
-// Reads a target by the content of the file: a turned part in STEP or as a mesh, the half section in DXF or SVG, or the
-// target, else the part, of a workpiece of our own. Blocks. Errors: those of the readers, FormatUnknown; the subject is
-// the path.
+// Reads a target according to the content of a file. It is a turned part in STEP or as a mesh, the half section in DXF
+// or SVG, or the target of a Handwheel workpiece (its part if it has no target). Blocks the calling thread. Errors: the
+// errors of the readers, FormatUnknown; the subject of an error is the path.
 Result<ImportedTarget> importTarget(const std::filesystem::path& path, UnturnedFaces others, Progress progress = {});
 
-// Returns the extensions of these files: ".step", …
+// Returns the extensions of files that importTarget() reads: ".step", …
 std::vector<std::string> targetEndings();
 
 // Returns the target of a workpiece with this allowance for facing (mm) at the free end of the bar. Without an
@@ -35,10 +35,10 @@ std::vector<std::string> targetEndings();
 std::shared_ptr<const WorkpieceTarget> placedTarget(const ImportedTarget& imported, const StockCylinder& stock,
                                                     std::optional<double> allowance = {});
 
-// Returns the section of a workpiece at its position: of the cut part, of the piece at its free end if that is parted
-// off, or of the bar. Errors: those of TargetProfile::make().
+// Returns the section of a workpiece at its position. It is that of the bar or of the cut part, or of the piece at the
+// free end if the part is in several pieces. Errors: the errors of TargetProfile::make().
 Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece);
-// Returns a note if that section is of one piece of several.
+// Returns a note if sectionOf() gives the section of one piece of several.
 std::vector<Note> sectionNotes(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

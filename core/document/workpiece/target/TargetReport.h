@@ -12,17 +12,18 @@
 
 namespace handwheel {
 
-// Returns the deviation of a workpiece, or of its uncut bar, from its target. The workpiece must have a target.
-// Incomplete when cancelled.
+// Returns the deviation of a workpiece, or of its uncut bar, from its target. The workpiece must have a target. The
+// result is incomplete if cancelled.
 TargetDeviation deviationOf(const WorkpieceSnapshot& workpiece, Progress progress = {});
 
-// Returns the dimensions of a section as JSON: an array of objects with "kind", "inner", "z_from", "z_to", "r_from",
-// "r_to" and by kind "diameter", "radius" (mm) or "angle" (rad), and "text".
+// Returns the dimensions of a section as JSON, which is an array of objects with "kind", "inner", "z_from", "z_to",
+// "r_from", "r_to" and by kind "diameter", "radius" (mm) or "angle" (rad), and "text".
 nlohmann::json dimensionsJson(const TargetProfile& section, double tolerance);
-// Returns the deviation as JSON: "largest_over", "largest_under" (mm, the second not above zero), with their positions.
+// Returns the deviation as a JSON object with "largest_over", "largest_under" (mm; the latter is not above zero) and
+// their positions.
 nlohmann::json deviationJson(const TargetDeviation& deviation);
 
-// Returns a feature as a line of English: "cylinder Ø40, Z 0 to 30".
+// Returns a feature as a line of English, such as "cylinder Ø40, Z 0 to 30".
 std::string textOf(const ProfileFeature& feature);
 
 }  // namespace handwheel

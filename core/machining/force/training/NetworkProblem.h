@@ -8,19 +8,20 @@
 
 namespace handwheel {
 
-// The least-squares problem of training a network. It gives the error as a function of the weights, in scaled units.
+// The least-squares problem of training a network. It gives the error in scaled units as a function of the weights.
 class NetworkProblem {
  public:
   NetworkProblem(const ForceNetwork& network, std::span<const ForceSample> samples, Progress progress);
 
   Eigen::Index weightCount() const { return m_weightCount; }
-  bool isCancelled() const { return m_isCancelled; }  // true: results are invalid
+  bool isCancelled() const { return m_isCancelled; }  // if true, the results are invalid
 
   // Returns the mean squared error.
   double error(const Eigen::VectorXd& weights);
-  // The same with its gradient.
+  // Returns the mean squared error, and its gradient with respect to the weights.
   double error(const Eigen::VectorXd& weights, Eigen::VectorXd& gradient);
-  // The same with JᵀJ (lower half) and Jᵀe, both divided by the number of samples.
+  // Returns the mean squared error. Writes JᵀJ (lower half) to `hessian` and Jᵀe to `gradient`, each divided by the
+  // number of samples.
   double error(const Eigen::VectorXd& weights, Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient);
 
  private:
@@ -30,7 +31,7 @@ class NetworkProblem {
   std::vector<double> m_targets;
   Eigen::Index m_weightCount;
   Eigen::VectorXd m_row;   // derivatives of one output
-  Eigen::MatrixXd m_rows;  // derivatives of several outputs, one to a column
+  Eigen::MatrixXd m_rows;  // derivatives of several outputs, one column for each
   Progress m_progress;
   bool m_isCancelled = false;
 };
@@ -40,7 +41,8 @@ class TrainingRecord {
  public:
   TrainingRecord(const TrainingOptions& options, Progress progress, Eigen::VectorXd weights, double error);
 
-  // Records the end of an epoch. Returns false at the goal, at the last epoch, or if it was cancelled: training ends.
+  // Records the end of an epoch. Returns false if training must end: at the goal, at the last epoch, or if it was
+  // cancelled.
   bool add(const Eigen::VectorXd& weights, double error);
 
   bool isAtGoal() const { return m_best <= m_goal; }
@@ -57,11 +59,12 @@ class TrainingRecord {
   std::vector<double> m_errors;
 };
 
-// The trainers. Each continues from the best weights of the record until it ends or makes no more progress.
+// The trainers. Each trainer starts from the best weights of the record and runs until the record ends or the error no
+// longer falls.
 void trainByLevenbergMarquardt(NetworkProblem& problem, TrainingRecord& record);
 void trainByBfgs(NetworkProblem& problem, TrainingRecord& record);
 void trainByScaledConjugateGradient(NetworkProblem& problem, TrainingRecord& record);
-// momentum: the share of the previous step that is added to each step; 0: none.
+// momentum: the fraction of the previous step that is added to each step; 0: no momentum.
 void trainByGradientDescent(NetworkProblem& problem, TrainingRecord& record, double momentum);
 
 }  // namespace handwheel

@@ -11,22 +11,22 @@ namespace handwheel {
 struct BoreWall {
   enum class Bottom { Through, Flat, Drilled };
 
-  CutContour wall;  // from the upper end down, without the bottom; r is the radius
+  CutContour wall;  // from the upper end downwards, without the bottom; r is the radius
   Bottom bottom = Bottom::Through;
-  double depth = 0.0;  // mm, depth of a bottom on the axis: of the flat, or of the point of the drill
+  double depth = 0.0;  // mm, depth on the axis of a flat bottom, or of the point of the drill
 
-  double leastRadius() const;  // mm, least radius of the wall; for a drilled bottom, that at the begin of its cone
+  double leastRadius() const;  // mm, least radius of the wall; for a drilled bottom, at the start of its cone
 };
 
-// tan 59°: a drill of 118° is this much wider, on the radius, than its point is high.
+// Ratio of the radius of a drill of 118° to the height of its point, tan 59°
 inline constexpr double kDrillPointSlope = 1.664279;
 
-// Returns the wall. Throws ProgramRefusal: there is no such bore, it has an undercut, or its bottom is neither flat nor
-// a cone of 118°.
+// Returns the wall of the bore of a target. Throws ProgramRefusal if there is no such bore, if it has an undercut, or
+// if its bottom is neither flat nor a cone of 118°.
 BoreWall boreWallOf(const TargetProfile& target);
 
-// Returns the wall down to a height only, with a step inward to a radius there: the part that can be bored while the
-// rest of a drill's point is below. Throws ProgramRefusal: an arc is cut there.
+// Returns the wall down to a height, with a step inward to a radius at that height. This part can be bored while the
+// cone that the drill left is below it. Throws ProgramRefusal if the height cuts an arc.
 CutContour wallDownTo(const CutContour& wall, double z, double radius);
 
 }  // namespace handwheel

@@ -6,12 +6,13 @@
 
 namespace handwheel {
 
-// A surface to be cut, from its upper end to its lower. The upper end is at z = 0; r grows out of the material.
+// A surface to be cut, from its upper end to its lower end. The upper end is at z = 0; r grows out of the material.
 using CutContour = std::vector<ProfileSegment>;
 
-// Returns the path of the tip of a tool with its nose towards the axis and the chuck, which removes the material
-// between a contour and the radius of the bar (mm): levels inward, once along the contour with the allowance, and along
-// the contour itself. It begins and ends beside the bar, in front of its end. Throws ProgramRefusal.
+// Returns the path of a tip that removes the material between a contour and the radius of the bar (mm). The nose of the
+// tool is towards the axis and the chuck. The path consists of levels inward, one pass along the contour with the
+// allowance, and one along the contour itself. It begins and ends beside the bar, in front of its end. Throws
+// ProgramRefusal if the contour cannot be cut.
 std::vector<ToolMove> contourCuts(CutContour contour, double barRadius, const CycleSettings& settings);
 
 }  // namespace handwheel

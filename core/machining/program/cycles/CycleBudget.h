@@ -10,7 +10,8 @@
 namespace handwheel {
 
 // The budget of computation for all contour cycles of a program together. It counts steps from segment to segment,
-// about 100 ns each: a program of a few lines can ask for any number. Checks the cancel flag.
+// about 100 ns each, because a program of a few lines can ask for any number of steps. It also checks whether the run
+// is cancelled.
 class CycleBudget {
  public:
   static constexpr std::uint64_t kMost = 20'000'000;

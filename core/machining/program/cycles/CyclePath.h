@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Collects the moves of the tip of an outside tool. Positions are those of the centre of its nose; mm, (r, z).
+// Collects the moves of the tip of an outside tool. Positions are positions of the centre of its nose, (r, z), mm.
 class CyclePath {
  public:
   explicit CyclePath(const CycleSettings& settings) : m_toTip(-settings.nose, -settings.nose) {

@@ -6,18 +6,18 @@
 
 namespace handwheel {
 
-// Drilling along z in steps (G73, G81 to G83, G85, G89). Lengths in mm.
+// A cycle that drills along z in steps (G73, G81 to G83, G85, G89). Lengths are in mm.
 struct DrillCycle {
-  static constexpr double kClearance = 0.254;  // before the drilled depth: 0.010 inch
+  static constexpr double kClearance = 0.254;  // distance from the drilled depth at which a feed begins, 0.01 inch
 
   double radius = 0.0;   // radius of the hole's axis
   double depth = 0.0;    // z of the bottom
   double retract = 0.0;  // z at which the feed begins
   double end = 0.0;      // z at the end of the cycle
-  double peck = 0.0;     // depth of a peck; 0: none
-  bool isDeep = false;   // goes back to `retract` after each step
+  double peck = 0.0;     // depth of a peck; 0: the hole is drilled in one step
+  bool isDeep = false;   // the drill goes back to `retract` after each step
   bool feedsOut = false;
-  double dwell = 0.0;  // s
+  double dwell = 0.0;  // s, time at the bottom
 
   void run(ProgramMachine& machine, const SourceLocation& location) const;
 };

@@ -8,27 +8,28 @@
 
 namespace handwheel {
 
-// Settings of roughing and finishing a target from a bar. Lengths in mm.
+// The settings for roughing and finishing a target from a bar. Lengths are in mm.
 struct CycleSettings {
-  double depth = 1.5;       // depth of a level, on the radius
-  double allowance = 0.3;   // left for finishing
-  double nose = 0.4;        // radius of both tools
+  double depth = 1.5;       // depth of a level along r
+  double allowance = 0.3;   // material that is left for finishing
+  double nose = 0.4;        // nose radius of the roughing and the finishing tool
   double roughFeed = 0.25;  // mm per revolution
   double finishFeed = 0.08;
   double speed = 150.0;       // m/min, surface speed
   double mostSpindle = 2000;  // r/min
-  double clearance = 2.0;     // between moves and material
-  double overrun = 2.0;       // extra cut beyond the lower end of the target, for parting off, if the room allows it
-  double room = 1e9;          // length of the bar below the target; the chuck is beyond it
-  double drill = 0.0;         // diameter of a hole that is bored to the bore of the target; 0: the bore is left
+  double clearance = 2.0;     // distance between rapid moves and material
+  double overrun = 2.0;       // extra cut below the target, for parting off, if the room allows it
+  double room = 1e9;          // length of the bar between the target and the chuck
+  double drill = 0.0;         // diameter of the hole from which the bore is made; 0: no bore is made
   int roughTool = 1, finishTool = 2, drillTool = 3, boreTool = 4;
 };
 
-// Returns the path of the tip that makes the outside of a target from a bar: levels from the bar inward, pockets by
-// descending at their right side; once along the contour with the allowance, then along the contour itself. The upper
-// end of the target is z = 0. The path of the nose is computed from lines and arcs, without samples (NoseCompensation).
-// Surfaces as thick as the bar at the lower end are not cut, so a chuck may hold it there. Errors: Refused, if the nose
-// does not fit, the target has an undercut, or the chuck is in the way.
+// Returns the path of the tip that makes the outside of a target from a bar. The tool cuts levels from the bar inward
+// and descends into pockets at their right side. It then follows the contour once with the allowance and once without.
+// The upper end of the target is z = 0. The path of the nose is computed exactly from lines and arcs, not from sampled
+// points (NoseCompensation). Surfaces at the lower end that are as thick as the bar are not cut, so a chuck may hold
+// the bar there. Errors: Refused if the nose does not fit, if the target has an undercut, or if the chuck is an
+// obstacle.
 Result<std::vector<ToolMove>> roughAndFinish(const TargetProfile& target, double barRadius,
                                              const CycleSettings& settings);
 

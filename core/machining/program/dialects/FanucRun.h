@@ -6,14 +6,15 @@
 
 namespace handwheel {
 
-// A run of a program for a lathe with a Fanuc control. G-code system A (X and Z absolute, U and W relative to the tool,
-// G90, G92 and G94 are cycles), Macro B as far as docs/programs.md describes. X and U are diameters; I, K and R are
-// not.
+// A run of a program for a lathe with a Fanuc control. It supports G-code system A, in which X and Z are absolute, U
+// and W are relative to the tool, and G90, G92 and G94 are cycles, and the part of Macro B that docs/programs.md
+// describes. X and U are diameters; I, K and R are not.
 class FanucRun : public ProgramRun {
  public:
   FanucRun(std::string_view text, const ProgramSetup& setup, Progress progress);
 
-  // The groups of G codes: a line has at most one of each, except for the codes for this line alone.
+  // The groups of G codes. A line has at most one code of each group, except for `Once`, the codes that apply to one
+  // line only.
   enum Group { Once, Motion, Spindle, FeedMode, Units, Nose, Drilling, System, Other, kGroups };
   struct Code {
     int number;
@@ -25,31 +26,31 @@ class FanucRun : public ProgramRun {
   std::optional<ProgramValue> systemVariable(int number) const override;
 
  private:
-  // The values that the first of two lines of a cycle sets, in mm.
+  // The values that the first line of a cycle of two lines sets. Lengths are in mm.
   struct CycleSettings {
-    double depth = 1.0, retract = 0.5;        // G71, G72
-    ProfilePoint relief{0, 0};                // G73: (r, z)
-    int passes = 1;                           // G73
-    double peckRetract = 0.5;                 // G74, G75
-    int threadPasses = 1, threadChamfer = 0;  // G76: passes at the last depth; tenths of the lead
+    double depth = 1.0, retract = 0.5;        // for G71 and G72
+    ProfilePoint relief{0, 0};                // for G73, (r, z)
+    int passes = 1;                           // for G73
+    double peckRetract = 0.5;                 // for G74 and G75
+    int threadPasses = 1, threadChamfer = 0;  // for G76; number of passes at the last depth, and tenths of the lead
     double threadAngle = 60.0, threadLeast = 0.0, threadLast = 0.0;
   };
 
-  // The values of G81 to G83, in mm and s.
+  // The values of G81 to G83. Lengths are in mm, times in s.
   struct DrillSettings {
-    std::optional<double> depth;  // z
+    std::optional<double> depth;  // z of the bottom
     double retract = 0.0;         // relative to the tool
     double peck = 0.0, dwell = 0.0;
   };
 
-  // Macro B.
+  // Functions for Macro B
   void beginProgram(const SourceLocation& location);
   bool runMacro(std::uint32_t i, ProgramScanner& scanner);
   void runLoop(const ProgramOutline::Statement& statement, std::uint32_t i);
   void goTo(std::uint32_t i, ProgramScanner& scanner);
   void callMacro(const ProgramBlock& block, const ProgramWord& g);
 
-  // Words.
+  // Functions for words
   void execute(const ProgramBlock& block);
   void sortCodes(const ProgramBlock& block);
   const ProgramWord* code(int group) const { return m_codes[static_cast<std::size_t>(group)]; }
@@ -65,18 +66,19 @@ class FanucRun : public ProgramRun {
   void moveInMachine(const ProgramWord& g);
   void runMotion(const ProgramBlock& block);
   void arc(int turn, const SourceLocation& location);
-  double lead(const ProgramWord& code);                       // mm; F of a thread
-  static double alongPath(const ProfilePoint& displacement);  // mm along the path for one mm along its longer axis
+  double lead(const ProgramWord& code);                       // mm, the lead that F gives for a thread
+  static double alongPath(const ProfilePoint& displacement);  // mm of path for 1 mm along its longer axis
   void boxCycle(int number, const SourceLocation& location);
   void drill(int number, const SourceLocation& location);
   bool hasAxis() const { return has('X') || has('U') || has('Z') || has('W'); }
-  ProfilePoint target();  // in mm, from X or U, Z or W
-  // Returns a length; without a decimal point it is in the least increment: 0.001 mm or 0.0001 inch.
+  ProfilePoint target();  // mm, the point that X or U and Z or W give
+  // Returns the length (mm) that a word gives. A number without a decimal point is a multiple of the least increment,
+  // 0.001 mm or 0.0001 inch.
   double increment(const ProgramWord& w) const;
 
-  // A cycle over a contour between two line numbers.
+  // The contour of a cycle, which the lines between two line numbers give.
   struct Contour {
-    std::uint32_t begin = 0, end = 0;  // lines
+    std::uint32_t begin = 0, end = 0;  // first and last line
     std::vector<ContourSegment> segments;
   };
   Contour contourOf(const ProgramWord& g);
@@ -92,10 +94,10 @@ class FanucRun : public ProgramRun {
   CycleSettings m_cycle;
   DrillSettings m_drilling;
   std::optional<double> m_surfaceSpeed;  // S of the last G96
-  ProfilePoint m_boxTarget{0, 0};        // modal, for G90, G92, G94
+  ProfilePoint m_boxTarget{0, 0};        // modal target of G90, G92 and G94
   double m_boxTaper = 0.0;
-  std::size_t m_contourCuts = 0;  // segments of m_contour up to the last that is not rapid
-  bool m_hasProgram = false;      // its number was read
+  std::size_t m_contourCuts = 0;  // number of segments of m_contour up to the last one that is not rapid
+  bool m_hasProgram = false;      // the number of the program was read
 };
 
 }  // namespace handwheel

@@ -6,12 +6,13 @@
 
 namespace handwheel {
 
-// A run of a program for LinuxCNC 2.9. A line is executed in the order of its documentation, "Order of Execution".
+// A run of a program for LinuxCNC 2.9. The words of a line are executed in the order of the section "Order of
+// Execution" of the LinuxCNC documentation.
 class LinuxCncRun : public ProgramRun {
  public:
   using ProgramRun::ProgramRun;
 
-  // The modal groups of G codes: a line has at most one of each.
+  // The modal groups of G codes. A line has at most one code of each group.
   enum Group {
     NonModal,
     Motion,
@@ -31,7 +32,7 @@ class LinuxCncRun : public ProgramRun {
     kGroups
   };
   struct Code {
-    int tenths;  // tenths of its number: G92.1 has 921
+    int tenths;  // number of the code in tenths, 921 for G92.1
     Group group;
   };
 
@@ -46,7 +47,7 @@ class LinuxCncRun : public ProgramRun {
     double depth = 0.0, retract = 0.0, peck = 0.0, dwell = 0.0;  // mm, s
   };
 
-  // Flow.
+  // Functions for the flow of control
   void runStatement(std::uint32_t i, const ProgramOutline::Statement& statement);
   void runBranch(std::uint32_t i, const ProgramOutline::Statement& statement);
   void runLoop(std::uint32_t i, const ProgramOutline::Statement& statement);
@@ -55,11 +56,11 @@ class LinuxCncRun : public ProgramRun {
   void takeReturned(ProgramScanner& scanner);
   double condition(std::uint32_t i, const ProgramOutline::Statement& statement);
 
-  // Words.
+  // Functions for words
   void execute(const ProgramBlock& block);
   void sortCodes(const ProgramBlock& block);
   const ProgramWord* code(int group) const { return m_codes[static_cast<std::size_t>(group)]; }
-  int codeOf(int group) const;  // in tenths; -1: none
+  int codeOf(int group) const;  // number of the code in tenths; -1: none
   void setFeedAndSpeed(const ProgramBlock& block);
   void runToolAndSpindle(const ProgramBlock& block);
   void runModes();
@@ -76,7 +77,7 @@ class LinuxCncRun : public ProgramRun {
   void runStops(const ProgramBlock& block);
   ProfilePoint target();
 
-  // Cycles.
+  // Functions for cycles
   void contourCycle(int tenths, const ProgramWord& g);
   void collect(const ProgramBlock& block);
   void threadCycle(const ProgramWord& g);
@@ -85,7 +86,7 @@ class LinuxCncRun : public ProgramRun {
   std::array<const ProgramWord*, kGroups> m_codes{};
   Drilling m_drilling;
   double m_returned = 0.0;          // value returned by the last subprogram
-  ProfilePoint m_savedShift{0, 0};  // shift of G92, kept by G92.2
+  ProfilePoint m_savedShift{0, 0};  // shift of G92 that G92.2 saved
 };
 
 }  // namespace handwheel

@@ -8,15 +8,17 @@
 
 namespace handwheel {
 
-// Writes the half section of a target as DXF in text. AutoCAD R12 with $INSUNITS, mm: LINE and ARC on the layer
-// "PROFILE", the axis on the layer "AXIS". z is x. Numbers have all their digits.
+// Writes the half section of a target as a DXF text file. The format is AutoCAD R12 with $INSUNITS in mm. The outline
+// consists of LINE and ARC entities on the layer "PROFILE", and the axis is on the layer "AXIS". x of the file is z of
+// the target. Numbers are written with all their digits.
 std::string dxfOf(const TargetProfile& target);
 
-// Writes the half section as SVG in mm: one path, and the axis as a line of the id "axis". z runs to the right.
+// Writes the half section of a target as SVG in mm. The outline is one path, and the axis is a line with the id "axis".
+// z points to the right.
 std::string svgOf(const TargetProfile& target);
 
-// Returns the largest distance (mm) of points on either outline from the other: of corners and of points between them.
-// It checks a written file. O(n log n).
+// Returns the largest distance (mm) of points on either outline from the other outline. The points are corners and
+// points between corners. The function serves to check a written file. O(n log n).
 double distanceBetween(const TargetProfile& a, const TargetProfile& b);
 
 }  // namespace handwheel

@@ -17,11 +17,11 @@ struct DxfEntity {
   std::uint64_t line = 0;                // line at which it begins
   std::string layer, lineType;           // in lower case
   bool isShown = true;                   // visible, and in the model space
-  int flags = 0;                         // group 70
-  ProfilePoint first{0, 0};              // 10, 20
-  ProfilePoint second{0, 0};             // 11, 21
-  double size = 0.0;                     // 40: the radius, or the ratio of the axes of an ellipse
-  std::array<double, 2> span{0.0, 0.0};  // 50 and 51, degrees; for an ellipse 41 and 42, rad
+  int flags = 0;                         // the value of group 70
+  ProfilePoint first{0, 0};              // the values of groups 10 and 20
+  ProfilePoint second{0, 0};             // the values of groups 11 and 21
+  double size = 0.0;                     // group 40: the radius, or the ratio of the axes of an ellipse
+  std::array<double, 2> span{0.0, 0.0};  // groups 50 and 51 in rad; for an ellipse groups 41 and 42 in rad
   ProfilePoint tilt{0, 0};               // x and y of the normal
   double normalZ = 1.0;
 
@@ -32,14 +32,14 @@ struct DxfEntity {
   };
   std::vector<Vertex> vertices;  // points of a polyline
 
-  // Adds a group. Errors: those of numbers.
+  // Adds a group. Errors: those of DxfPair::number().
   Status take(const DxfPair& pair);
   bool isAxis() const;  // true for a line that marks the axis
   bool isRead() const;  // true for a type that curvesOf() knows
 };
 
-// Returns the lines and arcs of an entity. tolerance: in the unit of the file, for arcs that replace an ellipse.
-// Errors: ElementMalformed with the line.
+// Returns the lines and arcs of an entity. tolerance: largest distance of an ellipse from the arcs that replace it, in
+// the unit of the file. Errors: ElementMalformed with the line.
 Result<std::vector<ProfileSegment>> curvesOf(const DxfEntity& entity, double tolerance);
 
 }  // namespace handwheel

@@ -9,15 +9,15 @@
 
 namespace handwheel {
 
-// A group of a DXF file: a code and a value on the next line.
+// A group of a DXF file. It consists of a code and a value on the next line.
 struct DxfPair {
   int code = 0;
-  std::string_view value;  // without blanks around it
-  std::uint64_t line = 0;  // line of the value, from 1
+  std::string_view value;  // without surrounding blanks
+  std::uint64_t line = 0;  // line number of the value, from 1
 
-  // Errors: NumberMalformed, NumberNotFinite, with the line.
+  // Returns the value as a number. Errors: NumberMalformed and NumberNotFinite, with the line number.
   Result<double> number() const;
-  int whole() const;  // 0 if it is no integer
+  int whole() const;  // 0: the value is not an integer
   bool is(int wanted, std::string_view text) const { return code == wanted && value == text; }
 };
 
@@ -26,9 +26,10 @@ class DxfPairs {
  public:
   explicit DxfPairs(std::string_view bytes) : m_rest(bytes) {}
 
-  // Returns false at the end. Errors: ElementMalformed if a code is no number, or has no value.
+  // Reads the next group. Returns false at the end of the file. Errors: ElementMalformed if a code is not a number or
+  // has no value.
   Result<bool> next(DxfPair& pair);
-  std::size_t left() const { return m_rest.size(); }  // bytes
+  std::size_t left() const { return m_rest.size(); }  // number of unread bytes
 
  private:
   std::string_view takeLine();

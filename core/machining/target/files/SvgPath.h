@@ -21,7 +21,8 @@ class SvgCurves {
   const Eigen::Affine2d& toMillimetres() const { return m_to; }
 
   void line(const ProfilePoint& a, const ProfilePoint& b);
-  // Adds an arc of an ellipse with half axes rx and ry along x and y after a rotation, by angles of its parameter.
+  // Adds an arc of an ellipse with the semi-axes rx and ry, of which rx is at the angle `rotation` to x. The arc begins
+  // at the parameter `from` of the ellipse and extends by `sweep`. All angles are in radians.
   void arc(const ProfilePoint& centre, double rx, double ry, double rotation, double from, double sweep);
   void cubic(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c, const ProfilePoint& d);
 
@@ -32,8 +33,9 @@ class SvgCurves {
   std::vector<ProfileSegment> m_found;
 };
 
-// Reads the curves of the attribute d of a path. An error in it refuses the file, rather than half of an outline. most:
-// limit of the curves; more are refused. Errors: ElementMalformed {"path", what}, FileTooLarge {segments}, Cancelled.
+// Reads the curves of the attribute d of a path. If it has an error, the whole file is refused, because half of an
+// outline would be wrong. most: limit of the curves; more are refused. Errors: ElementMalformed {"path", what},
+// FileTooLarge {segments}, Cancelled.
 Status readSvgPath(std::string_view d, std::size_t most, SvgCurves& curves, Progress progress);
 
 // Takes the next number of a list that blanks and commas separate. Returns false at its end, or if there is none.

@@ -136,9 +136,9 @@ class Cells {
   std::map<Triangulation::Face_handle, std::uint32_t> m_numberOf;
 };
 
-// Steps of Effort that it takes to intersect two triangles, or to put a point into a triangulation, with coordinates
-// that have so many bits; the time goes with the square of the bits. Uniting three cylinders, 4900 pairs in planes
-// with 53 bits, takes 3.3 million steps and 1.1 s.
+// Steps of WorkBudget that it takes to intersect two triangles, or to put a point into a triangulation, with
+// coordinates that have so many bits; the time goes with the square of the bits. Uniting three cylinders, 4900 pairs in
+// planes with 53 bits, takes 3.3 million steps and 1.1 s.
 constexpr double kExactSteps = 10.0;
 constexpr double kExactBits = 64.0;
 // Factor of the bits if points are snapped to planes, as quotients of products of three numbers: three boxes, 96
@@ -384,7 +384,7 @@ class Cutter {
   NumberType m_numbers;
   std::size_t m_mostCuts;
   Progress m_progress;
-  std::size_t m_exactSteps = 0;               // steps of Effort for each point
+  std::size_t m_exactSteps = 0;               // steps of WorkBudget for each point
   std::map<std::uint32_t, Point3> m_snapped;  // by point of the soup, of those in planes
   std::vector<Point3> m_points;
   std::map<Point3, std::uint32_t> m_numberOf;

@@ -22,7 +22,7 @@
 namespace handwheel {
 namespace {
 
-// Number of solid angles that are added in the time of one step of Effort.
+// Number of solid angles that are added in the time of one step of WorkBudget.
 constexpr std::size_t kAnglesPerStep = 20;
 
 // Winding numbers in front of a face, where its normal points, and behind it.

@@ -17,11 +17,11 @@ enum class Uniting {
 
 // Unites overlapping solids. They must be cut to equal pieces (autorefine()), and opposite coincident pieces joined
 // (joinCoincidentPieces()). Of coincident walls that face the same direction, one stays. Walls inside the union are
-// removed, starting from those that end at a shared wall, or at any wall. The winding numbers on both sides of a wall,
-// counted over its connected surfaces, decide whether it is inside; nothing is done if they are no integers, because
-// the surface is open, or negative, because a body is inside out. Pieces are the faces from firstPiece on. Returns the
-// number of removed faces; the caller must relink() the mesh. O(n) for the mesh and, for each such wall, O(m) for the m
-// faces of its solids. The mesh is invalid if cancelled.
+// removed, starting from those that end at a shared wall (SharedWalls) or at any wall (AllSolids). The winding numbers
+// on both sides of a wall, counted over its connected surfaces, decide whether it is inside; nothing is done if these
+// numbers are not integers, because the surface is open, or are negative, because a body is inside out. Pieces are the
+// faces from firstPiece on. Returns the number of removed faces; the caller must relink() the mesh. O(n) for the mesh
+// and, for each such wall, O(m) for the m faces of its solids. The mesh is invalid if cancelled.
 std::size_t uniteAtWalls(HalfEdgeMesh& mesh, Face firstPiece, Uniting which, Progress progress = {});
 
 }  // namespace handwheel

@@ -15,18 +15,19 @@ namespace handwheel {
 // list if cancelled.
 std::vector<std::pair<Face, Face>> selfIntersectingPairs(const HalfEdgeMesh& mesh, NumberType numbers,
                                                          Progress progress = {});
-// Counts these pairs. Returns 0 if cancelled.
+// Counts the pairs that selfIntersectingPairs() finds. Returns 0 if cancelled.
 std::size_t countSelfIntersections(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
 
-// Finds all faces connected to the given ones through self-intersections. These are the faces that intersect them, as
-// such a file stores the mesh, those that intersect these, and so on. Returns an empty list if cancelled.
+// Finds all faces connected to the given ones through self-intersections. The result contains the faces that intersect
+// the given ones, the faces that intersect those, and so on. The mesh is treated as a file of this number type stores
+// it. Returns an empty list if cancelled.
 std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                       Progress progress = {});
 
 // The result of removeSelfIntersections().
 struct IntersectionRemoval {
   bool changed = false;                 // false: the mesh is unchanged
-  std::size_t cutFaces = 0;             // faces of the mesh before; only tried if not changed
+  std::size_t cutFaces = 0;             // number of cut faces of the original mesh; cut only in a trial if not changed
   std::size_t intersectionsBefore = 0;  // intersecting pairs of faces in the whole mesh, rounded to the number type
   std::size_t intersectionsAfter = 0;
   std::size_t innerFaces = 0;  // removed pieces of walls inside united solids
@@ -36,14 +37,14 @@ struct IntersectionRemoval {
 // (autorefine()), and the pieces are paired differently: two sheets that crossed now touch along the cut, each on its
 // side, and are separated in the last digits (separateCoincidentVertices()), so that every piece of the surface keeps
 // its position and nothing intersects. Of surfaces that coincide in a plane, pieces that bound nothing are removed
-// (joinCoincidentPieces()), and solids with a common wall are united (uniteAtWalls()). Starts with the given faces and
-// includes all faces that intersect the cut ones. Abandoned, with the mesh unchanged, if there are too many pairs
-// (tolerance::kMaxSelfIntersectionPairs), if the result would have more self-intersections than allowed, or if
-// cancelled. O(n) for the mesh and O(m log m) for m intersections.
+// (joinCoincidentPieces()), and solids with a common wall are united (uniteAtWalls()). The removal starts with the
+// given faces and includes all faces that intersect the cut ones. It is abandoned, and the mesh is unchanged, if there
+// are too many pairs (tolerance::kMaxSelfIntersectionPairs), if the result would have more self-intersections than
+// allowed, or if cancelled. O(n) for the mesh and O(m log m) for m intersections.
 IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                             std::size_t allowed, Progress progress = {});
-// Removes all self-intersections connected with these faces, as removeSelfIntersections() does. Only those that are
-// unrelated to these faces are allowed.
+// Removes all self-intersections connected with these faces, as removeSelfIntersections() does. Only self-intersections
+// that are unrelated to these faces may remain.
 IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                                Progress progress = {}, Uniting which = Uniting::SharedWalls);
 

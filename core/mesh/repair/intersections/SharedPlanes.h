@@ -12,8 +12,8 @@
 
 namespace handwheel {
 
-// Planes of surfaces that coincide except for rounding. Examples are the walls of two adjacent boxes that were then
-// rotated: in the numbers of a file the walls cross at tiny angles.
+// Planes of surfaces that coincide except for rounding. Examples are the walls of two adjacent boxes that were rotated
+// together: with the rounded numbers of a file, the walls cross at tiny angles.
 struct SharedPlanes {
   struct Plane {
     Vec3 normal;  // unit length, except for rounding
@@ -23,14 +23,14 @@ struct SharedPlanes {
   // Maps a point of the soup to the one, two or three planes in which it lies, ascending.
   std::map<std::uint32_t, std::vector<std::uint32_t>> planesOf;
   double reach = 0.0;  // mm; points at smaller distances may be equal except for rounding
-  // Pairs that overlap in one of these planes, in addition to the given ones.
+  // Pairs of triangles that overlap in one of these planes, in addition to the given pairs.
   std::vector<TrianglePair> pairs;
 
   bool isEmpty() const { return planes.empty(); }
 };
 
 // Finds the planes that triangles of these pairs share up to the precision of the coordinates. The precision is single
-// or double, as the coordinates have it; planes of flat surroundings of such triangles are included. Planes that are
+// or double, depending on the coordinates. Planes of flat surroundings of such triangles are included. Planes that are
 // merely near each other are excluded, as are those that would leave a point without a unique position: with more than
 // three planes, or with two that are nearly parallel. O(n) for the soup and for each plane, O(k²) for k triangles in a
 // plane; k and the number of planes are limited.

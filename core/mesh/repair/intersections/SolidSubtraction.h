@@ -15,7 +15,7 @@ enum class SubtractionProblem {
   None,
   NotClosed,             // the part has open, non-manifold or inconsistent edges, or touches itself at a vertex
   IntersectsItself,      // the part intersects itself
-  TooManyIntersections,  // it would take minutes
+  TooManyIntersections,  // the cut would take minutes
   Unsound,               // the result would not be closed, manifold and free of self-intersections
 };
 
@@ -28,11 +28,11 @@ struct Subtraction {
 
 // Subtracts a solid from another by their surfaces. Their triangles are cut along each other (autorefine()), and the
 // winding number of the other surface decides for each connected region between the cuts: the regions of the part
-// outside the tool stay, and those of the tool inside the part, reversed. Triangles that the tool does not meet are
-// unchanged, to the last digit of the number type. The result is verified to be closed, manifold and without
-// self-intersections, as a file of this number type stores it. It is Unsound if surfaces coincide or rounding folds a
-// piece. O(n log n) and O(m log m) for m intersections, and O(n) for each region between the cuts. The result is
-// invalid if cancelled.
+// outside the tool stay, and the regions of the tool inside the part are added in reverse orientation. Triangles that
+// the tool does not meet are unchanged, to the last digit of the number type. The result is verified to be closed,
+// manifold and without self-intersections, as a file of this number type stores it. The problem is Unsound if surfaces
+// coincide or rounding folds a piece. O(n log n) plus O(m log m) for m intersections, plus O(n) for each region between
+// the cuts. The result is invalid if cancelled.
 Subtraction subtractSolid(const TriangleSoup& part, const TriangleSoup& tool, NumberType numbers,
                           Progress progress = {});
 

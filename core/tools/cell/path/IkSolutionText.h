@@ -8,18 +8,18 @@
 
 namespace handwheel {
 
-// Texts that describe inverse kinematics solutions of an arm, translated.
+// Translated texts that describe inverse kinematics solutions of an arm.
 
-// Returns a text such as "Shoulder in front, elbow up, wrist flipped".
+// Returns the configuration as a text: "Shoulder in front, elbow up, wrist flipped".
 QString configurationText(const ArmConfiguration& configuration);
 
-// Returns the problem of a solution: a joint beyond its limits, or a collision; empty if it is free.
+// Returns the problem of a solution, which is a joint beyond its limits or a collision; empty if there is no problem.
 QString problemText(const CellScene& scene, const CellIkSolution& solution);
 
-// Returns the angle by which the tool is turned off the pose, as a text; empty if there is none.
+// Returns the angle by which the tool is turned away from the pose, as a text; empty if it is not turned away.
 QString turnedOffText(const CellIkSolution& solution);
 
-// Returns a row of the list of all solutions; number: its row, from 1.
+// Returns a row of the list of all solutions. number: the number of the row, from 1.
 QString ikSolutionText(const CellScene& scene, const CellIkSolution& solution, std::size_t number);
 
 }  // namespace handwheel

@@ -30,11 +30,12 @@ struct OptimisedPath {
   bool isChanged = false;
 };
 
-// Visits the critical waypoints of a path in the order, and in the configurations of the arm (from the closed form,
-// with the same pose of the tool), that take the least time, and plans each motion. The first and the last waypoint
-// stay as they are, and a waypoint at the end of a straight line stays behind the one at its beginning. Waypoints that
-// are not critical are left out, as when a path is planned again. A path that is not proven free is replaced also by a
-// slower one. Errors: those of plannedThrough() and checkPath().
+// Replaces a path by one that visits its critical waypoints in the order and the configurations of the arm that take
+// the least time, and plans each motion. The configurations are those of the closed-form inverse kinematics for the
+// same pose of the tool. The first and the last waypoint stay as they are, and a waypoint at the end of a straight line
+// stays behind the one at its beginning. Waypoints that are not critical are left out, as when a path is planned again.
+// A path that is not proven to be free of collisions is replaced even by a slower one. Errors: those of
+// plannedThrough() and checkPath().
 Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const OptimisationSettings& settings, Progress progress = {});
 

@@ -6,10 +6,11 @@
 
 namespace handwheel {
 
-// Returns the collision-free blend radius of each waypoint of a path, mm. At most the wanted one; 0: an exact stop.
-// Within a zone each joint may be anywhere between its values on the two motions there, half as far again if lines bend
-// in joint space: all obstacles are farther from the robot than that. The motion of a controller within a zone is
-// unknown, except that it stays inside. After a cancel, exact stops at the remaining waypoints.
+// Returns the collision-free blend radius of each waypoint of a path, mm. It is at most the wanted radius; 0: an exact
+// stop. The motion of a controller within a blend zone is unknown, except that the tool stays inside. Each joint may
+// deviate from its value at the waypoint by the sum of its deviations on the two motions in the zone, times 1.5 if one
+// of these motions is a straight line of the tool, which is curved in joint space; the robot must keep the clearance at
+// all these joint values. After a cancellation the remaining waypoints are exact stops.
 std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const ResolvedPath& resolvedPath, double clearance, const Progress& progress = {});
 

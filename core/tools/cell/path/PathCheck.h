@@ -13,18 +13,18 @@
 
 namespace handwheel {
 
-// A path of a cell as straight motions in joint space. Lines of the tool are followed by short ones.
+// A path of a cell as straight motions in joint space. Straight lines of the tool are replaced by short motions.
 struct ResolvedPath {
   JointPath joints;
   std::vector<std::size_t> waypointOf;      // Index of the waypoint at the end of each motion, at least 1
-  std::optional<std::size_t> stopsAt = {};  // Waypoint that a line cannot be followed to; the path ends before it
-  double reached = 1.0;                     // Share of that line
-  std::vector<double> offs = {};            // mm, for each motion: the maximum deviation of a point of the robot
+  std::optional<std::size_t> stopsAt = {};  // Waypoint to which a line cannot be followed; the path ends before it
+  double reached = 1.0;                     // Fraction of the line to stopsAt that can be followed
+  std::vector<double> offs = {};  // mm, for each motion: the maximum deviation of a point of the robot from the line
 };
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress = {});
 
-// Returns the tool centre point along a path, in the frame of the base; mm. Not finer than a few thousand points. Lines
-// of the tool need inverse kinematics: long paths take seconds.
+// Returns the tool centre point along a path, in the frame of the base; mm. The curve has about a few thousand points
+// at most. Lines of the tool need inverse kinematics, which takes seconds for long paths.
 std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                             Progress progress = {});
 
@@ -33,38 +33,39 @@ struct CheckedPath {
   ResolvedPath resolved;
   VerifiedPath verification;
   PathMetrics metrics;
-  // mm, for each waypoint: radius within which all motions are free. 0: an exact stop.
+  // mm, for each waypoint: radius within which all motions are free; 0: an exact stop.
   std::vector<double> blends;
   double seconds = 0.0;  // Duration with a stop at each waypoint, except between blended lines
-  // Other robots that stand elsewhere than when the path was made. The results hold for their present joint values.
+  // Other robots whose joint values or bases differ from those when the path was made. The results are valid for their
+  // present poses.
   std::set<std::string> robotsMoved = {};
-  // Inputs of the planning that have changed since.
+  // The reasons why the path is out of date.
   OutdatedReasons outdated = {};
   double clearance = 0.0;                  // mm, required clearance
-  std::vector<PairNames> notChecked = {};  // uncheckedPairs()
+  std::vector<PairNames> notChecked = {};  // The result of uncheckedPairs()
 
   bool isCertified() const {
     return !resolved.stopsAt && !verification.certified.empty() && verification.isCertified();
   }
-  // Returns the index of the waypoint at the end of a motion of the verification, at least 1.
+  // Returns the index of the waypoint at the end of a motion of the verification. The index is at least 1.
   std::size_t waypointOf(std::size_t motion) const { return resolved.waypointOf[motion]; }
 };
 
-// A stretch of the motion to a waypoint in which the robot collides with, or is too close to, one object.
+// A part of the motion to a waypoint in which the robot collides with one object, or is too close to it.
 struct PathStretch {
-  std::size_t waypoint = 0;       // Index of the waypoint at its end
-  double from = 0.0, to = 0.0;    // Shares of the motion to the waypoint
+  std::size_t waypoint = 0;       // Index of the waypoint at the end of the motion
+  double from = 0.0, to = 0.0;    // Fractions of the motion to the waypoint
   RobotScene::Nearest deepest{};  // The nearest pair, at its least distance
-  std::size_t motion = 0;         // Motion of the verification with the least distance; 0 also if there is none
-  double deepestAt = 0.0;         // Share of the motion
+  std::size_t motion = 0;  // Motion of the verification with the least distance; 0 also if the path has no motion
+  double deepestAt = 0.0;  // Fraction of this motion at the least distance
 
   bool meets() const { return deepest.distance <= 0.0; }
 };
-// Returns the collisions of the verification; those of motions that belong to one line are joined. Sorted by their
-// beginnings. O(motions + collisions · pairs at a time).
+// Returns the collisions of the verification. Collisions of adjacent motions that belong to one line are joined. They
+// are sorted by their beginnings. O(motions + collisions · pairs at a time).
 std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene& scene);
 
-// Returns a summary. clearance: the required one, mm.
+// Returns a summary of a verification. clearance: mm, the required clearance.
 PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance);
 
 // Options of the verification of a path.
@@ -74,21 +75,21 @@ struct PathCheckSettings {
   double step = kVerificationStep;                       // rad, step at which unproven motions are sampled
 };
 
-// Verifies and measures a path of the robot of the scene, with the others at their present joint values: all of it,
-// whatever it finds. Errors: PathTooShort, OthersMoved, OfOtherArm, Cancelled.
+// Verifies and measures a path of the scene's robot, with the other robots at their present joint values. The check
+// does not end at the first collision. Errors: PathTooShort, OthersMoved, OfOtherArm, Cancelled.
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress = {});
 
-// Returns the path in time, as the robot plays it. blends: certified radius of each waypoint; blended lines continue
-// without a stop.
+// Returns the times of a path when the robot executes it. blends: certified radius of each waypoint; blended lines
+// continue without a stop.
 TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& resolvedPath,
                 std::span<const double> blends);
 
-// Returns the number of waypoints between the ends whose blends become exact stops, as not every motion within their
-// zones is proven free.
+// Returns the number of waypoints between the ends whose blends become exact stops, because not every motion within
+// their zones is proven free.
 std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked);
 
-// A blend that is made smaller, but not an exact stop; mm.
+// A blend whose radius is reduced, but not to an exact stop; mm.
 struct SmallerBlend {
   std::size_t waypoint;
   double wanted, kept;

@@ -7,21 +7,22 @@
 
 namespace handwheel {
 
-// Returns the frames of the motions of a program. They have no carrier, and each occurs once. base: of the robot, in
-// the frame of the root. Without the base itself, frames without names, and invalid poses. A name that no frame of a
-// cell can have (isBodyName()) becomes an identifier.
+// Returns the frames of the motions of a program, each once. No body or link carries them. The base itself, frames
+// without names and invalid poses are left out. A name that no frame of a cell can have (isBodyName()) is replaced by
+// an identifier. base: the pose of the robot's base in the frame of the root.
 std::vector<NamedFrame> framesOf(const std::vector<ParsedMotion>& motions, const Pose& base);
 
-// The frames of a program in a cell, by their names in the cell.
+// The names of the frames that takeFrames() handled.
 struct TakenFrames {
   std::vector<std::string> made;
   std::vector<std::string> used;     // Frames that already existed
   std::vector<std::string> leftOut;  // Frames beyond the limit of a cell
 };
 
-// Adds frames of a program to the plans. An existing frame at the same pose (to 0.001 mm and 0.001°) is used, whatever
-// carries it, if it has the same name, also in the spelling of programs; at another pose a new one with a number is
-// made. cell: the data for the poses of frames.
+// Adds the frames of a program to the plans. If the cell has a frame with the same name at the same pose (to 0.001 mm
+// and 0.001°), that frame is used instead, whatever carries it. The name may also be spelled as in programs. If the
+// pose differs, a new frame with a number in its name is made. cell: the data from which the poses of frames in the
+// cell follow.
 TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement& cell, CellPlans& plans);
 
 }  // namespace handwheel

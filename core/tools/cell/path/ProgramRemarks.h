@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Returns remarks for the user about a program that was opened. They name the points in which the path may differ from
-// it, and the remedies. tool: the tool centre point that it was read for, CellPlans::tool.
+// Returns remarks for the user about a robot program that was opened. The remarks tell how the path may differ from the
+// program, and name the remedies. tool: the tool centre point that the program was read for (CellPlans::tool).
 QStringList programRemarks(const ProgramPath& read, const Pose& tool);
 
 }  // namespace handwheel

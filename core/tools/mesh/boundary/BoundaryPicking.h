@@ -10,27 +10,29 @@
 
 namespace handwheel {
 
-// Returns the message for a problem: English, context "Property"; empty for none.
+// Returns the message for a problem: English text, translated in the context "Property". It is empty if there is no
+// problem.
 const char* textOf(JoinProblem problem);
-// Returns the hint about the effect of releasing the button: that there is none, with the reason, or `otherwise`.
-// English, context "Tool".
+// Returns the hint about the effect of releasing the button: English text, translated in the context "Tool". If there
+// is a problem, the hint is the reason why releasing has no effect; otherwise it is `otherwise`.
 const char* hintOf(JoinProblem problem, const char* otherwise);
 
-// The reason why a change of an edge may have no effect; English, context "Tool".
+// The reason why a change of an edge may have no effect; English text, translated in the context "Tool".
 extern const char* const kEdgeChanged;
 
-// Picks points and loops on the boundaries of a document's mesh. Queries refer to the present mesh, even while its
-// hierarchy is still that of an older one.
+// Picks points and loops on the boundaries of a document's mesh. Queries refer to the present mesh, even while the face
+// hierarchy is still that of an older mesh.
 class BoundaryPicking {
  public:
   BoundaryPicking(const MeshDocument& document, const MeshServices& services)
       : m_document(document), m_faces(services.faces) {}
 
-  // Returns a point of a loop within reach; points at the position "without" do not count.
+  // Returns a point of a loop within reach; points at the position "without" are ignored.
   std::optional<BoundaryPoint> pointAt(const PickRay& pickRay, const std::optional<Vec3>& without = {}) const;
   // Returns the key of the loop under the pointer.
   std::optional<Vertex> loopAt(const PickRay& pickRay) const;
-  // Returns null until the first hierarchy exists. The answer holds until the document changes.
+  // Returns the locator of faces near a position, or null if no hierarchy has been built yet. The result is valid until
+  // the document changes.
   std::shared_ptr<const FaceLocator> near();
 
  private:

@@ -13,18 +13,19 @@ namespace handwheel {
 
 struct MeshPreview;
 
-// Tool for editing the edges of holes by hand (He 2008, section 4.1.4). A point of an edge is pulled with the pointer,
-// moved to another and joined with it, or a bridge is added between the two; a chosen edge is smoothed, or its islands
-// and peninsulas are removed. A change of a whole edge is previewed first and applied with Return.
+// Tool for editing the edges of holes by hand (He 2008, section 4.1.4). The pointer pulls a point of an edge, joins it
+// with another point, or adds a bridge between the two points. A chosen edge can be smoothed, and its islands and
+// peninsulas can be removed. A change of a whole edge is previewed first and applied with Return.
 class BoundaryTool : public Tool {
  public:
-  // The document must outlive all calls but the destructor's. first: the key of the loop to begin with.
+  // Only the destructor may be called after the document has been destroyed. first: the key of the loop that is chosen
+  // first.
   BoundaryTool(MeshDocument& document, MeshServices services, std::optional<Vertex> first = std::nullopt);
   ~BoundaryTool() override;
 
-  // Chooses a loop by its key, or none if there is no such loop.
+  // Chooses a loop by its key. If there is no such loop, no loop is chosen.
   void choose(std::optional<Vertex> key);
-  const BoundaryLoop* loop() const;  // the chosen one, or null
+  const BoundaryLoop* loop() const;  // the chosen loop; null: none
   bool isBusy() const { return m_drag || m_proposal || m_job; }
   JoinProblem problem() const { return m_drag ? m_drag->problem : JoinProblem::None; }
 
@@ -42,27 +43,27 @@ class BoundaryTool : public Tool {
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  // Effect of dropping a point onto another; Shift exchanges the two.
+  // Effect of dropping a point onto another; Shift selects the other effect.
   enum class Onto { Join, Bridge };
-  // Effect on the dragged point.
+  // Effect of the drag on the dragged point.
   enum class Effect { Pull, Weld, Bridge };
   struct Drag {
     std::shared_ptr<const FaceLocator> near;
     BoundaryPoint held;
     VertexDrag pull;
-    Ray grip;                      // at the press
-    std::optional<Vec3> tip = {};  // tip of the device at the press; mm
-    double still = 0.0;            // mm; a shorter motion is a click
+    Ray grip;                      // ray of the pointer at the press
+    std::optional<Vec3> tip = {};  // tip of the device at the press, mm
+    double still = 0.0;            // a motion shorter than this is a click; mm
     bool hasMoved = false;
     Effect effect = Effect::Pull;
-    Vec3 position = Vec3::Zero();  // position of the pointer, or of the point that attracts it
+    Vec3 position = Vec3::Zero();  // position of the pointer, or of the point that attracts the pointer
     Vec3 stop = Vec3::Zero();      // final position of the pulled point
-    HalfEdge target = kNone;       // the point that attracts
+    HalfEdge target = kNone;       // half-edge at the point that attracts the pointer; kNone: no point
     JoinProblem problem = JoinProblem::None;
     BoundaryWeld weld = {};
     Bridge bridge = {};
   };
-  // Change of the chosen loop that an action proposes.
+  // The kind of change that an action proposes for the chosen loop.
   enum class Kind { Smooth, Islands, Peninsulas };
   struct Proposal {
     Kind kind;
@@ -96,12 +97,12 @@ class BoundaryTool : public Tool {
   SmoothingOptions m_smoothing;
   Onto m_onto = Onto::Join;
   std::optional<Vertex> m_key;          // key of the chosen loop
-  std::optional<Vertex> m_hoveredLoop;  // by key
+  std::optional<Vertex> m_hoveredLoop;  // key of the loop under the pointer
   std::optional<BoundaryPoint> m_hovered;
   double m_mark = 0.0;  // radius of the mark on a point, mm
   std::optional<Drag> m_drag;
   std::optional<Proposal> m_proposal;
-  std::shared_ptr<const Kind> m_job;  // the running job; results of others are late and ignored
+  std::shared_ptr<const Kind> m_job;  // identifies the running job; results of earlier jobs are ignored
 };
 
 }  // namespace handwheel

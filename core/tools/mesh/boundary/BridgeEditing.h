@@ -11,12 +11,12 @@
 
 namespace handwheel {
 
-// User-edited bridges that divide a boundary loop into pieces. The user draws from point to point of the loop. This
-// adds a bridge and removes those that it would cross, or removes a bridge that exists already. Points are indices in
-// the loop.
+// User-edited bridges that divide a boundary loop into pieces. The user draws a line from one point of the loop to
+// another. The line adds a bridge and removes the bridges that it would cross; if the bridge already exists, it is
+// removed. Points are indices in the loop.
 class BridgeEditing {
  public:
-  // The bridges of the user; empty while the program chooses them.
+  // The bridges that the user has drawn. The list is empty while the program chooses the bridges.
   const std::vector<HoleBridge>& own() const { return m_own; }
   void reset();
 
@@ -27,7 +27,7 @@ class BridgeEditing {
   bool release(std::size_t loopSize, const std::vector<HoleBridge>& shown);
   void cancel() { m_from = m_to = std::nullopt; }
 
-  // The bridge that is being drawn.
+  // Returns the bridge that is being drawn.
   std::optional<HoleBridge> drawn() const;
 
  private:

@@ -10,7 +10,7 @@ namespace handwheel {
 // Returns the descriptions of manual changes at open edges (ManualMeshChanges.h).
 std::vector<Operation> boundaryEditOperations();
 
-// Convert the options of smoothing an open edge from and to values.
+// Convert values to the options of smoothing an open edge, and back.
 SmoothingOptions smoothingOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const SmoothingOptions& options);
 

@@ -13,8 +13,8 @@ const Operation& decimateOperation();
 DecimationOptions decimationOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const DecimationOptions& options);
 
-// Returns the problem of values that name neither goal, or a goal that their method cannot keep, as a clause; otherwise
-// empty.
+// Returns the problem of the values as a clause. There is a problem if they specify no goal, or a goal that their
+// method cannot meet; otherwise the text is empty.
 std::string problemOf(const OperationValues& values);
 
 }  // namespace handwheel

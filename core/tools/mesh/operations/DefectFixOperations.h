@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Returns the descriptions of the changes that mend one kind of defect (DefectFixes.h).
+// Returns the descriptions of the changes that repair one kind of defect (DefectFixes.h).
 std::vector<Operation> defectFixOperations();
 
 }  // namespace handwheel

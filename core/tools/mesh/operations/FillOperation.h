@@ -10,13 +10,13 @@ namespace handwheel {
 // Returns the description of filling one hole.
 const Operation& fillOperation();
 
-// Returns the parameters of all operations that fill holes: the bundle "FILL".
+// Returns the parameters of all operations that fill holes; their Parameter::bundle is "FILL".
 std::vector<Parameter> fillParameters();
 // Returns the parameter "numbers", the number type to which coordinates are rounded; the default is that of the file.
 Parameter numbersParameter();
 
-// Convert the fill options from and to the values of any operation with these parameters. The default number type is
-// double; the loops that stay open are not among the values.
+// Convert the fill options from and to the values of any operation that has fillParameters(). The default number type
+// is double; the loops that stay open are not among the values.
 FillOptions fillOptionsOf(const OperationValues& values);
 void setFillOptions(OperationValues& values, const FillOptions& options);
 // Returns the values for filling one hole, which include bridges.

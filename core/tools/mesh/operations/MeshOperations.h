@@ -8,10 +8,11 @@
 
 namespace handwheel {
 
-// Returns the descriptions of all changes of a mesh, in the order of help pages. Each is a step (MeshScript.h).
+// Returns the descriptions of all changes of a mesh, in the order of help pages. Each change is also a script step
+// (MeshScript.h).
 std::span<const Operation> meshOperations();
 
-// Returns the operation with this verb or former verb, or null.
+// Returns the operation with this present or former verb, or null if there is none.
 const Operation* findMeshOperation(std::string_view verb);
 // Returns the operation with this verb, which must exist.
 const Operation& meshOperation(std::string_view verb);

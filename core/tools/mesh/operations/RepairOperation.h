@@ -10,8 +10,8 @@ namespace handwheel {
 // Returns the description of the repair of a whole mesh.
 const Operation& repairOperation();
 
-// Convert the options of a repair from and to values. The loops that stay open are not among the values, but belong to
-// the document.
+// Convert values to the options of a repair, and back. The values do not include the loops that stay open; these are
+// stored in the document.
 RepairOptions repairOptionsOf(const OperationValues& values);
 OperationValues valuesOf(const RepairOptions& options);
 

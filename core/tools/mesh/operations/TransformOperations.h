@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Returns the operations that place a mesh: by numbers (Placement), and the predefined placements
-// (standardPlacements()).
+// Returns the operations that move, rotate and scale a mesh. The operations use numbers (Placement) or the predefined
+// placements (standardPlacements()).
 std::vector<Operation> transformOperations();
 
 }  // namespace handwheel

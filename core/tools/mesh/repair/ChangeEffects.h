@@ -12,24 +12,24 @@
 
 namespace handwheel {
 
-// Effects of a change of a mesh besides its purpose.
+// The side effects of a change of a mesh.
 struct ChangeEffects {
-  std::optional<IntersectionsChange> crossings;  // change of the self-intersections, if requested
+  std::optional<IntersectionsChange> crossings;  // change of the self-intersections; none: not requested
   LoopCounts loops;                              // boundary loops closed by a fix
   std::size_t piecesGone = 0;                    // number of connected parts that a deletion removed entirely
   std::size_t facesGone = 0;
   std::set<PointKey>
-      cutOff;  // corners of the pieces that a fix cut off; set from cutOffCorners() when the result is inspected
+      cutOff;  // corners of the pieces that a fix cut off; set from cutOffCorners() when the result has been inspected
   std::optional<FarthestRemovedVertex> removed;  // the farthest vertex that a fix removed
 };
 
 // Returns the corners of the pieces of a result that count as debris only because a change cut them from a larger body;
-// each such piece still has a vertex of that body. oldDebris: the faces that were debris before.
+// each such piece still has a vertex of that body. oldDebris: the faces that were debris before the change.
 std::set<PointKey> cutOffCorners(const HalfEdgeMesh& before, const FaceSelection& oldDebris,
                                  const InspectedMesh& after);
 
-// Finds the effects. areCrossingsKnown: true if those of the mesh before are known; then a fix also reports those of
-// the result. Incomplete if cancelled.
+// Finds the effects of a change. areCrossingsKnown: true if the self-intersections of the mesh before the change are
+// known; a fix then also reports those of the result. The effects are incomplete if cancelled.
 ChangeEffects effectsOf(const MeshChange& change, const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                         bool areCrossingsKnown, Progress progress = {});
 

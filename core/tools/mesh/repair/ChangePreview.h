@@ -7,15 +7,16 @@
 
 namespace handwheel {
 
-// Effect that a change would have on a mesh.
+// The effect that a change would have on a mesh.
 struct ChangePreview {
-  FaceSelection removed;         // faces of the mesh that would be removed or different
-  TriangleSoup added;            // faces that would be new, or replace the removed ones
-  const char* reason = nullptr;  // the reason if nothing would change: MeshChange::reason, may be null
+  FaceSelection removed;         // faces of the mesh that would be removed or changed
+  TriangleSoup added;            // faces that would be added, or would replace the removed ones
+  const char* reason = nullptr;  // the reason why nothing would change, as in MeshChange::reason; may be null
   bool isEmpty() const { return removed.empty() && added.triangles.empty(); }
 };
 
-// Tries a change on a copy of a mesh. Takes the time of the change itself; any thread. Empty if cancelled.
+// Tries a change on a copy of a mesh. Takes as long as the change itself. May be called on any thread. The result is
+// empty if cancelled.
 ChangePreview previewOf(const MeshChange& change, const HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

@@ -9,12 +9,12 @@
 
 namespace handwheel {
 
-// The changes that close openings which "Repair all" leaves, with their steps. They complement those of DefectFixes.h.
+// Changes that close openings that "Repair all" leaves open, with their script steps.
 
-// Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()). thickness:
-// mm; 0: defaultSheetThickness().
+// Turns open sheets into thin bodies. loops: the outer edges of the sheets, by their smallest vertex (keyOf()).
+// thickness: the thickness of the bodies, mm; 0: defaultSheetThickness().
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options, double thickness = 0.0);
-// Closes a loop although every patch would intersect the part. The patch is cut apart where it crosses.
+// Closes a loop even if every patch would intersect the part. The patch and the part are cut where they intersect.
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options);
 
 }  // namespace handwheel

@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Reasons why a repair left the defects that remain in its result. Each is as MeshChange::reason, in the order of
-// Defects. Empty if there are no such defects.
+// The reasons why defects remain in the result of a repair. Each list contains reasons as in MeshChange::reason, in the
+// order of the defects in Defects. A list is empty if no defects of its kind remain.
 struct RemainingDefects {
   std::vector<const char*> nonManifoldEdges;
   std::vector<const char*> nonManifoldVertices;
@@ -16,8 +16,8 @@ struct RemainingDefects {
   std::vector<const char*> nearVertices;
 };
 
-// Finds the reasons. after: the result of that repair, with its defects. Empty if cancelled. O(n) if there are such
-// defects.
+// Finds the reasons why defects remain after a repair. after: the result of the repair, with its defects. The result is
+// empty if cancelled. O(n) if any of these defects remain.
 RemainingDefects remainingDefects(const InspectedMesh& after, const RepairReport& report, Progress progress = {});
 
 }  // namespace handwheel

@@ -9,15 +9,16 @@
 
 namespace handwheel {
 
-// Filling and repair, as the window and 'handwheel edit' do them.
+// Filling and repair as used by the window and 'handwheel edit'.
 
-// Fills a hole of the filler's mesh. prepared: the patch, if it was proposed before. progress: used entirely.
+// Fills a hole of the filler's mesh. prepared: the patch, if it was already proposed.
 FillFailure fillHole(HoleFiller& filler, const BoundaryLoop& loop, const FillOptions& options,
                      const std::optional<FillAttempt>& prepared, Progress progress = {});
-// Returns the step that fills a hole with these options. loop: its key.
+// Returns the step of 'handwheel edit', as text, that fills a hole with these options. loop: the key of the loop, from
+// keyOf() (mesh/boundary/BoundaryLoops.h).
 std::string fillStep(Vertex loop, const FillOptions& options);
 
-// Creates the change that repairs a mesh. report: is set by the change, on the thread on which it runs; may be null.
+// Creates the change that repairs a mesh. report: set by the change on the thread on which it runs; may be null.
 MeshChange repairChange(const RepairOptions& options, std::shared_ptr<RepairReport> report = nullptr);
 
 }  // namespace handwheel

@@ -15,15 +15,17 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Result of a sculpting step on the levels of a patch.
+// The result of a sculpting step on the levels of a patch.
 struct SculptResult {
   PatchLevels levels;
-  FaceSelection touched;          // empty: nothing was changed
-  const char* problem = nullptr;  // the reason if nothing was changed; English, context "Property"
+  FaceSelection touched;  // empty: nothing was changed
+  const char* problem =
+      nullptr;  // the reason why nothing was changed; English text, translated in the context "Property"
   std::string step = {};
 };
 
-// Subdivides a patch. times: number of levels to add; none: until it is as fine as its surroundings.
+// Subdivides a patch. times: number of levels to add; none: levels are added until the patch is as fine as its
+// surroundings.
 SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
 // Options for smoothing noise, with the chosen method.
 struct Denoising {
@@ -33,19 +35,21 @@ struct Denoising {
 };
 Denoising denoisingOf(const OperationValues& values, NumberType numbers);
 
-// Smooths noise on the patch, or along the border without one.
+// Smooths noise on the patch, or along the border of the surface if the patch is empty.
 SculptResult denoised(PatchLevels levels, Denoising options, Progress progress);
 // Removes the finest level of a patch.
 SculptResult coarsened(PatchLevels levels);
-// The result of a finished stroke.
+// Returns the result of a finished stroke.
 SculptResult sculpted(const SculptStroke& stroke);
 
-// Returns the subdivision levels of a patch on which a step works: those that the document stores for this patch, if
-// their number fits `finest`, or the patch alone.
+// Returns the subdivision levels of a patch on which a step works: those that the document stores for this patch if
+// the finest of them is number `finest`, otherwise the patch as a single level if `finest` is 0. Returns nothing if
+// neither is the case.
 std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest);
 
-// Reads the rest of a step "stroke", "subdivide", "smooth-noise" or "level-back". Null if it is wrong.
+// A function that performs a step.
 using SculptWork = std::function<SculptResult(Progress)>;
+// Reads the rest of a step "stroke", "subdivide", "smooth-noise" or "level-back". Returns null if the step is invalid.
 SculptWork readSculptLine(ScriptLineReader& reader, const OperationValues& values, const MeshDocument& document);
 
 }  // namespace handwheel

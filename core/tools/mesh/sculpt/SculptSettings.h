@@ -13,7 +13,7 @@ namespace handwheel {
 enum class NoiseMethod {
   Bilateral,  // smoothNoise(): keeps creases
   Laplace,    // smoothByLaplace()
-  Bending,    // smoothByLaplace() with bending
+  Bending,    // smoothByLaplace() with LaplaceSmoothing::isBending
 };
 
 // Settings of SculptTool: brush, radius and strength.
@@ -23,15 +23,16 @@ struct SculptSettings {
   Brush brush = Brush::Drag;
   double radius = 5.0;       // mm
   double strength = 0.5;     // 0…1; the brush Drag always follows the pointer fully
-  bool movesBorder = false;  // also the vertices at the end of the surface
+  bool movesBorder = false;  // strokes also move vertices on the border of the surface
   NoiseMethod noiseMethod = NoiseMethod::Bilateral;
-  double noisePasses = 10.0;                     // number of passes of the methods other than Bilateral
-  double noiseAngle = 20.0 * kRadiansPerDegree;  // normals that differ by less are considered noise
+  double noisePasses = 10.0;  // number of passes of the methods other than Bilateral
+  double noiseAngle =
+      20.0 * kRadiansPerDegree;  // normals that differ by less than this angle (rad) are considered noise
 
   void scaleBrush(double factor);
 
   std::vector<Property> properties() const;
-  // Sets a setting. Numbers are clamped to their limits. Returns false for an unknown id or a value of another type.
+  // Changes a setting. Numbers are clamped to their limits. Returns false for an unknown id or a value of another type.
   bool set(std::string_view id, const PropertyValue& value);
 };
 

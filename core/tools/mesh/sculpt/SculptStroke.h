@@ -16,8 +16,9 @@ struct SurfacePosition {
   Face face;
   Vec3 point;
 };
-// Intersects a ray with a mesh, by the face hierarchy of an earlier version. The hit is searched within this radius
-// (mm) of the present position of the point hit in the earlier version. None if nothing is hit.
+// Intersects a ray with a mesh, using the face hierarchy of an earlier version. The hit is searched within this radius
+// (mm) of the present position of the point hit in the earlier version. Returns nothing if the ray does not hit the
+// mesh.
 std::optional<SurfacePosition> hitOn(const HalfEdgeMesh& mesh, const FaceHierarchy& sorted, const Ray& ray,
                                      double radius);
 
@@ -27,15 +28,16 @@ class SculptStroke {
   struct Settings {
     SculptSettings::Brush brush = SculptSettings::Brush::Drag;
     double radius = 0.0;    // mm
-    double strength = 0.0;  // below 0: inwards, away from the plane
+    double strength = 0.0;  // below 0: the brush acts inwards, or away from the plane
     bool movesBorder = false;
     std::size_t level = 0;
     NumberType numbers = NumberType::Float64;
   };
-  // Begins at a position on the finest level. Vertices outside the patch stay, unless the patch is empty.
+  // Begins a stroke at a position on the finest level. Vertices outside the patch do not move, unless the patch is
+  // empty.
   SculptStroke(PatchLevels levels, const Settings& settings, const SurfacePosition& position, const Ray& ray);
 
-  // Moves the pointer: to a ray, or by a displacement of the tip of a haptic device, mm.
+  // Move the pointer: to a ray, or by the displacement of the tip of a haptic device (mm).
   void dragTo(const Ray& ray);
   void dragBy(const Vec3& displacement);
   // Applies one dab, for brushes other than Drag.
@@ -45,11 +47,11 @@ class SculptStroke {
   const SurfacePosition& start() const { return m_start; }
   const PatchLevels& levels() const { return m_levels; }  // the present levels
   const FaceSelection& touched() const { return m_touched; }
-  // The data for repeating the stroke: the positions of the dabs; for Drag, the final displacement.
+  // The data for repeating the stroke: the positions of the dabs, or the final displacement of the brush Drag.
   const std::vector<SurfacePosition>& dabs() const { return m_dabs; }
   const Vec3& displacement() const { return m_displacement; }
   bool changedAnything() const { return !m_touched.empty(); }
-  // Number of faces that dabs covered, for callers that must limit it.
+  // Number of faces that the dabs covered, for callers that must limit the effort.
   std::size_t facesMet() const { return m_facesMet; }
 
  private:
@@ -61,7 +63,7 @@ class SculptStroke {
   PatchLevels m_levels;
   SurfacePosition m_start;
   Vec3 m_forward;
-  BrushArea m_area;  // for Drag
+  BrushArea m_area;  // area of the brush Drag
   std::vector<SurfacePosition> m_dabs;
   Vec3 m_displacement = Vec3::Zero();
   FaceSelection m_touched;

@@ -14,16 +14,16 @@ namespace handwheel {
 class MeshDocument;
 
 // Tool that sculpts a surface with brushes: drag, smooth, inflate and flatten. A patch, if one is given, can be
-// subdivided, and sculpted at each of its levels; nothing outside of it moves then. Each stroke is one undo step. The
-// next stroke can begin on the displayed surface before the previous one is in the document.
+// subdivided and sculpted at each of its levels; vertices outside the patch then do not move. Each stroke is one undo
+// step. The next stroke can begin on the displayed surface before the previous stroke is in the document.
 class SculptTool : public Tool {
  public:
-  // patch: the faces to work on; empty for the whole surface. Existing levels of a patch with all these faces are used.
-  // The document must outlive all calls but the destructor's.
+  // patch: the faces to work on; empty: the whole surface. Existing levels of a patch with all these faces are used.
+  // Only the destructor may be called after the document has been destroyed.
   SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch = {});
   ~SculptTool() override;
 
-  // The levels, including steps not yet in the document, and the present stroke.
+  // The levels, including the present stroke and steps that are not yet in the document.
   const PatchLevels& levels() const { return m_stroke ? m_stroke->levels() : m_levels; }
   std::size_t level() const { return m_level; }  // the level that is sculpted
 
@@ -43,7 +43,7 @@ class SculptTool : public Tool {
   // A step that is done but not yet in the document.
   struct Step {
     std::uint64_t ticket;
-    PatchLevels levels;  // afterwards
+    PatchLevels levels;  // levels after the step
   };
 
   ToolReply press(const PointerEvent& event);
@@ -71,13 +71,13 @@ class SculptTool : public Tool {
   MeshDocument& m_document;
   MeshServices m_services;
   SculptSettings m_settings;
-  PatchLevels m_levels;  // with the steps that wait
+  PatchLevels m_levels;  // levels including the steps that are not yet in the document
   std::size_t m_level = 0;
   bool m_isWhole = false;                    // work on the whole surface was requested, even if a patch has levels
   std::vector<std::vector<Vec3>> m_outline;  // outline of the patch
   double m_aspect = 0.0;                     // aspect ratio of the triangles along the outline
   const char* m_problem = nullptr;           // problem of the last action
-  std::size_t m_crossings = 0;               // number of pairs of faces that cross since the last press
+  std::size_t m_crossings = 0;  // number of pairs of faces that have begun to intersect since the last press
 
   std::optional<SculptStroke> m_stroke;
   Ray m_last;                 // ray of the last dab
@@ -87,11 +87,12 @@ class SculptTool : public Tool {
   HalfEdgeMesh m_known;  // the document's mesh at the last update
   std::deque<Step> m_waiting;
   std::uint64_t m_ticket = 0;  // ticket of the last step
-  FaceSelection m_touched;     // faces touched by the steps that wait
+  FaceSelection m_touched;     // faces touched by the steps that are not yet in the document
   std::shared_ptr<const PreviewMesh> m_previewMesh;
 
-  std::shared_ptr<const int> m_job;                                    // the running job, as in SelectTool
-  std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // dies with the tool
+  std::shared_ptr<const int> m_job;  // the running job, as in SelectTool
+  std::shared_ptr<const int> m_alive =
+      std::make_shared<const int>();  // destroyed with the tool, so that late callbacks are ignored
 };
 
 }  // namespace handwheel

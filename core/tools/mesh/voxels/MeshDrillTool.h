@@ -12,15 +12,17 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that drills a mesh by hand. Voxels are made near the drill as it moves, and at the end of a gesture a job takes
-// the hole from the triangles in one step. It needs a closed, manifold mesh without self-intersections. For other
-// meshes, and if voxels near the drill cannot be certain, it shows the reason and offers to make a volume.
+// Tool that drills a mesh by hand. Voxels are created near the drill as it moves, and at the end of a gesture a job
+// removes the hole from the triangles in one step. The mesh must be closed, manifold and without self-intersections.
+// For other meshes, and if the voxels near the drill cannot be determined reliably, the tool shows the reason and
+// offers to make a volume.
 class MeshDrillTool : public HandDrill {
  public:
-  // Called when the user tries to drill a mesh that cannot be drilled. reason: English, context "Tool".
+  // The function that is called when the user tries to drill a mesh that cannot be drilled. reason: English text,
+  // translated in the context "Tool".
   using OfferVolume = std::function<void(const char* reason)>;
 
-  // The document must outlive all calls but the destructor's.
+  // Only the destructor may be called after the document has been destroyed.
   MeshDrillTool(
       MeshDocument& document, MeshServices services, const SimulationServices& simulation,
       OfferVolume offer = [](const char*) {});
@@ -33,18 +35,19 @@ class MeshDrillTool : public HandDrill {
   void documentChanged() override;
 
  private:
-  // Result of the job that prepares the mesh for the present voxel.
+  // The result of the job that prepares the mesh for the present voxel size.
   struct Prepared {
-    std::shared_ptr<const HybridPart> part;      // null: it cannot be drilled
-    std::shared_ptr<const FaceHierarchy> faces;  // null as well
-    const char* refusal = nullptr;               // the reason if it cannot be drilled; English, context "Tool"
+    std::shared_ptr<const HybridPart> part;      // null: the mesh cannot be drilled
+    std::shared_ptr<const FaceHierarchy> faces;  // null if `part` is null
+    const char* refusal =
+        nullptr;  // the reason why the mesh cannot be drilled; English text, translated in the context "Tool"
   };
-  // The state in which a hole was begun.
+  // The state in which drilling a hole began.
   struct Origin {
     HalfEdgeMesh mesh;
-    std::shared_ptr<const HybridPart> part;  // the part before anything is cut
+    std::shared_ptr<const HybridPart> part;  // the part before the hole is cut
   };
-  // A hole that is being taken from the triangles.
+  // A hole that is being removed from the triangles.
   struct Pending {
     std::shared_ptr<const DrillState> state;
     std::shared_ptr<const DrillRecord> record;
@@ -72,13 +75,13 @@ class MeshDrillTool : public HandDrill {
   MeshServices m_services;
   OfferVolume m_offer;
   double m_voxel;                               // mm
-  Prepared m_prepared;                          // for the present mesh; empty while a job makes it
-  std::shared_ptr<const int> m_job;             // null when none is running; its result holds on to this
-  std::optional<Pending> m_pending;             // until it is in the triangles, or has failed
-  std::shared_ptr<const DrillRecord> m_record;  // record of the hole drilled last, while it exists; null: none
-  Origin m_origin;                              // origin of that hole
+  Prepared m_prepared;                          // prepared data of the present mesh; empty while a job computes it
+  std::shared_ptr<const int> m_job;             // identifies the running job; null: no job is running
+  std::optional<Pending> m_pending;             // the hole that is being removed; none after the change has ended
+  std::shared_ptr<const DrillRecord> m_record;  // record of the hole drilled last, while the hole exists; null: none
+  Origin m_origin;                              // origin of the hole drilled last
   std::shared_ptr<const int> m_alive = std::make_shared<const int>();
-  // The mesh without the faces that the tiles of a state hide, made for the tiles of the last request.
+  // The mesh without the faces that the tiles hide, cached for the tiles of the last request.
   mutable std::vector<VolumeSurface::Key> m_hiddenTiles;
   mutable std::shared_ptr<const PreviewMesh> m_hidden;
 };

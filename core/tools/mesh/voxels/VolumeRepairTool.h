@@ -15,14 +15,16 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Tool that repairs a mesh by the volume that it encloses (volumeRepairChange()). For defects that the repair of
-// triangles leaves: bodies through one another, self-intersections, inner walls.
+// Tool that repairs a mesh by the volume that it encloses (volumeRepairChange()). It is meant for defects that the
+// repair of triangles leaves, such as interpenetrating bodies, self-intersections and inner walls.
 class VolumeRepairTool : public Tool {
  public:
-  // Asks whether so many bytes may be used, and calls start if the user agrees, at once or later.
+  // A function that asks whether this number of bytes may be used. If the user agrees, it calls start, at once or
+  // later.
   using AskForMemory = std::function<void(double bytes, std::function<void()> start)>;
 
-  // The document must outlive all calls but the destructor's. ask: called if needsConsent().
+  // Only the destructor may be called after the document has been destroyed. ask: called if needsConsent() returns
+  // true.
   VolumeRepairTool(
       MeshDocument& document, MeshServices services,
       AskForMemory ask = [](double, const std::function<void()>& start) { start(); });
@@ -39,16 +41,16 @@ class VolumeRepairTool : public Tool {
  private:
   void measure();
   std::optional<double> area() const;
-  double predictedBytes(double sampled) const;  // sampled: mm²
+  double predictedBytes(double sampled) const;  // sampled: area, mm²
 
   MeshDocument& m_document;
   MeshServices m_services;
   AskForMemory m_ask;
   double m_area = 0.0;                 // area of the mesh, mm²
-  std::optional<WallMeasure> m_walls;  // walls of the mesh; absent while a job measures them
-  std::shared_ptr<const int> m_job;    // null when none is running; its result holds on to this
+  std::optional<WallMeasure> m_walls;  // walls of the mesh; none: a job is measuring them
+  std::shared_ptr<const int> m_job;    // identifies the running job; null: no job is running
   Vec3 m_extent = Vec3::Zero();        // extent of the mesh, mm
-  double m_usual = 0.0;                // usual voxel, mm; 0: there are no triangles
+  double m_usual = 0.0;                // usual voxel size, mm; 0: there are no triangles
   VolumeRepairParameters m_parameters;
 };
 
