@@ -21,25 +21,28 @@ double secondsOf(auto&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The shortest of several runs. Other work on the machine has disturbed it least.
+// The duration of the shortest of several runs. It is the run that other work on the machine has disturbed least.
 struct Fastest {
   double seconds = std::numeric_limits<double>::infinity();
   void add(double run) { seconds = std::min(seconds, run); }
 };
 
-// Returns the ratio to another program's value; NaN, so that no bar is kept, if the other has no result.
+// Returns the ratio of a value of Handwheel to that of another program. The result is NaN if the other program has no
+// result; it then breaks every bar.
 inline double ratioTo(double ours, double theirs) {
   return std::isfinite(theirs) && theirs > 0.0 ? ours / theirs : std::nan("");
 }
 
-// The bars of a benchmark program and its measured values. They are printed as a table at its end.
+// The bars (required limits) of a benchmark program and its measured values. They are printed as a table at the end of
+// the program.
 class Bars {
  public:
-  // Google Benchmark calls a benchmark several times; the last call counts.
+  // Sets the upper limit and the measured value of a quantity. Google Benchmark calls a benchmark several times; the
+  // last call counts.
   void atMost(const std::string& what, double bar, double measured) { put({what, bar, measured}); }
 
-  // Like atMost(), for a count or maximum over so many cases. Without any case nothing was measured, which breaks the
-  // bar.
+  // Sets the upper limit and the measured value of a count or maximum over several cases. The bar is broken if there
+  // are no cases.
   void atMostOver(std::size_t cases, const std::string& what, double bar, double measured) {
     if (cases > 0)
       atMost(what, bar, measured);
@@ -52,26 +55,26 @@ class Bars {
     atMost(what, std::numeric_limits<double>::infinity(), measured);
   }
 
-  // Breaks a bar with a reason: the measurement should have been possible, but failed.
+  // Breaks a bar with a reason, because a measurement failed that should have been possible.
   void failed(benchmark::State& state, const std::string& what, const std::string& why) {
     state.SkipWithError(why.c_str());
     put({what, std::nan(""), std::nan(""), "NO: " + why});
   }
 
-  // Reports that there was nothing to measure, such as without data that we may not ship. Breaks no bar.
+  // Reports that nothing could be measured, for example because data is missing. Breaks no bar.
   void skipped(benchmark::State& state, const std::string& what, const std::string& why) {
     state.SkipWithError(("SKIPPED: " + why).c_str());
     put({what, std::nan(""), std::nan(""), "SKIPPED: " + why, true});
   }
 
-  // Like skipped(), for data that we may not ship. Breaks a bar if HANDWHEEL_DATA names their folder: then it has to
-  // contain them.
+  // Reports missing data that may not be distributed with Handwheel. Breaks the bar if HANDWHEEL_DATA is set, because
+  // its folder must contain the data; otherwise the measurement is skipped.
   void missing(benchmark::State& state, const std::string& what, const std::string& why) {
     std::getenv("HANDWHEEL_DATA") ? failed(state, what, why) : skipped(state, what, why);
   }
 
-  // Returns the exit code of the program: 1 if a bar was broken, or nothing was measured although HANDWHEEL_DATA names
-  // data.
+  // Prints the table and returns the exit code of the program. It is 1 if a bar was broken, if there are no rows, or if
+  // everything was skipped although HANDWHEEL_DATA is set.
   int print() const {
     bool ok = !m_rows.empty();
     std::printf("\n%-76s %9s %9s  %s\n", "what", "bar", "measured", "ok");
@@ -97,7 +100,7 @@ class Bars {
     std::string what;
     double bar;
     double measured;
-    std::string why = {};  // reason if there are no values
+    std::string why = {};  // reason why there are no values
     bool isSkipped = false;
   };
 

@@ -10,12 +10,12 @@
 #include <random>
 #include <vector>
 
-// Surfaces for the benchmarks of touch, with the typical flaws of scans.
+// Surfaces for the contact benchmarks, with the typical flaws of scans.
 namespace handwheel::bench {
 
 constexpr double kBallRadius = 38.0;  // mm
 
-// Returns the distance from the centre along a unit direction.
+// Returns the distance of the surface of a bumpy ball from its centre along a unit direction.
 inline double bumpyRadius(const Vec3& d) {
   return kBallRadius * (1.0 + 0.03 * std::sin(9 * d.x()) * std::sin(8 * d.y() + 1) * std::sin(7 * d.z() + 2));
 }
@@ -55,7 +55,7 @@ inline void turnSome(TriangleSoup& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
 }
 
-// Gives each triangle corners of its own, moved by up to this distance.
+// Gives each triangle its own corners and moves each coordinate by up to this distance.
 inline void shatter(TriangleSoup& mesh, double by) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> off(-by, by);
@@ -68,7 +68,7 @@ inline void shatter(TriangleSoup& mesh, double by) {
   mesh = std::move(soup);
 }
 
-// Cuts the surface into sectors about the z axis, each narrowed by half the width at both sides.
+// Cuts the surface into sectors about the z axis, and narrows each sector by half the width on both sides.
 inline void cutSeams(TriangleSoup& mesh, double width) {
   constexpr double kSector = 2 * M_PI / 20;
   TriangleSoup cut;
@@ -92,7 +92,8 @@ inline void cutSeams(TriangleSoup& mesh, double width) {
   mesh = std::move(cut);
 }
 
-// Splits a third of the triangles so near to a corner that needles of a millionth of their length arise.
+// Splits every third triangle near a corner, which creates needles with an edge about a millionth of the triangle's
+// size.
 inline void addNeedles(TriangleSoup& mesh) {
   const std::size_t count = mesh.triangles.size();
   for (std::size_t i = 0; i < count; i += 3) {

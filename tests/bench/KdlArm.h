@@ -17,12 +17,13 @@
 
 namespace handwheel::bench {
 
-// An arm in KDL, the library of the Orocos project, with its inverse kinematics. In metres. One thread.
+// An arm in KDL, the library of the Orocos project, with its inverse kinematics. The tolerance is in metres and
+// radians. An arm is used by one thread at a time.
 class KdlArm {
  public:
   enum class Method {
-    Newton,              // NR_JL, the default of programs: from the present configuration, until the time is over
-    RestartedLevenberg,  // LMA with even weights, which knows no limits: from random values until it ends within them
+    Newton,              // NR_JL, the usual choice; it continues from its last values until the time is over
+    RestartedLevenberg,  // LMA with equal weights; ignores joint limits, and restarts at random until they are met
   };
 
   KdlArm(const SerialArm& arm, Method method, double tolerance, double seconds)
@@ -39,7 +40,8 @@ class KdlArm {
   KdlArm(const KdlArm&) = delete;
   KdlArm& operator=(const KdlArm&) = delete;
 
-  // Starts from the middle of the limits.
+  // Returns joint values for a pose of the tip; nothing if the time is over before. The search starts from the middle
+  // of the limits.
   std::optional<ArmValues> solved(const Pose& tip) {
     const auto begin = std::chrono::steady_clock::now();
     const auto isLate = [&] {

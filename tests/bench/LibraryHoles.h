@@ -16,7 +16,7 @@
 
 #include <vector>
 
-// CGAL's methods to fill a hole, as the reference for ours.
+// CGAL's methods for filling a hole, as the reference for those of Handwheel.
 namespace handwheel::bench {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -27,7 +27,8 @@ inline Surface toLibrary(const TriangleSoup& soup) {
   std::vector<Point> points;
   for (const Vec3& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
   std::vector<Triangle> triangles = soup.triangles;
-  if (!pmp::is_polygon_soup_a_polygon_mesh(triangles)) pmp::orient_polygon_soup(points, triangles);  // pinched holes
+  if (!pmp::is_polygon_soup_a_polygon_mesh(triangles))
+    pmp::orient_polygon_soup(points, triangles);  // needed for pinched holes
   Surface surface;
   pmp::polygon_soup_to_polygon_mesh(points, triangles, surface);
   return surface;
@@ -36,7 +37,7 @@ inline Surface toLibrary(const TriangleSoup& soup) {
 struct LibraryFill {
   double milliseconds = 0.0;
   std::size_t faces = 0;
-  std::vector<Vec3> positions;  // new vertices; if there are none, the centres of the faces
+  std::vector<Vec3> positions;  // positions of the new vertices; if there are none, the centres of the new faces
   std::vector<TrianglePoints> triangles;
 };
 
@@ -44,7 +45,7 @@ inline Vec3 toVec3(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Returns the side of the edge a-b that has no face.
+// Returns the half-edge of the edge a-b that has no face.
 inline Surface::Halfedge_index borderEdge(const Surface& surface, const Vec3& a, const Vec3& b) {
   for (const auto h : surface.halfedges()) {
     if (!surface.is_border(h)) continue;
@@ -54,8 +55,7 @@ inline Surface::Halfedge_index borderEdge(const Surface& surface, const Vec3& a,
   return Surface::null_halfedge();
 }
 
-// Fills by the library alone, without a check for intersections or a fallback to another method. The hole is the one
-// with the edge a-b.
+// Fills the hole with the edge a-b using only CGAL, without a check for intersections or a fallback to another method.
 inline LibraryFill fillByLibrary(Surface surface, const Vec3& a, const Vec3& b) {
   LibraryFill result;
   const Surface::Halfedge_index border = borderEdge(surface, a, b);
@@ -78,12 +78,12 @@ inline LibraryFill fillByLibrary(Surface surface, const Vec3& a, const Vec3& b) 
 
 struct LibraryTriangulation {
   double milliseconds = 0.0;
-  std::size_t triangles = 0;  // none: it gave up
+  std::size_t triangles = 0;  // 0: no triangulation was found
 };
 
-// The library's search among the triangles of the Delaunay triangulation of the loop. It has no fallback to the cubic
-// search, which takes 90 s for a loop of 2,554 edges. It uses only triangles between the loop's points, not refined,
-// not bent and not checked against the part.
+// Triangulates a hole with CGAL's search among the triangles of the Delaunay triangulation of the loop. It has no
+// fallback to the cubic search, which takes 90 s for a loop of 2,554 edges. It creates only triangles between the
+// points of the loop, which are not refined, faired or checked against the part.
 inline LibraryTriangulation triangulateByLibrary(const std::vector<Vec3>& loop) {
   std::vector<Point> points;
   for (const Vec3& p : loop) points.emplace_back(p.x(), p.y(), p.z());

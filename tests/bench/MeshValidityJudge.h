@@ -16,15 +16,16 @@
 #include <random>
 #include <vector>
 
-// Judges the validity of a repaired file against its input, independently of this program's code. Topology by counting
-// edges after vertices at equal positions are merged, crossings and distances by CGAL with exact predicates.
+// Judges the validity of a repaired file against its input. The judgement shares no code with Handwheel. Vertices at
+// equal positions are merged and edges are counted to check the topology. Intersections and distances are computed by
+// CGAL with exact predicates.
 namespace handwheel::bench {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using JudgePoint = Kernel::Point_3;
 using JudgeTriangle = std::array<std::size_t, 3>;
 
-// Triangles with area; equal positions are one vertex, every vertex is used.
+// A mesh of all triangles with non-zero area. Equal positions are one vertex, and every vertex is used.
 struct JudgedMesh {
   std::vector<JudgePoint> points;
   std::vector<JudgeTriangle> triangles;
@@ -37,7 +38,8 @@ struct JudgedMesh {
       if (CGAL::collinear(p[0], p[1], p[2])) continue;
       JudgeTriangle triangle;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<double, 3> position{p[k].x() + 0.0, p[k].y() + 0.0, p[k].z() + 0.0};  // no negative zero
+        const std::array<double, 3> position{p[k].x() + 0.0, p[k].y() + 0.0,
+                                             p[k].z() + 0.0};  // turns negative zero into zero
         const auto [at, isNew] = number.try_emplace(position, points.size());
         if (isNew) points.push_back(p[k]);
         triangle[k] = at->second;
@@ -74,10 +76,10 @@ inline JudgedEdges judgeEdges(const JudgedMesh& mesh) {
   return edges;
 }
 
-// Returns true if two triangles intersect beyond their common corners.
+// Returns true if two triangles intersect elsewhere than at their common corners and edges.
 inline bool judgeMeet(const JudgedMesh& mesh, std::size_t i, std::size_t j) {
   JudgeTriangle s = mesh.triangles[i], t = mesh.triangles[j];
-  std::size_t shared = 0;  // moved to the front of both
+  std::size_t shared = 0;  // number of common corners, which are moved to the front of both triangles
   for (std::size_t k = 0; k < 3; ++k) {
     const auto at = std::find(t.begin() + static_cast<std::ptrdiff_t>(shared), t.end(), s[k]);
     if (at == t.end()) continue;
@@ -86,7 +88,7 @@ inline bool judgeMeet(const JudgedMesh& mesh, std::size_t i, std::size_t j) {
   }
   const auto& p = mesh.points;
   if (shared == 3) return true;
-  if (shared == 2)  // folded onto each other
+  if (shared == 2)  // true if the triangles are folded onto each other
     return CGAL::coplanar(p[s[0]], p[s[1]], p[s[2]], p[t[2]]) &&
            CGAL::coplanar_orientation(p[s[0]], p[s[1]], p[s[2]], p[t[2]]) == CGAL::POSITIVE;
   if (shared == 1)
@@ -125,8 +127,8 @@ inline std::vector<std::size_t> judgeParts(const JudgedMesh& mesh) {
 }
 
 struct JudgedChange {
-  double farthest = 0.0;      // largest distance of old vertices from the new surface, in diagonals
-  double growth = 0.0;        // growth of the box on any side, in diagonals
+  double farthest = 0.0;      // largest distance of old vertices from the new surface, as a fraction of the diagonal
+  double growth = 0.0;        // largest growth of the box on any side, as a fraction of the diagonal
   std::size_t lostParts = 0;  // number of parts with more than half of their vertices a thousandth of the diagonal away
 };
 

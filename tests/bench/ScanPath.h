@@ -11,15 +11,15 @@
 #include <filesystem>
 #include <optional>
 
-// Paths of a tip over scans that we may not ship.
+// Paths of a device tip over scans that may not be distributed with Handwheel.
 namespace handwheel::bench {
 
 struct ReadScan {
   bool isThere = false;
-  std::optional<TriangleSoup> mesh = {};  // nothing if it is refused
+  std::optional<TriangleSoup> mesh = {};  // none: the file could not be read
 };
 
-// Reads a scan in the folder HANDWHEEL_DATA, scaled to the size of the ball.
+// Reads a scan from the folder HANDWHEEL_DATA and scales it to the diameter 2 kBallRadius.
 inline ReadScan scanOf(const char* name) {
   const char* const folder = std::getenv("HANDWHEEL_DATA");
   if (!folder || !std::filesystem::exists(std::filesystem::path(folder) / name)) return {};
@@ -33,11 +33,11 @@ inline ReadScan scanOf(const char* name) {
   return {true, std::move(soup)};
 }
 
-// Returns a path of `count` positions, `step` (mm) apart: around the axis, `depth` below the surface, and without the
-// trembling that the facets would cause.
+// Returns a path of `count` positions, `step` (mm) apart: around the axis and `depth` (mm) below the surface. The
+// positions are averaged, so that the path does not follow single facets.
 inline std::vector<Vec3> pathOver(const TriangleSoup& mesh, const Vec3& axis, double step, double depth, int count) {
   constexpr int kSmooth = 100;     // number of positions on either side
-  constexpr double kRise = 10000;  // number of positions for going up the axis and down again
+  constexpr double kRise = 10000;  // number of positions of one movement up the axis and down again
   const TriangleHierarchy surface(mesh.points, mesh.triangles);
   const auto normalOf = [&](std::uint32_t t) {
     const Triangle& c = mesh.triangles[t];

@@ -20,15 +20,16 @@ class TimedApplication : public QApplication {
  public:
   using QApplication::QApplication;
 
-  // The longest event.
-  CpuTimes outside;  // outside the graphics library
-  CpuTimes drawing;  // inside the graphics library
+  // The longest times that one event took.
+  CpuTimes outside;  // time outside the graphics library
+  CpuTimes drawing;  // time inside the graphics library
 
   // Sets the watched viewport; null: none.
   void watch(const Viewport* viewport) {
     m_viewport = viewport;
     if (!viewport) return;
-    // Qt puts the picture of the renderer into that of the window, by the same graphics library.
+    // Qt composes the picture of the renderer with that of the window by the same graphics library; this counts as
+    // drawing.
     connect(viewport, &Viewport::aboutToCompose, this, [this] { m_composing = CpuTimes::now(); });
     connect(viewport, &Viewport::frameSwapped, this,
             [this] { m_composed = m_composed + (CpuTimes::now() - m_composing); });
@@ -72,7 +73,7 @@ class SimulatedUser {
     waits(
         what, [&] { return QMetaObject::invokeMethod(&m_driver.window(), work, Qt::QueuedConnection); }, bar);
   }
-  // Like does(), for gestures and other work that runs its events itself, one by one.
+  // Does the same as does() for work that processes its events itself, one by one, such as a gesture.
   void waits(const char* what, const std::function<bool()>& work, double bar = kBarMs) {
     m_application.outside = m_application.drawing = {};
     if (!work()) qFatal("%s could not be done", what);
@@ -85,7 +86,7 @@ class SimulatedUser {
     m_bars.atMost(std::string(what) + ": the window's thread, ms of CPU", bar, outside.cpu);
   }
 
-  // A disabled action would cost nothing, and keep its bar.
+  // Triggers an action. A disabled action is a fatal error: it would cost no time, and so never exceed a limit.
   void trigger(const char* name) {
     auto* action = m_driver.find<QAction>(name);
     if (!action->isEnabled()) qFatal("%s is disabled", name);

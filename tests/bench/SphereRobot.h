@@ -14,9 +14,9 @@
 
 namespace handwheel::bench {
 
-// The UR5 as spheres, with the problems of MotionBenchMaker. They are from the folder HANDWHEEL_DATA. Paths are judged
-// without any code of the planners except the reading of the files, the forward kinematics and the pairs that may
-// touch.
+// The UR5 robot as spheres, with the problems of MotionBenchMaker. The files are read from the folder HANDWHEEL_DATA.
+// The check of paths shares no code with the planners, except the reading of the files, the forward kinematics and the
+// pairs of links that may touch.
 class SphereRobot {
  public:
   static std::optional<SphereRobot> read() {
@@ -69,7 +69,7 @@ class SphereRobot {
  private:
   struct Ball {
     std::uint32_t link;
-    Vec3 centre;  // in the frame of the link, mm
+    Vec3 centre;  // position in the frame of the link, mm
     double radius;
   };
 
@@ -89,7 +89,7 @@ class SphereRobot {
     return RobotScene(m_model, Pose::Identity(), collisionBodies(m_model), m_dofs, m_rest, m_allowed);
   }
 
-  // Returns the distance of a point from the surface of a box, cylinder or sphere; 0 and below: inside.
+  // Returns the distance of a point from the surface of a box, cylinder or sphere; 0 or less: inside.
   static double distance(const CollisionPiece& piece, const Vec3& point) {
     const Vec3 p = piece.pose.inverse() * point;
     switch (piece.kind) {
@@ -126,7 +126,7 @@ class SphereRobot {
     return false;
   }
 
-  // Returns true if a planned joint is between the link and the root.
+  // Returns true if a movable joint is between the link and the root.
   bool isMoved(std::uint32_t link) const {
     for (std::uint32_t j = m_model.links[link].parentJoint; j != kNone;
          j = m_model.links[m_model.joints[j].parent].parentJoint) {

@@ -14,7 +14,8 @@
 #include <list>
 #include <vector>
 
-// The half section of a turned part by exact boolean operations on polygons. It judges TurnedProfile.
+// The half section of a turned part, as a reference for TurnedProfile. It is computed by exact boolean operations on
+// polygons.
 namespace handwheel::bench {
 
 struct SectionDistance {
@@ -30,8 +31,8 @@ class SweptSection {
     m_set.insert(bar);
   }
 
-  // Removes the area that the nose sweeps, together with its shank: the convex hull of discs at both ends of each step,
-  // here and far outside; far below the axis for a bore.
+  // Removes the area that the nose and shank of the tool sweep. For each step of the path it is the convex hull of four
+  // discs: two at the ends of the step, and two shifted radially by 100 mm, outwards or for a bore inwards.
   void cut(const TurningPass& pass) {
     Set swept;
     std::vector<Polygon> all;
@@ -57,8 +58,9 @@ class SweptSection {
     return M_PI / 3.0 * sum;
   }
 
-  // Returns the distance between the two boundaries, in both directions, without the axis. Points within 0.05 mm of a
-  // wall across the axis higher than 0.01 mm belong to a shoulder.
+  // Returns the largest distance between the boundaries of the section and the profile, in both directions, without the
+  // axis. A point belongs to a shoulder if it is within 0.05 mm of a wall that is perpendicular to the axis and higher
+  // than 0.01 mm.
   SectionDistance distanceTo(const TurnedProfile& profile) const {
     std::vector<Edge> own;
     std::vector<Edge> walls;
@@ -113,7 +115,7 @@ class SweptSection {
     }
   };
 
-  // Edges by their height, in slices of 0.05 mm; the compared edges are never further away than a slice.
+  // Edges sorted along the axis into slices of 0.05 mm. A query searches only edges that are at most one slice away.
   class Grid {
    public:
     explicit Grid(const std::vector<Edge>& edges) {
@@ -139,7 +141,7 @@ class SweptSection {
     std::vector<std::vector<Edge>> m_slices;
   };
 
-  // With 240 sides the error is 9e-5 of the radius.
+  // Adds the corners of a regular polygon for a disc. With 240 sides the error is 9e-5 of the radius.
   static void addDisc(std::vector<Point>& points, const ProfilePoint& centre, double radius) {
     constexpr int kSides = 240;
     for (int i = 0; i < kSides; ++i) {

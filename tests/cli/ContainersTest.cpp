@@ -42,7 +42,9 @@ int loopWith(const Json& report, int edges) {
 
 // A box with three holes, of 4, 6 and 8 edges, in a document with all that can be lost of one: a mark on the hole with
 // 6 edges, a unit, and what this program does not know.
-void putDocument(const Fixture& fixture, const QString& name) {
+QByteArray madeDocument() {
+  const Fixture fixture;
+  const QString name = "made.handwheel";
   fixture.put("a.off", holedBox().off());
   const int kept = loopWith(fixture.inspected("a.off"), 6);
   fixture.run({"repair", "a.off", "-o", name, "--keep-open", QString::number(kept), "--max-hole", "3"});
@@ -52,6 +54,14 @@ void putDocument(const Fixture& fixture, const QString& name) {
   (*container.manifest)["document"]["future"] = {{"object", {{"deep", "yes"}}}};
   container.blobs["future/data"] = "kept";
   put(fixture, name, container);
+  return fixture.content(name);
+}
+
+// Writes the document, and "a.off" from which it was made.
+void putDocument(const Fixture& fixture, const QString& name) {
+  static const QByteArray made = madeDocument();
+  fixture.put("a.off", holedBox().off());
+  fixture.put(name, made);
 }
 
 // Other names of a file: symbolic and hard links, also with the ending of another format.
@@ -218,7 +228,9 @@ class ContainersTest : public QObject {
                               "another file.\n"),
              ran.err);
     QCOMPARE(fixture.content("d.handwheel"), damaged);
-    // The readable part goes to another file, and an intact file may replace it.
+    // The readable part goes to another file, and an intact file may replace it. The words for the other names of the
+    // file are the same then.
+    if (words.last() != "d.handwheel") return;
     words.last() = "e.handwheel";
     QVERIFY(fixture.run(words).code != 1);
     QVERIFY(fixture.names().contains("e.handwheel"));

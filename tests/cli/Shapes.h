@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// A mesh as in an OFF file. The numbers next to each shape below follow from its geometry.
+// A mesh that can be written as an OFF file. The numbers in the comments of the shapes follow from their geometry.
 struct Shape {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
@@ -37,7 +37,8 @@ struct Shape {
   }
 };
 
-// An axis-aligned cube from the origin: 8 vertices, 12 triangles, two to a side, bottom and top first.
+// Returns an axis-aligned cube with one corner at the origin. It has 8 vertices and 12 triangles, two per side; the
+// bottom and the top come first.
 inline Shape cube(double side = 1.0) {
   Shape shape;
   for (int i = 0; i < 8; ++i) shape.points.push_back({side * (i & 1), side * (i >> 1 & 1), side * (i >> 2 & 1)});
@@ -46,19 +47,19 @@ inline Shape cube(double side = 1.0) {
   return shape;
 }
 
-// The cube without its top: one loop of 4 edges.
+// Returns the cube without its top. It has one boundary loop of 4 edges.
 inline Shape openCube(double side = 1.0) {
   Shape shape = cube(side);
   shape.faces.erase(shape.faces.begin() + 2, shape.faces.begin() + 4);
   return shape;
 }
 
-// Volume 1/6.
+// Returns a tetrahedron with a volume of 1/6.
 inline Shape tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-// A band of n quads with a half turn: one loop of 2n edges, not orientable.
+// Returns a band of n quads with a half turn. It has one boundary loop of 2n edges, and is not orientable.
 inline Shape moebiusStrip(int n) {
   Shape shape;
   for (int i = 0; i < n; ++i) {
@@ -77,8 +78,8 @@ inline Shape moebiusStrip(int n) {
   return shape;
 }
 
-// A surface of quads (x, y), 0 <= x < width, 0 <= y < height, each divided in two. "at" returns the position of a
-// corner, and quads for which "hole" returns true are missing.
+// Returns a surface of quads (x, y), 0 <= x < width, 0 <= y < height, each divided into two triangles. "at" returns the
+// position of a corner. Quads for which "hole" returns true are missing.
 template <class At, class Hole>
 Shape grid(int width, int height, At at, Hole hole) {
   Shape shape;
@@ -96,8 +97,8 @@ Shape grid(int width, int height, At at, Hole hole) {
   return shape;
 }
 
-// A box 10 × 10 × 10 of 10 × 10 quads a side. Its top has three holes: A of one quad (4 edges), B of 1 × 2 (6 edges)
-// and C of 1 × 3 (8 edges), so every loop is known by its number of edges.
+// Returns a box of 10 × 10 × 10 with 10 × 10 quads per side. Its top has three holes: A of one quad (4 edges), B of 1 ×
+// 2 (6 edges) and C of 1 × 3 (8 edges), so that every loop can be identified by its number of edges.
 inline Shape holedBox() {
   const auto none = [](int, int) { return false; };
   const auto side = [&](const std::array<double, 3>& o, const std::array<double, 3>& u,
@@ -127,7 +128,7 @@ inline Shape holedBox() {
   return box;
 }
 
-// A flat sheet of n × n unit squares: its only loop is its outer edge.
+// Returns a flat sheet of n × n unit squares. Its only boundary loop is its outer edge.
 inline Shape flatSheet(int n) {
   return grid(
       n, n,

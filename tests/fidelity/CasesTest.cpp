@@ -16,9 +16,22 @@ class CasesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void everyCaseRuns_data() { test::addCases(test::CaseGroup::Other); }
+  // Cases of the same setting differ in their shapes only; TouchCasesTest slides along the bumpy ball at both speeds.
+  // blocksOfAMesh() and MeshCasesTest measure the display on smaller meshes.
+  void everyCaseRuns_data() {
+    test::addCases(test::CaseGroup::Other, {{"step.chord", 1, 1},
+                                            {"view.block_faces", 0, 0},
+                                            {"view.coarse_triangles", 0, 0},
+                                            {"view.coarse_triangles", 1, 0},
+                                            {"plan.resolution", 1, 0},
+                                            {"plan.shortcuts", 0, 0},
+                                            {"verify.step", 1, 0},
+                                            {"proximity.tolerance", 1, 0},
+                                            {"proxy.tolerance", 1, 0}});
+  }
   void everyCaseRuns() { test::runCase(); }
   void blocksOfAnySize();
+  void blocksOfAMesh();
   void sidesOfRoundShapes();
 };
 
@@ -35,6 +48,19 @@ void CasesTest::blocksOfAnySize() {
     }
     QCOMPARE(drawn, std::size_t{4800});
   }
+}
+
+// A mesh of 40,000 faces is drawn in 10 blocks of 4,096.
+void CasesTest::blocksOfAMesh() {
+  const FidelitySetting& setting = test::measured().find("view.block_faces")->setting;
+  QCOMPARE(setting.least, 4096.0);
+  const FidelityCase onTorus = casesOnMesh(setting.id, "torus", torusSource(200, 100, 100.0, 20.0)).at(0);
+  for (int run = 0; run < 2; ++run) {
+    const FidelitySample sample = onTorus.run(setting.least, 1, {});
+    QCOMPARE(sample.error, 10.0);
+    QVERIFY(sample.cost > 0.0);
+  }
+  QCOMPARE(test::errorAt(onTorus, setting.standard), 1.0);
 }
 
 // A chord of a circle is furthest from it in its middle: by 1 - cos(pi / n) of the radius.

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string>
 
-// Invariants of a drawing read from any file.
+// Invariants of a drawing that was read from any file.
 namespace handwheel::fuzz {
 
 inline void require(bool condition, const char* what) {
@@ -18,7 +18,7 @@ inline void require(bool condition, const char* what) {
   std::abort();
 }
 
-// Checks a drawing. written: writes the profile as a file again.
+// Checks a drawing. written: writes the profile to a file again.
 template <class Written>
 void checkDrawing(const Result<Drawing>& drawing, Written written) {
   if (!drawing) return;

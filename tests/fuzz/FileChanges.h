@@ -18,11 +18,12 @@
 
 namespace handwheel::fuzz {
 
-// Returns a good file with changes: eight bytes of the input each. A library that reads in a process of its own gives
-// no coverage, so random files would all be refused at once.
+// Returns a valid file with some changes. Each change is described by eight bytes of the fuzzer's input. A library that
+// reads files in a process of its own gives the fuzzer no coverage, so random files would all be refused at their first
+// bytes.
 inline std::string changedFile(std::string file, const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kBytes = 8, kMostChanges = 16;
-  constexpr std::size_t kHead = 600;  // bytes that control the reader
+  constexpr std::size_t kHead = 600;  // bytes at the beginning that control the reader
   const std::size_t count = std::min(size / kBytes, kMostChanges);
   for (std::size_t i = 0; i < count && !file.empty(); ++i) {
     const std::uint8_t* const change = data + i * kBytes;
@@ -42,7 +43,7 @@ inline std::string changedFile(std::string file, const std::uint8_t* data, std::
       case 3:
         file.insert(at, std::string(std::size_t{change[5]} + 1, static_cast<char>(change[4])));
         break;
-      case 4:  // a number at its limits
+      case 4:  // four bytes of all zeros or all ones
         file.replace(at, 4, 4, static_cast<char>((change[4] & 1) * 255));
         break;
       case 5:
@@ -55,8 +56,8 @@ inline std::string changedFile(std::string file, const std::uint8_t* data, std::
   return file;
 }
 
-// Cancels the reading of a file after some seconds. Some damaged files take as long as their process may, which is most
-// of a minute, and a test has to read many.
+// Cancels the reading of a file after some seconds. A damaged file may keep its process busy until its time limit, most
+// of a minute, and a fuzz test has to read many files.
 class ReadingTime {
  public:
   ReadingTime() : m_watch([this] { watch(); }) {}
@@ -86,7 +87,8 @@ class ReadingTime {
   std::thread m_watch;
 };
 
-// Checks the error of isolated readers for a file that they refuse, or that took longer than a ReadingTime.
+// Aborts unless the error is one that isolated readers may return, for a file that they refuse or that outlasts a
+// ReadingTime.
 inline void requireReaderError(ErrorCode code, const char* fuzzer) {
   if (code == ErrorCode::LibraryFailed || code == ErrorCode::OutOfMemory || code == ErrorCode::Cancelled) return;
   std::fprintf(stderr, "%s: an error that no reader of its kind gives\n", fuzzer);

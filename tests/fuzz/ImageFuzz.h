@@ -12,7 +12,7 @@
 
 namespace handwheel::fuzz {
 
-// Checks the readers of images with any file. The file beside it is the second half of the bytes.
+// Checks a reader of images with any file. The second half of the bytes serves as the file beside the image.
 template <class Read>
 void checkImage(const std::uint8_t* data, std::size_t size, Read read) {
   const auto require = [](bool condition, const char* what) {

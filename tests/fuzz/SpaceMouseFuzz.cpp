@@ -25,7 +25,7 @@ void require(bool condition, const char* what) {
 
 void judge(const spacemouse::Counts& counts) {
   DeviceState state;
-  place(counts, state);
+  setPose(counts, state);
   require(state.position.cwiseAbs().maxCoeff() <= spacemouse::kTravel, "beyond full scale");
   require(std::abs(state.orientation.norm() - 1.0) < 1e-9, "no rotation");
 }

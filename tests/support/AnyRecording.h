@@ -9,7 +9,7 @@
 #include "HapticPoses.h"
 #include "haptics/recording/Recording.h"
 
-// Random recordings, and comparisons of two of them, for properties.
+// Random recordings for property tests, and comparisons of two recordings.
 namespace handwheel::test {
 
 inline RecordedTick anyTick(std::uint64_t number) {

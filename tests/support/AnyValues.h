@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-// Random values of operations.
+// Random values of operations, for property tests.
 namespace handwheel::test {
 
-// Returns a number between the limits, of any size.
+// Returns a random number between the limits, of any magnitude.
 inline double anyNumber(double least, double largest) {
   constexpr double kFar = 1e15;
   const double low = std::max(least, -kFar), high = std::min(largest, kFar);
@@ -38,7 +38,7 @@ inline PropertyValue anyValue(const Parameter& parameter) {
   return *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::element('0', '7', '9', ',', ':', 'v')));
 }
 
-// Sets some values, and some of these to their default.
+// Returns random values for some parameters of an operation; some of them are the defaults.
 inline OperationValues anyValues(const Operation& operation) {
   OperationValues values(operation);
   for (const Parameter& parameter : operation.parameters) {

@@ -8,8 +8,8 @@
 // tests are the same in each checkout and are found in the compiler's cache.
 namespace handwheel::test {
 
-QString sourcePath(const QString& path);  // below the checkout
-QString buildPath(const QString& path);   // below the build folder
+QString sourcePath(const QString& path);  // absolute path of a file in the checkout
+QString buildPath(const QString& path);   // absolute path of a file in the build folder
 
 inline QString programPath() {
   return buildPath("bin/handwheel");

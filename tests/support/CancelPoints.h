@@ -11,11 +11,11 @@
 #include <new>
 #include <vector>
 
-// Cancels work at its n-th allocation. Such points are the same in every run, without a clock. Replaces the program's
-// operator new, so only one source file of a program may include this.
+// Cancels work at its n-th allocation. Such points are the same in every run, unlike those of a clock. The header
+// replaces operator new, so only one source file of a program may include it.
 namespace handwheel::test {
 
-// Counts the allocations of this thread while it lives.
+// Counts the allocations of the current thread during its lifetime, and cancels its job at one of them.
 class CancelPoint {
  public:
   static constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
@@ -29,7 +29,7 @@ class CancelPoint {
   bool isReached() const { return m_job.cancelled; }
   std::size_t allocations() const { return m_count; }
   std::size_t allocationsAfter() const { return isReached() ? m_count - m_at : 0; }
-  // Returns true if the fraction, as seen at each allocation, stayed within 0…1 and never fell.
+  // Returns true if the fraction of progress, read at each allocation, stayed from 0 to 1 and never decreased.
   bool isMonotone() const { return m_isMonotone; }
 
   static void allocated() {
@@ -56,8 +56,8 @@ class CancelPoint {
   bool m_isMonotone = true;
 };
 
-// Returns cancel points for work with so many allocations: each of the first ones, at which its passes get their
-// arrays, and some spread over the rest.
+// Returns cancel points for work with this number of allocations. They are the first allocations, at which passes
+// allocate their arrays, and some spread over the rest.
 inline std::vector<std::size_t> cancelPoints(std::size_t allocations) {
   constexpr std::size_t kFirst = 10, kSpread = 3;
   std::vector<std::size_t> points;
@@ -70,7 +70,7 @@ inline std::vector<std::size_t> cancelPoints(std::size_t allocations) {
 
 }  // namespace handwheel::test
 
-// Replaced as well: the sanitizers' own would not match the operator delete below.
+// The nothrow version is replaced, too: that of the sanitizers would not match the operator delete of this header.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   handwheel::test::CancelPoint::allocated();
   return std::malloc(size > 0 ? size : 1);

@@ -9,8 +9,8 @@
 
 namespace handwheel::test {
 
-// Returns true if a surface is closed, oriented and manifold. Each edge is used once in each direction, and the
-// triangles around a point form one ring.
+// Returns true if a surface is closed, oriented and manifold. Each edge must be used once in each direction, and the
+// triangles around each point must form one ring.
 inline bool isClosedManifold(const TriangleSoup& soup) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> passed;
   std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> rings;

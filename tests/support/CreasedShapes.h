@@ -6,11 +6,12 @@
 
 #include <random>
 
-// Parts with sharp edges, finely triangulated, and the distance from their true surfaces.
+// Finely triangulated parts with sharp edges, and the distances of points from their true surfaces.
 namespace handwheel::test {
 
-// Returns the box from -1 to 1, but with these heights in z; n cells a side. Inner points of its sides are moved about
-// on them (seed 0: not at all), those of its edges along them.
+// Returns a box from -1 to 1 in x and y and between two heights in z, with n cells along each side. Points inside its
+// sides are moved at random within the sides, and points on its edges along the edges. seed: the seed of the random
+// moves; 0: the points are not moved.
 inline TriangleSoup roughBox(std::uint32_t n, double low, double high, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> number;
@@ -59,7 +60,7 @@ inline TriangleSoup roughCube(std::uint32_t n, std::uint32_t seed) {
   return roughBox(n, -1.0, 1.0, seed);
 }
 
-// Returns a slab a fifth as high as wide: a ball at its side crosses two edges.
+// Returns a slab a fifth as high as wide, so that a ball at its side intersects two edges.
 inline TriangleSoup roughSlab(std::uint32_t n, std::uint32_t seed) {
   return roughBox(n, 0.0, 0.2, seed);
 }
@@ -69,12 +70,13 @@ inline double distanceToCube(const Vec3& p) {
   return std::abs(q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0));
 }
 
-// Returns a cylinder of radius 1 around z, from z = -1 to 1, with n points around, moved about unless the seed is 0.
+// Returns a cylinder of radius 1 around z, from z = -1 to 1, with n points around it. seed: the seed of random moves
+// of its points; 0: the points are not moved.
 inline TriangleSoup roughCylinder(std::uint32_t n, std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto shake = [&] { return seed ? 0.4 * (random() / 4294967296.0 - 0.5) : 0.0; };
-  const std::uint32_t rows = n / 3;   // up the side, as wide as long
-  const std::uint32_t rings = n / 6;  // from the rim inwards
+  const std::uint32_t rows = n / 3;   // rows up the side; the cells are as wide as they are high
+  const std::uint32_t rings = n / 6;  // rings from the rim inwards
   TriangleSoup s = grid(n, rows + 2 * rings + 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
     const double turn = 2.0 * M_PI * (i + shake()) / n;
     double r = 1.0, z = 1.0;

@@ -6,9 +6,9 @@
 
 namespace handwheel::test {
 
-// A mesh with two pairs of doubled edges: a ring of two cells. Each cell is cut into two triangles: two edges run
-// between the two inner vertices, 0 and 1, and two between the outer ones, 2 and 3. A valid half-edge mesh, though no
-// simplicial complex.
+// Returns a mesh with two pairs of doubled edges. It is a ring of two cells, each cut into two triangles. Two edges
+// connect the inner vertices 0 and 1, and two edges connect the outer vertices 2 and 3. The mesh is a valid half-edge
+// mesh, but not a simplicial complex.
 inline HalfEdgeMesh doubledEdges() {
   HalfEdgeMesh mesh;
   for (const Vec3& p : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(2, 0, 0), Vec3(-2, 0, 0)}) mesh.addVertex(p);

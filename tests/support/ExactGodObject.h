@@ -9,10 +9,10 @@
 
 namespace handwheel::test {
 
-// A reference god-object without friction on a triangle mesh, for comparison. The triangles share their corners. It
-// uses no hierarchy, no steps, and no distance from the surface. From its present position it moves straight on, over a
-// triangle that it touches, to the position there nearest to the tip, while that is nearer: always downhill, never over
-// a ridge. It does not leave the surface, so it says nothing of a tip outside.
+// A reference god-object without friction on a triangle mesh, for comparison. The triangles must share points. The
+// proxy always stays on the surface, so tips outside are not supported. In each step it moves straight to the
+// position nearest to the tip on one of the triangles that it touches. It stops when no step brings it nearer. It uses
+// no hierarchy of triangles.
 class ExactGodObject {
  public:
   explicit ExactGodObject(const TriangleSoup& mesh) : m_mesh(mesh), m_first(mesh.points.size() + 1, 0) {
@@ -25,7 +25,7 @@ class ExactGodObject {
       for (const std::uint32_t v : mesh.triangles[t]) m_around[next[v]++] = t;
   }
 
-  // Sets the proxy on the nearest triangle.
+  // Sets the proxy to the position on the mesh nearest to the tip.
   void place(const Vec3& tip) {
     m_best = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t) look(t, tip);
@@ -50,7 +50,7 @@ class ExactGodObject {
   const Vec3& proxy() const { return m_proxy; }
 
  private:
-  static constexpr double kOn = 1e-9;  // mm, distance from a triangle that it touches
+  static constexpr double kOn = 1e-9;  // mm, largest distance of a triangle that the proxy touches
 
   void goOn(const Vec3& tip) {
     const Vec3 from = m_proxy;
@@ -78,7 +78,7 @@ class ExactGodObject {
   std::vector<std::uint32_t> m_first, m_around;  // the triangles around each point
   std::uint32_t m_triangle = 0;
   Vec3 m_proxy = Vec3::Zero();
-  double m_best = 0.0;  // mm²
+  double m_best = 0.0;  // mm², squared distance from the proxy to the tip
 };
 
 }  // namespace handwheel::test

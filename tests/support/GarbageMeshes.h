@@ -10,9 +10,9 @@
 
 namespace handwheel::test {
 
-// Returns a sphere with random damage, like that of a damaged file. Some of its points are anywhere in the box around
-// it, far out, or at the position of another; some triangles have lost a corner to another point, or are missing. It
-// has holes, hundreds of crossings, long slivers.
+// Returns a sphere with random damage, as in a damaged file. Some points are moved within its box, far out, or to the
+// position of another point; some triangles are missing, or have one corner replaced. The result has holes, hundreds of
+// crossings and long slivers.
 inline TriangleSoup damagedSphere(std::mt19937& random, int levels, std::size_t damages) {
   TriangleSoup soup = icosphere(levels);
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };

@@ -12,13 +12,13 @@
 
 namespace handwheel::test {
 
-// Returns the capabilities of a force device of 8 N with friction, like a Falcon. The friction is 5 N·s/m; the test
-// controls the position of the device.
+// Returns the capabilities of a force device with friction, like a Falcon. Its largest force is 8 N, its
+// friction is 5 N·s/m. The test controls the position of the device.
 inline DeviceCapabilities forceDevice() {
   DeviceCapabilities device;
   device.buttons = 2;
   device.maxForce = 8.0;
-  device.maxStiffness = 100.0;  // so that the rule of stiffness decides
+  device.maxStiffness = 100.0;  // high, so that stiffnessLimit() of the loop sets the limit
   device.maxDamping = 0.02;
   device.workspaceRadius = 100.0;
   device.inherentDamping = 0.005;
@@ -33,8 +33,8 @@ class ScriptedDevice : public Device {
     int reads = 0;
     int writes = 0;
     int closes = 0;
-    std::function<void(Log&)> onRead;                             // called before a reading
-    std::function<void(const Log&, const DeviceForce&)> onWrite;  // called before it becomes the last
+    std::function<void(Log&)> onRead;                             // function called before each reading
+    std::function<void(const Log&, const DeviceForce&)> onWrite;  // function called before `last` is set
   };
 
   explicit ScriptedDevice(std::shared_ptr<Log> log, const DeviceCapabilities& capabilities = forceDevice())
@@ -61,7 +61,7 @@ class ScriptedDevice : public Device {
   DeviceCapabilities m_capabilities;
 };
 
-// A force that is a function of the tip.
+// A force source that calls a function of the state of the tip.
 class FunctionSource : public ForceRenderer {
  public:
   using Function = std::function<void(const TipState&, ForceOut&)>;
@@ -79,8 +79,8 @@ class FunctionSource : public ForceRenderer {
   Function m_function;
 };
 
-// Returns a wall at x = 0 that fills x > 0, as stiff as requested and the loop allows, with a damping B (N·s/mm)
-// inside.
+// Returns the function of a wall that fills x > 0. Its stiffness is the requested one, or less if the loop requires it;
+// the damping acts inside, N·s/mm.
 inline FunctionSource::Function wall(double stiffness, double damping = 0.0) {
   return [=](const TipState& tip, ForceOut& out) {
     const double limit = tip.stiffnessLimit * (1.0 - damping / tip.dampingLimit);
@@ -101,7 +101,7 @@ inline std::unique_ptr<HapticScene> sceneOf(FunctionSource::Function function, b
   return scene;
 }
 
-// A clock whose waits end `late` ns after the requested time, as the test sets.
+// A clock that ends its waits late, by the number of ns that the function `late` returns.
 class LateClock : public VirtualClock {
  public:
   std::function<std::int64_t()> late;

@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 #include <numbers>
 
-// Random vectors, rotations and mappings for properties.
+// Random vectors, rotations and mappings for property tests.
 namespace handwheel::test {
 
 inline double anyNumber(double largest = 100.0) {

@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// A force source with a memory. Its proxy lags behind, and its force depends on everything it receives.
+// A force source with memory. Its proxy follows the tip with a delay, and its force depends on all of its input.
 class StickyWall : public ForceRenderer {
  public:
   void tick(const TipState& tip, ForceOut& out) noexcept override {
@@ -30,7 +30,8 @@ class StickyWall : public ForceRenderer {
   Vec3 m_proxy = Vec3::Zero();
 };
 
-// A hand with dynamics in a sticky wall, on a virtual clock whose ticks are late in turns, and a recorder.
+// A run of a simulated hand with dynamics that touches a sticky wall, with a recorder. The virtual clock delays some of
+// the ticks.
 struct RecordedRun {
   LateClock clock;
   Service service{"servo"};

@@ -9,8 +9,8 @@
 // Flat plates with holes cut into them.
 namespace handwheel::test {
 
-// Returns size × size unit squares around the origin in z = 0, facing up, without the triangles whose middle isHole(x,
-// y) picks.
+// Returns size × size unit squares around the origin in z = 0, facing up. Triangles whose centre (x, y) satisfies
+// isHole(x, y) are omitted.
 template <class IsHole>
 TriangleSoup plateWithout(std::uint32_t size, IsHole isHole) {
   TriangleSoup s = grid(size + 1, size + 1, false, false,
@@ -22,24 +22,24 @@ TriangleSoup plateWithout(std::uint32_t size, IsHole isHole) {
   return s;
 }
 
-// Returns a hole of 6 around the origin in a plate of 20, with an island of 2 in it.
+// Returns a plate of 20 × 20 with a round hole of radius 6 around the origin, and an island of radius 2 in the hole.
 inline TriangleSoup plateWithIsland() {
   return plateWithout(20, [](double x, double y) { return std::hypot(x, y) < 6.0 && std::hypot(x, y) > 2.0; });
 }
 
-// Returns a square hole of 12 in a plate of 20, with a tongue of 2 × 8 from its left side.
+// Returns a plate of 20 × 20 with a square hole of side 12, and a tongue of 2 × 8 from the left side of the hole.
 inline TriangleSoup plateWithTongue() {
   return plateWithout(20, [](double x, double y) {
     return std::max(std::abs(x), std::abs(y)) < 6.0 && !(std::abs(y) < 1.0 && x < 2.0);
   });
 }
 
-// Returns a square hole of 4 in a plate of 10.
+// Returns a plate of 10 × 10 with a square hole of side 4.
 inline TriangleSoup plateWithHole() {
   return plateWithout(10, [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 2.0; });
 }
 
-// Returns two square holes of 2 in a plate of 10 that touch in the origin.
+// Returns a plate of 10 × 10 with two square holes of side 2 that touch at the origin.
 inline TriangleSoup plateWithPinchedHole() {
   return plateWithout(10, [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 2.0 && x * y > 0.0; });
 }
@@ -49,13 +49,13 @@ inline std::array<std::size_t, 2> torusCell(std::uint32_t i, std::uint32_t j) {
   return {2 * std::size_t(i * 12 + j), 2 * std::size_t(i * 12 + j) + 1};
 }
 
-// Returns a torus with two holes and a slit. One hole is two squares of 3 × 3 cells, and a slit of one edge joins them;
-// the other is a slit of two edges. The vertices along a slit lie this far apart, mm: once merged, the first hole falls
-// into two, and the second closes.
+// Returns a torus with two holes and slits whose sides are `gap` apart, mm. One hole is two squares of 3 × 3 cells that
+// a slit of one edge joins; the other is a slit of two edges. When the sides are merged, the first hole becomes two
+// holes, and the second one closes.
 inline TriangleSoup torusWithSlits(double gap) {
   TriangleSoup s = torus(24, 12);
   const auto at = [](std::uint32_t i, std::uint32_t j) { return i * 12 + j; };
-  // The cells at a vertex on the side of the larger j get another vertex there.
+  // At each vertex of a slit, the cells on the side of the larger j get a vertex of their own.
   const auto slit = [&](std::uint32_t i, std::uint32_t j) {
     const Vec3 p = s.points[at(i, j)];
     const auto copy = static_cast<std::uint32_t>(s.points.size());

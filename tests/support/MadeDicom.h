@@ -15,7 +15,7 @@
 
 namespace handwheel::test {
 
-// A slice of a made-up CT, written by GDCM.
+// A slice of an artificial CT, written by GDCM.
 struct MadeSlice {
   int width = 8, height = 6;
   Vec3 origin = Vec3::Zero();
@@ -24,12 +24,12 @@ struct MadeSlice {
   double slope = 1.0, intercept = -1024.0;
   std::string series = "1.2.3.4";
   gdcm::TransferSyntax::TSType syntax = gdcm::TransferSyntax::ExplicitVRLittleEndian;
-  // The value at a position, before it is stored as (value - intercept) / slope.
+  // Function that returns the value at a position, before the value is stored as (value - intercept) / slope.
   std::function<double(const Vec3&)> value = [](const Vec3& p) { return std::round(100 * p.x() + 10 * p.y() + p.z()); };
 };
 
 inline std::string dicomOf(const MadeSlice& slice) {
-  gdcm::Trace::WarningOff();  // no warnings about the values added later
+  gdcm::Trace::WarningOff();  // suppresses warnings about the values that are added later
   std::vector<std::int16_t> stored;
   for (int y = 0; y < slice.height; ++y)
     for (int x = 0; x < slice.width; ++x) {

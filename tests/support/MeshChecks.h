@@ -9,13 +9,13 @@
 #include <map>
 #include <set>
 
-// Measurements of triangle lists by brute force, to judge the mesh module.
+// Brute-force measurements of triangle lists, for testing the mesh module.
 namespace handwheel::test {
 
 using Coordinates = std::array<double, 3>;
 inline Coordinates coordinates(const Vec3& p) {
   return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-}  // + 0.0: no negative zero
+}  // adding 0.0 turns -0.0 into 0.0
 
 struct Edges {
   std::size_t all = 0, border = 0, nonManifold = 0, inconsistent = 0;
@@ -23,7 +23,7 @@ struct Edges {
   bool sound() const { return border == 0 && nonManifold == 0 && inconsistent == 0; }
 };
 
-// Counts edges by position. Triangles with two equal corners are left out.
+// Counts edges by the positions of their ends. Triangles with two equal corners are not counted.
 inline Edges countEdges(const TriangleSoup& s) {
   std::map<std::pair<Coordinates, Coordinates>, std::array<int, 2>> uses;
   for (const Triangle& t : s.triangles) {
@@ -57,13 +57,13 @@ inline std::set<Coordinates> allCoordinates(const TriangleSoup& s) {
   return result;
 }
 
-// Returns V - E + F, by position.
+// Returns the Euler characteristic V - E + F, with vertices identified by their positions.
 inline long eulerCharacteristic(const TriangleSoup& s) {
   return static_cast<long>(allCoordinates(s).size()) - static_cast<long>(countEdges(s).all) +
          static_cast<long>(s.triangles.size());
 }
 
-// Returns V - E + F by the mesh's own indices: an edge with two faces is one edge, an open half-edge is one too.
+// Returns V - E + F, with the vertices of the mesh. An edge with two faces counts once, and so does an open half-edge.
 inline long eulerCharacteristic(const HalfEdgeMesh& mesh) {
   std::set<Vertex> vertices;
   long halves = 0, faces = 0;
@@ -85,7 +85,7 @@ inline double area(const TriangleSoup& s) {
   return sum;
 }
 
-// Returns the signed volume between the triangles and the origin.
+// Returns the signed volume of the cone from the origin to the triangles.
 inline double volume(const TriangleSoup& s) {
   double sum = 0.0;
   for (const Triangle& t : s.triangles) sum += s.points[t[0]].dot(s.points[t[1]].cross(s.points[t[2]])) / 6.0;
@@ -104,7 +104,7 @@ inline std::size_t countSeams(const HalfEdgeMesh& mesh) {
   return n;
 }
 
-// Counts the pairs of triangles with area that meet, all against all.
+// Returns the number of pairs of triangles with area that intersect, by testing all pairs.
 inline std::size_t meetingPairs(const TriangleSoup& s) {
   std::vector<std::pair<TrianglePoints, Box>> proper;
   for (const Triangle& t : s.triangles) {
@@ -122,7 +122,7 @@ inline std::size_t meetingPairs(const HalfEdgeMesh& mesh) {
   return meetingPairs(mesh.compact().soup);
 }
 
-// Returns the pieces that are connected across paired edges.
+// Returns the components of a mesh that are connected across paired edges.
 inline std::vector<TriangleSoup> pieces(const HalfEdgeMesh& mesh) {
   std::vector<bool> seen(mesh.faceSlots(), false);
   std::vector<TriangleSoup> result;
@@ -150,14 +150,14 @@ inline bool sameBits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0;
 }
 
-// Returns the vertex at exactly this position; kNone if there is none.
+// Returns the vertex at exactly this position, or kNone if there is none.
 inline Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& p) {
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
     if (mesh.position(v) == p) return v;
   return kNone;
 }
 
-// Returns true if every slot is equal, bit for bit.
+// Returns true if all slots of two meshes are equal, bit for bit.
 inline bool sameMesh(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
   for (Vertex v = 0; v < a.vertexSlots(); ++v)

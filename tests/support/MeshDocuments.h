@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// Returns a document as if these triangles had been read from that file.
+// Returns a document with these triangles, as if opened from a file with this path.
 inline std::unique_ptr<MeshDocument> meshDocument(const TriangleSoup& soup, const std::string& path = "/scans/part.stl",
                                                   NumberType numbers = NumberType::Float32) {
   static const MeshKind kind;

@@ -11,13 +11,13 @@
 #include <set>
 #include <vector>
 
-// Generated shapes for tests. Closed ones face outward; neighbours share points, unless the shape's comment says
-// otherwise.
+// Generated shapes for tests. Closed shapes face outward, and neighbouring triangles share points, unless the comment
+// of a shape says otherwise.
 namespace handwheel::test {
 
-// Returns a grid of points, each cell cut into two triangles. point(i, j) for i < rows, j < columns; rows or columns
-// that wrap round join their last line of points to the first. Seen with i to the right and j upwards, faces are
-// counter-clockwise.
+// Returns a grid of the points point(i, j) with i < rows and j < columns, each cell cut into two triangles. If rows or
+// columns wrap round, their last line of points is joined to the first. Seen with i to the right and j upwards, the
+// faces are counter-clockwise.
 template <class Point>
 TriangleSoup grid(std::uint32_t rows, std::uint32_t columns, bool rowsWrap, bool columnsWrap, Point point) {
   TriangleSoup s;
@@ -50,7 +50,7 @@ inline TriangleSoup turnedOver(TriangleSoup s) {
   return s;
 }
 
-// Returns the triangles in the form of an STL file: each has points of its own.
+// Returns the triangles with unshared points, as in an STL file.
 inline TriangleSoup unshared(const TriangleSoup& s) {
   TriangleSoup r;
   for (const Triangle& t : s.triangles) {
@@ -61,7 +61,7 @@ inline TriangleSoup unshared(const TriangleSoup& s) {
   return r;
 }
 
-// Returns a cube from the given corner; two triangles a side.
+// Returns a cube whose least corner is given, with two triangles per side.
 inline TriangleSoup cube(double size = 1.0, const Vec3& corner = Vec3::Zero()) {
   TriangleSoup s;
   for (int i = 0; i < 8; ++i) s.points.push_back(corner + size * Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
@@ -70,19 +70,19 @@ inline TriangleSoup cube(double size = 1.0, const Vec3& corner = Vec3::Zero()) {
   return s;
 }
 
-// Returns a box from this corner, along the axes.
+// Returns a box along the axes whose least corner is given.
 inline TriangleSoup box(const Vec3& corner, const Vec3& size) {
   TriangleSoup s = cube();
   for (Vec3& p : s.points) p = corner + p.cwiseProduct(size);
   return s;
 }
 
-// Returns the tetrahedron of the origin and the ends of the three unit vectors; volume 1/6.
+// Returns the tetrahedron of the origin and the ends of the three unit vectors. Its volume is 1/6.
 inline TriangleSoup tetrahedron() {
   return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-// Returns 20 · 4^levels triangles; all points at distance 1 from the origin.
+// Returns a unit sphere around the origin, made of 20 · 4^levels triangles.
 inline TriangleSoup icosphere(int levels) {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   TriangleSoup s;
@@ -110,7 +110,7 @@ inline TriangleSoup icosphere(int levels) {
   return s;
 }
 
-// Returns a sphere with poles on the z axis, n meridians, m - 1 rings between the poles.
+// Returns a sphere with its poles on the z axis, n meridians, and m - 1 rings between the poles.
 inline TriangleSoup uvSphere(std::uint32_t n, std::uint32_t m) {
   TriangleSoup s = grid(n, m - 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n, v = M_PI * (j + 1) / m - M_PI / 2.0;
@@ -133,8 +133,8 @@ inline TriangleSoup torus(std::uint32_t n, std::uint32_t m, double large = 2.0, 
   });
 }
 
-// Returns a cylinder around the z axis from 0 to height; m cells high. It is closed by fans around a middle point at
-// each end.
+// Returns a cylinder around the z axis from z = 0 to the height, with n cells around and m cells along the axis. If it
+// is closed, each end is a fan of triangles around its centre.
 inline TriangleSoup cylinder(std::uint32_t n, std::uint32_t m, double radius, double height, bool closed) {
   TriangleSoup s = grid(n, m + 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n;
@@ -167,7 +167,8 @@ inline TriangleSoup disc(std::uint32_t n, std::uint32_t rings, double radius = 1
   return s;
 }
 
-// Returns a sphere whose radius varies between 0.8 and 1.2: embedded, since each ray from the middle meets it once.
+// Returns a sphere with a radius from 0.8 to 1.2. It does not intersect itself, as each ray from the origin meets it
+// once.
 inline TriangleSoup bumpySphere(int levels) {
   TriangleSoup s = icosphere(levels);
   for (Vec3& p : s.points) {
@@ -188,8 +189,8 @@ inline TriangleSoup twoCubesSharingAVertex() {
   return s;
 }
 
-// Returns two closed cones, each with n triangles around its tip and a corner in its outline. They touch along the edge
-// from the tip to that corner.
+// Returns two closed cones, each with n triangles around its tip and a corner in its outline. They share the edge from
+// the tip to that corner.
 inline TriangleSoup twoConesSharingAnEdge(std::uint32_t n) {
   TriangleSoup s;
   for (const double side : {1.0, -1.0}) {
@@ -205,19 +206,19 @@ inline TriangleSoup twoConesSharingAnEdge(std::uint32_t n) {
   return s;
 }
 
-// Returns two rooms: a box twice as long as high, and one wall of two triangles across the middle.
+// Returns two rooms: a box twice as long as high, with one wall of two triangles across its middle.
 inline TriangleSoup boxWithInnerWall() {
   TriangleSoup s = cube();
-  std::erase_if(s.triangles, [&](const Triangle& t) {  // the side x = 1
+  std::erase_if(s.triangles, [&](const Triangle& t) {  // removes the side x = 1
     return s.points[t[0]].x() + s.points[t[1]].x() + s.points[t[2]].x() == 3.0;
   });
   TriangleSoup right = cube(1.0, Vec3(1, 0, 0));
-  append(s, right);  // its side x = 1 is the wall
+  append(s, right);  // the side x = 1 of this box is the wall
   return s;
 }
 
-// Returns the boundary of unit cells filled at random in a cube of so many a side: blocks that touch at faces, edges
-// and corners. Every triangle has points of its own.
+// Returns the boundary of random unit cells in a cube with `side` cells along each edge. The blocks may touch at faces,
+// edges and corners. Points are not shared.
 inline TriangleSoup randomBlocks(std::mt19937& random, std::size_t cells, std::uint32_t side) {
   std::set<std::array<int, 3>> filled;
   for (std::size_t i = 0; i < cells; ++i)
@@ -237,7 +238,7 @@ inline TriangleSoup randomBlocks(std::mt19937& random, std::size_t cells, std::u
   return s;
 }
 
-// Returns n directions spread evenly over the sphere.
+// Returns n unit vectors with a nearly uniform distribution over the sphere.
 inline std::vector<Vec3> directions(int n) {
   std::vector<Vec3> result;
   for (int i = 0; i < n; ++i) {
@@ -247,7 +248,7 @@ inline std::vector<Vec3> directions(int n) {
   return result;
 }
 
-// Returns the soup without the triangles that have a corner nearer than the radius to the centre.
+// Returns a soup without the triangles that have a corner closer to the centre than the radius.
 inline TriangleSoup withHole(TriangleSoup s, const Vec3& centre, double radius) {
   std::erase_if(s.triangles, [&](const Triangle& t) {
     return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return (s.points[v] - centre).norm() < radius; });
@@ -255,7 +256,7 @@ inline TriangleSoup withHole(TriangleSoup s, const Vec3& centre, double radius) 
   return s;
 }
 
-// Returns a unit sphere without its cap around +z.
+// Returns a unit sphere without a cap around its +z pole.
 inline TriangleSoup sphereWithoutCap(int levels, double radius = 0.4) {
   return withHole(icosphere(levels), Vec3::UnitZ(), radius);
 }
@@ -266,8 +267,8 @@ inline TriangleSoup sphereWithHoles(int levels, int holes, double radius) {
   return s;
 }
 
-// Splits triangle f at points on its edge from this corner, at these fractions of it in ascending order, and puts
-// needles without area between the old edge and its parts. A closed surface stays closed.
+// Splits triangle f at points on its edge from this corner, given by ascending fractions of the edge. Needles without
+// area fill the gap between the old edge and its parts, so that a closed surface stays closed.
 inline void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& fractions) {
   const Triangle t = s.triangles[f];
   const std::uint32_t a = t[corner], b = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
@@ -284,7 +285,7 @@ inline void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::ve
   }
 }
 
-// Returns triangles over points of a small grid, so that many share edges, coincide or have no area.
+// Returns random triangles over the points of a small grid. Many of them share edges, coincide or have no area.
 inline TriangleSoup randomSoup(std::mt19937& random, std::size_t triangles, std::uint32_t steps) {
   TriangleSoup s;
   const auto coordinate = [&] { return static_cast<double>(random() % steps); };

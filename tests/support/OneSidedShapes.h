@@ -6,26 +6,26 @@
 
 #include <map>
 
-// Generated surfaces with one side only. Neighbours share points.
+// Generated surfaces with only one side. Neighbouring triangles share points.
 namespace handwheel::test {
 
-// Returns a strip of n × m cells with half a turn in it. Its cells are cut so that neighbours agree except along one
-// line of cells.
+// Returns a strip of n × m cells with half a turn. The orientations of its triangles agree except across one line of
+// cells.
 inline TriangleSoup moebiusStrip(std::uint32_t n, std::uint32_t m) {
   TriangleSoup s = grid(n + 1, m + 1, false, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n, v = 0.4 * (2.0 * j / m - 1.0), r = 1.0 + v * std::cos(u / 2.0);
     return Vec3(r * std::cos(u), r * std::sin(u), v * std::sin(u / 2.0));
   });
-  for (Triangle& t : s.triangles)  // the last line of points is the first one, upside down
+  for (Triangle& t : s.triangles)  // the last line of points is the first one, reversed
     for (std::uint32_t& v : t) v = v >= n * (m + 1) ? m - (v - n * (m + 1)) : v;
   s.points.resize(n * (m + 1));
   return s;
 }
 
-// Returns the "figure eight" immersion; it passes through itself. m must be even.
+// Returns the "figure eight" immersion of a Klein bottle, which intersects itself. m must be even.
 inline TriangleSoup kleinBottle(std::uint32_t n, std::uint32_t m) {
   TriangleSoup s = grid(n + 1, m, false, true, [&](std::uint32_t i, std::uint32_t j) {
-    // Half a cell off, so that no point lies where the figure eight crosses itself.
+    // v is shifted by half a cell, so that no point is on the curve where the figure eight crosses itself.
     const double u = 2.0 * M_PI * i / n, v = 2.0 * M_PI * (j + 0.5) / m;
     const double r = 2.0 + std::cos(u / 2.0) * std::sin(v) - std::sin(u / 2.0) * std::sin(2.0 * v);
     return Vec3(r * std::cos(u), r * std::sin(u),
@@ -37,15 +37,15 @@ inline TriangleSoup kleinBottle(std::uint32_t n, std::uint32_t m) {
   return s;
 }
 
-// Returns a sphere with one side only: a Möbius strip with the same outline, whose closed path has three edges,
-// replaces six triangles around a point. Its Euler characteristic is 1.
+// Returns a sphere with a cross-cap, which has only one side. A Möbius strip with the same outline replaces six
+// triangles around a point; the path around the strip has three edges. The Euler characteristic is 1.
 inline TriangleSoup sphereWithCrossCap(int levels) {
   TriangleSoup s = icosphere(levels);
   std::vector<std::uint32_t> count(s.points.size(), 0);
   for (const Triangle& t : s.triangles)
     for (const std::uint32_t v : t) ++count[v];
   const auto centre = static_cast<std::uint32_t>(std::find(count.begin(), count.end(), 6u) - count.begin());
-  std::map<std::uint32_t, std::uint32_t> next;  // around the point
+  std::map<std::uint32_t, std::uint32_t> next;  // next vertex on the path around the point
   std::vector<Triangle> rest;
   for (const Triangle& t : s.triangles) {
     const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), centre) - t.begin());

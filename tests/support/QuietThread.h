@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Counts calls that a servo tick must not make. Functions that override those of the C library count memory and locks,
-// and the kernel's filter counts system calls. For one source of a test program, as it defines malloc().
+// Counts calls that a servo tick must not make. Overrides of functions of the C library count allocations and locks,
+// and a filter of the kernel counts system calls. Only one source file of a test program may include this header, as it
+// defines malloc().
 #include <dlfcn.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -76,12 +77,12 @@ inline void onSystemCall(int, siginfo_t* info, void* context) {
 #if defined(__x86_64__)
   static_cast<ucontext_t*>(context)->uc_mcontext.gregs[REG_RAX] = -ENOSYS;
 #else
-  (void)context;  // the call returns its own number
+  (void)context;  // a refused call returns an arbitrary value here
 #endif
 }
 
-// From here on, any system call on this thread is counted and refused, except for waiting and those that end a thread.
-// Returns false if the kernel does not support it.
+// Forbids system calls on this thread: from now on they are counted and refused, except for waiting and ending a
+// thread. Returns false if the kernel does not support the filter.
 inline bool forbidSystemCalls() {
   struct sigaction action {};
   action.sa_sigaction = onSystemCall;

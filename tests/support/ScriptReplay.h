@@ -11,21 +11,21 @@
 
 namespace handwheel::test {
 
-// Returns the contents of a container of the document, as bytes.
+// Returns the bytes of the container of a document.
 inline std::string bytesOf(const MeshDocument& document) {
   Container container;
   document.kind().save(*document.snapshot(), container);
   return writeContainer(container, Compression::Fast).value();
 }
 
-// Applies the steps of a document to another document with the same triangles. Returns the difference between the two,
-// or nothing if they are the same byte for byte, now and after each step.
+// Applies the steps of a document to a second document with the same triangles. Returns a description of the first
+// difference between the documents. The result is empty if they are equal, byte for byte, at first and after each step.
 inline std::string replayed(const TriangleSoup& soup, MeshDocument& edited) {
   const auto steps = scriptLinesSince(edited);
   if (!steps) return "an edit has no step";
   QUndoStack& history = *edited.history();
   const int end = history.index();
-  // The first step undoes the reversal on opening if that is undone.
+  // If the document reverses faces on opening and that is undone, the first step is to undo it.
   const int start = edited.facesAsInFile().empty() ? edited.openingSteps() : -1;
   const auto document = meshDocument(soup, edited.file().path);
   std::string problem;

@@ -10,14 +10,15 @@
 
 namespace handwheel::test {
 
-// The inputs that the steps of a simulation consumed, so that they can be repeated.
+// The inputs of the steps of a simulation, so that the steps can be repeated.
 struct SimulationLog {
   double dt = 0.0;                          // s
-  std::vector<SimulationInput> inputs;      // in order
+  std::vector<SimulationInput> inputs;      // in the order of use
   std::vector<std::uint32_t> countPerStep;  // inputs that each step consumed
 };
 
-// Repeats the steps of a log. A simulation in the state in which the recorded one began ends in the same state.
+// Repeats the steps of a log. A simulation that starts in the same state as the recorded one ends in the same state,
+// too.
 inline void replay(Simulation& simulation, const SimulationLog& log) {
   std::span<const SimulationInput> inputs(log.inputs);
   for (const std::uint32_t count : log.countPerStep) {
@@ -26,7 +27,7 @@ inline void replay(Simulation& simulation, const SimulationLog& log) {
   }
 }
 
-// A simulation that logs its steps. The log is read while no loop runs it.
+// A simulation that logs its steps. The log must not be read while a loop runs the simulation.
 class LoggedSimulation : public Simulation {
  public:
   explicit LoggedSimulation(std::unique_ptr<Simulation> logged) : m_logged(std::move(logged)) {}

@@ -5,12 +5,12 @@
 #include <QCoreApplication>
 #include <QtTest>
 
-// Macros that make the test classes of a folder one program. It runs the class that is named; so the program is linked
-// once instead of once for each class. A source ends with HANDWHEEL_TEST(Class) or one of the macros that are built on
+// Macros that combine the test classes of a folder into one program. It is linked only once, and runs the class that is
+// named on its command line. A source file ends with HANDWHEEL_TEST(Class) or with another macro that uses
 // HANDWHEEL_TEST_RUN.
 namespace handwheel::test {
 
-// Registers a class; run as main() of a program that has no other.
+// Registers a test class. `run` is used as main() if the program has no other class.
 struct TestClass {
   using Run = int (*)(int argc, char** argv);
   TestClass(const char* name, Run run);
@@ -28,5 +28,5 @@ int runTest(int argc, char** argv) {
 
 #define HANDWHEEL_TEST_RUN(Test, ...) static const handwheel::test::TestClass registered##Test(#Test, __VA_ARGS__);
 #define HANDWHEEL_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::test::runTest<QCoreApplication, Test>)
-// Runs with a QApplication; QApplication and the like stay out of the programs of the core.
+// Registers a test class that needs a QApplication. The programs of the core use only QCoreApplication.
 #define HANDWHEEL_WIDGET_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::test::runTest<QApplication, Test>)

@@ -15,8 +15,8 @@ inline std::vector<std::unique_ptr<ExerciseSubject>> turningOnly() {
   return subjects;
 }
 
-// Describes an exercise: a bar of ⌀40 × 100 mm with a shoulder. It is ⌀30 h10 over the upper 40 mm. At
-// 600 r/min, the chuck holds 25 mm.
+// Returns the description of an exercise: to turn a shoulder. A bar of ⌀40 × 100 mm is turned to ⌀30 h10 over the upper
+// 40 mm. The speed is 600 r/min, and the chuck holds 25 mm.
 inline nlohmann::json shoulderDescription() {
   return nlohmann::json::parse(R"({
     "subject": "turning", "title": "Shoulder", "author": "Ada", "text": "Turn the shoulder.", "allowed_seconds": 600,
@@ -37,7 +37,7 @@ inline nlohmann::json shoulderDescription() {
               {"title": "Finish", "text": "Turn to size.", "hints": [], "criteria": ["d", "force"]}]})");
 }
 
-// Returns passes along the upper 40 mm; the nose of 0.8 mm leaves a fillet at the shoulder.
+// Returns passes along the upper 40 mm. The tool's nose radius of 0.8 mm leaves a fillet at the shoulder.
 inline nlohmann::json shoulderWork(double finalDiameter = 29.95, double feed = 0.2, double to = 60.0,
                                    int roughing = 3) {
   nlohmann::json passes = nlohmann::json::array();

@@ -12,17 +12,11 @@ inline nlohmann::json jsonOf(const QByteArray& text) {
   return nlohmann::json::parse(text.toStdString());
 }
 
-// A cell of a built-in robot between two configurations, with a box between them. The box is on the straight line.
+// A cell with a built-in robot, configurations and a box. The box obstructs the straight motion between the
+// configurations "left" and "right".
 class PlannedCell {
  public:
-  PlannedCell() {
-    run({"configuration", "irb120", "--add", "left", "--joints", "joint_1=1.2,joint_2=0.5", "-o", "cell.handwheel"});
-    run({"configuration", "cell.handwheel", "--add", "right", "--joints", "joint_1=-1.2,joint_2=0.5", "-o",
-         "cell.handwheel"});
-    run({"configuration", "cell.handwheel", "--add", "up", "--joints", "joint_2=-0.6,joint_3=-0.6", "-o",
-         "cell.handwheel"});
-    run({"body", "cell.handwheel", "--add", "box:100,200,800", "--at", "450,0,400", "-o", "cell.handwheel"});
-  }
+  PlannedCell() { put("cell.handwheel", made()); }
   Ran run(const QStringList& words) const { return m_fixture.run(words); }
   QByteArray read(const QString& name) const { return m_fixture.content(name); }
   // Returns the heading and rows of a table of motions, without remarks.
@@ -34,6 +28,22 @@ class PlannedCell {
   void put(const QString& name, const QByteArray& content) const { m_fixture.put(name, content); }
 
  private:
+  // Returns the content of the cell file. The program is run to make it at the first call only.
+  static QByteArray made() {
+    static const QByteArray file = [] {
+      const Fixture fixture;
+      for (const QStringList& words :
+           {QStringList{"configuration", "irb120", "--add", "left", "--joints", "joint_1=1.2,joint_2=0.5"},
+            QStringList{"configuration", "cell.handwheel", "--add", "right", "--joints", "joint_1=-1.2,joint_2=0.5"},
+            QStringList{"configuration", "cell.handwheel", "--add", "up", "--joints", "joint_2=-0.6,joint_3=-0.6"},
+            QStringList{"body", "cell.handwheel", "--add", "box:100,200,800", "--at", "450,0,400"}}) {
+        fixture.run(words + QStringList{"-o", "cell.handwheel"});
+      }
+      return fixture.content("cell.handwheel");
+    }();
+    return file;
+  }
+
   Fixture m_fixture;
 };
 

@@ -9,17 +9,20 @@
 #include <QTest>
 #include <csignal>
 
-// Folders of files to repair, and a running batch.
+// Helpers for tests of batch repair: folders of files, and a running batch.
 namespace handwheel {
 
-// An open tube that keeps the program busy for a second or more, also on a fast machine.
+// Returns an open tube that keeps the program busy for a second or more, also on a fast machine.
 inline QByteArray largeTube() {
-  const int n = 300;
-  const auto at = [n](int x, int y) {
-    const double u = 2 * M_PI * x / n;
-    return std::array<double, 3>{std::cos(u), std::sin(u), 0.01 * y};
-  };
-  return grid(n, n, at, [](int, int) { return false; }).off();
+  static const QByteArray tube = [] {
+    constexpr int n = 300;
+    const auto at = [](int x, int y) {
+      const double u = 2 * M_PI * x / n;
+      return std::array<double, 3>{std::cos(u), std::sin(u), 0.01 * y};
+    };
+    return grid(n, n, at, [](int, int) { return false; }).off();
+  }();
+  return tube;
 }
 
 inline void putInto(const Fixture& fixture, const QString& name, const QByteArray& content) {
@@ -27,7 +30,7 @@ inline void putInto(const Fixture& fixture, const QString& name, const QByteArra
   fixture.put(name, content);
 }
 
-// Adds good files, one of them with a hole, two of them in a subfolder.
+// Adds good files. One of them has a hole, and two of them are in a subfolder.
 inline void putGoodFiles(const Fixture& fixture) {
   putInto(fixture, "in/a.off", openCube().off());
   putInto(fixture, "in/sub/b.off", cube().off());
@@ -55,7 +58,8 @@ inline QByteArray contentOf(pid_t process, const char* name) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// In /proc/PID/stat the state and the parent follow the program's name, which may hold anything.
+// Returns the state and the parent of a process from /proc/PID/stat. They follow the program's name, which may contain
+// any characters.
 inline QList<QByteArray> stateAndParent(pid_t process) {
   const QByteArray stat = contentOf(process, "stat");
   return stat.mid(stat.lastIndexOf(')') + 2).split(' ').mid(0, 2);
@@ -75,7 +79,7 @@ class Batch {
   Batch(const Fixture& fixture, const QStringList& words) {
     m_process.setWorkingDirectory(fixture.path());
     auto environment = QProcessEnvironment::systemEnvironment();
-    // A signal ends the program with the sanitizers as it does without.
+    // With this option, a signal ends a program with sanitizers as it ends one without them.
     environment.insert("ASAN_OPTIONS", environment.value("ASAN_OPTIONS") + ":handle_segv=0");
     m_process.setProcessEnvironment(environment);
     m_process.start(test::programPath(), QStringList{"repair"} + words);
@@ -91,7 +95,7 @@ class Batch {
     }
     return found;
   }
-  // Returns the process that repairs a file of this name; 0: none at present.
+  // Returns the process that repairs a file of this name; returns 0 if there is none at present.
   pid_t childFor(const QByteArray& name) const {
     for (pid_t child : children()) {
       if (contentOf(child, "cmdline").contains(name)) return child;

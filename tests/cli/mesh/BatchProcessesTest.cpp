@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BatchFixture.h"
+#include "LargeInputs.h"
 #include "TestClass.h"
 
 #include <cstring>
@@ -77,6 +78,10 @@ class BatchProcessesTest : public QObject {
     QCOMPARE(QDir(fixture.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
              (QStringList{"a.off", "large1.off", "repair-report.json"}));
     QCOMPARE(fixture.content("out/large1.off"), QByteArray("what was there before"));
+    QCOMPARE(states(fixture.json("out/repair-report.json")), QStringList{"in/a.off closed"});
+    if (!test::withLargeInputs()) {  // The rest need not be large
+      for (const char* name : {"in/large1.off", "in/large2.off"}) putInto(fixture, name, cube().off());
+    }
     const Ran next = fixture.run({"repair", "in", "-o", "out", "-j", "2", "--resume"});
     QVERIFY(next.code == 0 || next.code == 2);
     QCOMPARE(next.out.count("done before"), 1);

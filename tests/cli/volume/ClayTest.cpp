@@ -89,20 +89,29 @@ class ClayTest : public QObject {
     fixture.put("a.off", clayBlock().off());
     fixture.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}, period));
     const auto report = sculpt(fixture, {"a.off", "--strokes", "s.csv", "--tool", "carve", "--radius", "3", "--voxel",
-                                         "0.25", "--rate", rate, "-o", "b.handwheel"});
+                                         "0.5", "--rate", rate, "-o", "b.handwheel"});
     const double removed = figure(report, "removed_mm3");
     QVERIFY2(isCapsule(removed, capsule(kToolRadius, kStrokeFrom, kStrokeTo), kToolRadius),
              QByteArray::number(removed));
     QCOMPARE(figure(report, "added_mm3"), 0.0);
     QVERIFY(std::abs(figure(report, "volume_before_mm3") - removed - figure(report, "volume_mm3")) < 1e-6);
-    QVERIFY(figure(report, "changed_blocks") > removed / (8.0 * 0.25 * 8.0 * 0.25 * 8.0 * 0.25));
+    QVERIFY(figure(report, "changed_blocks") > removed / (8.0 * 0.5 * 8.0 * 0.5 * 8.0 * 0.5));
     QVERIFY(figure(report, "computed_s") > 0.0);
     QCOMPARE(figure(report, "time_s"), period);
-    QCOMPARE(figure(report, "voxel_mm"), 0.25);
+    QCOMPARE(figure(report, "voxel_mm"), 0.5);
     QCOMPARE(figure(report, "radius_mm"), kToolRadius);
-    // It is there in the file, and in one of a mesh.
+  }
+
+  // The cavity is there in the file, and in one of a mesh.
+  void carvedFiles() {
+    const Fixture fixture;
+    fixture.put("a.off", clayBlock().off());
+    fixture.put("s.csv", strokesCsv({kStrokeFrom, kStrokeTo}));
+    const auto report = sculpt(fixture, {"a.off", "--strokes", "s.csv", "--tool", "carve", "--radius", "3", "--voxel",
+                                         "0.5", "--rate", "20", "-o", "b.handwheel"});
+    const double removed = figure(report, "removed_mm3");
     const auto inspected = nlohmann::json::parse(fixture.run({"inspect", "b.handwheel", "--json"}).out.toStdString());
-    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
+    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.5);
     QCOMPARE(fixture.run({"remesh", "b.handwheel", "-o", "b.off"}).code, 0);
     const auto mesh = nlohmann::json::parse(fixture.run({"inspect", "b.off", "--json"}).out.toStdString());
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
@@ -117,18 +126,18 @@ class ClayTest : public QObject {
     Position from = kStrokeFrom, to = kStrokeTo;
     for (Position* p : {&from, &to}) (*p)[2] += 40.0;
     fixture.put("s.csv", strokesCsv({from, to}));
-    const QStringList words{"a.off", "--strokes", "s.csv", "--radius", "3", "--voxel", "0.25", "-o", "b.stl"};
+    const QStringList words{"a.off", "--strokes", "s.csv", "--radius", "3", "--voxel", "0.5"};
     for (const char* tool : {"carve", "inflate", "smooth", "flatten", "tug", "smudge", "attract", "pinch"}) {
-      const auto report = sculpt(fixture, words + QStringList{"--tool", tool});
+      const auto report = sculpt(fixture, words + QStringList{"--tool", tool, "-o", "b.handwheel"});
       QCOMPARE(figure(report, "changed_blocks"), 0.0);
       QCOMPARE(figure(report, "added_mm3"), 0.0);
       QCOMPARE(figure(report, "removed_mm3"), 0.0);
       QCOMPARE(figure(report, "volume_mm3"), figure(report, "volume_before_mm3"));
     }
-    const Ran said = fixture.run(QStringList{"clay"} + words + QStringList{"--tool", "smooth"});
+    const Ran said = fixture.run(QStringList{"clay"} + words + QStringList{"--tool", "smooth", "-o", "b.handwheel"});
     QCOMPARE(said.code, 0);
     QVERIFY2(said.out.contains("no stroke comes to the material"), said.out);
-    const auto report = sculpt(fixture, words + QStringList{"--tool", "add"});
+    const auto report = sculpt(fixture, words + QStringList{"--tool", "add", "-o", "b.stl"});
     const double added = figure(report, "added_mm3");
     QVERIFY2(isCapsule(added, capsule(kToolRadius, from, to), kToolRadius), QByteArray::number(added));
     QCOMPARE(figure(report, "removed_mm3"), 0.0);
@@ -151,17 +160,17 @@ class ClayTest : public QObject {
     for (std::size_t i = 0; i < right.size(); ++i)
       both += QByteArray::number(2 + static_cast<int>(i)) + "," + linesOf({right[i]}).mid(2).trimmed() + ",2\n";
     fixture.put("both.csv", both);
-    const auto removed = [&](const char* strokes, const QStringList& more = {}) {
-      return figure(sculpt(fixture, QStringList{"a.off", "--strokes", strokes, "--radius", "2.5", "--voxel", "0.25",
-                                                "-o", "b.vdb"} +
-                                        more),
-                    "removed_mm3");
+    const auto removed = [&](const char* strokes, const char* output, const QStringList& more = {}) {
+      return figure(
+          sculpt(fixture,
+                 QStringList{"a.off", "--strokes", strokes, "--radius", "2.5", "--voxel", "0.5", "-o", output} + more),
+          "removed_mm3");
     };
-    const double one = removed("left.csv"), other = removed("right.csv");
+    const double one = removed("left.csv", "b.vdb"), other = removed("right.csv", "b.handwheel");
     QVERIFY(one > 100.0);
     QVERIFY2(std::abs(one / other - 1.0) < 0.01, QByteArray::number(one / other));
-    QVERIFY(std::abs(removed("both.csv") / (one + other) - 1.0) < 1e-3);
-    QVERIFY(std::abs(removed("left.csv", {"--mirror-x"}) / (one + other) - 1.0) < 0.01);
+    QVERIFY(std::abs(removed("both.csv", "b.handwheel") / (one + other) - 1.0) < 1e-3);
+    QVERIFY(std::abs(removed("left.csv", "b.handwheel", {"--mirror-x"}) / (one + other) - 1.0) < 0.01);
   }
 
   // Growing and pulling out add material; shrinking and smoothing along an edge remove it: depths below a convex
@@ -192,17 +201,14 @@ class ClayTest : public QObject {
     if (where == "edge") positions = {{5.0, 0.0, 20.0}, {15.0, 0.0, 20.0}};
     for (Position& p : positions) p = turnedPosition(p);
     fixture.put("s.csv", strokesCsv(positions));
-    const auto report = sculpt(fixture, QStringList{"a.off", "--strokes", "s.csv", "--radius", "5", "--voxel", "0.25",
-                                                    "-o", "b.handwheel", "--tool"} +
-                                            words);
+    const auto report = sculpt(
+        fixture,
+        QStringList{"a.off", "--strokes", "s.csv", "--radius", "5", "--voxel", "0.5", "-o", "b.off", "--tool"} + words);
     QVERIFY(figure(report, "changed_blocks") > 0.0);
     const double change = figure(report, "added_mm3") - figure(report, "removed_mm3");
     QVERIFY2(change * sign >= 0.0 && (sign == 0 || change != 0.0), QByteArray::number(change));
     QVERIFY(std::abs(figure(report, "volume_mm3") - figure(report, "volume_before_mm3") - change) < 1e-6);
-    const auto mesh = [&] {
-      if (fixture.run({"remesh", "b.handwheel", "-o", "b.off"}).code != 0) return nlohmann::json();
-      return nlohmann::json::parse(fixture.run({"inspect", "b.off", "--json"}).out.toStdString());
-    }();
+    const auto mesh = fixture.inspected("b.off");
     QVERIFY(mesh.is_object() && mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
   }
 
@@ -212,12 +218,12 @@ class ClayTest : public QObject {
     fixture.put("a.off", clayBlock().off());
     fixture.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
     const auto masked = sculpt(fixture, {"a.off", "--strokes", "s.csv", "--tool", "mask", "--radius", "6", "--falloff",
-                                         "0", "--voxel", "0.25", "-o", "masked.handwheel"});
+                                         "0", "--voxel", "0.5", "-o", "masked.handwheel"});
     QVERIFY(figure(masked, "changed_blocks") > 0.0);
     QCOMPARE(figure(masked, "added_mm3") + figure(masked, "removed_mm3"), 0.0);
-    const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "1.5", "-o", "b.stl"};
+    const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "1.5", "-o", "b.handwheel"};
     QCOMPARE(figure(sculpt(fixture, QStringList{"masked.handwheel"} + carve), "removed_mm3"), 0.0);
-    const auto bare = sculpt(fixture, QStringList{"a.off", "--voxel", "0.25"} + carve);
+    const auto bare = sculpt(fixture, QStringList{"a.off", "--voxel", "0.5"} + carve);
     QVERIFY(figure(bare, "removed_mm3") > 20.0);
   }
 
@@ -228,9 +234,9 @@ class ClayTest : public QObject {
     fixture.put("a.off", clayBlock().off());
     fixture.put("s.csv", strokesCsv({{12.0, 12.0, 19.5}, {26.0, 18.0, 19.5}}));
     const QStringList carve{"--strokes", "s.csv", "--tool", "carve", "--radius", "2"};
-    const auto plain = sculpt(fixture, QStringList{"a.off", "--voxel", "0.5", "-o", "plain.handwheel"} + carve);
+    const auto plain = sculpt(fixture, QStringList{"a.off", "--voxel", "1", "-o", "plain.handwheel"} + carve);
     const auto hidden =
-        sculpt(fixture, QStringList{"a.off", "--voxel", "0.5", "-o", "hidden.handwheel", "--layer", "dents:0"} + carve);
+        sculpt(fixture, QStringList{"a.off", "--voxel", "1", "-o", "hidden.handwheel", "--layer", "dents:0"} + carve);
     QVERIFY(figure(plain, "removed_mm3") > 10.0);
     QCOMPARE(figure(hidden, "removed_mm3"), figure(plain, "removed_mm3"));
     QCOMPARE(figure(hidden, "volume_mm3"), figure(hidden, "volume_before_mm3"));

@@ -18,23 +18,22 @@ class VolumeTest : public QObject {
   // A mesh becomes a volume, which is inspected and becomes a mesh: a block without its top is the block.
   void thereAndBack() {
     const Fixture fixture;
-    fixture.put("a.off", openCube(20.0).off());
-    const Ran made =
-        fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
+    fixture.put("a.off", openCube(10.0).off());
+    const Ran made = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--json"}, "de_DE.UTF-8");
     QCOMPARE(made.err, QByteArray());
     QCOMPARE(made.code, 0);
     const auto figures = jsonOf(made);
-    QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
+    QCOMPARE(figures["voxel_mm"].get<double>(), 0.5);
     QCOMPARE(figures["closed_boundaries"].get<int>(), 1);
-    QVERIFY(std::abs(figures["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
-    QVERIFY(std::abs(figures["enclosed_mm3"].get<double>() / 8000.0 - 1.0) < 1e-6);
+    QVERIFY(std::abs(figures["volume_mm3"].get<double>() / 1000.0 - 1.0) < 0.03);
+    QVERIFY(std::abs(figures["enclosed_mm3"].get<double>() / 1000.0 - 1.0) < 1e-6);
     const auto inspected = fixture.inspected("a.handwheel");
-    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.25);
+    QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.5);
 
     QCOMPARE(fixture.run({"remesh", "a.handwheel", "-o", "b.stl"}).code, 0);
     const auto mesh = fixture.inspected("b.stl");
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>() && mesh["oriented"].get<bool>());
-    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 8000.0 - 1.0) < 0.01);
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 1000.0 - 1.0) < 0.01);
     const Ran fewer = fixture.run({"remesh", "a.handwheel", "-o", "c.stl", "--error", "0.2", "--json"});
     QCOMPARE(fewer.code, 0);
     const auto reduced = jsonOf(fewer);
@@ -47,18 +46,18 @@ class VolumeTest : public QObject {
   void memoryIsSaidAndAskedFor() {
     const Fixture fixture;
     fixture.put("a.off", openCube(20.0).off());
-    const Ran said = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5"});
-    QVERIFY2(said.out.startsWith("Voxels of 0.5 mm need about ") && said.out.contains(" MB available"), said.out);
+    const Ran said = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "2"});
+    QVERIFY2(said.out.startsWith("Voxels of 2 mm need about ") && said.out.contains(" MB available"), said.out);
     const auto figures =
-        jsonOf(fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"}));
+        jsonOf(fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "2", "--json"}));
     const double bytes = figures["predicted_bytes"].get<double>();
     QVERIFY(bytes > 0.0 && figures["predicted_s"].get<double>() > 0.0);
     const auto voxelFor = [&](double share) {  // share of the memory; it grows with the square
-      return QString::number(0.5 * std::sqrt(bytes / (share * static_cast<double>(systemMemory()))), 'g', 6);
+      return QString::number(2.0 * std::sqrt(bytes / (share * static_cast<double>(systemMemory()))), 'g', 6);
     };
     const QList<QStringList> commands{{"voxelize", "a.off", "-o", "c.handwheel"},
                                       {"repair", "a.off", "-o", "c.stl", "--by", "volume"},
-                                      {"shell", "a.off", "-o", "c.handwheel", "--wall", "1"},
+                                      {"shell", "a.off", "-o", "c.handwheel", "--wall", "4"},
                                       {"boolean", "a.off", "a.off", "--unite", "-o", "c.handwheel"}};
     for (const QStringList& command : commands) {
       const Ran large = fixture.run(QStringList(command) << "--voxel" << voxelFor(0.5));
@@ -71,7 +70,7 @@ class VolumeTest : public QObject {
       QVERIFY2(huge.err.contains(" MB are available") && !huge.err.contains("--yes"), huge.err);
       QCOMPARE(fixture
                    .run(QStringList(command) << "--voxel"
-                                             << "0.5"
+                                             << "2"
                                              << "--yes")
                    .code,
                0);
@@ -102,7 +101,7 @@ class VolumeTest : public QObject {
   // which is said. OFF keeps all digits.
   void remeshedFilesAreChecked() {
     const Fixture fixture;
-    Shape far = cube(10.0);
+    Shape far = cube(4.0);
     for (auto& p : far.points)
       for (double& x : p) x += 5e6;
     fixture.put("a.off", far.off());
@@ -125,38 +124,46 @@ class VolumeTest : public QObject {
     QVERIFY2(left >= 490 && left <= 500, QByteArray::number(left));
   }
 
-  // Two blocks of meshes that overlap by a quarter, as meshes and one as a volume.
+  // Two blocks of meshes, the second of which is in the first by a half, as meshes and one as a volume.
   void booleans_data() {
     QTest::addColumn<QByteArray>("option");
     QTest::addColumn<double>("exact");
-    QTest::newRow("unite") << QByteArray("--unite") << 8000.0 + 1000.0 - 250.0;
-    QTest::newRow("subtract") << QByteArray("--subtract") << 8000.0 - 250.0;
-    QTest::newRow("intersect") << QByteArray("--intersect") << 250.0;
+    QTest::addColumn<bool>("isVolume");  // the second
+    QTest::newRow("unite") << QByteArray("--unite") << 8000.0 + 1000.0 - 500.0 << false;
+    QTest::newRow("subtract") << QByteArray("--subtract") << 8000.0 - 500.0 << false;
+    QTest::newRow("subtract a volume") << QByteArray("--subtract") << 8000.0 - 500.0 << true;
+    QTest::newRow("intersect") << QByteArray("--intersect") << 500.0 << true;
   }
   void booleans() {
     QFETCH(QByteArray, option);
     QFETCH(double, exact);
+    QFETCH(bool, isVolume);
     const Fixture fixture;
     fixture.put("a.off", openCube(20.0).off());
     Shape small = cube();
-    for (auto& p : small.points) p = {10.0 * p[0] + 17.5, 10.0 * p[1] + 5.0, 10.0 * p[2] + 5.0};
+    for (auto& p : small.points) p = {10.0 * p[0] + 15.0, 10.0 * p[1] + 5.0, 10.0 * p[2] + 5.0};
     fixture.put("b.off", small.off());
-    QCOMPARE(fixture.run({"voxelize", "b.off", "-o", "b.nrrd", "--voxel", "0.3"}).code, 0);
-    for (const char* const second : {"b.off", "b.nrrd"}) {
-      const Ran ran = fixture.run({"boolean", "a.off", second, option, "-o", "c.stl", "--voxel", "0.25", "--json"});
-      QCOMPARE(ran.err, QByteArray());
-      QCOMPARE(ran.code, 0);
-      const auto figures = jsonOf(ran);
-      QCOMPARE(figures["voxel_mm"].get<double>(), 0.25);
-      QVERIFY(std::abs(figures["first_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
-      const auto mesh = fixture.inspected("c.stl");
-      QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
-      QVERIFY2(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 0.03,
-               qPrintable(QString::number(mesh["volume_mm3"].get<double>())));
-    }
-    const Ran text = fixture.run({"boolean", "a.off", "b.off", option, "-o", "c.handwheel", "--voxel", "0.5"});
-    QCOMPARE(text.code, 0);
-    QVERIFY(text.out.contains("voxels of 0.5 mm"));
+    if (isVolume) QCOMPARE(fixture.run({"voxelize", "b.off", "-o", "b.nrrd", "--voxel", "0.3"}).code, 0);
+    const char* const second = isVolume ? "b.nrrd" : "b.off";
+    const Ran ran = fixture.run({"boolean", "a.off", second, option, "-o", "c.stl", "--voxel", "0.5", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const auto figures = jsonOf(ran);
+    QCOMPARE(figures["voxel_mm"].get<double>(), 0.5);
+    QVERIFY(std::abs(figures["first_mm3"].get<double>() / 8000.0 - 1.0) < 0.03);
+    const auto mesh = fixture.inspected("c.stl");
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+    QVERIFY2(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 0.03,
+             qPrintable(QString::number(mesh["volume_mm3"].get<double>())));
+  }
+
+  void booleanInWords() {
+    const Fixture fixture;
+    fixture.put("a.off", openCube(20.0).off());
+    fixture.put("b.off", cube(10.0).off());
+    const Ran ran = fixture.run({"boolean", "a.off", "b.off", "--subtract", "-o", "c.handwheel", "--voxel", "1"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY2(ran.out.contains("voxels of 1 mm"), ran.out);
   }
 
   // With sharp edges a block is the block, where marching cubes cut its edges off; and by densities it is nearly so.
@@ -165,7 +172,7 @@ class VolumeTest : public QObject {
     fixture.put("a.off", openCube(20.0).off());
     std::map<QByteArray, double> off;
     for (const QByteArray sampling : {"sign", "density"}) {
-      const Ran made = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "0.5", "--method", sampling});
+      const Ran made = fixture.run({"voxelize", "a.off", "-o", "a.handwheel", "--voxel", "1", "--method", sampling});
       QCOMPARE(made.err, QByteArray());
       for (const QByteArray polygons : {"marching", "dual"}) {
         QCOMPARE(fixture.run({"remesh", "a.handwheel", "-o", "b.stl", "--method", polygons}).code, 0);
@@ -189,7 +196,7 @@ class VolumeTest : public QObject {
     const Fixture fixture;
     fixture.put("a.off", openCube(20.0).off());
     const Ran ran =
-        fixture.run({"shell", "a.off", "-o", "b.stl", "--wall", "2", "--voxel", "0.25", "--json"}, "de_DE.UTF-8");
+        fixture.run({"shell", "a.off", "-o", "b.stl", "--wall", "2", "--voxel", "0.5", "--json"}, "de_DE.UTF-8");
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     QVERIFY(std::abs(jsonOf(ran)["volume_mm3"].get<double>() / (8000.0 - 4096.0) - 1.0) < 0.03);
@@ -211,14 +218,12 @@ class VolumeTest : public QObject {
     Shape two = cube(10.0);
     two.add(cube(4.0), {12.0, 0.0, 0.0});
     fixture.put("a.off", two.off());
-    const auto left = [&](const QStringList& words) {
+    const auto left = [&](const QStringList& words, const char* voxel = "0.5") {
       QStringList all = words;
       const Ran ran = fixture.run(all << "a.off"
                                       << "-o"
                                       << "b.handwheel"
-                                      << "--voxel"
-                                      << "0.25"
-                                      << "--json");
+                                      << "--voxel" << voxel << "--json");
       return ran.code == 0 ? jsonOf(ran)["volume_mm3"].get<double>() : -1.0;
     };
     const double across = 4.0 * std::cbrt(6.0 / M_PI);  // diameter of the ball with the volume of the small block
@@ -226,17 +231,18 @@ class VolumeTest : public QObject {
     QVERIFY(std::abs(left({"debris", "--below", QString::number(1.1 * across)}) / 1000.0 - 1.0) < 0.03);
     const double closed = left({"gaps", "--radius", "2"});
     QVERIFY2(closed > 1064.0 + 20.0 && closed < 1064.0 + 60.0, qPrintable(QString::number(closed)));
-    const double once = left({"smooth"}), often = left({"smooth", "--passes", "5"});
+    const double once = left({"smooth"}, "0.25"), often = left({"smooth", "--passes", "5"}, "0.25");
     QVERIFY(once < 1064.0 && often < once && often > 0.9 * 1064.0);
     QCOMPARE(left({"gaps"}), -1.0);
     QCOMPARE(left({"smooth", "--passes", "0"}), -1.0);
   }
 
-  // A gap of a millimetre between two blocks is filled as part of the repair.
+  // A gap of a millimetre between two plates is filled as part of the repair.
   void repairClosesGaps() {
     const Fixture fixture;
     Shape two = cube(10.0);
-    two.add(cube(10.0), {11.0, 0.0, 0.0});
+    for (auto& p : two.points) p[0] *= 0.3;
+    two.add(Shape(two), {4.0, 0.0, 0.0});
     fixture.put("a.off", two.off());
     const Ran ran = fixture.run(
         {"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.25", "--close-gaps", "0.7", "--json"});
@@ -247,22 +253,22 @@ class VolumeTest : public QObject {
     QVERIFY(figures["kept_distance_mm"].get<double>() < 0.25);
     const auto mesh = fixture.inspected("b.stl");
     QCOMPARE(mesh["components"].get<int>(), 1);
-    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 2090.0 - 1.0) < 0.02);
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 690.0 - 1.0) < 0.02);
   }
 
   void repairByVolume() {
     const Fixture fixture;
     fixture.put("a.off", openCube(20.0).off());
-    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
+    const Ran ran = fixture.run({"repair", "a.off", "-o", "b.stl", "--by", "volume", "--voxel", "1", "--json"});
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     const auto figures = jsonOf(ran);
     QVERIFY(figures["sound"].get<bool>());
-    QVERIFY(figures["scan_distance_mm"].get<double>() < 0.5);
+    QVERIFY(figures["scan_distance_mm"].get<double>() < 1.0);
     const auto mesh = fixture.inspected("b.stl");
     QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
     QCOMPARE(mesh["self_intersecting_pairs"].get<int>(), 0);
-    QVERIFY(figures["kept_distance_mm"].get<double>() <= 0.5);
+    QVERIFY(figures["kept_distance_mm"].get<double>() <= 1.0);
   }
 
   // A volume, too: the block comes back of its distances.
@@ -270,8 +276,8 @@ class VolumeTest : public QObject {
     const Fixture fixture;
     fixture.put("a.off", openCube(20.0).off());
     for (const char* const file : {"a.nrrd", "a.vdb"}) {
-      QCOMPARE(fixture.run({"voxelize", "a.off", "-o", file, "--voxel", "0.5"}).code, 0);
-      const Ran ran = fixture.run({"repair", file, "-o", "b.stl", "--by", "volume", "--voxel", "0.5", "--json"});
+      QCOMPARE(fixture.run({"voxelize", "a.off", "-o", file, "--voxel", "1"}).code, 0);
+      const Ran ran = fixture.run({"repair", file, "-o", "b.stl", "--by", "volume", "--voxel", "1", "--json"});
       QCOMPARE(ran.err, QByteArray());
       QCOMPARE(ran.code, 0);
       QVERIFY(jsonOf(ran)["sound"].get<bool>());
@@ -305,7 +311,8 @@ class VolumeTest : public QObject {
                                        << QByteArray("Choose one of --unite");
     QTest::newRow("two ways") << QStringList{"boolean", "a.off", "a.off", "--unite", "--subtract", "-o", "b.stl"}
                               << QByteArray("Choose one of --unite");
-    QTest::newRow("nothing left") << QStringList{"boolean", "a.off", "a.off", "--subtract", "-o", "b.stl"}
+    QTest::newRow("nothing left") << QStringList{"boolean", "a.off", "a.off",   "--subtract",
+                                                 "-o",      "b.stl", "--voxel", "0.5"}
                                   << QByteArray("Nothing is left");
     QTest::newRow("no wall") << QStringList{"shell", "a.off", "-o", "b.stl"}
                              << QByteArray("The option --wall MM is missing.");
@@ -313,7 +320,7 @@ class VolumeTest : public QObject {
                                << QByteArray("voxels of at most 0.25 mm");
     QTest::newRow("huge") << QStringList{"offset", "a.off", "-o", "b.stl", "--distance", "90000", "--voxel", "0.5"}
                           << QByteArray("MB");
-    QTest::newRow("shrunk away") << QStringList{"offset", "a.off", "-o", "b.stl", "--distance", "-11"}
+    QTest::newRow("shrunk away") << QStringList{"offset", "a.off", "-o", "b.stl", "--distance", "-11", "--voxel", "0.5"}
                                  << QByteArray("nothing is left");
     QTest::newRow("flat") << QStringList{"repair", "flat.off", "-o", "b.stl", "--by", "volume"}
                           << QByteArray("encloses no volume");

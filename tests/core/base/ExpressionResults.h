@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string>
 
-// Functions that return the result of an expression, for its tests.
+// Functions that return the result of an expression, for the tests of expressions.
 namespace handwheel::test {
 
-// Returns the value, or NaN for an error.
+// Returns the value of an expression, or NaN if it is in error.
 inline double valueOf(const std::string& text, const ExpressionField& field) {
   const ExpressionResult result = evaluateExpression(text, field);
   const double* value = std::get_if<double>(&result);

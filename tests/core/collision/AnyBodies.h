@@ -6,7 +6,7 @@
 
 #include <rapidcheck.h>
 
-// Bodies for tests.
+// Generators of random poses and collision bodies for property tests.
 namespace handwheel::test {
 
 inline double evenly(double low, double high) {
@@ -33,7 +33,7 @@ inline TriangleSoup boxSoup(const Vec3& half) {
   return soup;
 }
 
-// Returns a point on a piece's surface or inside, in its frame.
+// Returns a random point on the surface of a piece or inside it, in the frame of the piece.
 inline Vec3 anyPointOf(const CollisionPiece& piece) {
   const Vec3 unit = anyPosition(1.0);
   switch (piece.kind) {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-// The distance of two surfaces by brute force. It tries every pair of their triangles, and for each every pair of
-// features: slow, and independent of the program.
+// The distance of two surfaces by brute force. All pairs of triangles, and of each all pairs of features, are compared.
+// This is slow, but independent of the algorithms of the program.
 namespace handwheel::test {
 
 using Corners = std::array<Vec3, 3>;
@@ -28,7 +28,7 @@ inline double segmentDistance(const Vec3& a, const Vec3& b, const Vec3& c, const
   return least;
 }
 
-// Returns true if the foot of a point on the plane of a triangle lies within it.
+// Returns true if the foot of the perpendicular from a point to the plane of a triangle lies within the triangle.
 inline bool isAbove(const Vec3& p, const Corners& t) {
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -15,7 +15,7 @@ namespace handwheel::test {
 
 using nlohmann::json;
 
-// Returns any JSON, with few different keys, so that two results have some in common.
+// Returns arbitrary JSON. It uses few different keys, so that two results have some in common.
 inline json anyJson(int depth) {
   switch (*rc::gen::inRange(0, depth > 0 ? 8 : 6)) {
     case 0:
@@ -67,13 +67,13 @@ inline json ownPart(json manifest) {
   return manifest;
 }
 
-// An archive byte for byte after APPNOTE.TXT, so that it can be wrong in any respect.
+// A ZIP archive that is written byte by byte according to APPNOTE.TXT, so that it can be wrong in any respect.
 class HandmadeZip {
  public:
   struct Entry {
-    std::string name, data;      // data: bytes in the archive
-    std::uint32_t size = 0;      // announced, unpacked
-    std::uint32_t checksum = 0;  // announced
+    std::string name, data;      // data: the bytes in the archive
+    std::uint32_t size = 0;      // announced size of the unpacked data
+    std::uint32_t checksum = 0;  // announced checksum
     std::uint16_t flags = 0, method = 0;
   };
 
@@ -139,7 +139,7 @@ class HandmadeZip {
     for (std::size_t i = 0; i < sizeof(T); ++i) to += static_cast<char>(value >> (8 * i));
   }
 
-  // Writes the fields that local header and directory have in common.
+  // Writes the fields that the local header and the directory have in common.
   static void header(std::string& to, const Entry& entry) {
     number<std::uint16_t>(to, 20);
     number(to, entry.flags);
@@ -161,7 +161,7 @@ inline std::string plainManifest() {
   return R"({"handwheel": {"format": 1}, "kind": "mesh"})";
 }
 
-// Returns the output of a Python program for bytes on standard input; "failed: ..." if it fails.
+// Returns the output of a Python program that gets bytes on standard input; "failed: ..." if it fails.
 inline QString python(const QString& program, const std::string& input) {
   QProcess process;
   process.start("python3", {"-c", program});

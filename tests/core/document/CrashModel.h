@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-// The little document that the crash test's child edits and its parent checks.
+// The document of the crash test, which a child process edits and the parent checks.
 namespace handwheel::test {
 
-// A model whose content after any number of edits is known. It has a counter, and blobs, each with its content after
-// the last edit that touched it.
+// A model whose content after any number of edits is known. It has a counter of the edits, and blobs, each with its
+// content after the last edit that changed it.
 class CrashModel {
  public:
   CrashModel() : m_blobs(kBlobs) {}
@@ -30,7 +30,8 @@ class CrashModel {
     return *writeContainer(container, compression);
   }
 
-  // Returns the number of edits in an archive that is whole, and has exactly the content after that many; otherwise -1.
+  // Returns the number of edits in an archive; -1 if the archive is damaged, or its content differs from that of
+  // the model after this number of edits.
   static std::int64_t editsIn(std::string_view bytes) {
     const auto read = readContainer(bytes);
     if (!read || !read->damage.empty() || read->container.blobs.size() != kBlobs) return -1;

@@ -33,7 +33,7 @@ inline std::string contentOf(const OrphanedAutosave& leftover) {
   return read && read->damage.empty() ? read->container.blobs.at("note") : "damaged";
 }
 
-// Returns the contents that the next start of the program would find.
+// Returns the contents of the autosaves that the next start of the program would find.
 inline std::vector<std::string> contentsIn(const std::filesystem::path& root) {
   std::vector<std::string> contents;
   const OrphanedAutosaves leftovers(root);

@@ -8,10 +8,10 @@
 
 #include <cmath>
 
-// Profiles to test with, and the textbook definition of a B-spline as a reference.
+// Profiles for tests, and the textbook definition of a B-spline as a reference.
 namespace handwheel::test {
 
-// N(i, p) at u by the Cox–de Boor recursion; the last span is closed at its end.
+// Returns the basis function N(i, p) at u by the Cox–de Boor recursion. The last span includes its end.
 inline double basis(const std::vector<double>& knots, std::size_t i, int degree, double u) {
   if (degree == 0) {
     const bool isLast = knots[i + 1] == knots.back() && knots[i] < knots.back();
@@ -36,13 +36,13 @@ inline ProfilePoint pointByDefinition(const ProfileNurbs& nurbs, double u) {
   return sum / weights;
 }
 
-// Returns a uniform value from the whole range, also in RapidCheck's first, small tests.
+// Returns a value that is uniform over the whole range, even in RapidCheck's first tests, which use small sizes.
 inline double between(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-// Returns sound profiles of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven
-// weights.
+// Returns a random sound profile of any degree. It may have simple and multiple inner knots, double poles, poles on the
+// axis and unequal weights.
 inline ProfileNurbs randomNurbs() {
   ProfileNurbs nurbs;
   nurbs.degree = *rc::gen::inRange(1, 4);
@@ -63,7 +63,7 @@ inline ProfileNurbs randomNurbs() {
   return nurbs;
 }
 
-// Returns a half circle from pole to pole, exact.
+// Returns the exact profile of a sphere, which is a half circle from pole to pole.
 inline ProfileNurbs sphere(double radius, double centre) {
   const double w = std::sqrt(0.5);
   return {2,

@@ -10,8 +10,8 @@
 
 namespace handwheel::test {
 
-// Returns true if a triangulation is closed. Every edge is in two triangles, once in each direction. By number, since
-// positions may coincide where a profile touches itself.
+// Returns true if a triangulation is closed. Every edge must be in two triangles, once in each direction. Vertices are
+// compared by number, since positions may coincide where a profile touches itself.
 inline bool isClosed(const TriangleSoup& soup) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
   for (const Triangle& t : soup.triangles) {
@@ -23,7 +23,7 @@ inline bool isClosed(const TriangleSoup& soup) {
   });
 }
 
-// Returns the least angle, in degrees.
+// Returns the least angle of a triangle, in degrees.
 inline double leastAngle(const TriangleSoup& soup, const Triangle& t) {
   double least = M_PI;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -9,14 +9,15 @@
 
 #include <numeric>
 
-// Robots among obstacles to plan for.
+// Robots among obstacles, for tests of planning.
 namespace handwheel::test {
 
 inline double evenly(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-// Returns an arm in the plane z = 0 with links of these lengths (mm), each a row of balls, and joints of ±3.
+// Returns an arm in the plane z = 0 with links of these lengths (mm), each a row of balls of this radius, and joints
+// that turn from -3 to 3 rad.
 inline RobotModel planarArm(const std::vector<double>& lengths, double radius) {
   DhTable table;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -53,7 +54,7 @@ inline void addBall(RobotScene& scene, const Vec3& at, double radius, std::uint3
   scene.addObstacle(CollisionBody({CollisionPiece::sphere(at, radius)}), Pose::Identity(), owner);
 }
 
-// Returns the least distance at densely spaced points of a motion.
+// Returns the least distance from obstacles at densely spaced points of a motion.
 inline double leastAlong(const RobotScene& scene, const ArmValues& from, const ArmValues& to, double step) {
   const int count = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / step)));
   double least = 1e9;

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <thread>
 
 using namespace handwheel;
@@ -46,9 +47,9 @@ QString outcomeOf(const Result<std::string>& read) {
 int processesWith(const std::string& mark) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    std::ifstream stream(entry.path() / "cmdline");
-    const std::string words(std::istreambuf_iterator<char>(stream), {});
-    if (words.find(std::string(1, '\0') + mark + '\0') != std::string::npos) ++count;
+    std::ostringstream words;
+    words << std::ifstream(entry.path() / "cmdline").rdbuf();  // empty for a process that has just ended
+    if (words.str().find(std::string(1, '\0') + mark + '\0') != std::string::npos) ++count;
   }
   return count;
 }

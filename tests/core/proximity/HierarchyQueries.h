@@ -39,7 +39,7 @@ inline Vec3 anyPoint(double low, double high) {
   return {*within(low, high), *within(low, high), *within(low, high)};
 }
 
-// A soup in the unit cube with a scale and a shift.
+// A soup that was made in the unit cube, then scaled and shifted. The call operator moves a point in the same manner.
 struct Placed {
   Surface surface;
   double scale;

@@ -21,15 +21,15 @@ struct Surface {
     return {points[t[0]], points[t[1]], points[t[2]]};
   }
 
-  void append(Surface other) {  // by value, since it may be this object
+  void append(Surface other) {  // passed by value, since other may be this object
     const auto offset = static_cast<std::uint32_t>(points.size());
     points.insert(points.end(), other.points.begin(), other.points.end());
     for (const Triangle& t : other.triangles) triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
   }
 };
 
-// Returns a closed sphere: an octahedron, each face cut into n * n triangles, 8 n² in all. The radius varies by the
-// share `bumps`.
+// Returns a closed sphere: an octahedron with each face cut into n² triangles, 8 n² in total. The radius varies by the
+// fraction `bumps`.
 inline Surface sphere(int n, const Vec3& centre = Vec3::Zero(), double radius = 1.0, double bumps = 0.0) {
   Surface s;
   std::map<std::array<int, 3>, std::uint32_t> numbers;
@@ -60,8 +60,8 @@ inline Surface sphere(int n, const Vec3& centre = Vec3::Zero(), double radius = 
   return s;
 }
 
-// Returns random triangles in a cube of side 1. On a grid of the given number of steps many touch, coincide or have no
-// area; without a grid (steps 0) they are in general position. `size` is that of a triangle.
+// Returns random triangles in a cube of side 1. On a grid of the given number of steps, many triangles touch, coincide
+// or have no area; without a grid (steps 0) they are in general position. `size` is the size of a triangle.
 inline Surface soup(std::size_t count, double size, int steps, std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };

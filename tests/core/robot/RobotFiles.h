@@ -7,8 +7,8 @@
 #include <QFile>
 #include <QString>
 
-// Descriptions of real robots. They are not part of the sources: the folder named by HANDWHEEL_DATA holds them under
-// "robots".
+// Descriptions of real robots. They are not part of the sources, but lie in the folder "robots" of the directory that
+// the environment variable HANDWHEEL_DATA names.
 namespace handwheel::test {
 
 inline QString robotsFolder() {

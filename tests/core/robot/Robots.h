@@ -37,8 +37,9 @@ inline ImportedRobot readOrThrow(const std::string& urdf) {
   return std::move(read).value();
 }
 
-// Returns an arm in the xy plane: revolute joints about z, without limits unless given, each this many metres after the
-// one before, and a tool at its end. Links "l0" to "l<n>", then "tool"; joints "j1" to "j<n>".
+// Returns an arm in the xy plane. It has revolute joints about z, a link of each of these lengths (m) after its joint,
+// and a tool at the end. inside: further elements of the joints, by default their limits. Links are called "l0" to
+// "l<n>" and "tool", joints "j1" to "j<n>".
 inline std::string planarArm(const std::vector<double>& lengths, const std::string& inside = limit(-1000, 1000)) {
   std::string text = link("l0");
   double before = 0.0;
@@ -64,7 +65,7 @@ inline std::string anyNumbers(double least, double largest) {
   return text;
 }
 
-// Returns a tree of links with joints of every kind, some of which follow others.
+// Returns a tree of links with joints of any kind, some of which follow other joints.
 inline std::string anyRobot() {
   const int count = *rc::gen::inRange(2, 10);
   std::string text = link("l0");

@@ -6,7 +6,7 @@
 
 namespace handwheel::test {
 
-// Returns the volume of a closed surface that faces outwards (divergence theorem), mm³.
+// Returns the volume (mm³) within a closed surface that faces outwards, by the divergence theorem.
 inline double volumeOf(const TriangleSoup& soup) {
   double six = 0.0;
   for (const Triangle& t : soup.triangles) six += soup.points[t[0]].dot(soup.points[t[1]].cross(soup.points[t[2]]));

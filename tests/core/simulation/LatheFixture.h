@@ -18,7 +18,7 @@ inline constexpr StockCylinder kRod{40.0, 100.0, 0.0};
 inline constexpr double kLower = 7.0, kServoTick = 0.001;
 inline constexpr std::size_t kPassesBefore = 3;
 
-// A law with numbers that a test can calculate with.
+// A law of cutting forces that is simple enough to be calculated in a test.
 class PlainLaw : public CuttingForceModel {
  public:
   CutForces at(const CutConditions& cut) const noexcept override {
@@ -56,7 +56,7 @@ struct LatheFixture {
     channel->commands.push({kind, axis, value, other});
   }
   void run(double seconds) { loop.runSteps(static_cast<std::uint64_t>(std::lround(seconds / loop.dt()))); }
-  // Makes the first pass, 2 mm deep by the automatic feed.
+  // Makes the first pass, 2 mm deep, by the automatic feed.
   void turnDown() {
     send(LatheDo::Spindle, 1.0);
     send(LatheDo::MoveTip, 18.0, 102.0);

@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// The power spectrum of a signal under a Hann window. Computed by an FFT of radix 2 (Cooley and Tukey).
+// The power spectrum of a signal under a Hann window. It is computed by an FFT of radix 2 (Cooley and Tukey).
 class Spectrum {
  public:
   Spectrum(const std::vector<double>& signal, double rate) {

@@ -13,7 +13,7 @@ inline constexpr Modifiers kNoModifiers{};
 inline constexpr Modifiers kShift{true, false, false};
 inline constexpr Modifiers kControl{false, true, false};
 
-// Returns an event from high above, straight down; a pixel is 0.01.
+// Returns an event whose ray comes straight down from high above (x, y). A pixel is 0.01 mm.
 inline PointerEvent above(Kind kind, double x, double y, Modifiers modifiers = {}) {
   PointerEvent event;
   event.kind = kind;

@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// Fails unless a surface is closed and encloses a volume within a share of it.
+// Fails unless a surface is closed and encloses the exact volume. The relative deviation must be less than `within`.
 inline void compareVolume(const Result<SparseVolume>& made, double exact, double within) {
   QVERIFY(made.hasValue());
   const TriangleSoup surface = surfaceOf(*made);

@@ -8,8 +8,8 @@
 
 namespace handwheel::test {
 
-// The winding number of a surface about a point, by solid angles. It is the sum of those of its triangles (van Oosterom
-// and Strackee 1983), a whole number for a closed surface.
+// Returns the winding number of a surface about a point. It is the sum of the solid angles of its triangles, divided by
+// 4π (van Oosterom and Strackee 1983), a whole number for a closed surface.
 inline double windingNumber(const TriangleSoup& soup, const Vec3& p) {
   double sum = 0.0;
   for (const Triangle& t : soup.triangles) {

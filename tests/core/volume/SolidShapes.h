@@ -14,13 +14,13 @@ inline double ballVolume(double radius) {
   return 4.0 / 3.0 * M_PI * radius * radius * radius;
 }
 
-// Volume of a cube and all points within a distance of it (Steiner's formula).
+// Returns the volume of a cube and all points within a distance (Steiner's formula).
 inline double roundedCubeVolume(double side, double distance) {
   return side * side * side + 6.0 * side * side * distance + 3.0 * M_PI * side * distance * distance +
          ballVolume(distance);
 }
 
-// A ball united with what is in a volume.
+// Returns the union of a volume and a ball.
 inline SparseVolume withBall(SparseVolume volume, const Vec3& centre, double radius) {
   ClayDab dab;
   dab.action = ClayAction::Add;
@@ -30,7 +30,7 @@ inline SparseVolume withBall(SparseVolume volume, const Vec3& centre, double rad
   return volume;
 }
 
-// A box in a grid whose voxel (0, 0, 0) is at the origin.
+// Returns a box in a grid whose voxel (0, 0, 0) is at the origin.
 inline SparseVolume boxOfVoxels(const Vec3& size, const Vec3& corner, double voxel) {
   return volumeOfSurface(box(corner, size), voxel, {}, Vec3(Vec3::Zero()))->volume;
 }

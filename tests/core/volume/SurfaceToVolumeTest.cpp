@@ -100,7 +100,7 @@ class SurfaceToVolumeTest : public QObject {
   void bentHoles() {
     QFETCH(double, below);
     QFETCH(double, above);
-    TriangleSoup open = moved(icosphere(4), Vec3(0.1, 0.2, 0.3), 10.0);
+    TriangleSoup open = moved(icosphere(3), Vec3(0.1, 0.2, 0.3), 10.0);
     const auto height = [&](const Triangle& t) {
       const Vec3 p = (open.points[t[0]] + open.points[t[1]] + open.points[t[2]]) / 3.0;
       return p.z() + 3.0 * std::cos(2.0 * std::atan2(p.y(), p.x()));
@@ -108,14 +108,14 @@ class SurfaceToVolumeTest : public QObject {
     std::erase_if(open.triangles, [&](const Triangle& t) {
       return below > above ? height(t) > above && height(t) < below : height(t) < below || height(t) > above;
     });
-    const double voxel = 0.23;
+    const double voxel = 0.46;
     const Result<SurfaceVolume> made = volumeOfSurface(open, voxel);
     QVERIFY(made.hasValue());
     QVERIFY(made->nearShare > 0.99);
     const TriangleHierarchy hierarchy(open.points, open.triangles);
     int inside = 0;
     for (int i = 0; i < 17 * 17 * 17; ++i) {
-      const VoxelIndex at = 6 * VoxelIndex(i % 17, i / 17 % 17, i / 289);
+      const VoxelIndex at = 3 * VoxelIndex(i % 17, i / 17 % 17, i / 289);
       const Vec3 p = made->volume.centre(at);
       const double turns = windingNumber(open, p);
       const double depth = made->volume.sample(at) / VolumeBlock::kUnit;

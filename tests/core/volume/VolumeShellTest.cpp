@@ -26,7 +26,7 @@ class VolumeShellTest : public QObject {
   void shellsOfBalls() {
     QFETCH(int, side);
     QFETCH(double, wall);
-    const double radius = 6.0, voxel = 0.15;
+    const double radius = 4.0, voxel = 0.2;
     const auto where = static_cast<WallSide>(side);
     const double out = where == WallSide::Outside ? wall : where == WallSide::Middle ? 0.5 * wall : 0.0;
     const Result<SparseVolume> made = shellOf(ballOfVoxels(radius, voxel), wall, where);
@@ -38,7 +38,7 @@ class VolumeShellTest : public QObject {
   }
 
   void shellsOfCubes() {
-    const double side = 12.0, wall = 1.0;
+    const double side = 10.0, wall = 1.0;
     const SparseVolume box = boxOfVoxels(Vec3::Constant(side), Vec3(0.0, 1.0, 0.0), 0.2);
     compareVolume(shellOf(box, wall, WallSide::Inside), std::pow(side, 3.0) - std::pow(side - 2.0 * wall, 3.0), 0.02);
     compareVolume(shellOf(box, wall, WallSide::Outside), roundedCubeVolume(side, wall) - std::pow(side, 3.0), 0.02);

@@ -19,9 +19,9 @@
 #include <QTest>
 #include <functional>
 
-// Finds accessibility defects of a window. They affect people who use the keyboard, a screen reader or large letters.
-// Each function returns one line per finding: the path of object names and classes from the root. Only visible widgets
-// are examined.
+// Functions that find accessibility defects of a window. Such defects affect people who use the keyboard, a screen
+// reader or large letters. Each function returns one line per finding: the path of object names and classes from the
+// root. Only visible widgets are examined.
 namespace handwheel::test {
 
 inline QString pathOf(const QWidget* widget, const QWidget& root) {
@@ -33,8 +33,8 @@ inline QString pathOf(const QWidget* widget, const QWidget& root) {
   return parts.join(QLatin1Char('/'));
 }
 
-// Returns true for parts of other widgets, which are operated through those: the line of a spin box, the list of a
-// combo box.
+// Returns true for a part of another widget that is operated through that widget, such as the line of a spin box or the
+// list of a combo box.
 inline bool isInnerPart(const QWidget* widget) {
   for (const QWidget* p = widget->parentWidget(); p && !p->isWindow(); p = p->parentWidget()) {
     if (qobject_cast<const QComboBox*>(p) || qobject_cast<const QAbstractSpinBox*>(p) ||
@@ -73,9 +73,10 @@ inline bool isOperated(const QWidget* widget) {
          qobject_cast<const QKeySequenceEdit*>(widget) || (widget->focusPolicy() & Qt::TabFocus);
 }
 
-// Returns the widgets that the mouse can operate and that pressing Tab again and again never reaches. Of a group of
-// exclusive buttons one is enough. The window must be shown, and such that it can become active (X without a window
-// manager activates no tool window); `otherwise` returns true for widgets that are reached by other means (a menu).
+// Returns the widgets that the mouse can operate and that pressing Tab again and again never reaches. In a group of
+// exclusive buttons, reaching one button is enough. The window must be visible and able to become active (X without a
+// window manager activates no tool window). otherwise: a function that returns true for widgets that are reached by
+// other means, such as a menu.
 inline QStringList notReachedByTab(QWidget& root, const std::function<bool(const QWidget*)>& otherwise = {}) {
   root.window()->activateWindow();
   const auto isActive = [&root] { return root.window()->isActiveWindow(); };
@@ -109,7 +110,7 @@ inline QStringList cutTexts(QWidget& root) {
     const auto* label = qobject_cast<const QLabel*>(widget);
     const bool texted = (label && !label->text().isEmpty()) || qobject_cast<const QAbstractButton*>(widget);
     if (!texted || isInnerPart(widget)) continue;
-    const QSize needed = widget->hasHeightForWidth()  // it wraps
+    const QSize needed = widget->hasHeightForWidth()  // the text wraps
                              ? QSize(widget->minimumSizeHint().width(), widget->heightForWidth(widget->width()))
                              : widget->sizeHint();
     if (widget->width() >= needed.width() && widget->height() >= needed.height()) continue;

@@ -10,8 +10,9 @@
 
 namespace handwheel::test {
 
-// Checks a widget in both themes. Nothing is cut, everything has a name and is reached by Tab. The scale is that of the
-// environment (QT_SCALE_FACTOR). With HANDWHEEL_PICTURES, a folder, the pictures are kept there for inspection.
+// Checks a widget in both themes. No text may be cut; every control must have a name and be reached by Tab. The scale
+// is taken from the environment variable QT_SCALE_FACTOR. If HANDWHEEL_PICTURES names a folder, pictures of the widget
+// are stored in it for inspection.
 inline void lookAt(QWidget& widget, const QString& name, const QStringList& mayBeUnreached = {}) {
   widget.show();
   QVERIFY(QTest::qWaitForWindowExposed(&widget));

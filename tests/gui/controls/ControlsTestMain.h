@@ -13,7 +13,7 @@
 
 namespace handwheel::test {
 
-// Runs a test of widgets, with settings in a temporary folder. Otherwise it starts like the program.
+// Runs a test of widgets, with settings in a temporary folder. In all other respects the test starts like the program.
 template <class Test>
 int runControlsTest(int argc, char** argv) {
   QApplication application(argc, argv);

@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// A panel that is visible and has the focus.
+// A fixture with a device panel that is visible and has the focus.
 struct DevicePanelFixture {
   DevicePanelFixture() {
     panel.resize(300, 680);

@@ -20,7 +20,8 @@ inline DeviceInfo spaceMouse() {
   return {"spacemouse", "/dev/hidraw3", "SpaceMouse Compact"};
 }
 
-// Returns a device with three axes in and out; the next one has six in and none out.
+// Returns a device with three measured and three driven axes. The device of the next function has six measured axes and
+// none driven.
 inline DeviceInUse falconView() {
   DeviceInUse view;
   view.found = {falcon(), spaceMouse()};
@@ -58,7 +59,7 @@ inline ServoSample sampleAt(double time, const Vec3& asked, const Vec3& sent) {
   return sample;
 }
 
-// Shows a wall that is touched again and again: ten seconds at the rate of a display.
+// Shows samples of a hand that touches a wall repeatedly, for ten seconds at the rate of a display.
 inline void playTouches(DevicePanel& panel) {
   for (int i = 0; i <= 600; ++i) {
     const double time = i / 60.0;
@@ -72,7 +73,7 @@ inline void playTouches(DevicePanel& panel) {
   }
 }
 
-// Fills in a loop of 1 kHz: most ticks nearly in time, some late.
+// Fills statistics with the timing of a loop of 1 kHz. Most ticks are nearly on time, some are late.
 inline void fill(ServoStatistics& measure) {
   for (int i = 0; i < 1000; ++i) {
     const double late = 1e-6 * (20 + i % 37) + (i % 100 == 0 ? 4e-4 : 0.0);

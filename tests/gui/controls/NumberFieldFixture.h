@@ -15,7 +15,7 @@
 
 namespace handwheel::test {
 
-// A field in a window, with a spy on its signal.
+// A NumberField in a window, with a spy on its signal.
 struct Fixture {
   explicit Fixture(Quantity quantity = Quantity::Length, LengthUnit unit = LengthUnit::Millimetre,
                    const QLocale& locale = QLocale::c()) {
@@ -43,7 +43,8 @@ struct Fixture {
     type(text);
     QTest::keyClick(line, Qt::Key_Return);
   }
-  // Returns the values emitted so far, without the last digits, and whether each was emitted during dragging.
+  // Returns the rounded values emitted since the previous call, each with a flag that is true if it was emitted during
+  // dragging.
   QList<std::pair<double, bool>> said() {
     QList<std::pair<double, bool>> values;
     for (const QList<QVariant>& call : *spy) {

@@ -24,10 +24,10 @@ class MainWindow;
 
 namespace handwheel::test {
 
-// Operates the window at random, reproducibly from a seed. The actions are the same as far as jobs end in the same
-// order: keys, clicks, strokes, commands, documents that are opened, switched, saved and closed, jobs that are
-// cancelled. Watches that no document is lost: one that has changes closes only after its prompt was answered so, and
-// any other only by a command that closes.
+// Operates the window at random, reproducibly from a seed. It presses keys, clicks, draws strokes, runs commands,
+// opens, shows, saves and closes documents, and cancels jobs. A seed gives the same actions as long as jobs end in the
+// same order. It also checks that no document is lost: one with unsaved changes may close only after its prompt was
+// answered with "discard", and any other only by a command that closes.
 class RandomUser : public QObject {
   Q_OBJECT
 
@@ -40,13 +40,14 @@ class RandomUser : public QObject {
   void act();
   // Returns a sentence for each thing that should not have happened.
   const QStringList& problems() const { return m_problems; }
-  // Undoes all steps in every document and compares it with its state when it was opened.
+  // Undoes all steps in every document and compares it with its state when it was opened. alive: called repeatedly
+  // while it waits for jobs.
   void undoEverything(const std::function<void()>& alive);
 
  private:
   struct Opened {
     std::string bytes;  // bytes of its container
-    int index = 0;      // index in its history: 1 where opening reversed faces
+    int index = 0;      // index in its history when it was opened: 1 if opening reversed faces
   };
 
   int upTo(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
@@ -73,7 +74,7 @@ class RandomUser : public QObject {
   MainWindow& m_window;
   DocumentTabs& m_tabs;
   std::mt19937 m_random;
-  QTimer m_menus;  // during an action: answers menus that wait within it
+  QTimer m_menus;  // runs during an action, and answers the menus that the action waits for
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;

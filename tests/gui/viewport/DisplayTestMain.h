@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-// A fixture with a new viewport of 600 × 500 pixels for each test. On the display with a mesh and parts.
+// A fixture with a new viewport of 600 × 500 pixels for each test. The viewport shows a mesh layer and a parts layer.
 class ViewportFixture : public QObject {
   Q_OBJECT
 

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-inline const Vec2 kSize(600, 500);  // size of the view
+inline const Vec2 kSize(600, 500);  // size of the view, pixels
 
-// Returns a view of this height about the point, from the front right above.
+// Returns a camera that looks at a point from the front right above. height: the height of the view, mm.
 inline CameraState around(const Vec3& point, double height, Projection projection) {
   CameraState c;
   c.orientation = orientationOf(StandardView::Isometric);
@@ -36,7 +36,7 @@ inline bool isNear(double a, double b, double share) {
   return std::abs(a - b) <= share * std::abs(b);
 }
 
-// Takes pictures of a viewport, of models and of the background alone.
+// A fixture that takes pictures of a viewport, with models or with the background alone.
 class PictureFixture : public ViewportFixture {
  protected:
   QImage emptyPicture(const CameraState& camera) {

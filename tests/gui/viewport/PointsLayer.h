@@ -9,15 +9,15 @@
 #include <vtkProperty.h>
 #include <deque>
 
-// A kind of geometry that the program does not have, for tests. Points of a few pixels, in blocks, in the colour of the
-// view.
+// A layer for a kind of geometry that the program does not have, for tests. It draws points of a few pixels, built in
+// blocks, in the colour of the view.
 namespace handwheel::test {
 
 class PointsLayer : public ViewLayer {
  public:
-  static constexpr std::size_t kBlock = 1000;   // points
+  static constexpr std::size_t kBlock = 1000;   // points per block
   static constexpr double kDot = 9.0;           // logical pixels across
-  static constexpr double kReach = kDot / 2.0;  // distance from the cursor
+  static constexpr double kReach = kDot / 2.0;  // largest distance from the cursor, logical pixels
 
   void setPoints(std::vector<Vec3> points) {
     m_points = std::move(points);
@@ -35,7 +35,7 @@ class PointsLayer : public ViewLayer {
     m_waiting.push_back(i / kBlock);
     report(LayerChange::Elements);
   }
-  // Moves the same number of points: the blocks in which one has moved are built again.
+  // Replaces the points by the same number of moved points. Only the blocks in which a point has moved are built again.
   void movePoints(std::vector<Vec3> points) {
     for (std::size_t first = 0; first < m_points.size(); first += kBlock) {
       const std::size_t last = std::min(first + kBlock, m_points.size());
@@ -74,7 +74,7 @@ class PointsLayer : public ViewLayer {
     prepare(m_mark, frame);
   }
 
-  // Points have no surface that a ray could meet; they are found near the cursor.
+  // Adds the points near the cursor. Points have no surface that a ray could meet.
   void findNear(const CameraNavigation& view, const Vec2& cursor, std::vector<LayerHit>& found) const override {
     for (std::size_t i = 0; i < m_points.size(); ++i) {
       if (!view.isBeforeEye(m_points[i])) continue;
@@ -109,7 +109,7 @@ class PointsLayer : public ViewLayer {
   }
 
   std::vector<Vec3> m_points;
-  std::deque<std::size_t> m_waiting;  // blocks
+  std::deque<std::size_t> m_waiting;  // numbers of the blocks to be built
   std::vector<std::unique_ptr<DepthOffsetActor>> m_blocks;
   DepthOffsetActor m_mark{props(), 1.5};
   std::optional<std::uint64_t> m_hovered;

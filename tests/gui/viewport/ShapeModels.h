@@ -10,11 +10,11 @@
 #include <memory>
 #include <numbers>
 
-// Solids whose picture follows from mathematics, and functions that measure a picture.
+// Solids with a mathematically known picture, and functions that measure a picture.
 namespace handwheel {
 
-// Returns a unit sphere about the origin scaled by radius, closed, with its triangles seen from outside
-// counter-clockwise. Its silhouette is that of the sphere to (π / 2n)².
+// Returns a closed triangulated sphere. Its triangles are counter-clockwise when seen from outside, and its silhouette
+// agrees with that of the exact sphere within a relative error of (π / 2n)².
 inline TriangleSoup sphereSoup(int n, double radius = 1.0, const Vec3& centre = Vec3::Zero()) {
   TriangleSoup s;
   s.points = {centre + Vec3(0, 0, radius), centre - Vec3(0, 0, radius)};
@@ -56,11 +56,12 @@ inline int difference(QRgb a, QRgb b) {
 // The pixels in which a picture differs from that of the empty background.
 struct Silhouette {
   double area = 0.0;                   // pixels
-  Eigen::Vector2d centroid{0.0, 0.0};  // centroid of the pixels' middles, pixels
+  Eigen::Vector2d centroid{0.0, 0.0};  // centroid of the pixel centres, pixels
   int left = 1 << 30, right = -1, top = 1 << 30, bottom = -1;
 };
 
-// Returns the silhouette of a model. only: a condition on the pixel's colour.
+// Returns the silhouette of a model. only: a predicate on the colour; only pixels for which it returns true are
+// counted.
 template <class Only>
 Silhouette silhouette(const QImage& with, const QImage& without, Only only) {
   Silhouette s;

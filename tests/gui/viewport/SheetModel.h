@@ -8,13 +8,13 @@
 #include <QImage>
 #include <cstdlib>
 
-// A model whose picture is known, and functions that find objects in a picture.
+// A square sheet with a known picture, and functions that find objects in a picture.
 namespace handwheel {
 
 inline constexpr int kCells = 20;
 
-// Returns a square sheet from (0, 0) to (20, 20) at height 0, in cells of 1; cell (i, j) has the faces 2 (j · 20 + i)
-// below its diagonal and one more above.
+// Returns a square sheet from (0, 0) to (20, 20) at height 0, divided into cells × cells squares. Face 2 (j · cells +
+// i) is the half of square (i, j) below its diagonal, and the next face is the other half.
 inline TriangleSoup sheet(int cells) {
   TriangleSoup s;
   for (int j = 0; j <= cells; ++j) {

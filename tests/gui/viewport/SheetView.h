@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// Returns a camera that looks down on the sheet. There are 20 pixels to the unit in a view of 600 × 500: (10, 10) is in
-// the middle.
+// Returns a camera that looks down on the sheet. In a view of 600 × 500 pixels, one unit is 20 pixels long and the
+// point (10, 10) is in the middle.
 inline CameraState sheetFromAbove() {
   CameraState c;
   c.centre = Vec3(10, 10, 0);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "LargeInputs.h"
+#include "QuickWindow.h"
 #include "StlFiles.h"
-#include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
@@ -40,10 +41,13 @@ class DocumentSwitchTest : public QObject {
   }
 
  private slots:
-  void initTestCase() { qputenv("RC_PARAMS", qgetenv("RC_PARAMS") + " max_success=8"); }
+  void initTestCase() {
+    const QByteArray draws = QByteArray::number(sized(4, 8));
+    qputenv("RC_PARAMS", qgetenv("RC_PARAMS") + " max_success=" + draws);
+  }
 
   void toOneWithFewerHoles() {
-    WindowDriver driver;
+    QuickWindow driver;
     QVERIFY(driver.open(fileWithHoles(1)));
     QVERIFY(driver.open(fileWithHoles(4)));
     for (int i = 0; i < 4; ++i) press(driver, "nextHole");
@@ -65,7 +69,7 @@ class DocumentSwitchTest : public QObject {
   // Typed text belongs to the document that was in view, also if its tab is left by a click or a key.
   void aTypedTaskStaysWithItsExercise() {
     const QTemporaryDir folder;
-    WindowDriver driver;
+    QuickWindow driver;
     for (const char* name : {"one.exercise.json", "two.exercise.json"}) {
       const QString path = folder.filePath(QLatin1String(name));
       QVERIFY(QFile::copy(samplePath("shaft.exercise.json"), path));
@@ -93,7 +97,7 @@ class DocumentSwitchTest : public QObject {
   // Switches with any selection, loop kept open, preview or tool; also while jobs run.
   void inEveryState() {
     const bool holds = rc::check([this] {
-      WindowDriver driver;
+      QuickWindow driver;
       for (const int holes : {0, 5, 2}) RC_ASSERT(driver.open(fileWithHoles(holes)));
       driver.choose("openShaftSample");
       RC_ASSERT(driver.settle());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BuildPaths.h"
 #include "MeshShapes.h"
+#include "QuickWindow.h"
 #include "StlFiles.h"
-#include "WindowDriver.h"
 #include "WindowTestMain.h"
 
 #include <QComboBox>
@@ -27,6 +27,7 @@ class LogCommandTest : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  ClassWindow m_window;
 
   static QString lastCommand(WindowDriver& driver) {
     const QAbstractItemModel* log = driver.find<QTreeView>("logView")->model();
@@ -69,7 +70,7 @@ class LogCommandTest : public QObject {
   void aRepair() {
     const QString path = m_folder.filePath("it's a scan.stl");
     writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     QCOMPARE(paste(lastCommand(driver)), 0);
     driver.click("repairAllButton");
@@ -94,7 +95,7 @@ class LogCommandTest : public QObject {
   void handWork() {
     const QString path = m_folder.filePath("by hand.stl"), saved = m_folder.filePath("made.ply");
     writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     driver.clickDefect(DefectKind::Hole, 1);
     QVERIFY(driver.settle());
@@ -126,7 +127,7 @@ class LogCommandTest : public QObject {
     const QString path = m_folder.filePath("scan 2.stl"), first = m_folder.filePath("first.handwheel"),
                   second = m_folder.filePath("second.handwheel");
     writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     driver.clickDefect(DefectKind::Hole, 0);
     QVERIFY(driver.settle());
@@ -207,7 +208,7 @@ class LogCommandTest : public QObject {
         {"draft", " --density 0.54"}};
     for (const auto& [chosen, written] : choices) {
       QSettings().setValue("fidelity", chosen);
-      WindowDriver driver;
+      QuickWindow driver;
       QVERIFY(driver.open(path));
       driver.click("repairAllButton");
       QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
@@ -228,7 +229,7 @@ class LogCommandTest : public QObject {
 
   void aNewWorkpieceWithTheChosenChord() {
     QSettings().setValue("fidelity", "nurbs.chord_mm=0.25");
-    WindowDriver driver;
+    QuickWindow driver;
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());
     const QString path = m_folder.filePath("coarse.stl"), fine = m_folder.filePath("fine.stl");
@@ -244,7 +245,7 @@ class LogCommandTest : public QObject {
   }
 
   void aNewWorkpieceAndItsChanges() {
-    WindowDriver driver;
+    QuickWindow driver;
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());
     driver.edit("diameter", "1.1in");
@@ -266,7 +267,7 @@ class LogCommandTest : public QObject {
 
   // An export is no save: the document would be lost with it.
   void anExportLeavesTheDocumentUnsaved() {
-    WindowDriver driver;
+    QuickWindow driver;
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());
     driver.edit("diameter", "40");
@@ -282,8 +283,9 @@ class LogCommandTest : public QObject {
   }
 
  private:
-  static QString sizeOf(const QString& path) {
-    WindowDriver other;
+  // Opens the file in another window.
+  QString sizeOf(const QString& path) {
+    QuickWindow& other = m_window.cleared();
     return other.open(path) ? other.text("figures") : QString();
   }
 };

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../controls/Accessibility.h"
+#include "QuickWindow.h"
 #include "StlFiles.h"
-#include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "window/documents/Thumbnails.h"
 
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QStandardPaths>
 #include <QToolBar>
 
 using namespace handwheel;
@@ -20,6 +21,7 @@ class MainWindowTest : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  ClassWindow m_window;
 
   QString fileWithHoles(const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
@@ -37,7 +39,13 @@ class MainWindowTest : public QObject {
   }
 
  private slots:
-  void initTestCase() { qputenv("XDG_CACHE_HOME", QFile::encodeName(m_folder.path())); }  // pictures of recent files
+  // Pictures of recent files are written into the folder of this test. Mesa goes on with the shaders that it has
+  // compiled for others.
+  void initTestCase() {
+    const QString shaders = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
+    qputenv("MESA_SHADER_CACHE_DIR", QFile::encodeName(shaders));
+    qputenv("XDG_CACHE_HOME", QFile::encodeName(m_folder.path()));
+  }
 
   // At 1280 x 800, with the panels of a first start.
   void theViewportHasMostOfTheWindow() {
@@ -67,18 +75,21 @@ class MainWindowTest : public QObject {
   // each panel.
   void everybodyCanReadIt() {
     WindowDriver driver;
-    const auto look = [&driver](const char* what) {
+    const auto lookAt = [&driver](const QList<QDockWidget*>& panels, const char* what) {
       QCOMPARE(withoutAccessibleName(driver.window()).join('\n'), QString());
-      for (QDockWidget* panel : driver.window().findChildren<QDockWidget*>()) {
+      for (QDockWidget* panel : panels) {
         if (!panel->isVisible()) continue;
         panel->raise();
-        const bool isReadable =
-            QTest::qWaitFor([&] { return cutTextsInSight(driver.window()).isEmpty(); }, kPatienceMs / 4);
-        QVERIFY2(isReadable,
-                 qPrintable(QStringLiteral("%1, %2: %3")
-                                .arg(QLatin1String(what), panel->objectName(), cutTextsInSight(driver.window()))));
+        QString cut;
+        const auto isReadable = [&] {
+          cut = cutTextsInSight(driver.window());
+          return cut.isEmpty();
+        };
+        const bool isRead = QTest::qWaitFor(isReadable, kPatienceMs / 4);
+        QVERIFY2(isRead, qPrintable(QStringLiteral("%1, %2: %3").arg(QLatin1String(what), panel->objectName(), cut)));
       }
     };
+    const auto look = [&](const char* what) { lookAt(driver.window().findChildren<QDockWidget*>(), what); };
     look("start");
     QVERIFY(driver.open(fileWithHoles("read.stl")));
     driver.clickDefect(DefectKind::Hole, 0);
@@ -86,11 +97,13 @@ class MainWindowTest : public QObject {
     driver.click("compareMethods");
     QVERIFY(driver.settle());
     look("methods compared");
+    // The other panels have nothing of the tools.
+    const QList<QDockWidget*> ofTools = {driver.find<QDockWidget>("kindDock"), driver.find<QDockWidget>("toolDock")};
     for (const char* tool : {"selectTool", "boundaryTool", "makeFaceTool", "decimateTool", "subdivideTool",
                              "sculptTool", "transformTool", "volumeRepairTool"}) {
       driver.find<QAction>(tool)->trigger();
       QVERIFY(driver.settle());
-      look(tool);
+      lookAt(ofTools, tool);
     }
     for (const char* other :
          {"newWorkpiece", "openRobotSample", "newVolume", "exercise/first-lesson-teacher", "exercise/skull"}) {
@@ -111,7 +124,7 @@ class MainWindowTest : public QObject {
   }
 
   void withoutADocumentThereIsNothingToWorkOn() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(!driver.find<QMenu>("kindMenu/workpiece")->menuAction()->isVisible());
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());
@@ -123,7 +136,7 @@ class MainWindowTest : public QObject {
 
   // The icon in the strip of panels is that of the kind.
   void eachKindHasItsIcon() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     auto* button = driver.find<QAbstractButton>("panelStrip/kindDockToggle");
     QList<QImage> icons;
     const auto look = [&] {
@@ -142,7 +155,7 @@ class MainWindowTest : public QObject {
 
   // The strip brings a panel to the front that lies behind another, and folds away one that is seen.
   void thePanelStripShowsAndFolds() {
-    WindowDriver driver;
+    QuickWindow driver;
     QVERIFY(driver.open(fileWithHoles("strip.stl")));
     auto* view = driver.find<QDockWidget>("viewDock");
     const auto isSeen = [view] { return !view->visibleRegion().isEmpty(); };
@@ -160,7 +173,7 @@ class MainWindowTest : public QObject {
   }
 
   void movedTabsStayWithTheirDocuments() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     for (const char* name : {"a.stl", "b.stl", "c.stl"}) QVERIFY(driver.open(fileWithHoles(name)));
     auto* tabs = driver.find<QTabBar>("documentTabBar");
     tabs->moveTab(0, 2);
@@ -172,7 +185,7 @@ class MainWindowTest : public QObject {
   }
 
   void aDocumentClosedWhileItIsRepaired() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     const QString path = fileWithHoles("going.stl");
     QVERIFY(driver.open(path));
     driver.click("repairAllButton");
@@ -185,7 +198,7 @@ class MainWindowTest : public QObject {
   }
 
   void lengthsFollowTheDisplayUnit() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("inch.stl")));
     const auto detail = [&] {
       const QModelIndex group = driver.defects().groupIndex(DefectKind::Hole);
@@ -206,8 +219,8 @@ class MainWindowTest : public QObject {
 
   // Each view draws by a context of its own.
   void twoWindowsAtOnce() {
-    WindowDriver first;
-    WindowDriver second;
+    QuickWindow& first = m_window.cleared();
+    QuickWindow second;
     for (WindowDriver* driver : {&first, &second}) {
       QVERIFY(driver->open(fileWithHoles("two.stl")));
       QVERIFY(!driver->find<Viewport>("viewport")->grabImage().isNull());
@@ -216,7 +229,7 @@ class MainWindowTest : public QObject {
 
   // The plane stays where it is when the other side is cut away, and its offset reads the same.
   void theOtherSideOfTheSamePlane() {
-    WindowDriver driver;
+    QuickWindow driver;
     QVERIFY(driver.open(fileWithHoles("clip.stl")));
     const auto check = [&driver](const char* property) {
       driver.find<QWidget>(property)->findChild<QAbstractButton*>()->click();
@@ -243,7 +256,7 @@ class MainWindowTest : public QObject {
   }
 
   void severalDocumentsKeepTheirStates() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("one.stl")));
     QVERIFY(driver.open(fileWithHoles("two.stl")));
     QCOMPARE(driver.tabs(), 2);
@@ -262,7 +275,7 @@ class MainWindowTest : public QObject {
   }
 
   void openingTwiceShowsTheSame() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     const QString path = fileWithHoles("same.stl");
     QVERIFY(driver.open(path));
     QVERIFY(driver.open(path));
@@ -270,7 +283,7 @@ class MainWindowTest : public QObject {
   }
 
   void filesDroppedOnTheWindowOpen() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QMimeData files;
     files.setUrls({QUrl::fromLocalFile(fileWithHoles("first.stl")), QUrl::fromLocalFile(fileWithHoles("second.stl"))});
     QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
@@ -285,13 +298,13 @@ class MainWindowTest : public QObject {
   void filesOpenedAreRecent() {
     const QString path = fileWithHoles("recent.stl");
     {
-      WindowDriver driver;
+      QuickWindow& driver = m_window.cleared();
       QVERIFY(driver.open(path));
       QTRY_VERIFY_WITH_TIMEOUT(driver.find<Viewport>("viewport")->isPickingReady(), kPatienceMs);
       driver.click("closeTab");
       QTRY_VERIFY_WITH_TIMEOUT(!Thumbnails::of(path).isNull(), kPatienceMs);
     }
-    WindowDriver driver;
+    QuickWindow driver;
     driver.click("recent/recent.stl");
     QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
     QVERIFY(driver.settle());
@@ -301,7 +314,7 @@ class MainWindowTest : public QObject {
   }
 
   void themesSwitch() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     driver.click("quickActions/darkTheme");
     QCOMPARE(currentTheme(), ThemeKind::Dark);
     driver.click("quickActions/darkTheme");

@@ -17,7 +17,7 @@ namespace handwheel::test {
 using Corner = std::array<float, 3>;
 using Corners = std::array<Corner, 3>;
 
-// Returns a torus of rings x sides quads; the listed quads are missing, each of them one hole of four edges.
+// Returns a torus of rings × sides quads without the listed quads. Each missing quad leaves a hole of four edges.
 inline std::vector<Corners> quadTorus(int rings, int sides, const std::set<std::pair<int, int>>& missing) {
   const auto at = [&](int i, int j) -> Corner {
     const double u = 2.0 * M_PI * (i % rings) / rings;
@@ -36,7 +36,7 @@ inline std::vector<Corners> quadTorus(int rings, int sides, const std::set<std::
   return triangles;
 }
 
-// Returns a torus with one hole, of 6 by 4 cells.
+// Returns a torus with one hole of 6 × 4 cells.
 inline std::vector<Corners> torusWithHole() {
   std::set<std::pair<int, int>> missing;
   for (int i = 3; i < 9; ++i) {
@@ -69,8 +69,8 @@ inline std::vector<Corners> readStl(const QString& path) {
   return triangles;
 }
 
-// Returns the number of edges that only one triangle uses; -1 if some edge is used twice in the same direction or by
-// more than two triangles.
+// Returns the number of edges that only one triangle uses. The result is -1 if an edge is used twice in the same
+// direction or by more than two triangles.
 inline int openEdges(const std::vector<Corners>& triangles) {
   std::map<std::pair<Corner, Corner>, int> directed;
   for (const Corners& t : triangles) {

@@ -11,13 +11,13 @@
 #include <QKeySequenceEdit>
 #include <QPushButton>
 
-// A test fixture for keys of tools. Keys are changed in the preferences, and pressed in the view while a brush selects
-// faces.
+// Test fixtures for the keys of tools. Keys are changed in the preferences, and pressed in the view while a brush
+// selects faces.
 namespace handwheel::test {
 
 inline constexpr const char* kSmaller = "tool/select/smaller";
 
-// The page of keys in the preferences, as the user operates it.
+// The page of keys in the preferences, operated through its widgets.
 class KeyPage {
  public:
   explicit KeyPage(WindowDriver& driver) : m_driver(driver) {
@@ -46,7 +46,7 @@ class KeyPage {
     auto* keys = m_driver.find<QKeySequenceEdit>("shortcutKeys");
     keys->setFocus();
     QTest::keyClick(keys, Qt::Key(key), modifiers);
-    emit keys->editingFinished();  // emitted after the pause in the program
+    emit keys->editingFinished();  // the editor emits this signal after a pause
   }
   QString shownKeys(const QString& id) const {
     return rowOf(id).siblingAtColumn(ShortcutModel::Keys).data().toString();
@@ -82,7 +82,7 @@ class BrushFixture {
     const auto* row = driver.find<QWidget>("toolDock")->findChild<QWidget*>("property/brush_pixels");
     return row->findChild<QLineEdit*>()->text().toDouble();
   }
-  // Keys of menus need an active window.
+  // Presses a key in the view. The window must be active, as otherwise the keys of menus do not work.
   void press(int key, Qt::KeyboardModifiers modifiers = {}) {
     driver.window().activateWindow();
     if (!QTest::qWaitForWindowActive(&driver.window())) qFatal("the window does not become active");

@@ -15,6 +15,7 @@
 #include <QMenu>
 #include <QSemaphore>
 #include <QSettings>
+#include <QSize>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QThreadPool>
@@ -23,23 +24,30 @@
 #include <QtTest>
 #include <utility>
 
-// A main window for tests with settings of its own. It is driven through the widgets of the user, found by their names.
+// A main window for tests, operated through its widgets. The widgets are found by their names.
 namespace handwheel::test {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int kPatienceMs = 120000;  // everything takes several times as long
+constexpr int kPatienceMs = 120000;  // all work takes several times as long with the sanitizer
 #else
 constexpr int kPatienceMs = 20000;
 #endif
 
+constexpr QSize kUsualWindow{1280, 800};
+// A window in which less has to be drawn, for tests that do not depend on its size. The window becomes as large as its
+// layout needs.
+constexpr QSize kSmallWindow{700, 420};
+
 class WindowDriver {
  public:
-  explicit WindowDriver(std::vector<KindRegistration> kinds = builtInKinds(), MainWindow::Drivers drivers = {})
+  explicit WindowDriver(std::vector<KindRegistration> kinds = builtInKinds(), MainWindow::Drivers drivers = {},
+                        const QSize& size = kUsualWindow)
       : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds.set, std::move(drivers)) {
-    m_window.resize(1280, 800);
+    m_window.resize(size);
     m_window.show();
     if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");
   }
+  explicit WindowDriver(const QSize& size) : WindowDriver(builtInKinds(), {}, size) {}
   ~WindowDriver() {
     release();
     m_workers.waitForDone();
@@ -60,7 +68,7 @@ class WindowDriver {
     }
     QTest::mouseClick(button, Qt::LeftButton);
   }
-  // Chooses an entry of the menus.
+  // Triggers the entry of a menu that has this name.
   void choose(const char* name) {
     for (const QMenu* menu : m_window.findChildren<QMenu*>()) {
       for (QAction* action : menu->actions()) {
@@ -81,13 +89,16 @@ class WindowDriver {
   }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 
-  // No job begins between the two lines.
+  // Occupies the only worker thread, so that no job starts before release().
   void hold() {
     m_workers.setMaxThreadCount(1);
     m_workers.start([this] { m_gate.acquire(); });
     ++m_held;
   }
   void release() { m_gate.release(std::exchange(m_held, 0)); }
+
+  // Waits until all started jobs have done their work, without telling the window.
+  void finishJobs() { m_workers.waitForDone(); }
 
   bool settle() {
     return QTest::qWaitFor([this] { return m_window.isSettled(); }, kPatienceMs);

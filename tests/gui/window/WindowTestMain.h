@@ -15,8 +15,8 @@
 
 namespace handwheel::test {
 
-// Runs a test of the window, with settings and autosaves in a temporary folder. Otherwise it starts like the program.
-// Classes run beside each other: none may find, or remove, the recovery data of another.
+// Runs a test of the window, with settings and autosaves in a temporary folder. Everything else starts as in the
+// program. Test classes run at the same time, and must not find or remove each other's recovery data.
 template <class Test>
 int runWindowTest(int argc, char** argv) {
   Viewport::prepareApplication();

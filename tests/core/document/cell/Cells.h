@@ -24,8 +24,9 @@ inline void write(const QString& path, const std::string& bytes) {
     throw std::runtime_error("not written");
 }
 
-// The URDF of a small test arm. A slide along x (0 to 1 m), on it an arm that turns about z (±2 rad), and a claw that
-// follows the arm; the tool 0.5 m out. The foot is a box, the arm a mesh of 0.5 m × 0.1 m × 0.1 m from a file.
+// The URDF of a small test arm. A slide moves along x (0 to 1 m) and carries an arm that turns about z (±2 rad). A claw
+// follows the arm, and the tool is 0.5 m from the axis of the arm. The foot is a box; the arm is a mesh of 0.5 m × 0.1
+// m × 0.1 m from a file.
 inline const std::string kArmUrdf = R"(<robot name='arm'>
   <link name='foot'><visual><geometry><box size='0.2 0.2 0.1'/></geometry></visual></link>
   <link name='sledge'/>
@@ -42,7 +43,7 @@ inline const std::string kArmUrdf = R"(<robot name='arm'>
   <joint name='end' type='fixed'><parent link='upper'/><child link='tool0'/><origin xyz='0.5 0 0'/></joint>
 </robot>)";
 
-// The arm in a package on disk.
+// A package of files on disk with the test arm and its mesh.
 class ArmPackage {
  public:
   ArmPackage() {
@@ -98,7 +99,7 @@ inline Box boxOf(const TriangleSoup& soup) {
   return box;
 }
 
-// Returns true if both corners are there, to a tenth of a micrometre.
+// Returns true if each corner of the box is nearer to the given one than the tolerance (mm).
 inline bool isNear(const Box& box, const Vec3& min, const Vec3& max, double tolerance = 1e-4) {
   return (box.min() - min).norm() < tolerance && (box.max() - max).norm() < tolerance;
 }

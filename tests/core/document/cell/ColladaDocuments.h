@@ -13,8 +13,8 @@ namespace handwheel::test {
 inline const std::string kTriangles =
     "<triangles count='1'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles>";
 
-// Returns one geometry "g" with these primitives and nine points in a square grid of side 1, at z = 0, 1, 2, … times a
-// tenth.
+// Returns the geometry "g" with these primitives. Its nine points have the x and y of a grid of 3 × 3 points with
+// spacing 1; the z of point i is i / 10.
 inline std::string geometry(const std::string& primitives = kTriangles) {
   std::string numbers;
   for (int i = 0; i < 9; ++i)

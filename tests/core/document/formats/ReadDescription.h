@@ -11,7 +11,7 @@
 #include <bit>
 #include <cstring>
 
-// The result of a reader, as one line of text to compare with.
+// The result of a reader as one line of text, which tests compare.
 namespace handwheel::test {
 
 inline const char* nameOf(LostAttribute lost) {
@@ -20,7 +20,7 @@ inline const char* nameOf(LostAttribute lost) {
   return kNames[static_cast<std::size_t>(lost)];
 }
 
-// "NumberMalformed(1X) line 15"
+// Returns a text such as "NumberMalformed(1X) line 15".
 inline QString describe(const Error& error) {
   QStringList arguments;
   for (const std::string& argument : error.arguments) arguments << QString::fromLatin1(argument.c_str());
@@ -31,7 +31,7 @@ inline QString describe(const Error& error) {
   return text;
 }
 
-// "0 0 0, 1 0 0, 0 1 0 | 0 1 2" or "... ! damage; damage - Colour Normals"
+// Returns a text such as "0 0 0, 1 0 0, 0 1 0 | 0 1 2" or "... ! damage; damage - Colour Normals".
 inline QString describe(const Result<MeshFile>& result) {
   if (!result) return describe(result.error());
   QStringList points, triangles, damage;
@@ -50,7 +50,7 @@ inline Result<MeshFile> read(const QByteArray& bytes, bool partial = false, cons
   return readMesh({bytes.constData(), static_cast<std::size_t>(bytes.size())}, name, {partial});
 }
 
-// Bytes with numbers in a byte order.
+// Bytes that contain numbers in a given byte order.
 class Bytes {
  public:
   explicit Bytes(std::endian order = std::endian::little) : m_order(order) {}
@@ -79,7 +79,7 @@ class Bytes {
   QByteArray m_bytes;
 };
 
-// The description of the triangle in most inputs.
+// The description of the triangle that most inputs contain.
 inline const QString kTriangle = "0 0 0, 1 0 0, 0 1 0 | 0 1 2";
 
 }  // namespace handwheel::test

@@ -21,7 +21,7 @@ inline std::string stepFile(const std::string& name) {
   return *bytes;
 }
 
-// Replaces one part of a text.
+// Returns the text with the first occurrence of a part replaced.
 inline std::string replaced(std::string text, const std::string& before, const std::string& after) {
   const std::size_t at = text.find(before);
   if (at == std::string::npos) qFatal("the file does not hold %s", before.c_str());

@@ -5,10 +5,10 @@
 #include "ReadDescription.h"
 #include "document/container/ZipWriter.h"
 
-// 3MF files put together from text.
+// 3MF files for tests, composed of text.
 namespace handwheel::test {
 
-// A tetrahedron at the origin; its description is kTetrahedron.
+// A tetrahedron at the origin. kTetrahedron is its description.
 inline const QByteArray kMesh =
     "<mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' y='1' z='0'/>"
     "<vertex x='0' y='0' z='1'/></vertices><triangles><triangle v1='0' v2='2' v3='1'/><triangle v1='0' v2='1' v3='3'/>"
@@ -60,7 +60,7 @@ inline QByteArray mesh(const QByteArray& vertices, const QByteArray& triangles) 
   return "<mesh><vertices>" + vertices + "</vertices><triangles>" + triangles + "</triangles></mesh>";
 }
 
-// A triangle; its description is kTriangle.
+// A triangle. kTriangle is its description.
 inline const QByteArray kTriangleMesh =
     mesh("<vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' y='1' z='0'/>",
          "<triangle v1='0' v2='1' v3='2'/>");
@@ -70,7 +70,7 @@ inline QString readModel(const QByteArray& resources, const QByteArray& build, c
   return describe(read(package(model(resources, build, attributes)), partial));
 }
 
-// Returns the error of reading a file. Cancelled stands for success: it never is an error here.
+// Returns the error of reading a file; Cancelled, which reading never returns in tests, if there is no error.
 inline ErrorCode codeOf(const QByteArray& bytes, bool partial = false) {
   const auto file = read(bytes, partial);
   return file ? ErrorCode::Cancelled : file.error().code;

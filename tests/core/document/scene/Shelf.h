@@ -138,7 +138,7 @@ inline void add(ShelfDocument& document, Body added) {
   document.commit("Add", valueOf(addBodyEdit(document.bodies(), std::move(added))));
 }
 
-// Returns a file as read, with damage and notes.
+// Returns the file that these bytes contain, with the damage and notes found by reading.
 inline OpenedFile opened(const std::string& bytes) {
   return valueOf(kinds().openContainer(bytes));
 }

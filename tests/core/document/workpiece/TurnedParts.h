@@ -4,7 +4,7 @@
 
 #include "document/workpiece/TurnedPartEdit.h"
 
-// Turned parts to test documents with.
+// Turned parts for tests of documents.
 namespace handwheel::test {
 
 inline WorkpieceSnapshot cutTwice() {

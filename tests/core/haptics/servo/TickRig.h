@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// A tick on a virtual clock, with a scripted device.
+// A servo tick on a virtual clock, with a scripted device.
 struct Rig {
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
   ScriptedDevice device{log};
@@ -22,13 +22,13 @@ struct Rig {
     tick.run(time);
     return channel.latest.read();
   }
-  // Runs so many more ticks and returns the last sample.
+  // Runs the given number of ticks and returns the last sample.
   ServoSample runMany(int count) {
     ServoSample sample;
     for (int i = 0; i < count; ++i) sample = run();
     return sample;
   }
-  // Waits past the ramp in free space, and then moves to x in half a second.
+  // Waits in free space until the force ramp is over, then moves to x in half a second. Returns the last sample.
   ServoSample pressTo(double x) {
     log->state.position = {-1, 0, 0};
     runMany(1500);

@@ -8,7 +8,8 @@
 #include <random>
 #include <vector>
 
-// Features to snap to, and an independent computation of the nearest point. It uses no code of the program.
+// Features to snap to, and an independent computation of the nearest point. The computation uses no code of the
+// program.
 namespace handwheel::test {
 
 using Real = long double;
@@ -18,7 +19,8 @@ inline constexpr SnapShape kSnapShapes[] = {SnapShape::Spring, SnapShape::Triang
                                             SnapShape::Gaussian};
 inline constexpr SnapShape kSmoothShapes[] = {SnapShape::Triangular, SnapShape::Quadratic, SnapShape::Gaussian};
 
-// Returns the force of eq. 3-1 to 3-3; slopeByEquation() returns the largest slopes that the specification states.
+// Returns the force according to the equations 3-1 to 3-3 (He 2008; SnapProfile.h). k: stiffness; ls: snap distance;
+// x: distance from the feature.
 inline Real forceByEquation(SnapShape shape, Real k, Real ls, Real x) {
   if (x <= 0 || x >= ls) return 0;
   const auto g = [&](Real at) {
@@ -31,6 +33,7 @@ inline Real forceByEquation(SnapShape shape, Real k, Real ls, Real x) {
   return k * (ls / 2) * (g(x) - g(0)) / (1 - g(0));
 }
 
+// Returns the largest slope of the force, as a multiple of k.
 inline double slopeByEquation(SnapShape shape) {
   if (shape == SnapShape::Quadratic) return 2.0;
   return shape == SnapShape::Gaussian ? 1.8401 : 1.0;
@@ -51,7 +54,8 @@ inline Vec3l nearestOnLine(const Vec3l& p, const Vec3l& a, const Vec3l& b) {
   return a + t * along;
 }
 
-// Uses the regions of the triangle's plane (Ericson, Real-Time Collision Detection, 5.1.5).
+// Returns the point of a triangle nearest to p, by the regions of the triangle's plane (Ericson, Real-Time Collision
+// Detection, 5.1.5).
 inline Vec3l nearestOnFace(const Vec3l& p, const Vec3l& a, const Vec3l& b, const Vec3l& c) {
   const Vec3l normal = (b - a).cross(c - a);
   const bool hasArea = normal.squaredNorm() > 0;
@@ -85,7 +89,7 @@ inline Simplex face(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {SnapKind::Facet, {a, b, c}};
 }
 
-// Collects the features, each with its index in the list as its number.
+// Converts simplices to features. The number of each feature is its index in the list.
 inline SnapFeatures featuresOf(const std::vector<Simplex>& simplices) {
   SnapFeatures features;
   for (std::uint32_t i = 0; i < simplices.size(); ++i) {
@@ -107,7 +111,7 @@ inline Vec3 randomIn(std::mt19937& random, double size) {
   return {x, y, number(random)};
 }
 
-// Returns simplices of all kinds in a cube of half-width `size` (mm), themselves about `length` long.
+// Returns random simplices of all kinds in a cube of half-width `size` (mm). Each is about `length` (mm) long.
 inline std::vector<Simplex> randomSimplices(std::mt19937& random, std::size_t count, double size, double length,
                                             const Vec3& middle = Vec3::Zero()) {
   std::vector<Simplex> simplices;

@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-// A lathe at work on a bar of 40 mm by 100 mm. Its tools are at the positions of the read-out.
+// A lathe at work on a bar of 40 mm by 100 mm. With exactSetup(), the read-out shows the true positions of the tools.
 class Lathe {
  public:
   using CommandKind = LatheCommand::Kind;
@@ -38,7 +38,7 @@ class Lathe {
       deepest = std::max(deepest, step.cut.depth);
     }
   }
-  // The part must not be in the way, and nothing may hold the tool.
+  // Moves the tip to a position. The part must not obstruct the motion, and nothing may hold the tool.
   void go(double r, double z) {
     once({{CommandKind::MoveTip, LatheAxis::Carriage, r, z}});
     for (int i = 0; i < 20000 && (run.machine().tip() - ProfilePoint(r, z)).norm() > 1e-9; ++i)

@@ -10,8 +10,9 @@ namespace handwheel::test {
 // The bar of a bush, 40 mm thick and 100 mm long.
 inline constexpr StockCylinder kBushBar{40.0, 100.0, 0.0};
 
-// Its passes as a manual lathe records them; heights count from the lower end of the bar. Drilled with 20 mm down to
-// 45 mm, bored to 23 mm and on to 28 mm, turned outside to 36 mm, and bored to 31 mm at the end by a round nose.
+// Returns the passes of the bush as a manual lathe records them. Heights count from the lower end of the bar. The bar
+// is drilled with 20 mm down to 45 mm, bored to 23 mm and then to 28 mm, turned to 36 mm outside, and bored to 31 mm at
+// the end with a round nose.
 inline std::vector<TurningPass> bushPasses() {
   const LatheTools shipped = shippedLatheTools();
   const auto pass = [&](const char* tool, std::vector<ProfilePoint> path) {

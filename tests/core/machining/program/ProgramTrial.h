@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// Runs programs on a lathe. Its machine zero is that of the part, unless the setup says otherwise.
+// A lathe that runs programs in tests. Its machine zero is the zero of the part unless the setup says otherwise.
 struct ProgramTrial {
   explicit ProgramTrial(ProgramDialect dialect = ProgramDialect::LinuxCnc) { setup.dialect = dialect; }
 
@@ -27,7 +27,7 @@ struct ProgramTrial {
     if (!isThere) qWarning("ends at r %g, z %g", to.x(), to.y());
     return isThere;
   }
-  // Returns the error of a program, as "line: word: reason. advice"; empty if it has none.
+  // Returns the error of a program as "line: word: reason. advice". The text is empty if the program has no error.
   std::string refusalOf(const std::string& text) const {
     const Result<ToolPath> path = runProgram(text, setup);
     if (path) return {};

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <vector>
 
-// Profiles of parts to test with.
+// Random profiles of parts for tests.
 namespace handwheel::test {
 
-// Returns a uniform value from the whole range, also in RapidCheck's first, small tests.
+// Returns a value that is uniform over the whole range, even in RapidCheck's first tests, which use small sizes.
 inline double evenly(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
@@ -27,8 +27,8 @@ inline ProfileSegment anySegment(double size) {
   return {point(), point(), isArc ? std::tan(0.25 * evenly(-1.9 * M_PI, 1.9 * M_PI)) : 0.0};
 }
 
-// Returns the outline of a shaft with shoulders, tapers and fillets, of 1 to 6 steps, from its lower end on the axis to
-// the upper one; no step crosses another.
+// Returns the outline of a shaft of 1 to 6 steps with shoulders, tapers and fillets. The outline runs from its lower
+// end on the axis to its upper end, and no step crosses another.
 inline std::vector<ProfileSegment> anyShaft() {
   std::vector<ProfileSegment> all;
   ProfilePoint at(0.0, 0.0);
@@ -47,7 +47,7 @@ inline std::vector<ProfileSegment> anyShaft() {
       line(at.x(), at.y() + length);
       if (std::abs(r - at.x()) > 0.1) line(r, at.y());
     }
-    if (form == 3) {  // arc over the length, at most a third of a circle
+    if (form == 3) {  // arc over the length, at most a tenth of a circle
       const ProfilePoint to(r, at.y() + length);
       const ProfileSegment arc{at, to, std::tan(0.25 * evenly(-0.6, 0.6))};
       all.push_back(arc);

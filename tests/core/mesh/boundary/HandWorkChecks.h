@@ -14,14 +14,14 @@ inline FaceLocator nearFaces(const HalfEdgeMesh& mesh) {
   return {mesh, std::make_shared<FaceHierarchy>(mesh)};
 }
 
-// Returns the border half-edge that starts at this position.
+// Returns a border half-edge that starts at this position, or kNone.
 inline HalfEdge borderAt(const HalfEdgeMesh& mesh, const Vec3& p) {
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
     if (mesh.isBorder(h) && mesh.position(mesh.from(h)) == p) return h;
   return kNone;
 }
 
-// Returns the damage that a manual edit did to a mesh; empty: none.
+// Returns the damage that a manual edit did to a mesh, or an empty string if there is none.
 inline std::string worse(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   if (const std::string broken = validate(after); !broken.empty()) return broken;
   const Edges was = countEdges(before), is = countEdges(after);

@@ -3,6 +3,7 @@
 #include "mesh/repair/RepairBudget.h"
 
 #include "GarbageMeshes.h"
+#include "LargeInputs.h"
 #include "RepairChecks.h"
 #include "TestClass.h"
 #include "document/formats/MeshFormat.h"
@@ -135,22 +136,24 @@ void RepairBudgetTest::passesOverAnyMeshAreAllowed() {
 }
 
 void RepairBudgetTest::damagedSpheres() {
-  std::size_t stopped = 0;
-  for (std::uint32_t seed = 0; seed < kSpheres; ++seed) {
-    const RepairedSphere sphere = seed + 1 < kSpheres ? RepairedSphere(seed) : lastSphere();
+  for (std::uint32_t seed = 0; seed < test::sized(kSpheres / 2, kSpheres - 1); ++seed) {
+    const RepairedSphere sphere(seed);
     const std::string problem = wrong(sphere.before, sphere.after, sphere.report);
     QVERIFY2(problem.empty(), problem.c_str());
-    stopped += givenUp(sphere.report) > 0;
   }
-  QVERIFY2(stopped > 0, "none of them was too much");
+  const std::string problem = wrong(lastSphere().before, lastSphere().after, lastSphere().report);
+  QVERIFY2(problem.empty(), problem.c_str());
+  QVERIFY2(givenUp(lastSphere().report) > 0, "the most damaged was not too much");
 }
 
 void RepairBudgetTest::damagedFiles() {
   const QString folder = qEnvironmentVariable("HANDWHEEL_DATA");
   if (folder.isEmpty()) QSKIP("HANDWHEEL_DATA is not set: no damaged files to repair");
   const QDir garbage(folder + "/garbage-meshes");
+  // In the first of these, all holes are filled; in the second, all are given up; in the third, some of both.
+  const QStringList usual{"532_be.ply", "1908_be.ply", "400_b.stl"};
   std::size_t files = 0;
-  for (const QFileInfo& file : garbage.entryInfoList(QDir::Files)) {
+  for (const QFileInfo& file : garbage.entryInfoList(test::sized(usual, QStringList{"*"}), QDir::Files)) {
     const auto read = readMeshFile(file.filePath().toStdString(), {.partial = true});
     if (!read) continue;
     const HalfEdgeMesh before = buildMesh(read->soup).mesh;
@@ -163,7 +166,7 @@ void RepairBudgetTest::damagedFiles() {
     QVERIFY2(problem.empty(), (file.fileName().toStdString() + ": " + problem).c_str());
     ++files;
   }
-  QVERIFY(files > 0);
+  QVERIFY(files >= 3);
 }
 
 void RepairBudgetTest::isTheSameInEveryRun() {

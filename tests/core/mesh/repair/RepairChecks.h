@@ -14,7 +14,7 @@ inline std::size_t intersections(const HalfEdgeMesh& mesh) {
   return findSelfIntersections(mesh).value().size();
 }
 
-// Returns the input vertices whose position changed, or that faces no longer use.
+// Returns the input vertices whose position changed or is no longer used by faces.
 inline std::set<Vertex> reallyTouched(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   const std::set<Coordinates> left = allCoordinates(after.compact().soup);
   std::set<Vertex> touched;
@@ -30,7 +30,7 @@ inline std::size_t count(const RepairReport& report, LoopOutcome outcome) {
                        [&](const LoopResult& loop) { return loop.outcome == outcome; });
 }
 
-// Returns the first inconsistency of a report; empty: none. Holds for every mesh.
+// Returns the first inconsistency of a report, or an empty string if there is none. The checks apply to every mesh.
 inline std::string inconsistent(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const RepairReport& report) {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(before);
   std::vector<int> seen(loops.size(), 0);

@@ -12,7 +12,7 @@ inline HalfEdgeMesh built(const TriangleSoup& soup) {
   return buildMesh(soup).mesh;
 }
 
-// A fan of n triangles around the origin, which is its last point.
+// Returns a fan of n triangles around the origin. The origin is its last point.
 inline TriangleSoup fan(std::uint32_t n) {
   TriangleSoup soup;
   for (std::uint32_t j = 0; j < n; ++j) {

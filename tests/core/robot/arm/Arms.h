@@ -21,7 +21,7 @@ inline double evenlyBetween(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-// Returns values within the limits; without limits, within ±3.
+// Returns random values within the limits of the joints, or within ±3 for joints without limits.
 inline ArmValues anyValuesOf(const SerialArm& arm) {
   ArmValues values(arm.size());
   for (Eigen::Index i = 0; i < arm.size(); ++i) {
@@ -32,13 +32,15 @@ inline ArmValues anyValuesOf(const SerialArm& arm) {
   return values;
 }
 
-// Returns the largest difference of two poses: lengths relative to the size, and rotations.
+// Returns the difference of two poses: the distance of their origins relative to `size`, or the largest difference of
+// the elements of their rotation matrices if that is larger.
 inline double difference(const Pose& a, const Pose& b, double size) {
   const double position = (a.translation() - b.translation()).norm() / size;
   return std::max(position, (a.linear() - b.linear()).cwiseAbs().maxCoeff());
 }
 
-// Returns an arm of so many joints about axes of every direction, some of them slides.
+// Returns a random arm with this number of joints, about axes of every direction. About a quarter of the joints are
+// prismatic.
 inline SerialArm anyArm(int joints) {
   std::vector<DhRow> table;
   for (int i = 0; i < joints; ++i) {

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-// Programs of any motions, for properties of posts.
+// Programs of arbitrary motions, for tests of the properties of posts.
 namespace handwheel::test {
 
 inline SerialArm armCalled(const char* id) {
@@ -40,15 +40,15 @@ inline ProgramMotion anyMotion(const SerialArm& arm) {
   return motion;
 }
 
-// A speed must be read back to half a step of the coarsest language, which has whole percent and tenths of mm/s; the
-// blend is none, or not larger.
+// Returns true if a motion was read back as it was written. Speeds may differ by half a step of the coarsest language
+// (whole percent, tenths of mm/s), and a blend may be smaller than the wanted one.
 inline bool isDoneAs(const ProgramMotion& wanted, const ParsedMotion& read) {
   const double step = wanted.kind == ProgramMotion::Kind::Joint ? 0.01 : 0.1;
   return read.kind == wanted.kind && read.speed && std::abs(*read.speed - wanted.speed) <= 0.501 * step &&
          read.blend >= 0.0 && read.blend <= wanted.blend + 1e-3;
 }
 
-// Checks that any program that a post writes for this robot is read back as the same motions, with their speeds.
+// Checks that any program that a post writes for this robot is read back with the same motions and speeds.
 inline void checkAnyProgram(const PostProcessor& post, const char* robot) {
   RobotProgram program = programOf(robot);
   program.isBaseOfController = *rc::gen::arbitrary<bool>();

@@ -8,7 +8,7 @@
 
 namespace handwheel::test {
 
-// Input of a drilling simulation in tests, and its state.
+// Input and state of a drilling simulation in tests.
 inline std::shared_ptr<const DrillState> stateOf(const DrillSimulation& simulation) {
   return std::static_pointer_cast<const DrillState>(simulation.state());
 }

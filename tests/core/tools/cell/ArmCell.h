@@ -14,7 +14,7 @@
 
 namespace handwheel::test {
 
-// The document of a cell with a built-in robot. It is prepared for planning on demand.
+// The document of a cell with a built-in robot. scene() prepares the cell for planning when it is called.
 class ArmCell {
  public:
   explicit ArmCell(const char* id = "irb120") : ArmCell(*libraryTable(id)) {}

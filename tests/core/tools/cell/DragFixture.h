@@ -29,8 +29,8 @@ inline std::string joint(const std::string& name, const std::string& type, const
          "'/><origin xyz='" + std::to_string(x) + " 0 0'/><axis xyz='" + axis + "'/>" + more + "</joint>";
 }
 
-// Two arms of 400 mm in the plane z = 0, turning about z by at most 2 rad; a sledge on the second, along it; and a
-// finger that turns with the second joint.
+// The URDF of the robot. Two arms of 400 mm turn about z in the plane z = 0, by at most 2 rad. A sledge slides along
+// the second arm, a finger on the first arm turns with the second joint, and a free link turns without limits.
 inline const std::string kRobot =
     "<robot name='r'>" + bar("foot") + bar("upper") + bar("lower") + bar("sledge") + bar("finger") + bar("free") +
     joint("shoulder", "revolute", "foot", "upper", 0, "0 0 1") +
@@ -59,7 +59,7 @@ class Fixture {
 
   RobotCellDocument& document() { return *m_document; }
 
-  // Returns a picker that always hits this part: the rays of the tests look straight down.
+  // Returns a picker that always hits this part, in the plane z = 0. The rays of the tests look straight down.
   JointDragTool::Pick picking(const std::string& part) {
     return [part](const Ray& ray) -> std::optional<RobotCellPick> {
       return RobotCellPick{part, Vec3(ray.origin.x(), ray.origin.y(), 0)};

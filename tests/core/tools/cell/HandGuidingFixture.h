@@ -13,7 +13,7 @@
 
 namespace handwheel::test {
 
-// An IRB 120 with a wall at x = 420 mm, whose tool is led.
+// A cell in which the tool of an IRB 120 is guided by hand. There is a wall at x = 420 mm.
 class HandGuidingFixture {
  public:
   HandGuidingFixture() {
@@ -67,7 +67,7 @@ class HandGuidingFixture {
   }
 
   int added = 0;
-  bool isUnderWay = false;  // True if the cell is being prepared
+  bool isUnderWay = false;  // true if the cell is being prepared
   double time = 0.0, guideComesAt = 0.0;
   std::vector<HandGuidingTrial> trials;
 

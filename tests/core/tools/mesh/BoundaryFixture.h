@@ -21,7 +21,7 @@ class BoundaryFixture {
     m_tool = std::make_unique<BoundaryTool>(*m_document, immediateServices(*m_document));
     QObject::connect(m_document.get(), &Document::changed, [this] { m_tool->documentChanged(); });
   }
-  // Presses and drags the pointer, without the release.
+  // Presses and drags the pointer, without releasing it.
   void drag(const Vec3& from, const Vec3& to, Modifiers modifiers = {}) {
     m_tool->pointer(above(Kind::Press, from.x(), from.y(), modifiers));
     const Vec3 middle = 0.5 * (from + to);
@@ -35,7 +35,7 @@ class BoundaryFixture {
     const Property* shown = propertyNamed(all, property);
     return shown ? shown->problem : "it is not shown";
   }
-  // Returns an empty string if exactly one valid step was made and undo restores the mesh before it.
+  // Returns an empty string if exactly one valid step was made and undo restores the previous mesh.
   std::string oneStep(const HalfEdgeMesh& before) {
     QUndoStack& history = *m_document->history();
     if (history.count() != 1 || history.index() != 1) return "not one step";

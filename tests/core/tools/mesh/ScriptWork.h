@@ -17,13 +17,13 @@ struct Work {
   MeshServices services() const { return immediateServices(*document); }
   int steps() const { return document->history()->index() - document->openingSteps(); }
   std::string step(int i = 0) const { return scriptLinesSince(*document).value().at(static_cast<std::size_t>(i)); }
-  // Returns an empty string if exactly "count" steps were made and they can be replayed.
+  // Returns an empty string if exactly count steps were made and they can be replayed.
   std::string check(int count = 1) const {
     return steps() == count ? test::replayed(soup, *document) : "steps: " + std::to_string(steps());
   }
   Vertex key(std::size_t loop) const { return keyOf(document->mesh(), document->defects().loops.at(loop)); }
 
-  // Fills a hole like RepairJobs.
+  // Fills a hole as RepairJobs does.
   FillFailure fill(std::size_t id, FillOptions options = {}) {
     options.numbers = document->fileNumbers();
     const BoundaryLoop loop = document->defects().loops.at(id);

@@ -52,7 +52,7 @@ struct SculptFixture {
     for (const auto& p : path) runner.pointer(above(Kind::Drag, p.x(), p.y(), modifiers));
     runner.pointer(above(Kind::Release, path.back().x(), path.back().y(), modifiers));
   }
-  // Lifts the middle of the plate with a device.
+  // Lifts a point of the plate with an input device.
   void lift(double height, double x = 10.0) {
     PointerEvent event = above(Kind::Press, x, 10.0);
     event.device = Pose(Eigen::Translation3d(x, 10.0, 0.0));

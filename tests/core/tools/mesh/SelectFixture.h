@@ -9,8 +9,8 @@
 
 namespace handwheel::test {
 
-// Returns two parallel plates of 10 × 10 squares with integer corners, facing up. The upper one has the faces from 200
-// on.
+// Returns two parallel plates of 10 × 10 squares with integer corners, facing up. The upper plate has the faces from
+// number 200 on.
 inline TriangleSoup plates() {
   const auto plate = [](double z) {
     return grid(11, 11, false, false, [=](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, z); });
@@ -41,7 +41,7 @@ struct SelectFixture {
   }
 };
 
-// Returns the first of the two faces of a square of the upper plate; the other is the next number.
+// Returns the first of the two faces of a square of the upper plate; the other face has the next number.
 inline Face upper(int x, int y) {
   return static_cast<Face>(200 + 2 * (10 * x + y));
 }

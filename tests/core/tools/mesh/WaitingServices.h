@@ -8,7 +8,7 @@
 
 namespace handwheel::test {
 
-// Jobs and changes that wait until the test continues them, like those of workers.
+// Jobs and changes that wait, as on workers, until the test continues them.
 struct WaitingServices {
   std::shared_ptr<const FaceHierarchy> faces;
   std::deque<ToolJob> jobs;
@@ -19,7 +19,7 @@ struct WaitingServices {
     return {[this] { return faces; }, [this](ToolJob job) { jobs.push_back(std::move(job)); }, [this] { ++cancelled; },
             [this](MeshChange change) { changes.push_back(std::move(change)); }};
   }
-  // Does the work of the first job. The returned function delivers its result.
+  // Removes the first job and does its work. The returned function delivers its result.
   std::function<void()> work() {
     const ToolJob job = std::move(jobs.front());
     jobs.pop_front();

@@ -11,7 +11,7 @@
 
 namespace handwheel::test {
 
-// A ball of clay of 20 mm and the tool on it, seen from above.
+// A ball of clay of 20 mm with its tool, seen from above.
 struct ClayFixture {
   VolumeKind kind;
   std::unique_ptr<Document> made = kind.make(DocumentKinds::blank(kind));
@@ -26,7 +26,7 @@ struct ClayFixture {
     tool = started.get();
     runner.start(std::move(started), document);
   }
-  std::optional<double> pressure = {};  // pressure of the pen; none: a mouse
+  std::optional<double> pressure = {};  // pressure of the pen; nullopt: a mouse
 
   ToolReply event(PointerEvent::Kind what, double x, double y, Modifiers modifiers = {}) {
     PointerEvent event;
@@ -43,7 +43,7 @@ struct ClayFixture {
     QCOMPARE(event(PointerEvent::Kind::Release, toX, y, modifiers), ToolReply::Used);
     complete();
   }
-  // Resumes the tool as each frame of the window does.
+  // Resumes the tool until it is done, as the frames of the window do.
   void complete() {
     while (tool->isLive()) {
       QTest::qSleep(2);

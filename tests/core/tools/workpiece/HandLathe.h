@@ -18,7 +18,7 @@ namespace handwheel::test {
 inline constexpr auto kCarriageAxis = static_cast<std::size_t>(LatheAxis::Carriage);
 inline constexpr auto kCrossAxis = static_cast<std::size_t>(LatheAxis::Cross);
 
-// A clock that stands still: the simulation runs with a pause between its steps of 2 ms.
+// A clock that stands still. Each wait of the simulation takes only a short pause of real time.
 class HurriedClock : public ServoClock {
  public:
   explicit HurriedClock(std::chrono::microseconds pause) : m_pause(pause) {}
@@ -29,7 +29,7 @@ class HurriedClock : public ServoClock {
   std::chrono::microseconds m_pause;
 };
 
-// A bar of 50 × 100 mm in the lathe. Its first tool starts at a distance of 20 mm in X and Z.
+// A bar of 50 × 100 mm in the lathe. The first tool of the lathe starts at a distance of 20 mm in X and Z.
 struct HandLathe {
   WorkpieceKind kind;
   std::unique_ptr<Document> made;
@@ -62,7 +62,7 @@ struct HandLathe {
   void send(LatheCommand::Kind what, double value, LatheAxis axis = LatheAxis::Carriage) {
     runner.deliver([&] { tool->command({what, axis, value}); });
   }
-  // Turns a wheel until its slide is at a travel.
+  // Turns a wheel until its slide has reached a travel, mm.
   bool wind(LatheAxis axis, double to) {
     const auto i = static_cast<std::size_t>(axis);
     send(LatheCommand::Kind::Turn, to - slide(i), axis);
@@ -96,7 +96,7 @@ struct HandLathe {
     const auto& recorded = document.workpiece().crashes;
     return recorded ? recorded->size() : 0;
   }
-  // Does what the window does for Ctrl+Z.
+  // Undoes a step like the window on Ctrl+Z.
   void undo() {
     if (runner.undo() == ToolReply::Ignored) document.history()->undo();
   }

@@ -12,7 +12,7 @@
 
 namespace handwheel::test {
 
-// Numbers as the bytes of a file.
+// Returns numbers as the bytes of a file.
 template <class Number>
 std::string bytesOfNumbers(const std::vector<Number>& numbers, std::endian order = std::endian::little) {
   std::string bytes;
@@ -34,7 +34,7 @@ inline std::string packed(const std::string& plain, bool isGzip) {
   return out;
 }
 
-// The files beside one, by their names.
+// Returns a function that reads these files as the siblings of another file, by their names.
 inline SiblingFile beside(std::map<std::string, std::string> files) {
   return [files = std::move(files)](const std::string& name, std::size_t most) -> Result<std::string> {
     const auto found = files.find(name);
@@ -55,7 +55,8 @@ inline bool hasRemark(const ImageFile& file, ImageRemark::Kind kind) {
   return false;
 }
 
-// Calls the reader with truncated files and with files in which one byte is changed. These may only result in errors.
+// Calls the reader with truncated files, and with files in which one byte is changed. The reader may return errors, but
+// must not crash.
 template <class Read>
 void readDamaged(const std::string& bytes, Read read) {
   for (std::size_t n = 0; n < bytes.size(); n += 1 + n / 64) (void)read(bytes.substr(0, n));

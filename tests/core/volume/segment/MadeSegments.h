@@ -9,7 +9,7 @@
 
 namespace handwheel::test {
 
-// The samples of a segment as plain flags, x fastest.
+// Returns the samples of a segment as plain flags, x fastest.
 inline std::vector<char> flagsOf(const ImageVolume& image, const Segment& segment) {
   std::vector<char> flags;
   const std::array<int, 3> size = image.grid().size;
@@ -19,7 +19,7 @@ inline std::vector<char> flagsOf(const ImageVolume& image, const Segment& segmen
   return flags;
 }
 
-// Whole numbers from 0 to 99, without order.
+// Returns an image of random whole numbers from 0 to 99.
 inline ImageVolume noise(const std::array<int, 3>& size, unsigned seed) {
   std::mt19937 random(seed);
   const ImageGrid grid{size, Vec3(3, -2, 1), Vec3(0.5, 0.8, 1.5).asDiagonal().toDenseMatrix()};

@@ -17,7 +17,7 @@ class CellBodiesWindowTest : public QObject {
 
  private slots:
   void aShapeIsAddedAndChangedByItsFields() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     const QString before = driver.figures();
     driver.choose("add-box");
     QVERIFY(driver.settle());
@@ -37,7 +37,7 @@ class CellBodiesWindowTest : public QObject {
   }
 
   void aClickSelectsAndADragMoves() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("add-box");
     driver.choose("add-sphere");
     QVERIFY(driver.settle());
@@ -69,7 +69,7 @@ class CellBodiesWindowTest : public QObject {
 
   // A body inside the robot is moved to the position of new shapes; not one that the robot carries.
   void besideTheOthers() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("add-box");
     QVERIFY(driver.settle());
     const QString x = driver.field("body.1.x"), y = driver.field("body.1.y"), z = driver.field("body.1.z");
@@ -99,7 +99,7 @@ class CellBodiesWindowTest : public QObject {
       for (Corner& corner : triangle) corner[1] += 2000.0f;
     }
     writeStl(apart, far);
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     const auto number = [&](const char* field) { return QLocale().toDouble(driver.field(field).section(' ', 0, 0)); };
     driver.choose("addBody");
     QVERIFY(driver.enterFileName("addBodyDialog", inside));
@@ -126,7 +126,7 @@ class CellBodiesWindowTest : public QObject {
 
   // The message after mounting offers the tool centre point at the tip; one step, also by the menu.
   void theCentrePointIsPutAtTheTip() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("add-box");
     QVERIFY(driver.settle());
     auto* const tip = driver.find<QAction>("centreAtTip");
@@ -145,7 +145,7 @@ class CellBodiesWindowTest : public QObject {
 
   // A tool goes with the robot, is dragged with it, and stays in the air when it is taken off.
   void aToolIsMountedAndTakenOff() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("add-sphere");
     QVERIFY(driver.settle());
     driver.edit("body.1.x", "1500");
@@ -173,7 +173,7 @@ class CellBodiesWindowTest : public QObject {
   }
 
   void theFieldsFollowADragAndTheLabelGoesWithEscape() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("add-box");
     QVERIFY(driver.settle());
     driver.showAll();
@@ -196,7 +196,7 @@ class CellBodiesWindowTest : public QObject {
 
   // Wherever the arm reaches: beside it as it was opened, on the floor.
   void aNewShapeStandsOnTheFloor() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("add-box");
     const QString x = driver.field("body.1.x");
     QVERIFY(driver.field("body.1.z").startsWith("50"));
@@ -207,46 +207,8 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(driver.field("body.1.z").startsWith("50"));
   }
 
-  void aFileIsReadForItsDocument() {
-    const QTemporaryDir folder;
-    const QString part = folder.filePath("part.stl");
-    writeStl(part, quadTorus(24, 12, {}));
-    CellWindow driver;
-    QVERIFY(driver.open(part));
-    auto* tabs = driver.find<QTabBar>("documentTabBar");
-    QCOMPARE(tabs->count(), 2);
-    tabs->setCurrentIndex(0);
-    driver.hold();
-    driver.choose("addBody");
-    QVERIFY(driver.enterFileName("addBodyDialog", part));
-    tabs->setCurrentIndex(1);
-    driver.release();
-    QVERIFY(driver.settle());
-    tabs->setCurrentIndex(0);
-    QCOMPARE(driver.listedBodies(), 1);
-  }
-
-  void aBodyIsLinkedToAnotherFile() {
-    const QTemporaryDir folder;
-    const QString first = folder.filePath("first.stl"), second = folder.filePath("second.stl");
-    writeStl(first, quadTorus(24, 12, {}));
-    writeStl(second, quadTorus(12, 6, {}));
-    CellWindow driver;
-    driver.choose("linkBody");
-    QVERIFY(driver.enterFileName("addBodyDialog", first));
-    QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("first"), kPatienceMs);
-    driver.edit("body.1.x", "300");
-    driver.choose("relinkBody");
-    QVERIFY(driver.enterFileName("addBodyDialog", second));
-    QVERIFY(driver.settle());
-    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("Link first to another file"));
-    QVERIFY(driver.field("body.1.x").startsWith("300"));
-    const QModelIndex link = driver.list()->model()->index(0, BodyModel::Link);
-    QVERIFY(link.data(Qt::ToolTipRole).toString().endsWith("second.stl"));
-  }
-
   void bodiesAreHiddenAndRemoved() {
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     const QString before = driver.figures();
     driver.choose("add-cylinder");
     QVERIFY(driver.settle());
@@ -270,7 +232,7 @@ class CellBodiesWindowTest : public QObject {
     const QTemporaryDir folder;
     const QString part = folder.filePath("part.stl");
     writeStl(part, quadTorus(24, 12, {}));
-    CellWindow driver;
+    CellWindow& driver = m_window.begin();
     driver.choose("addBody");
     QVERIFY(driver.enterFileName("addBodyDialog", part));
     QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("part"), kPatienceMs);
@@ -301,25 +263,68 @@ class CellBodiesWindowTest : public QObject {
     QVERIFY(std::abs(sizeIn(choose("mm:")) - millimetres) < 1e-9);
   }
 
+  void aBodyIsLinkedToAnotherFile() {
+    const QTemporaryDir folder;
+    const QString first = folder.filePath("first.stl"), second = folder.filePath("second.stl");
+    writeStl(first, quadTorus(24, 12, {}));
+    writeStl(second, quadTorus(12, 6, {}));
+    CellWindow& driver = m_window.begin();
+    driver.choose("linkBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", first));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("first"), kPatienceMs);
+    driver.edit("body.1.x", "300");
+    driver.choose("relinkBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", second));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("Link first to another file"));
+    QVERIFY(driver.field("body.1.x").startsWith("300"));
+    const QModelIndex link = driver.list()->model()->index(0, BodyModel::Link);
+    QVERIFY(link.data(Qt::ToolTipRole).toString().endsWith("second.stl"));
+  }
+
   void aLinkedFileIsMissed() {
     const QTemporaryDir folder;
     const QString part = folder.filePath("part.stl");
     writeStl(part, quadTorus(24, 12, {}));
     const QString cell = folder.filePath("cell.handwheel");
     {
-      CellWindow driver;
+      CellWindow& driver = m_window.begin();
       driver.choose("linkBody");
       QVERIFY(driver.enterFileName("addBodyDialog", part));
       QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("part"), kPatienceMs);
       driver.click("quickActions/saveFile");
       QVERIFY(driver.enterFileName("saveDialog", cell));
       QVERIFY(driver.settle());
+      m_window.end();
     }
     QVERIFY(QFile::remove(part));
     WindowDriver driver;
     QVERIFY(driver.open(cell));
     QTRY_VERIFY(driver.text("messageText").contains("part.stl"));
   }
+
+  void aFileIsReadForItsDocument() {
+    const QTemporaryDir folder;
+    const QString part = folder.filePath("part.stl");
+    writeStl(part, quadTorus(24, 12, {}));
+    m_window.end();
+    CellWindow driver;
+    QVERIFY(driver.open(part));
+    auto* tabs = driver.find<QTabBar>("documentTabBar");
+    QCOMPARE(tabs->count(), 2);
+    tabs->setCurrentIndex(0);
+    driver.hold();
+    driver.choose("addBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", part));
+    tabs->setCurrentIndex(1);
+    driver.release();
+    QVERIFY(driver.settle());
+    tabs->setCurrentIndex(0);
+    QCOMPARE(driver.listedBodies(), 1);
+  }
+
+ private:
+  SharedWindow<CellWindow> m_window;
 };
 
 HANDWHEEL_WINDOW_TEST(CellBodiesWindowTest)

@@ -33,18 +33,8 @@ QPoint beforeABlock(PlanningWindow& driver) {
   return driver.pixelOf("body.1");
 }
 
-}  // namespace
-
-namespace {
-
-// A path from 60 to -60 degrees of joint 1, on the time line.
+// Shows the path from 60 to -60 degrees of joint 1 on the time line.
 void beginToPlay(PlanningWindow& driver) {
-  driver.storeAt("joint.joint_1", "60");
-  driver.storeAt("joint.joint_1", "-60");
-  QVERIFY(driver.settle());
-  driver.planPath();
-  QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->childCount() == 1 && driver.paths()->child(0)->text(1).contains("free"),
-                           kPatienceMs);
   driver.choose("pathDockToggle");
   QTRY_VERIFY_WITH_TIMEOUT(driver.find<TimeLinePanel>("pathTimeLine")->isEnabled(), kPatienceMs);
 }
@@ -57,7 +47,7 @@ class CellPlanningWindowTest : public QObject {
 
  private slots:
   void storePlanAndUndo() {
-    PlanningWindow driver;
+    PlanningWindow& driver = withoutPath();
     QVERIFY(!driver.find<QAction>("planPath")->isEnabled());
     driver.storeAt("joint.joint_1", "60");
     driver.storeAt("joint.joint_1", "-60");
@@ -72,13 +62,124 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(driver.paths()->childCount(), 1);
   }
 
-  void waypointsAreEdited() {
-    PlanningWindow driver;
+  // The pair that collides at the present configuration may touch from now on, by a list of the pairs found; one undo
+  // step.
+  void pairsAreAllowed() {
+    PlanningWindow& driver = withoutPath();
+    driver.choose("add-box");  // At the arm
+    QVERIFY(driver.settle());
+    driver.edit("body.1.x", "300");
+    driver.edit("body.1.y", "0");
+    driver.edit("body.1.z", "400");
+    driver.edit("body.1.size_z", "800");
+    QVERIFY(driver.settle());
+    const auto list = [&] { return driver.find<QDialog>("pairsDialog")->findChild<QListWidget*>("pairsList"); };
+    const auto close = [&](const char* button) {
+      auto* const dialog = driver.find<QDialog>("pairsDialog");
+      if (button)
+        QTest::mouseClick(dialog->findChild<QPushButton*>(button), Qt::LeftButton);
+      else
+        dialog->reject();
+      return QTest::qWaitFor([dialog = QPointer<QDialog>(dialog)] { return dialog.isNull(); }, kPatienceMs);
+    };
+    driver.choose("allowPairs");
+    const int found = list()->count();
+    QVERIFY(found > 0);
+    for (int row = 0; row < found; ++row) {
+      QVERIFY(list()->item(row)->text().contains("box") && list()->item(row)->checkState() == Qt::Unchecked);
+      list()->item(row)->setCheckState(Qt::Checked);
+    }
+    QVERIFY(close("pairsNow"));
+    QVERIFY(driver.settle());
+    driver.choose("allowPairs");
+    QCOMPARE(list()->count(), found);
+    for (int row = 0; row < found; ++row) QCOMPARE(list()->item(row)->checkState(), Qt::Checked);
+    QVERIFY(close(nullptr));
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    driver.choose("allowPairs");
+    QCOMPARE(list()->count(), found);
+    for (int row = 0; row < found; ++row) QCOMPARE(list()->item(row)->checkState(), Qt::Unchecked);
+    QVERIFY(close(nullptr));
+  }
+
+  // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.
+  void alongAnEdge() {
+    PlanningWindow& driver = withoutPath();
+    const QPoint middle = beforeABlock(driver);
+    QVERIFY(!middle.isNull());
+    const auto settings = [&](const char* id) {
+      return driver.find<QDockWidget>("toolDock")->findChild<QWidget*>(QStringLiteral("property/") + QLatin1String(id));
+    };
+    QVERIFY(settings("lead") && settings("standoff") && settings("from"));
+    auto* plan = driver.find<QAbstractButton>("toolAction/commit");
+    QVERIFY(!plan->isEnabled());
+    driver.move(middle);  // its edges are found when it is first pointed to
+    QTest::mouseMove(driver.view(), middle);
+    QVERIFY(driver.settle());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(plan->isEnabled());
+    QTest::keyClick(driver.view(), Qt::Key_Escape);
+    QTRY_VERIFY(!plan->isEnabled());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(plan->isEnabled());
+    QTest::mouseClick(plan, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free"), kPatienceMs);
+    QCOMPARE(driver.paths()->child(0)->childCount(), 4);  // approach, both ends of the edge, retract
+    // Its process is among its fields: slower, and with another approach, each a step that plans it anew.
+    driver.choose("jointTool");
+    driver.clickItem(driver.paths()->child(0));
+    QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
+    QVERIFY(driver.field("process.approach").startsWith("50"));
+    driver.edit("process.speed", "35");
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("Change the process"));
+    QCOMPARE(driver.field("process.speed").toDouble(), 35.0);
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(2));  // the end of the edge
+    QCOMPARE(driver.field("path.Process.3.speed").toDouble(), 35.0);
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.field("path.Process.3.speed").toDouble(), 50.0);
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.paths()->childCount(), 0);
+    // Manual changes stay when it is planned again.
+    driver.click("quickActions/redo");
+    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
+    driver.choose("removePlan");
+    QCOMPARE(driver.paths()->child(0)->childCount(), 3);
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    driver.choose("planPathAgain");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.paths()->child(0)->childCount(), 3);
+  }
+
+  // Return in a field of the dialog takes what was typed: the path is planned by the button.
+  void namedInTheDialog() {
+    PlanningWindow& driver = withoutPath();
     driver.storeAt("joint.joint_1", "60");
     driver.storeAt("joint.joint_1", "-60");
     QVERIFY(driver.settle());
-    driver.planPath();
+    driver.choose("planPath");
+    auto* const dialog = driver.find<QDialog>("planDialog");
+    QTest::qWait(50);
+    auto* const line = dialog->findChild<QWidget*>("property/name")->findChild<QLineEdit*>();
+    line->setFocus();
+    QTest::keyClicks(line, "swing");
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(dialog->isVisible());
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.paths()->childCount(), 0);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("planNow"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    QCOMPARE(driver.paths()->child(0)->text(0), QString("swing"));
+  }
+
+  void waypointsAreEdited() {
+    PlannedWindow<1>& driver = planned();
     QTreeWidgetItem* path = driver.paths()->child(0);
     const int count = path->childCount();
     QVERIFY(count >= 2);
@@ -98,12 +199,7 @@ class CellPlanningWindowTest : public QObject {
 
   // The goal stays the goal whichever end is selected.
   void insertedBeforeTheGoal() {
-    PlanningWindow driver;
-    driver.storeAt("joint.joint_1", "60");
-    driver.storeAt("joint.joint_1", "-60");
-    QVERIFY(driver.settle());
-    driver.planPath();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    PlannedWindow<1>& driver = planned();
     const auto path = [&] { return driver.paths()->child(0); };
     const QString goal = path()->child(path()->childCount() - 1)->text(0).section(':', 1);
     QVERIFY(!goal.isEmpty());
@@ -119,12 +215,7 @@ class CellPlanningWindowTest : public QObject {
 
   // Waypoints in disorder are sorted along the path, in one step that can be undone.
   void aPathIsOptimised() {
-    PlanningWindow driver;
-    driver.storeAt("joint.joint_1", "60");
-    driver.storeAt("joint.joint_1", "-60");
-    QVERIFY(driver.settle());
-    driver.planPath();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
+    PlannedWindow<1>& driver = planned();
     QVERIFY(!driver.find<QAction>("optimisePath")->isEnabled());  // there is nothing between its ends
     int behind = 0;
     for (const char* value : {"-40", "30"}) {
@@ -150,9 +241,87 @@ class CellPlanningWindowTest : public QObject {
     QCOMPARE(turnAt(1), -40.0);
   }
 
+  void aPathIsPlayed() {
+    PlannedWindow<1>& driver = planned();
+    beginToPlay(driver);
+    auto* line = driver.find<TimeLinePanel>("pathTimeLine");
+    QVERIFY(driver.text("pathText").contains("place 2"));
+    const QString before = driver.text("pathText");
+    line->advance(0.5);
+    QTRY_VERIFY(driver.text("pathText") != before);
+    // Stored values are those of the view: between the ends, they differ from the document's.
+    driver.choose("storeConfiguration");
+    const auto first = [&] { return driver.field("joint.joint_1").split(' ').front().toDouble(); };
+    QTRY_VERIFY(std::abs(first() - 60.0) > 1.0 && std::abs(first() + 60.0) > 1.0);  // the fields show it, too
+    driver.choose("pathDockToggle");
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QCOMPARE(first(), -60.0);
+    driver.tree()->setCurrentItem(driver.configurations()->child(2));
+    driver.choose("goToConfiguration");
+    QVERIFY(std::abs(first() + 60.0) > 1.0);
+  }
+
+  // A joint that is changed while a path is played starts at the displayed values; two undo steps lead back to the
+  // original ones.
+  void aShownPoseIsEdited() {
+    PlannedWindow<1>& driver = planned();
+    beginToPlay(driver);
+    const auto angle = [&](const char* joint) { return driver.field(joint).split(' ').front().toDouble(); };
+    QTRY_COMPARE(angle("joint.joint_1"), 60.0);  // it begins there
+    driver.editInPanel("joint.joint_2", "12");
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QCOMPARE(angle("joint.joint_1"), 60.0);
+    QCOMPARE(angle("joint.joint_2"), 12.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(angle("joint.joint_1"), 60.0);
+    QCOMPARE(angle("joint.joint_2"), 0.0);
+    driver.click("quickActions/undo");
+    QCOMPARE(angle("joint.joint_1"), -60.0);
+    QVERIFY(driver.settle());
+    // The robot is shown at its destination, also if it is there already.
+    driver.choose("pathDockToggle");
+    QTRY_COMPARE(angle("joint.joint_1"), 60.0);
+    driver.tree()->setCurrentItem(driver.configurations()->child(1));
+    driver.choose("goToConfiguration");
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QCOMPARE(angle("joint.joint_1"), -60.0);
+    // The panel of the properties has the joints as they stand: moved there, the robot is seen there.
+    driver.choose("pathDockToggle");
+    QTRY_COMPARE(angle("joint.joint_1"), 60.0);
+    auto* const row = driver.find<QDockWidget>("propertiesDock")->findChild<QWidget*>("property/joint.joint_3");
+    auto* const line = row->findChild<QLineEdit*>();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, "20");
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
+    QTRY_COMPARE(angle("joint.joint_1"), -60.0);
+    QTRY_COMPARE(angle("joint.joint_3"), 20.0);
+  }
+
+  // In the frame that one works in the time line counts from that, and names it.
+  void aPathIsPlayedInAFrame() {
+    PlannedWindow<1>& driver = planned();
+    beginToPlay(driver);
+    const auto shown = [&] {
+      const QRegularExpression numbers(QStringLiteral("X (\\S+) +Y (\\S+) +Z (\\S+) mm(.*)$"));
+      const QRegularExpressionMatch match = numbers.match(driver.text("pathText"));
+      return QStringList{match.captured(1), match.captured(2), match.captured(3), match.captured(4)};
+    };
+    QVERIFY(shown()[3].isEmpty() && !shown()[0].isEmpty());
+    // A frame at the tool, where the path begins: there the tool is at its origin.
+    driver.choose("storeFrame");
+    driver.choose("workInFrame");
+    driver.tree()->setCurrentItem(driver.paths()->child(0));
+    QTRY_VERIFY2(shown()[3] == QString(" in Frame 1"), qPrintable(driver.text("pathText")));
+    for (int i = 0; i < 3; ++i) QVERIFY2(std::abs(shown()[i].toDouble()) < 5.0, qPrintable(shown()[i]));
+  }
+
   // Planned, written and verified for the cell in which it was asked for, also when another document is in view then.
   void goesOnWhileAnotherDocumentIsInView() {
+    endWindows();
     PlanningWindow driver;
+    driver.setViewSmall(true);
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());
     auto* tabs = driver.find<QTabBar>("documentTabBar");
@@ -209,63 +378,10 @@ class CellPlanningWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains(" was verified: "), kPatienceMs);
   }
 
-  // With the mouse alone: an edge of a block is pointed to, taken, and the path along it planned.
-  void alongAnEdge() {
-    PlanningWindow driver;
-    const QPoint middle = beforeABlock(driver);
-    QVERIFY(!middle.isNull());
-    const auto settings = [&](const char* id) {
-      return driver.find<QDockWidget>("toolDock")->findChild<QWidget*>(QStringLiteral("property/") + QLatin1String(id));
-    };
-    QVERIFY(settings("lead") && settings("standoff") && settings("from"));
-    auto* plan = driver.find<QAbstractButton>("toolAction/commit");
-    QVERIFY(!plan->isEnabled());
-    driver.move(middle);  // its edges are found when it is first pointed to
-    QTest::mouseMove(driver.view(), middle);
-    QVERIFY(driver.settle());
-    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
-    QTRY_VERIFY(plan->isEnabled());
-    QTest::keyClick(driver.view(), Qt::Key_Escape);
-    QTRY_VERIFY(!plan->isEnabled());
-    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, middle);
-    QTRY_VERIFY(plan->isEnabled());
-    QTest::mouseClick(plan, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(driver.paths()->child(0)->text(1).contains("free"), kPatienceMs);
-    QCOMPARE(driver.paths()->child(0)->childCount(), 4);  // approach, both ends of the edge, retract
-    // Its process is among its fields: slower, and with another approach, each a step that plans it anew.
-    driver.choose("jointTool");
-    driver.clickItem(driver.paths()->child(0));
-    QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
-    QVERIFY(driver.field("process.approach").startsWith("50"));
-    driver.edit("process.speed", "35");
-    QVERIFY(driver.settle());
-    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("Change the process"));
-    QCOMPARE(driver.field("process.speed").toDouble(), 35.0);
-    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(2));  // the end of the edge
-    QCOMPARE(driver.field("path.Process.3.speed").toDouble(), 35.0);
-    driver.click("quickActions/undo");
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.field("path.Process.3.speed").toDouble(), 50.0);
-    driver.tree()->setCurrentItem(driver.paths()->child(0));
-    QCOMPARE(driver.field("process.speed").toDouble(), 50.0);
-    driver.click("quickActions/undo");
-    QCOMPARE(driver.paths()->childCount(), 0);
-    // Manual changes stay when it is planned again.
-    driver.click("quickActions/redo");
-    driver.tree()->setCurrentItem(driver.paths()->child(0)->child(0));
-    driver.choose("removePlan");
-    QCOMPARE(driver.paths()->child(0)->childCount(), 3);
-    QVERIFY(driver.settle());
-    driver.tree()->setCurrentItem(driver.paths()->child(0));
-    driver.choose("planPathAgain");
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.paths()->child(0)->childCount(), 3);
-  }
-
   // The part of a path was moved: who exports it is asked before, and may plan it again, or write it as it is; then the
   // program says it.
   void anOutdatedPathIsAskedAbout() {
+    endWindows();
     PlanningWindow driver;
     const QPoint middle = beforeABlock(driver);
     QVERIFY(!middle.isNull());
@@ -311,143 +427,22 @@ class CellPlanningWindowTest : public QObject {
     QTRY_VERIFY(dialog());
   }
 
-  // The pair that collides at the present configuration may touch from now on, by a list of the pairs found; one undo
-  // step.
-  void pairsAreAllowed() {
-    PlanningWindow driver;
-    driver.choose("add-box");  // At the arm
-    QVERIFY(driver.settle());
-    driver.edit("body.1.x", "300");
-    driver.edit("body.1.y", "0");
-    driver.edit("body.1.z", "400");
-    driver.edit("body.1.size_z", "800");
-    QVERIFY(driver.settle());
-    const auto list = [&] { return driver.find<QDialog>("pairsDialog")->findChild<QListWidget*>("pairsList"); };
-    const auto close = [&](const char* button) {
-      auto* const dialog = driver.find<QDialog>("pairsDialog");
-      if (button)
-        QTest::mouseClick(dialog->findChild<QPushButton*>(button), Qt::LeftButton);
-      else
-        dialog->reject();
-      return QTest::qWaitFor([dialog = QPointer<QDialog>(dialog)] { return dialog.isNull(); }, kPatienceMs);
-    };
-    driver.choose("allowPairs");
-    const int found = list()->count();
-    QVERIFY(found > 0);
-    for (int row = 0; row < found; ++row) {
-      QVERIFY(list()->item(row)->text().contains("box") && list()->item(row)->checkState() == Qt::Unchecked);
-      list()->item(row)->setCheckState(Qt::Checked);
-    }
-    QVERIFY(close("pairsNow"));
-    QVERIFY(driver.settle());
-    driver.choose("allowPairs");
-    QCOMPARE(list()->count(), found);
-    for (int row = 0; row < found; ++row) QCOMPARE(list()->item(row)->checkState(), Qt::Checked);
-    QVERIFY(close(nullptr));
-    driver.click("quickActions/undo");
-    QVERIFY(driver.settle());
-    driver.choose("allowPairs");
-    QCOMPARE(list()->count(), found);
-    for (int row = 0; row < found; ++row) QCOMPARE(list()->item(row)->checkState(), Qt::Unchecked);
-    QVERIFY(close(nullptr));
+ private:
+  PlanningWindow& withoutPath() {
+    m_planned.end();
+    return m_plain.begin();
+  }
+  PlannedWindow<1>& planned() {
+    m_plain.end();
+    return m_planned.begin();
+  }
+  void endWindows() {
+    m_plain.end();
+    m_planned.end();
   }
 
-  void aPathIsPlayed() {
-    PlanningWindow driver;
-    beginToPlay(driver);
-    auto* line = driver.find<TimeLinePanel>("pathTimeLine");
-    QVERIFY(driver.text("pathText").contains("place 2"));
-    const QString before = driver.text("pathText");
-    line->advance(0.5);
-    QTRY_VERIFY(driver.text("pathText") != before);
-    // Stored values are those of the view: between the ends, they differ from the document's.
-    driver.choose("storeConfiguration");
-    const auto first = [&] { return driver.field("joint.joint_1").split(' ').front().toDouble(); };
-    QTRY_VERIFY(std::abs(first() - 60.0) > 1.0 && std::abs(first() + 60.0) > 1.0);  // the fields show it, too
-    driver.choose("pathDockToggle");
-    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
-    QCOMPARE(first(), -60.0);
-    driver.tree()->setCurrentItem(driver.configurations()->child(2));
-    driver.choose("goToConfiguration");
-    QVERIFY(std::abs(first() + 60.0) > 1.0);
-  }
-
-  // A joint that is changed while a path is played starts at the displayed values; two undo steps lead back to the
-  // original ones.
-  void aShownPoseIsEdited() {
-    PlanningWindow driver;
-    beginToPlay(driver);
-    const auto angle = [&](const char* joint) { return driver.field(joint).split(' ').front().toDouble(); };
-    QTRY_COMPARE(angle("joint.joint_1"), 60.0);  // it begins there
-    driver.editInPanel("joint.joint_2", "12");
-    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
-    QCOMPARE(angle("joint.joint_1"), 60.0);
-    QCOMPARE(angle("joint.joint_2"), 12.0);
-    driver.click("quickActions/undo");
-    QCOMPARE(angle("joint.joint_1"), 60.0);
-    QCOMPARE(angle("joint.joint_2"), 0.0);
-    driver.click("quickActions/undo");
-    QCOMPARE(angle("joint.joint_1"), -60.0);
-    QVERIFY(driver.settle());
-    // The robot is shown at its destination, also if it is there already.
-    driver.choose("pathDockToggle");
-    QTRY_COMPARE(angle("joint.joint_1"), 60.0);
-    driver.tree()->setCurrentItem(driver.configurations()->child(1));
-    driver.choose("goToConfiguration");
-    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
-    QCOMPARE(angle("joint.joint_1"), -60.0);
-    // The panel of the properties has the joints as they stand: moved there, the robot is seen there.
-    driver.choose("pathDockToggle");
-    QTRY_COMPARE(angle("joint.joint_1"), 60.0);
-    auto* const row = driver.find<QDockWidget>("propertiesDock")->findChild<QWidget*>("property/joint.joint_3");
-    auto* const line = row->findChild<QLineEdit*>();
-    line->setFocus();
-    line->selectAll();
-    QTest::keyClicks(line, "20");
-    QTest::keyClick(line, Qt::Key_Return);
-    QVERIFY(!driver.find<QDockWidget>("pathDock")->isVisible());
-    QTRY_COMPARE(angle("joint.joint_1"), -60.0);
-    QTRY_COMPARE(angle("joint.joint_3"), 20.0);
-  }
-
-  // In the frame that one works in the time line counts from that, and names it.
-  void aPathIsPlayedInAFrame() {
-    PlanningWindow driver;
-    beginToPlay(driver);
-    const auto shown = [&] {
-      const QRegularExpression numbers(QStringLiteral("X (\\S+) +Y (\\S+) +Z (\\S+) mm(.*)$"));
-      const QRegularExpressionMatch match = numbers.match(driver.text("pathText"));
-      return QStringList{match.captured(1), match.captured(2), match.captured(3), match.captured(4)};
-    };
-    QVERIFY(shown()[3].isEmpty() && !shown()[0].isEmpty());
-    // A frame at the tool, where the path begins: there the tool is at its origin.
-    driver.choose("storeFrame");
-    driver.choose("workInFrame");
-    driver.tree()->setCurrentItem(driver.paths()->child(0));
-    QTRY_VERIFY2(shown()[3] == QString(" in Frame 1"), qPrintable(driver.text("pathText")));
-    for (int i = 0; i < 3; ++i) QVERIFY2(std::abs(shown()[i].toDouble()) < 5.0, qPrintable(shown()[i]));
-  }
-
-  // Return in a field of the dialog takes what was typed: the path is planned by the button.
-  void namedInTheDialog() {
-    PlanningWindow driver;
-    driver.storeAt("joint.joint_1", "60");
-    driver.storeAt("joint.joint_1", "-60");
-    QVERIFY(driver.settle());
-    driver.choose("planPath");
-    auto* const dialog = driver.find<QDialog>("planDialog");
-    QTest::qWait(50);
-    auto* const line = dialog->findChild<QWidget*>("property/name")->findChild<QLineEdit*>();
-    line->setFocus();
-    QTest::keyClicks(line, "swing");
-    QTest::keyClick(line, Qt::Key_Return);
-    QVERIFY(dialog->isVisible());
-    QVERIFY(driver.settle());
-    QCOMPARE(driver.paths()->childCount(), 0);
-    QTest::mouseClick(dialog->findChild<QPushButton*>("planNow"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(driver.paths()->childCount(), 1, kPatienceMs);
-    QCOMPARE(driver.paths()->child(0)->text(0), QString("swing"));
-  }
+  SharedWindow<PlanningWindow> m_plain;
+  SharedWindow<PlannedWindow<1>> m_planned;
 };
 
 HANDWHEEL_WINDOW_TEST(CellPlanningWindowTest)

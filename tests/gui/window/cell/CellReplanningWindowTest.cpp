@@ -25,9 +25,8 @@ class TwoWaypoints : public PlanningWindow {
     if (!settle()) qFatal("the cell is not prepared");
     if (!hasPath) return;
     planPath();
-    if (!QTest::qWaitFor([this] { return remark(0).contains("free"); }, kPatienceMs)) qFatal("no path is planned");
+    if (!becomes(0, "free")) qFatal("no path is planned");
   }
-  QString remark(int path) { return paths()->childCount() > path ? paths()->child(path)->text(1) : QString(); }
   int verifications() {
     int count = 0;
     for (auto* label : find<QWidget>("jobList")->findChildren<QLabel*>()) {

@@ -15,7 +15,7 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
-namespace {
+namespace handwheel::test {
 
 // The sample cell's robot, and beside it one of the library.
 class TwoRobotsWindow : public CellWindow {
@@ -34,8 +34,8 @@ class TwoRobotsWindow : public CellWindow {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        const QColor pixel = image.pixelColor(x, y);
-        count += pixel.red() > 60 && pixel.red() > 3 * pixel.green() && pixel.red() > 3 * pixel.blue() ? 1 : 0;
+        const QRgb pixel = image.pixel(x, y);
+        count += qRed(pixel) > 60 && qRed(pixel) > 3 * qGreen(pixel) && qRed(pixel) > 3 * qBlue(pixel) ? 1 : 0;
       }
     }
     return count;
@@ -44,7 +44,23 @@ class TwoRobotsWindow : public CellWindow {
   QTreeWidgetItem* robot(int number) { return tree()->topLevelItem(3)->child(number); }
 };
 
-}  // namespace
+// A window to which the robot of the library was added at the beginning.
+class BesideAnother : public TwoRobotsWindow {
+ public:
+  BesideAnother() {
+    addBuiltIn();
+    if (!QTest::qWaitFor([this] { return box()->count() == 2; }, kPatienceMs) || !settle())
+      qFatal("the robot is not added");
+  }
+  void takeBack(const QString& step) {
+    TwoRobotsWindow::takeBack(step);
+    // No robot is selected.
+    tree()->setCurrentItem(tree()->topLevelItem(0));
+    if (!settle()) qFatal("the cell is not prepared");
+  }
+};
+
+}  // namespace handwheel::test
 
 // Several robots in the window: added, chosen, moved, removed.
 class CellRobotsWindowTest : public QObject {
@@ -52,7 +68,9 @@ class CellRobotsWindowTest : public QObject {
 
  private slots:
   void addChooseMoveRemove() {
+    m_window.end();
     TwoRobotsWindow driver;
+    driver.setViewSmall(true);
     QVERIFY(!driver.find<QAction>("removeRobot")->isEnabled());
     QVERIFY(driver.box()->isHidden());
     driver.addBuiltIn();
@@ -86,6 +104,7 @@ class CellRobotsWindowTest : public QObject {
 
   // All paths of both robots are verified, each with the other robot where it stands; a new robot is in view.
   void allRobotsAreVerified() {
+    m_window.end();
     TwoRobotsWindow driver;
     driver.addBuiltIn();
     QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
@@ -121,55 +140,9 @@ class CellRobotsWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(remark(1).contains("free"), kPatienceMs);
   }
 
-  // The latest selection has its fields in the panel: a body, the robot in the list, a robot in the view.
-  void theFieldsOfWhatWasSelectedLast() {
-    TwoRobotsWindow driver;
-    driver.addBuiltIn();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
-    driver.choose("add-box");
-    QVERIFY(driver.settle());
-    driver.tree()->setCurrentItem(driver.robot(1));
-    const auto isOfBody = [&] { return !driver.field("body.1.x").isEmpty(); };
-    const auto isOfRobot = [&] { return !driver.field("robot.ur5.x").isEmpty(); };
-    QVERIFY(isOfRobot() && !isOfBody());
-    driver.clickRow(0);
-    QVERIFY(isOfBody() && !isOfRobot());
-    const QRect row = driver.tree()->visualItemRect(driver.robot(1));  // Still the current row
-    driver.tree()->scrollToItem(driver.robot(1));
-    QTest::mouseClick(driver.tree()->viewport(), Qt::LeftButton, {},
-                      driver.tree()->visualItemRect(driver.robot(1)).center());
-    QVERIFY(!row.isNull() && isOfRobot() && !isOfBody());
-    driver.clickRow(0);
-    driver.tree()->setCurrentItem(driver.robot(0));
-    driver.clickRow(0);
-    QVERIFY(isOfBody());
-    driver.showAll();
-    QVERIFY(driver.settle());
-    const QPoint link = driver.pixelOf("ur5_link_2/0");
-    QVERIFY(!link.isNull());
-    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, link);
-    QTRY_VERIFY(isOfRobot() && !isOfBody());
-    QVERIFY(driver.tree()->currentItem() == driver.robot(1));
-  }
-
-  // The joints of each robot are in a group of its own; that of the one that is planned for is open.
-  void jointsAreGrouped() {
-    TwoRobotsWindow driver;
-    driver.addBuiltIn();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
-    QVERIFY(driver.settle());
-    const auto isOpen = [&](const char* joint) { return !driver.field(joint).isEmpty(); };
-    QVERIFY(isOpen("joint.joint_1") && !isOpen("joint.ur5_joint_1"));
-    driver.box()->setCurrentIndex(1);
-    emit driver.box()->activated(1);
-    QVERIFY(driver.settle());
-    QVERIFY(!isOpen("joint.joint_1") && isOpen("joint.ur5_joint_1"));
-    driver.click(("propertyGroup/" + driver.box()->itemText(0)).toUtf8().constData());
-    QVERIFY(isOpen("joint.joint_1") && isOpen("joint.ur5_joint_1"));
-  }
-
   // The handles move the base of the selected robot, in one step.
   void placedByHandles() {
+    m_window.end();
     TwoRobotsWindow driver;
     driver.addBuiltIn();
     QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
@@ -199,6 +172,7 @@ class CellRobotsWindowTest : public QObject {
   // While links are dragged the hint names the tool that moves a base; with that tool any link does, and no joint
   // moves.
   void draggedByALink() {
+    m_window.end();
     TwoRobotsWindow driver;
     const auto hint = [&] { return driver.find<HintBar>("hintBar")->accessibleName(); };
     QVERIFY(!hint().contains("by its base"));
@@ -225,12 +199,77 @@ class CellRobotsWindowTest : public QObject {
     QCOMPARE(number("robot.ur5.y"), y);
   }
 
+  // Tools that work with the prepared cell hear of another number of joints before the cell is prepared anew.
+  void whileAToolRuns() {
+    m_window.end();
+    TwoRobotsWindow driver;
+    driver.setViewSmall(true);
+    for (const char* const tool : {"armWaysTool", "leadTool"}) {
+      driver.choose("storeConfiguration");
+      driver.choose(tool);
+      QVERIFY(driver.settle());
+      driver.addBuiltIn();
+      QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
+      QVERIFY(driver.settle());
+      driver.tree()->setCurrentItem(driver.robot(1));
+      driver.choose("chooseRobot");
+      QVERIFY(driver.settle());
+      for (const char* const step : {"undo", "undo", "redo", "redo"}) {
+        driver.find<QAction>(step)->trigger();
+        QVERIFY(driver.settle());
+      }
+      QCOMPARE(driver.box()->currentIndex(), 1);
+      driver.choose("removeRobot");
+      QCOMPARE(driver.box()->count(), 1);
+      QVERIFY(driver.settle());
+    }
+  }
+
+  // The joints of each robot are in a group of its own; that of the one that is planned for is open.
+  void jointsAreGrouped() {
+    BesideAnother& driver = m_window.begin();
+    const auto isOpen = [&](const char* joint) { return !driver.field(joint).isEmpty(); };
+    QVERIFY(isOpen("joint.joint_1") && !isOpen("joint.ur5_joint_1"));
+    driver.box()->setCurrentIndex(1);
+    emit driver.box()->activated(1);
+    QVERIFY(driver.settle());
+    QVERIFY(!isOpen("joint.joint_1") && isOpen("joint.ur5_joint_1"));
+    driver.click(("propertyGroup/" + driver.box()->itemText(0)).toUtf8().constData());
+    QVERIFY(isOpen("joint.joint_1") && isOpen("joint.ur5_joint_1"));
+  }
+
+  // The latest selection has its fields in the panel: a body, the robot in the list, a robot in the view.
+  void theFieldsOfWhatWasSelectedLast() {
+    BesideAnother& driver = m_window.begin();
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    driver.tree()->setCurrentItem(driver.robot(1));
+    const auto isOfBody = [&] { return !driver.field("body.1.x").isEmpty(); };
+    const auto isOfRobot = [&] { return !driver.field("robot.ur5.x").isEmpty(); };
+    QVERIFY(isOfRobot() && !isOfBody());
+    driver.clickRow(0);
+    QVERIFY(isOfBody() && !isOfRobot());
+    const QRect row = driver.tree()->visualItemRect(driver.robot(1));  // Still the current row
+    driver.tree()->scrollToItem(driver.robot(1));
+    QTest::mouseClick(driver.tree()->viewport(), Qt::LeftButton, {},
+                      driver.tree()->visualItemRect(driver.robot(1)).center());
+    QVERIFY(!row.isNull() && isOfRobot() && !isOfBody());
+    driver.clickRow(0);
+    driver.tree()->setCurrentItem(driver.robot(0));
+    driver.clickRow(0);
+    QVERIFY(isOfBody());
+    driver.showAll();
+    QVERIFY(driver.settle());
+    const QPoint link = driver.pixelOf("ur5_link_2/0");
+    QVERIFY(!link.isNull());
+    QTest::mouseClick(driver.view(), Qt::LeftButton, {}, link);
+    QTRY_VERIFY(isOfRobot() && !isOfBody());
+    QVERIFY(driver.tree()->currentItem() == driver.robot(1));
+  }
+
   // The description of the other robot's pairs and states is read for that one.
   void semanticsOfTheSelectedRobot() {
-    TwoRobotsWindow driver;
-    driver.addBuiltIn();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
-    QVERIFY(driver.settle());
+    BesideAnother& driver = m_window.begin();
     QTemporaryDir folder;
     QFile file(folder.filePath("ur5.srdf"));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -252,10 +291,7 @@ class CellRobotsWindowTest : public QObject {
 
   // The robot that is selected goes, not the one that is planned for.
   void removeWhatIsSelected() {
-    TwoRobotsWindow driver;
-    driver.addBuiltIn();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
-    QVERIFY(driver.settle());
+    BesideAnother& driver = m_window.begin();
     driver.tree()->setCurrentItem(driver.robot(0));
     driver.choose("chooseRobot");
     QVERIFY(driver.settle());
@@ -272,36 +308,9 @@ class CellRobotsWindowTest : public QObject {
     QCOMPARE(driver.box()->count(), 2);
   }
 
-  // Tools that work with the prepared cell hear of another number of joints before the cell is prepared anew.
-  void whileAToolRuns() {
-    for (const char* const tool : {"armWaysTool", "leadTool"}) {
-      TwoRobotsWindow driver;
-      driver.choose("storeConfiguration");
-      driver.choose(tool);
-      QVERIFY(driver.settle());
-      driver.addBuiltIn();
-      QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
-      QVERIFY(driver.settle());
-      driver.tree()->setCurrentItem(driver.robot(1));
-      driver.choose("chooseRobot");
-      QVERIFY(driver.settle());
-      for (const char* const step : {"undo", "undo", "redo", "redo"}) {
-        driver.find<QAction>(step)->trigger();
-        QVERIFY(driver.settle());
-      }
-      QCOMPARE(driver.box()->currentIndex(), 1);
-      driver.choose("removeRobot");
-      QCOMPARE(driver.box()->count(), 1);
-      QVERIFY(driver.settle());
-    }
-  }
-
   // One robot within the other is red, whichever is planned for, and no longer when it stands beside it.
   void whatMeetsIsRed() {
-    TwoRobotsWindow driver;
-    driver.addBuiltIn();
-    QTRY_COMPARE_WITH_TIMEOUT(driver.box()->count(), 2, kPatienceMs);
-    QVERIFY(driver.settle());
+    BesideAnother& driver = m_window.begin();
     driver.showAll();
     QVERIFY(driver.settle());
     const int apart = driver.reds();
@@ -316,6 +325,9 @@ class CellRobotsWindowTest : public QObject {
     QVERIFY(driver.settle());
     QTRY_VERIFY_WITH_TIMEOUT(driver.reds() <= apart + 100, kPatienceMs);
   }
+
+ private:
+  SharedWindow<BesideAnother> m_window;
 };
 
 HANDWHEEL_WINDOW_TEST(CellRobotsWindowTest)

@@ -22,19 +22,44 @@ class CellWindow : public WindowDriver {
     if (!settle()) qFatal("the sample does not open");
   }
   Viewport* view() { return find<Viewport>("viewport"); }
-  // Fits the view at once, without the camera's flight.
+  // Fits the view to the cell at once. The camera does not fly there.
   void showAll() {
     view()->fit();
     view()->setCamera(view()->camera());
   }
+  // Makes the view small for tests that do not look at it, or large again. Software draws each of its pixels.
+  void setViewSmall(bool isSmall) {
+    const int unlimited = QWIDGETSIZE_MAX;
+    view()->setMaximumSize(isSmall ? QSize(320, 240) : QSize(unlimited, unlimited));
+    QTest::qWait(0);
+  }
   QString figures() { return text("figures"); }
 
-  // Returns the text of a field of the selected body in the panel of the cell; empty if it is not listed.
+  QString latestStep() { return find<QAction>("undo")->text(); }
+  // Takes the cell back to its state after this step, closes the messages and shows the whole cell.
+  void takeBack(const QString& step) {
+    release();
+    while (latestStep() != step) click("quickActions/undo");
+    QTest::qWait(0);  // Deletes the fields of bodies that no longer exist
+    if (!settle()) qFatal("a step is not undone");
+    closeMessages();
+    showAll();
+  }
+  void closeMessages() {
+    while (find<QWidget>("messageBar")->isVisible()) click("messageClose");
+  }
+  // Returns true if a message with this text is visible.
+  bool says(const QString& message) {
+    return find<QWidget>("messageBar")->isVisible() && text("messageText").contains(message);
+  }
+
+  // Returns the text of a field of the selected body in the panel of the cell. The text is empty if the panel does not
+  // list the field.
   QString field(const char* property) {
     const auto* line = lineOf(property);
     return line ? line->text() : QString();
   }
-  // Edits a property in the panel of the cell, which follows the view.
+  // Types the value of a property into its field in the panel of the cell.
   void editInPanel(const char* property, const QString& value) {
     auto* line = lineOf(property);
     if (!line) qFatal("%s is not in the panel", property);
@@ -53,13 +78,14 @@ class CellWindow : public WindowDriver {
     return nullptr;
   }
 
-  // Returns a position in the view where this part is seen; null if there is none.
+  // Returns a pixel of the view that shows this part. The point is null if the part is not visible.
   QPoint pixelOf(const std::string& part) {
-    if (!QTest::qWaitFor([this] { return view()->isPickingReady(); }, kPatienceMs)) return {};
-    for (int y = 10; y < view()->height(); y += 6) {
-      for (int x = 10; x < view()->width(); x += 6) {
-        const ViewRay ray = view()->rayAt(QPointF(x, y));
-        if (partOf(view()->pickAlong(ray.origin, ray.direction)) == part) return {x, y};
+    const Viewport& seen = *view();  // It takes longer to find the view than to pick in it
+    if (!QTest::qWaitFor([&seen] { return seen.isPickingReady(); }, kPatienceMs)) return {};
+    for (int y = 10; y < seen.height(); y += 6) {
+      for (int x = 10; x < seen.width(); x += 6) {
+        const ViewRay ray = seen.rayAt(QPointF(x, y));
+        if (partOf(seen.pickAlong(ray.origin, ray.direction)) == part) return {x, y};
       }
     }
     return {};
@@ -68,8 +94,9 @@ class CellWindow : public WindowDriver {
   BodyList* list() { return find<BodyList>("bodyList"); }
   BodyModel& rows() { return *qobject_cast<BodyModel*>(list()->model()); }
   int listedBodies() {
+    const BodyModel& model = rows();
     int count = 0;
-    for (BodyId id = 1; id < 100; ++id) count += rows().indexOf(id).isValid() ? 1 : 0;
+    for (BodyId id = 1; id < 100; ++id) count += model.indexOf(id).isValid() ? 1 : 0;
     return count;
   }
   void clickRow(int row, BodyModel::Column column = BodyModel::Name) {
@@ -78,8 +105,8 @@ class CellWindow : public WindowDriver {
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(index).center());
   }
 
-  // Drags rows of the list onto another one, as a user who has pressed on one of them. Returns false if it is not
-  // accepted there.
+  // Drags rows of the list onto another row, as a user does with the mouse. Returns false if the list does not accept
+  // the drop.
   bool dropOn(const QModelIndexList& bodies, const QModelIndex& onto) {
     const std::unique_ptr<QMimeData> data(rows().mimeData(bodies));
     list()->scrollTo(onto);
@@ -97,6 +124,33 @@ class CellWindow : public WindowDriver {
     QMouseEvent moved(QEvent::MouseMove, to, view()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
     QApplication::sendEvent(view(), &moved);
   }
+};
+
+// A window that several tests of a class share. Each of them begins with the cell in its state after the window was
+// made.
+template <class Window>
+class SharedWindow {
+ public:
+  Window& begin() {
+    if (m_window) {
+      m_window->takeBack(m_step);
+    } else {
+      m_window = std::make_unique<Window>();
+      m_step = m_window->latestStep();
+    }
+    return *m_window;
+  }
+  // Returns a new window. The tests after this one share it.
+  Window& beginAnew() {
+    end();
+    return begin();
+  }
+  // Tests that make a window of their own call this first: only one exists at a time.
+  void end() { m_window.reset(); }
+
+ private:
+  std::unique_ptr<Window> m_window;
+  QString m_step;
 };
 
 }  // namespace handwheel::test

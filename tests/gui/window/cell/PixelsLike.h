@@ -8,7 +8,8 @@
 
 namespace handwheel::test {
 
-// Returns the number of pixels that have about this colour. Their channels differ by less than 30 in all.
+// Returns the number of pixels that have about this colour. The differences of their three channels add up to less than
+// 30.
 inline int pixelsLike(const QImage& image, const QColor& colour) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y) {

@@ -8,7 +8,8 @@
 
 namespace handwheel::test {
 
-// Returns a widget of a lesson. There are two lessons: the page of a student's file, and the panel beside the work.
+// Returns a named widget in a lesson. lesson: the object name of the widget that shows the lesson, which is the page of
+// a student's file or the panel beside the work.
 template <class Widget>
 Widget* partOfLesson(WindowDriver& driver, const char* lesson, const char* name) {
   auto* widget = driver.find<QWidget>(lesson)->findChild<Widget*>(QString::fromLatin1(name));

@@ -6,10 +6,10 @@
 
 namespace handwheel::test {
 
-// Returns the registration of a kind of document that the program does not have. sample: a file of it.
+// Returns the registration of a kind of document that the program does not have. sample: a file of that kind.
 KindRegistration globeRegistration(const QString& sample = {});
 
-// Returns the kinds of the program, and this one.
+// Returns the kinds of the program and the kind of globes.
 std::vector<KindRegistration> kindsWithGlobe(const QString& sample = {});
 
 }  // namespace handwheel::test

@@ -16,7 +16,7 @@
 
 namespace handwheel::test {
 
-// A window of the program with one additional kind of document.
+// A window of the program with globes as an additional kind of document.
 struct GlobeWindow {
   WindowDriver driver{kindsWithGlobe()};
   HapticSession& session = *driver.window().findChild<HapticSession*>();
@@ -24,7 +24,7 @@ struct GlobeWindow {
 
   ~GlobeWindow() { session.close(); }
 
-  // Shows a new globe, of 10 mm, from this side.
+  // Shows a new globe with a radius of 10 mm from one of the standard views.
   bool begin(StandardView side = StandardView::Front) {
     driver.choose("newGlobe");
     return look(side);
@@ -32,7 +32,7 @@ struct GlobeWindow {
   bool look(StandardView side) {
     if (!driver.settle()) return false;
     view->setStandardView(side);
-    const auto isThere = [this] {  // the camera is moving
+    const auto isThere = [this] {  // waits for the end of the camera's movement
       const ViewRay ray = view->rayAt(pixelOf(Vec3(1, 2, 3)));
       return view->isPickingReady() && (Vec3(1, 2, 3) - ray.origin).cross(ray.direction).norm() < 1e-6;
     };
@@ -72,7 +72,7 @@ struct GlobeWindow {
     QApplication::sendEvent(view, &move);
   }
 
-  // Opens the simulated hand, out of reach of the globe.
+  // Opens the simulated hand and moves it out of reach of the globe.
   bool takeHand() {
     session.choose("simulated", "hand");
     if (!QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs)) return false;
@@ -86,8 +86,8 @@ struct GlobeWindow {
     pose.buttons = buttons;
     session.simulatedHand()->setTarget(pose);
   }
-  // Like leadTo(), but corrects the tip by its present position, so it must be called repeatedly: after a change of the
-  // view the tip is not at the position of the mapping alone.
+  // Moves the simulated hand towards a position in the scene, starting from the present position of the tip. Must be
+  // called repeatedly: after a change of the view, the tip is not at the position that the mapping alone gives.
   void bringTo(const Vec3& position) {
     const WorkspaceMapping mapping = session.mappingInScene();
     const Vec3 inView = mapping.sceneFromView.linear().transpose() * (position - tip());

@@ -12,7 +12,7 @@
 
 namespace handwheel::test {
 
-// A hand on the cap of an emulated SpaceMouse Compact. Its reports come every 16 ms, as those of the real one.
+// A hand on the cap of an emulated SpaceMouse Compact. Like the real device, it sends reports every 16 ms.
 struct CapFixture {
   std::shared_ptr<SpaceMouseEmulator> mouse = std::make_shared<SpaceMouseEmulator>();
   std::shared_ptr<std::atomic<bool>> isPlugged = std::make_shared<std::atomic<bool>>(true);
@@ -54,7 +54,8 @@ struct CapFixture {
     QFile node(dev.filePath("hidraw0"));
     isIn ? void(node.open(QIODevice::WriteOnly)) : void(node.remove());
   }
-  // Report 1: X right, Y towards the user, Z down; report 2: turns about them. Little endian.
+  // Sends the two reports of the cap. Report 1 is the translation (x right, y towards the user, z down), report 2 the
+  // rotation about the same axes; the values are little-endian.
   void report() {
     const std::lock_guard lock(mouse->mutex);
     if (mouse->reports.size() > 4) return;
@@ -70,7 +71,7 @@ struct CapFixture {
   bool begin(const QString& file) {
     return begin([&] { return driver.open(file); });
   }
-  // open: opens a document.
+  // Plugs the device in and opens a document. open: the function that opens the document.
   template <class Open>
   bool begin(Open open) {
     plug(true);
@@ -86,7 +87,7 @@ struct CapFixture {
     const std::lock_guard lock(mouse->mutex);
     return !mouse->reports.empty();
   }
-  // Releases the cap and waits until the device has read that, and the view has come to rest.
+  // Releases the cap and waits until the device has read this and the view is at rest.
   CameraState rest() {
     translation = rotation = {};
     {

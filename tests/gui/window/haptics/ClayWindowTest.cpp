@@ -4,10 +4,13 @@
 #include "../WindowTestMain.h"
 #include "SimulatedHand.h"
 #include "document/volume/VolumeDocument.h"
+#include "document/volume/VolumeKind.h"
 #include "volume/VolumeSampler.h"
+#include "volume/VolumeShapes.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolHost.h"
+#include "window/volume/VolumeUi.h"
 
 #include <QListWidget>
 #include <QSlider>
@@ -18,13 +21,42 @@ using namespace handwheel::test;
 
 namespace {
 
-// A window with a new ball of clay, 40 mm across, and the tool in use.
+// The ball that new clay is, of coarser voxels.
+class CoarseClayKind : public VolumeKind {
+ public:
+  SnapshotPointer blank() const override {
+    auto ball = std::make_shared<VolumeSnapshot>();
+    ball->volume = ballOfVoxels(20.0, 0.5);
+    ball->surface = VolumeSurface(ball->volume, {}, pieceCells());
+    return ball;
+  }
+};
+
+std::vector<KindRegistration> kindsWithCoarseClay() {
+  std::vector<KindRegistration> all = builtInKinds();
+  for (KindRegistration& each : all) {
+    if (each.entry.kind->id() != "volume") continue;
+    auto kind = std::make_unique<CoarseClayKind>();
+    CoarseClayKind& known = *kind;
+    each.entry.window = [&known](const WindowContext& parts) { return std::make_unique<VolumeUi>(parts, known); };
+    each.entry.kind = std::move(kind);
+  }
+  return all;
+}
+
+// A window with a new ball of clay, 40 mm across, and the tool in use. It is as small as it can be, because software
+// draws each of its pixels.
 struct ClayWindow {
   WindowDriver driver;
   HapticSession& session;
   Viewport* view;
 
-  ClayWindow() : session(*driver.window().findChild<HapticSession*>()), view(driver.find<Viewport>("viewport")) {}
+  explicit ClayWindow(std::vector<KindRegistration> kinds = kindsWithCoarseClay())
+      : driver(std::move(kinds)),
+        session(*driver.window().findChild<HapticSession*>()),
+        view(driver.find<Viewport>("viewport")) {
+    driver.window().resize(800, 600);
+  }
   ~ClayWindow() { session.close(); }
 
   bool begin() {
@@ -177,10 +209,11 @@ class ClayWindowTest : public QObject {
     QCOMPARE(clay.document().volume()->mask->shareAt(front), 1.0);
   }
 
-  // A picture is loaded as a stamp and pressed into the clay; a file that is none is said, and nothing changes.
+  // A picture is loaded as a stamp and pressed into the clay of the program; a file that is none is said, and nothing
+  // changes.
   void stamped() {
     const QTemporaryDir folder;
-    ClayWindow clay;
+    ClayWindow clay(builtInKinds());
     QVERIFY(clay.begin());
     QImage white(16, 16, QImage::Format_RGB32);
     white.fill(Qt::white);

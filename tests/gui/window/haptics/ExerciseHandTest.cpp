@@ -16,11 +16,14 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kWanted = 36.0, kWithin = 0.5, kSlack = 0.5;  // mm, a diameter
-constexpr double kMeasuredFrom = 82.0, kMeasuredTo = 98.0;     // mm, z
+constexpr double kWanted = 38.0, kWithin = 0.5, kSlack = 0.5;  // mm, a diameter
+constexpr double kMeasuredFrom = 92.0, kMeasuredTo = 98.0;     // mm, z
+constexpr double kTurnedTo = 89.0;                             // mm, z of the nose; it may stop 1 mm before
 
 // A window for an exercise on a bar of ⌀40 × 100 mm, with the simulated hand at the tool.
 struct HandAtTheExercise : TurningWindow {
+  HandAtTheExercise() : TurningWindow(kSmallWindow) {}
+
   bool beginWork() {
     driver.choose("beginExercise");
     if (!driver.settle()) return false;
@@ -36,21 +39,22 @@ struct HandAtTheExercise : TurningWindow {
     };
     return QTest::qWaitFor(isThere, kPatienceMs);
   }
-  // One pass along the end of the bar, from beyond it to this z, with the centre of the nose at a radius.
-  bool turnEnd(double r, double to) {
-    constexpr double kStep = 2.0;  // mm
+  // One pass along the end of the bar, from beyond it, with the centre of the nose at a radius.
+  bool turnEnd(double r) {
+    constexpr double kStep = 2.0, kFrom = 103.0, kStill = 20.0;  // mm, mm, mm/s
     const int passes = document().history()->count();
-    leadTo({30.0, 0.0, 105.0}, 0);
-    if (!comesTo(30.0, 105.0, 1.0)) return false;
-    leadTo({30.0, 0.0, 105.0}, 1);
-    QTest::qWait(200);
-    for (double z = 105.0; z >= to; z -= kStep) {
+    leadTo({30.0, 0.0, kFrom}, 0);
+    if (!comesTo(30.0, kFrom, 1.0) || !pressAt({30.0, 0.0, kFrom})) return false;
+    leadTo({r, 0.0, kFrom}, 1);
+    const auto isStill = [this] { return session.latest()->tip.velocity.norm() < kStill; };
+    if (!comesTo(r, kFrom, 1.0) || !QTest::qWaitFor(isStill, kPatienceMs)) return false;
+    for (double z = kFrom - kStep; z >= kTurnedTo; z -= kStep) {
       leadTo({r, 0.0, z}, 1);
       if (!comesTo(r, z, 1.0)) return false;
     }
-    leadTo({30.0, 0.0, to}, 1);
-    if (!comesTo(30.0, to, 1.0)) return false;
-    leadTo({30.0, 0.0, to}, 0);
+    leadTo({30.0, 0.0, kTurnedTo}, 1);
+    if (!comesTo(30.0, kTurnedTo, 1.0)) return false;
+    leadTo({30.0, 0.0, kTurnedTo}, 0);
     return QTest::qWaitFor([&] { return document().history()->count() > passes; }, kPatienceMs) && driver.settle();
   }
   // The diameter in the measured range that is furthest from the one that is wanted.
@@ -95,7 +99,7 @@ class ExerciseHandTest : public QObject {
           std::pair("at1", kMeasuredFrom), std::pair("at2", kMeasuredTo), std::pair("points", 10.0),
           std::pair("slack", kSlack)})
       driver.edit((QByteArray("criterion.c1.") + field).constData(), QString::number(value));
-    QVERIFY(teacher.beginWork() && teacher.turnEnd(0.5 * kWanted + 1.0, 75.0));  // the nose has 1 mm
+    QVERIFY(teacher.beginWork() && teacher.turnEnd(0.5 * kWanted + 1.0));  // the nose has 1 mm
     teacher.session.close();
     teacher.show(0);
     QVERIFY(driver.settle());
@@ -115,7 +119,7 @@ class ExerciseHandTest : public QObject {
     HandAtTheExercise student;
     WindowDriver& driver = student.driver;
     QVERIFY(driver.open(copy));
-    QVERIFY(student.beginWork() && student.turnEnd(0.5 * kWanted + 1.3, 75.0));
+    QVERIFY(student.beginWork() && student.turnEnd(0.5 * kWanted + 1.3));
     diameter = student.worstDiameter();
     auto* lesson = driver.find<QWidget>("exerciseLesson");
     lesson->findChild<QPushButton*>("lesson/measure")->click();
@@ -145,7 +149,7 @@ class ExerciseHandTest : public QObject {
     work(copy, handedIn, diameter);
     if (QTest::currentTestFailed()) return;
 
-    WindowDriver teacher;
+    WindowDriver teacher(kSmallWindow);
     QVERIFY(teacher.open(scheme));
     teacher.choose("markExercise");
     QVERIFY(teacher.enterFileName("markDialog", handedIn));

@@ -11,23 +11,23 @@
 
 namespace handwheel::test {
 
-// Radius of a closed ball about the origin.
+// Radius of the ball, which is at the origin; mm.
 inline constexpr double kRadius = 50.0;
 
 inline std::vector<Corners> ballOf(int levels, const Vec3& centre, double radius) {
   return cornersOf(moved(icosphere(levels), centre, radius));
 }
 
-// Writes the ball as a file into a folder.
+// Writes the ball as an STL file into a folder, and returns the path.
 inline QString ballIn(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("ball.stl"));
   writeStl(path, ballOf(3, Vec3::Zero(), kRadius));
   return path;
 }
 
-// Moves the simulated hand towards this position, correcting by the present position of the tip: after a change of the
-// view the tip is not at the position of the mapping alone. Must be called repeatedly, as the view may still change;
-// starts only once the tip has come into the scene.
+// Moves the simulated hand towards a position in the scene, starting from the present position of the tip. Must be
+// called repeatedly: after a change of the view, the tip is not at the position that the mapping alone gives. The
+// session must have a latest sample.
 inline void bringHandTo(HapticSession& session, const Vec3& position, std::uint32_t buttons = 0) {
   const ServoSample& now = *session.latest();
   const WorkspaceMapping mapping = session.mappingInScene();
@@ -38,7 +38,7 @@ inline void bringHandTo(HapticSession& session, const Vec3& position, std::uint3
   session.simulatedHand()->setTarget(pose);
 }
 
-// A window with a ball in it and the simulated hand open.
+// A window with the simulated hand, in which a file is opened.
 struct HandFixture {
   WindowDriver driver;
   HapticSession& session;
@@ -54,7 +54,7 @@ struct HandFixture {
     session.choose("simulated", "hand");
     return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle();
   }
-  // Moves the hand to its own position for this point in the scene.
+  // Moves the simulated hand to the position that the mapping gives for a point in the scene.
   void leadTo(const Vec3& position, std::uint32_t buttons = 0) {
     const WorkspaceMapping mapping = session.mappingInScene();
     HandPose pose;
@@ -63,8 +63,8 @@ struct HandFixture {
     session.simulatedHand()->setTarget(pose);
   }
   void bringTo(const Vec3& position) { bringHandTo(session, position); }
-  // Waits until it comes to rest there without contact: a moving hand would go through an open edge, or touch its
-  // inside.
+  // Waits until the tip rests at a position without contact. A moving hand could pass through an open edge, or touch
+  // the inside of the surface.
   bool arrives(const Vec3& position, double within) {
     const auto isThere = [&] {
       bringTo(position);
@@ -84,8 +84,8 @@ struct HandFixture {
   bool waitForContact() {
     return QTest::qWaitFor([this] { return now().felt.isContact && now().felt.force.norm() > 0.0; }, kPatienceMs);
   }
-  // Presses on the ball, in this direction from its centre: the tip comes into contact, and then holds the first
-  // button.
+  // Presses on the ball in this direction from its centre. The tip touches the ball first, and then the first button is
+  // held.
   bool pressOnBall(const Vec3& out) {
     leadTo(0.97 * kRadius * out);
     if (!waitForContact()) return false;

@@ -8,11 +8,11 @@
 
 namespace handwheel::test {
 
-// A session of devices without plugins, and with settings that no other test has.
+// An environment without plugins, and with settings that no other test uses.
 class OwnSettings {
  public:
   void use() {
-    qputenv("HANDWHEEL_PLUGINS", m_folder.path().toLocal8Bit());  // a folder without plugins
+    qputenv("HANDWHEEL_PLUGINS", m_folder.path().toLocal8Bit());  // an empty folder
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
     QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
     QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));

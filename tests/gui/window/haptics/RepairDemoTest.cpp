@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../WindowDriver.h"
+#include "../QuickWindow.h"
 #include "../WindowTestMain.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/ScriptedDeviceDemo.h"
@@ -13,13 +13,13 @@ namespace {
 constexpr int kWholeMs = 120000;
 
 struct ShowFixture {
-  WindowDriver driver;
+  QuickWindow driver;
   ScriptedDeviceDemo& show;
   HapticSession& session;
 
   ShowFixture()
       : show(*driver.window().findChild<ScriptedDeviceDemo*>()), session(*driver.window().findChild<HapticSession*>()) {
-    show.setPace(3.0);
+    show.setPace(4.0);
   }
   ~ShowFixture() { session.close(); }
 

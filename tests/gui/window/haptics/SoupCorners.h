@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// Returns the triangles in the form that writeStl() takes.
+// Returns the triangles of a soup in the form that writeStl() requires.
 inline std::vector<Corners> cornersOf(const TriangleSoup& soup) {
   std::vector<Corners> all;
   for (const Triangle& t : soup.triangles) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "BuildPaths.h"
+#include "LargeInputs.h"
 #include "TurningWindow.h"
 #include "haptics/recording/ForceRecorder.h"
 #include "panels/device/AxisBars.h"
@@ -49,7 +50,7 @@ class TurningHandTest : public QObject {
 
   // The hand begins before the bar, seen from the front. Led into it the bar holds the nose; with button 1 it cuts.
   void byTheKnobsOfThePanel() {
-    TurningWindow turning;
+    TurningWindow turning(kSmallWindow);
     QVERIFY(turning.begin());
     HandPanel panel{turning.driver};
     panel.show();
@@ -76,44 +77,47 @@ class TurningHandTest : public QObject {
   }
 
   // Between the tip and the viewer there is nothing of the model when the device is opened, and when a document is.
+  // Each order has several kinds of documents; only large inputs have each kind in both orders.
   void theTipBeginsBeforeTheModel_data() {
     QTest::addColumn<QString>("document");
     QTest::addColumn<bool>("isOpenBefore");
-    for (const char* document : {"newWorkpiece", "openShaftSample", "openRobotSample", "openSample"}) {
-      for (const bool isOpenBefore : {false, true})
-        QTest::addRow("%s, the device %s", document, isOpenBefore ? "first" : "last")
-            << QString::fromLatin1(document) << isOpenBefore;
-    }
+    const auto add = [](const char* document, bool isOpenBefore) {
+      QTest::addRow("%s, the device %s", document, isOpenBefore ? "first" : "last")
+          << QString::fromLatin1(document) << isOpenBefore;
+    };
+    add("newWorkpiece", false);
+    add("newWorkpiece", true);
+    add("openRobotSample", true);
+    add("openSample", false);
+    if (!test::withLargeInputs()) return;
+    add("openShaftSample", false);
+    add("openShaftSample", true);
+    add("openRobotSample", false);
+    add("openSample", true);
   }
   void theTipBeginsBeforeTheModel() {
     QFETCH(QString, document);
     QFETCH(bool, isOpenBefore);
-    TurningWindow turning;
-    const auto takeHand = [&turning] {
-      turning.session.choose("simulated", "hand");
-      return QTest::qWaitFor([&turning] { return turning.session.latest() != nullptr; }, kPatienceMs);
-    };
-    if (isOpenBefore) QVERIFY(takeHand());
+    TurningWindow turning(kSmallWindow);
+    if (isOpenBefore) QVERIFY(turning.openHand());
     turning.driver.choose(document.toLatin1());
     QVERIFY(turning.driver.settle());
     QTRY_VERIFY_WITH_TIMEOUT(turning.view->isPickingReady(), kPatienceMs);
-    if (!isOpenBefore) QVERIFY(takeHand());
-    QTest::qWait(500);  // all camera motion has ended
+    if (!isOpenBefore) QVERIFY(turning.openHand());
+    QVERIFY(turning.restsWithHand());
     const Vec3 tip = turning.session.latest()->tip.position, towards = turning.view->camera().towardsViewer();
     QVERIFY(turning.view->pickAlong(tip, towards).isNothing());
   }
 
   // Seen along its axis a long bar is before the middle of the view by more than the height of the view.
   void beforeALongBarSeenFromItsEnd() {
-    TurningWindow turning;
+    TurningWindow turning(kSmallWindow);
     turning.driver.choose("newWorkpiece");
     QVERIFY(turning.driver.settle());
     QVERIFY(turning.document().setProperty("length", 500.0));
     turning.view->setStandardView(StandardView::Right);
     QVERIFY(turning.driver.settle());
-    turning.session.choose("simulated", "hand");
-    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest() != nullptr, kPatienceMs);
-    QTest::qWait(500);
+    QVERIFY(turning.openHand() && turning.restsWithHand());
     QVERIFY(turning.session.latest()->tip.position.z() >= 500.0);
   }
 
@@ -124,7 +128,7 @@ class TurningHandTest : public QObject {
     const QTemporaryDir folder;
     const QString bar = folder.filePath("bar.handwheel"), table = folder.filePath("session.csv");
     const QString again = folder.filePath("again.handwheel");
-    TurningWindow turning;
+    TurningWindow turning(kSmallWindow);
     QVERIFY(turning.begin());
     turning.driver.click("quickActions/saveFile");
     QVERIFY(turning.driver.enterFileName("saveDialog", bar) && turning.driver.settle());
@@ -135,16 +139,17 @@ class TurningHandTest : public QObject {
     QTRY_VERIFY(sign->isVisible() && sign->text() == QStringLiteral("Recording 0:00"));
     QTRY_COMPARE_WITH_TIMEOUT(sign->text(), QStringLiteral("Recording 0:01"), kPatienceMs);
     for (const double z : {40.0, 70.0}) {
-      turning.leadTo({32.0, 0.0, z}, 0);
-      QTest::qWait(300);
-      turning.leadTo({32.0, 0.0, z}, 1);
-      QTest::qWait(200);
+      const Vec3 beside(32.0, 0.0, z);
+      turning.leadTo(beside, 0);
+      QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.z() - z) < 2.0, kPatienceMs);
+      QVERIFY(turning.pressAt(beside));
+      QTest::qWait(50);  // some points of the pass are beside the bar
       turning.leadTo({21.0, 0.0, z}, 1);
       QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.proxy.x() < 24.0, kPatienceMs);
-      turning.leadTo({32.0, 0.0, z}, 1);
+      turning.leadTo(beside, 1);
       QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->tip.position.x() > 30.0, kPatienceMs);
       const int passes = turning.document().history()->count();
-      turning.leadTo({32.0, 0.0, z}, 0);
+      turning.leadTo(beside, 0);
       QTRY_VERIFY_WITH_TIMEOUT(turning.document().history()->count() > passes, kPatienceMs);
     }
     turning.driver.choose("recordDevice");
@@ -156,10 +161,10 @@ class TurningHandTest : public QObject {
     QVERIFY(program.waitForFinished());
     QVERIFY2(program.exitCode() == 0, program.readAllStandardError());
     const TurnedProfile expected = turning.workpiece().part->profile;
-    WindowDriver second;
-    QVERIFY(second.open(again));
-    const auto& turned =
-        static_cast<WorkpieceDocument&>(second.window().findChild<DocumentTabs*>()->current()->document).workpiece();
+    turning.session.close();
+    QVERIFY(turning.driver.open(again));
+    QCOMPARE(turning.driver.tabs(), 2);
+    const WorkpieceSnapshot& turned = turning.workpiece();
     QCOMPARE(turned.part->passes.size(), std::size_t{2});
     QCOMPARE(turned.part->profile.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -168,8 +173,9 @@ class TurningHandTest : public QObject {
 
   // A click on the sign leads to the recordings.
   void theSignShowsTheRecordings() {
-    TurningWindow turning;
-    QVERIFY(turning.begin() && turning.takeHand());
+    TurningWindow turning(kSmallWindow);
+    turning.driver.choose("newWorkpiece");
+    QVERIFY(turning.driver.settle() && turning.openHand());
     auto* sign = turning.driver.find<QToolButton>("recordingSign");
     auto* list = turning.driver.find<QWidget>("recordingList");
     QVERIFY(!list->isVisible());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../QuickWindow.h"
 #include "../StlFiles.h"
-#include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
@@ -20,6 +20,7 @@ class DefectFixesWindowTest : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  ClassWindow m_window;
 
   QString file(const char* name, const TriangleSoup& soup) {
     std::vector<Corners> triangles;
@@ -51,15 +52,16 @@ class DefectFixesWindowTest : public QObject {
 
   static void clickGroup(WindowDriver& driver, DefectKind kind) {
     auto* list = driver.find<QTreeView>("defectList");
-    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
-                      list->visualRect(driver.defects().groupIndex(kind)).center());
+    const QModelIndex group = driver.defects().groupIndex(kind);
+    list->scrollTo(group);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(group).center());
   }
 
  private slots:
   void crossingCubes() {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {0.41, 0.27, 0.33}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("cubes.stl", soup)));
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0);
@@ -86,7 +88,7 @@ class DefectFixesWindowTest : public QObject {
   void bodiesThatIntersectAreUnited() {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {0.41, 0.27, 0.33}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("two.stl", soup)));
     const Document& shown = driver.window().findChild<DocumentTabs*>()->current()->document;
     const auto volumeOf = [&shown] {
@@ -133,7 +135,7 @@ class DefectFixesWindowTest : public QObject {
   void turnedOnOpening() {
     TriangleSoup soup = icosphere(2);
     for (const std::size_t f : {3, 40, 200}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("turned.stl", soup)));
     QCOMPARE(driver.count(DefectKind::Flipped), 3);
     QCOMPARE(driver.count(DefectKind::Inconsistent), 0);
@@ -165,7 +167,7 @@ class DefectFixesWindowTest : public QObject {
     append(soup, cube(1.0, {1, 1, 0}));
     append(soup, cube(1.0, {5.0, 0.0, 0.0}));
     append(soup, cube(1.0, {5.41, 0.27, 0.33}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("both.stl", soup)));
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 1);
@@ -186,7 +188,7 @@ class DefectFixesWindowTest : public QObject {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {1, 1, 0}));
     soup.triangles.push_back(soup.triangles[0]);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("touching.stl", soup)));
     clickGroup(driver, DefectKind::Duplicate);
     driver.click("fixDefectButton");
@@ -204,7 +206,7 @@ class DefectFixesWindowTest : public QObject {
   void oneRowWithItsPreview() {
     TriangleSoup soup = cube();
     for (const std::size_t t : {std::size_t{3}, std::size_t{8}}) soup.triangles.push_back(soup.triangles[t]);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("twice.stl", soup)));
     clickGroup(driver, DefectKind::Duplicate);
     QVERIFY(driver.settle());
@@ -230,7 +232,7 @@ class DefectFixesWindowTest : public QObject {
     std::erase_if(soup.triangles, [&](const Triangle& t) {
       return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return soup.points[v].z() == 2.0; });
     });
-    WindowDriver driver;
+    WindowDriver driver;  // with room for the whole text
     QVERIFY(driver.open(file("open.stl", soup)));
     driver.find<QTreeView>("defectList")->expand(driver.defects().groupIndex(DefectKind::Hole));
     driver.clickDefect(DefectKind::Hole, 0);
@@ -243,7 +245,7 @@ class DefectFixesWindowTest : public QObject {
 
   // Beside the patch of a hole, the other methods are previewed with the pointer on their button.
   void previewOfABack() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };
     QVERIFY(driver.open(file("sheet.stl", grid(9, 9, false, false, height))));
     driver.find<QTreeView>("defectList")->expand(driver.defects().groupIndex(DefectKind::KeptOpen));
@@ -267,7 +269,7 @@ class DefectFixesWindowTest : public QObject {
     TriangleSoup soup = cube();
     soup.triangles.push_back(soup.triangles[3]);
     append(soup, moved(grid(9, 9, false, false, [](auto i, auto j) { return Vec3(i, j, 0.02 * i * j); }), {9, 0, 0}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("beside.stl", soup)));
     QVERIFY(driver.find<QAction>("thickenSheet")->isEnabled());
     clickGroup(driver, DefectKind::Duplicate);
@@ -279,7 +281,7 @@ class DefectFixesWindowTest : public QObject {
   }
 
   void sheetGetsABack() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };
     QVERIFY(driver.open(file("sheet.stl", grid(9, 9, false, false, height))));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
@@ -291,7 +293,7 @@ class DefectFixesWindowTest : public QObject {
 
   // The panel shows the thickness of the body, a hundredth of the diagonal, and takes another; the log says which.
   void thicknessOfASheet() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     const auto flat = [](std::uint32_t i, std::uint32_t j) { return Vec3(30.0 * i, 40.0 * j, 0.0); };
     QVERIFY(driver.open(file("plate.stl", grid(11, 11, false, false, flat))));
     driver.clickDefect(DefectKind::KeptOpen, 0);
@@ -317,7 +319,7 @@ class DefectFixesWindowTest : public QObject {
   void aRodInTheHole() {
     TriangleSoup soup = sphereWithoutCap(3, 0.5);
     append(soup, moved(cylinder(12, 2, 0.1, 2.0, true), {0.03, 0.02, -0.2}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("rod.stl", soup)));
     driver.clickDefect(DefectKind::Hole, 0);
     driver.click("cutAndCloseButton");
@@ -330,7 +332,7 @@ class DefectFixesWindowTest : public QObject {
   void shellsApartAndTogether() {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {3, 0, 0}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("two.stl", soup)));
     driver.choose("splitShells");
     QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 3, kPatienceMs);
@@ -353,7 +355,7 @@ class DefectFixesWindowTest : public QObject {
   void aPlateWithoutThickness() {
     TriangleSoup soup = cube();
     append(soup, moved(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, {3, 0, 0}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("plate.stl", soup)));
     QCOMPARE(driver.count(DefectKind::Duplicate), 1);
     clickGroup(driver, DefectKind::Duplicate);
@@ -373,7 +375,7 @@ class DefectFixesWindowTest : public QObject {
 
   // Two sheets across one another are not cut: each piece would hang at the others. The window says so.
   void whatCannotBeMended() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("across.stl", acrossOneAnother())));
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0);
@@ -400,7 +402,7 @@ class DefectFixesWindowTest : public QObject {
     append(soup, open);
     const QString path = m_folder.filePath("across.obj");
     QVERIFY(writeFileAtomically(path.toStdString(), writeObj(soup, NumberType::Float64)));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0 && driver.count(DefectKind::Hole) == 1);
@@ -427,7 +429,7 @@ class DefectFixesWindowTest : public QObject {
   void wallsInOnePlane() {
     TriangleSoup soup = cube();
     append(soup, cube(1.0, {0.5, 0.25, 0.0}));
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(file("planes.stl", soup)));
     QVERIFY(driver.count(DefectKind::SelfIntersection) > 0);
     clickGroup(driver, DefectKind::SelfIntersection);

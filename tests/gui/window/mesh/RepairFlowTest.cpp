@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../QuickWindow.h"
 #include "../StlFiles.h"
-#include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "../haptics/SoupCorners.h"
 #include "MeshShapes.h"
@@ -20,6 +20,7 @@ class RepairFlowTest : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  ClassWindow m_window;
 
   QString fileWithHoles(const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
@@ -31,7 +32,7 @@ class RepairFlowTest : public QObject {
 
  private slots:
   void fillUndoRedoRepairSave() {
-    WindowDriver driver;
+    QuickWindow driver;
     driver.click("quickActions/openFile");
     QVERIFY(driver.enterFileName("openDialog", fileWithHoles("flow.stl")));
     QVERIFY(driver.settle());
@@ -87,6 +88,19 @@ class RepairFlowTest : public QObject {
     QCOMPARE(driver.tabs(), 0);
   }
 
+  void aMethodChangesThePreviewAtOnce() {
+    QuickWindow driver;
+    QVERIFY(driver.open(fileWithHoles("method.stl")));
+    driver.clickDefect(DefectKind::Hole, 0);
+    auto* methods = driver.find<QComboBox>("fillMethod");
+    methods->setCurrentIndex(methods->findText("Ear clipping"));
+    // A quad without new vertices takes two triangles.
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("previewStatus"), "2 new triangles", kPatienceMs);
+    driver.click("fillHoleButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
+    QCOMPARE(driver.text("figures"), QString::fromUtf8("2,300 triangles · 2 holes"));  // 2 * (48 * 24 - 3) + 2
+  }
+
   // Card and list say what was there before; once it is saved, the card says that, and what was repaired stays so.
   void whatARepairHasDone() {
     std::vector<Corners> triangles = quadTorus(48, 24, {{3, 5}, {20, 11}, {35, 17}});
@@ -95,7 +109,7 @@ class RepairFlowTest : public QObject {
     triangles.push_back({a, c, b});
     const QString path = m_folder.filePath("done.stl");
     writeStl(path, triangles);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     driver.click("repairAllButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
@@ -119,7 +133,7 @@ class RepairFlowTest : public QObject {
 
   // A row moves the camera only if its defect is not well visible already.
   void aRowThatIsSeenMovesNothing() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("seen.stl")));
     driver.clickDefect(DefectKind::Hole, 1);
     auto* view = driver.find<Viewport>("viewport");
@@ -137,7 +151,7 @@ class RepairFlowTest : public QObject {
   }
 
   void whatIsKeptOpenStaysOpen() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("keep.stl")));
     driver.clickDefect(DefectKind::Hole, 0);
     driver.click("keepOpenButton");
@@ -164,7 +178,7 @@ class RepairFlowTest : public QObject {
     }
     const QString path = m_folder.filePath("sheet.stl");
     writeStl(path, sheet);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
     QVERIFY(driver.text("nextStepDetail").contains("1 open sheet."));
@@ -180,7 +194,7 @@ class RepairFlowTest : public QObject {
 
   // The camera flies to a hole; pointing into its middle selects it.
   void clickingIntoAHoleSelectsIt() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("click.stl")));
     driver.click("nextStep/goOneByOne");
     auto* view = driver.find<Viewport>("viewport");
@@ -194,21 +208,8 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
-  void aMethodChangesThePreviewAtOnce() {
-    WindowDriver driver;
-    QVERIFY(driver.open(fileWithHoles("method.stl")));
-    driver.clickDefect(DefectKind::Hole, 0);
-    auto* methods = driver.find<QComboBox>("fillMethod");
-    methods->setCurrentIndex(methods->findText("Ear clipping"));
-    // A quad without new vertices takes two triangles.
-    QTRY_COMPARE_WITH_TIMEOUT(driver.text("previewStatus"), "2 new triangles", kPatienceMs);
-    driver.click("fillHoleButton");
-    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
-    QCOMPARE(driver.text("figures"), QString::fromUtf8("2,300 triangles · 2 holes"));  // 2 * (48 * 24 - 3) + 2
-  }
-
   void aRepairThatWasUndoneIsOfferedAgain() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("again.stl")));
     driver.click("nextStep/repairAll");
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
@@ -233,7 +234,7 @@ class RepairFlowTest : public QObject {
     }
     const QString path = m_folder.filePath("beside.stl");
     writeStl(path, triangles);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     QCOMPARE(driver.count(DefectKind::Hole), 1);
     QVERIFY(!driver.find<QAction>("undoRepair")->isEnabled());
@@ -251,7 +252,7 @@ class RepairFlowTest : public QObject {
 
   // A cube that is inside out has no hole of which it would be known that it was tried.
   void aRepairWithoutHolesIsOfferedAgain() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     const QString path = m_folder.filePath("inside-out.stl");
     writeStl(path, cornersOf(turnedOver(cube(20.0))));
     QVERIFY(driver.open(path));
@@ -286,7 +287,7 @@ class RepairFlowTest : public QObject {
       first += 8;
     }
     file.close();
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     QVERIFY(driver.settle());
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("stateHeadline"), "Watertight", kPatienceMs);
@@ -307,7 +308,7 @@ class RepairFlowTest : public QObject {
       triangles.push_back(flake);
     const QString path = m_folder.filePath("flake.stl");
     writeStl(path, triangles);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     QVERIFY(driver.settle());
     QCOMPARE(driver.count(DefectKind::Debris), 1);
@@ -332,7 +333,7 @@ class RepairFlowTest : public QObject {
     }
     const QString path = m_folder.filePath("tube.stl");
     writeStl(path, triangles);
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(path));
     QVERIFY(driver.settle());
     driver.click("repairAllButton");
@@ -345,7 +346,7 @@ class RepairFlowTest : public QObject {
   }
 
   void aDismissedCardStaysAway() {
-    WindowDriver driver;
+    QuickWindow& driver = m_window.cleared();
     QVERIFY(driver.open(fileWithHoles("card.stl")));
     driver.click("nextStepClose");
     QVERIFY(!driver.find<QWidget>("nextStepCard")->isVisible());
@@ -355,8 +356,26 @@ class RepairFlowTest : public QObject {
     QVERIFY(!driver.find<QWidget>("nextStepCard")->isVisible());
   }
 
+  void aDamagedFileIsExplainedAndOpenedInPart() {
+    const QString path = m_folder.filePath("damaged.stl");
+    writeStl(path, quadTorus(48, 24, {}));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QVERIFY(file.resize(84 + 50 * 1000 + 7));  // cut off in the middle of a facet
+    file.close();
+    QuickWindow& driver = m_window.cleared();
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.tabs(), 0);
+    QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
+    QVERIFY(driver.text("messageText").contains("damaged.stl"));
+    driver.click("messageAction");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
+    QVERIFY(driver.text("figures").startsWith("1,000 triangles "));
+    QVERIFY(driver.settle());
+  }
+
   void closingAsksAboutChanges() {
-    WindowDriver driver;
+    QuickWindow driver;
     QVERIFY(driver.open(fileWithHoles("close.stl")));
     driver.click("repairAllButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
@@ -370,24 +389,6 @@ class RepairFlowTest : public QObject {
     driver.window().close();
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
     QCOMPARE(openEdges(readStl(m_folder.filePath("close.stl"))), 0);
-  }
-
-  void aDamagedFileIsExplainedAndOpenedInPart() {
-    const QString path = m_folder.filePath("damaged.stl");
-    writeStl(path, quadTorus(48, 24, {}));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::ReadWrite));
-    QVERIFY(file.resize(84 + 50 * 1000 + 7));  // cut off in the middle of a facet
-    file.close();
-    WindowDriver driver;
-    QVERIFY(driver.open(path));
-    QCOMPARE(driver.tabs(), 0);
-    QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
-    QVERIFY(driver.text("messageText").contains("damaged.stl"));
-    driver.click("messageAction");
-    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
-    QVERIFY(driver.text("figures").startsWith("1,000 triangles "));
-    QVERIFY(driver.settle());
   }
 
  private:

@@ -30,7 +30,7 @@ class LatheWindowTest : public QObject {
 
   // The setup is that of an exercise.
   void leversOfThePanelAreThoseOfTheLathe() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     window.driver.choose("newWorkpiece");
     QVERIFY(window.driver.settle());
     auto setup = std::make_shared<LatheSetup>(latheOf(window.workpiece()));
@@ -45,7 +45,7 @@ class LatheWindowTest : public QObject {
 
   // A section can be folded, by mouse or key, gives its room to the view, and stays folded.
   void sectionsFold() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     auto* dock = window.driver.find<QDockWidget>("latheDock");
     auto* wheel = window.driver.find<QWidget>("latheCross");
@@ -61,7 +61,7 @@ class LatheWindowTest : public QObject {
     heading->setFocus();
     QTest::keyClick(heading, Qt::Key_Space);
     QVERIFY(thread->isVisible());
-    LatheWindow again;
+    LatheWindow again(kSmallWindow);
     QVERIFY(again.beginLathe());
     QVERIFY(!again.driver.find<QWidget>("latheCross")->isVisible());
     QVERIFY(again.driver.find<QWidget>("latheHalfNut")->isVisible());
@@ -69,7 +69,7 @@ class LatheWindowTest : public QObject {
 
   // Clockwise is in for the cross slide, away from the chuck for the carriage. The rings begin at zero and count up.
   void wheelsTurnAsOnALathe() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     const double z = window.slide(LatheAxis::Carriage), r = window.slide(LatheAxis::Cross);
     QTRY_COMPARE(window.dial("latheCross").readingText(), QStringLiteral("0.0 div"));
@@ -101,7 +101,7 @@ class LatheWindowTest : public QObject {
 
   // Arrows move carriage and cross slide, whatever wheel was turned last; a wheel that Tab came to moves only itself.
   void arrowsHaveTheirSlides() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     window.crank(window.dial("latheCompound"), 0.25);
     QVERIFY2(window.driver.window().focusWidget() == window.view,
@@ -123,7 +123,7 @@ class LatheWindowTest : public QObject {
 
   // A number that is no size is not shown as one: neither in the panel nor at the tool. Each tool has its own.
   void theReadOutIsUnknownUntilTouchedOff() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     auto *x = window.driver.find<QLabel>("latheX"), *z = window.driver.find<QLabel>("latheZ");
     QTRY_COMPARE(x->text(), QStringLiteral("X not touched off"));
@@ -158,14 +158,13 @@ class LatheWindowTest : public QObject {
   // range, and a law may not have been compared with the handbook.
   void theLawInUse() {
     {
-      LatheWindow window;
+      LatheWindow window(kSmallWindow);
       window.driver.window().findChild<FidelityChoice*>()->set("turn.force_model", double(ForceLaw::Network));
       QVERIFY(window.beginLathe());
       auto* law = window.driver.find<QLabel>("latheLaw");
       QTRY_COMPARE(law->text(), QStringLiteral("Network"));
       QVERIFY(!law->toolTip().contains("Kienzle"));
-      window.driver.find<NumberField>("latheFeed")->setValue(0.5);  // mm in a turn; it was trained on 0.4 at most
-      QVERIFY(window.turnEnd());
+      QVERIFY(window.turnEnd(0.5));  // mm in a turn; it was trained on 0.4 at most
       QTRY_COMPARE(law->text(), QStringLiteral("Power law"));
       QVERIFY(law->toolTip().contains("outside the range of the network"));
       window.driver.click("latheFeedOff");
@@ -173,7 +172,7 @@ class LatheWindowTest : public QObject {
       QTRY_COMPARE(law->text(), QStringLiteral("Kienzle"));
       QVERIFY(law->toolTip().contains("Network has no data"));
     }
-    LatheWindow window;  // with a rake of -6°, between two entries of the table
+    LatheWindow window(kSmallWindow);  // with a rake of -6°, between two entries of the table
     window.driver.window().findChild<FidelityChoice*>()->set("turn.force_model", double(ForceLaw::Kosilova));
     QVERIFY(window.beginLathe());
     auto* law = window.driver.find<QLabel>("latheLaw");
@@ -182,7 +181,7 @@ class LatheWindowTest : public QObject {
   }
 
   void rapidWhileHeld() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     const double z = window.slide(LatheAxis::Carriage);
     QTest::keyPress(window.view, Qt::Key_Right, Qt::AltModifier);
@@ -199,7 +198,7 @@ class LatheWindowTest : public QObject {
 
   // Chosen while the feed runs, it begins with the cut so far; on return the slides are where they were, and rest.
   void anotherToolKeepsTheCut() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe() && window.turnEnd());
     window.driver.find<QAction>("turnTool")->trigger();
     QVERIFY(window.driver.settle());
@@ -215,7 +214,7 @@ class LatheWindowTest : public QObject {
 
   // A look at another document moves no slides and no rings of the wheels; the spindle stops, which is said.
   void slidesStayInTheirDocument() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     const double start = window.slide(LatheAxis::Carriage);
     for (int i = 0; i < 5; ++i) QTest::keyClick(window.view, Qt::Key_Left, Qt::ShiftModifier);  // 2 mm each
@@ -245,7 +244,7 @@ class LatheWindowTest : public QObject {
 
   // One Ctrl+Z takes back the pass that is being cut: the slides rest, the spindle turns on.
   void undoTakesThePassBack() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe() && window.turnEnd());
     QVERIFY(window.machine().direction != 0);
     QTRY_VERIFY(window.driver.find<QAction>("undo")->text().contains("Turning pass 1"));
@@ -271,7 +270,7 @@ class LatheWindowTest : public QObject {
   }
 
   void toolsAreMountedByTheMenu() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     auto* menu = window.driver.find<QMenu>("latheMountMenu");
     emit menu->aboutToShow();
@@ -285,7 +284,7 @@ class LatheWindowTest : public QObject {
 
   // The thread of a half-nut: the carriage goes its pitch in a turn of the spindle.
   void halfNutLeadsTheCarriage() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     QTest::keyClick(window.view, Qt::Key_Space);
     window.driver.click("latheHalfNut");
@@ -311,7 +310,7 @@ class LatheWindowTest : public QObject {
 
   // Played back the view shows the bar as it was; closed, the part as it is, and the lathe stands where it stood.
   void replayAndBack() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe() && window.turnEnd());
     QTest::keyClick(window.view, Qt::Key_Escape);
     QVERIFY(window.driver.settle());
@@ -326,10 +325,11 @@ class LatheWindowTest : public QObject {
     QVERIFY(window.driver.settle());
     const QString end = window.driver.text("replayText");
     QVERIFY(end.contains(QStringLiteral("Pass 1 of 1")));
-    QVERIFY(line->time() > 1.0);
+    const double half = 0.5;  // s; 2 mm at 0.2 mm · 600 / min last 1 s
+    QVERIFY(line->time() > half);
     window.driver.hold();
     line->setPlaying(true);  // from the end it begins anew
-    QTRY_VERIFY(line->time() < 1.0);
+    QTRY_VERIFY(line->time() < half);
     line->setPlaying(false);
     QCOMPARE(window.driver.text("replayText"), end);  // a worker makes the shown part
     window.driver.release();
@@ -345,7 +345,7 @@ class LatheWindowTest : public QObject {
   void replayBesideAnother() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("first.handwheel");
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe() && window.turnEnd());
     QTest::keyClick(window.view, Qt::Key_Escape);
     QVERIFY(window.driver.settle());
@@ -360,7 +360,7 @@ class LatheWindowTest : public QObject {
     window.driver.click("replayCompare");
     QVERIFY(window.driver.enterFileName("replayCompareDialog", path) && window.driver.settle());
     QTRY_VERIFY(compare->text().contains("first.handwheel"));
-    QVERIFY(line->time() > 1.0 && std::abs(line->timeOf(1) - line->time()) < 1e-9);
+    QVERIFY(line->time() > 0.5 && std::abs(line->timeOf(1) - line->time()) < 1e-9);  // 2 mm at 2 mm/s last 1 s
     window.driver.click("replayCompare");
     QVERIFY(!compare->text().contains("first.handwheel"));
     QCOMPARE(line->timeOf(1), 0.0);
@@ -368,7 +368,7 @@ class LatheWindowTest : public QObject {
 
   // A thread that is being cut is of the bar as it was.
   void aThreadOfAnOlderBar() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     window.driver.choose("newWorkpiece");
     QVERIFY(window.driver.settle());
     const double narrower = 40.0;  // mm
@@ -384,7 +384,7 @@ class LatheWindowTest : public QObject {
 
   // Opened, a model solution is as fine as it was made, whatever this machine shows a new bar with.
   void aModelSolutionKeepsItsTolerance() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     window.driver.choose("newExercise");
     QVERIFY(window.driver.settle());
     window.driver.choose("beginExercise");
@@ -405,7 +405,7 @@ class LatheWindowTest : public QObject {
     QDir(folder).removeRecursively();  // left by previous tests
     QSettings().setValue("autosaveSeconds", 5);
     {
-      LatheWindow window;
+      LatheWindow window(kSmallWindow);
       QVERIFY(window.beginLathe() && window.turnEnd());
       QVERIFY(!window.workpiece().part);  // nothing was committed
       const QDateTime isCut = QDateTime::currentDateTime();
@@ -417,7 +417,7 @@ class LatheWindowTest : public QObject {
       };
       QVERIFY(QTest::qWaitFor(isStored, kPatienceMs));
     }  // the window goes without asking, as in a crash
-    WindowDriver second;
+    WindowDriver second(kSmallWindow);
     second.window().offerRecovery();
     second.click("messageAction");
     QVERIFY(QTest::qWaitFor([&] { return second.tabs() == 1; }, kPatienceMs) && second.settle());
@@ -431,13 +431,17 @@ class LatheWindowTest : public QObject {
 
   // A hand at a device holds the tool, and cuts with it.
   void aHandHoldsTheTool() {
-    LatheWindow window;
+    LatheWindow window(kSmallWindow);
     QVERIFY(window.beginLathe());
     window.session.choose("simulated", "hand");
     QVERIFY(QTest::qWaitFor([&] { return window.session.latest() != nullptr; }, kPatienceMs));
     QVERIFY(window.driver.settle());
-    window.leadTo({40.0, 0.0, 108.0}, 0);
-    QTest::qWait(500);
+    const auto isBeside = [&window] {  // led anew, as the view may still change
+      window.leadTo({40.0, 0.0, 108.0}, 0);
+      const Vec3& tip = window.session.latest()->tip.position;
+      return std::abs(tip.x() - 40.0) < 1.0 && std::abs(tip.z() - 108.0) < 1.0;
+    };
+    QVERIFY(QTest::qWaitFor(isBeside, kPatienceMs));
     window.leadTo({40.0, 0.0, 108.0}, 1);
     QVERIFY(window.comesTo(LatheAxis::Cross, 40.0, 1.0) && window.comesTo(LatheAxis::Carriage, 108.0, 1.0));
     QTest::keyClick(window.view, Qt::Key_Space);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../WindowDriver.h"
+#include "ProgramWindow.h"
+
 #include "../WindowTestMain.h"
 #include "controls/program/ProgramEditor.h"
 #include "document/workpiece/LatheSetupEdit.h"
@@ -20,6 +21,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 #include <cmath>
+#include <memory>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -35,49 +37,9 @@ constexpr const char* kTurned =
     "G0 Z2\n"
     "M2\n";
 
-// A window with a new workpiece and the dock of programs.
-struct ProgramWindow {
-  WindowDriver driver;
+}  // namespace
 
-  bool begin() {
-    driver.choose("newWorkpiece");
-    if (!driver.settle()) return false;
-    driver.choose("programDockToggle");
-    return driver.settle() && QTest::qWaitFor([this] { return editor().isVisible(); }, kPatienceMs);
-  }
-  WorkpieceDocument& document() {
-    return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
-  }
-  ProgramEditor& editor() { return *driver.find<ProgramEditor>("programEditor"); }
-  ProgramSession& session() { return *driver.window().findChild<ProgramSession*>(); }
-  QListWidget& findings() { return *driver.find<QListWidget>("programFindings"); }
-  // Pasted, as a person does with a text of several lines.
-  void write(const char* text) {
-    editor().selectAll();
-    editor().insertPlainText(QString::fromLatin1(text));
-  }
-  bool run(const char* text) {
-    write(text);
-    driver.click("programRun");
-    return driver.settle();
-  }
-  void clickFinding(int row) {
-    QListWidget& list = findings();
-    list.scrollToItem(list.item(row));
-    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(row)).center());
-  }
-  // Answers the question before closing. False when it does not come.
-  bool answer(QMessageBox::StandardButton button) {
-    QMessageBox* box = nullptr;
-    const auto appears = [&] {
-      box = driver.window().findChild<QMessageBox*>(QStringLiteral("closePrompt"));
-      return box && box->isVisible();
-    };
-    if (!QTest::qWaitFor(appears, kPatienceMs)) return false;
-    box->button(button)->click();
-    return QTest::qWaitFor([&] { return !driver.window().findChild<QMessageBox*>(QStringLiteral("closePrompt")); });
-  }
-};
+namespace {
 
 double volumeOf(const WorkpieceSnapshot& workpiece) {
   return workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
@@ -89,8 +51,26 @@ double volumeOf(const WorkpieceSnapshot& workpiece) {
 class ProgramWindowTest : public QObject {
   Q_OBJECT
 
+  std::unique_ptr<ProgramWindow> m_window;
+
+  // Returns the window of the previous test, cleared.
+  ProgramWindow& reused() {
+    if (!m_window) return fresh();
+    m_window->clear();
+    return *m_window;
+  }
+  ProgramWindow& fresh() {
+    m_window.reset();
+    m_window = std::make_unique<ProgramWindow>();
+    return *m_window;
+  }
+
  private slots:
   void init() { QSettings().clear(); }
+  void cleanup() {
+    if (QTest::currentTestFailed()) m_window.reset();
+  }
+  void cleanupTestCase() { m_window.reset(); }
 
   // A run changes nothing; cutting is one step, which undo takes back.
   void openedRunAndCut() {
@@ -99,7 +79,7 @@ class ProgramWindowTest : public QObject {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(kTurned) > 0);
     file.close();
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     window.driver.click("openProgramButton");
     QVERIFY(window.driver.enterFileName("programDialog", path));
@@ -128,7 +108,7 @@ class ProgramWindowTest : public QObject {
 
   // A run in progress while the part is turned belongs to an old part: it is dropped.
   void aRunOnAnOlderPart() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     window.write(kTurned);
     window.driver.click("programRun");
@@ -159,13 +139,13 @@ class ProgramWindowTest : public QObject {
       return file.fileName();
     };
     const QString first = fileWith("first.ngc", "M2\n"), second = fileWith("second.ngc", kTurned);
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     window.session().read(first);
     QVERIFY(window.driver.settle());
     window.session().read(second);
     window.session().save({});
-    QTest::qSleep(300);  // both are done before the window hears of either
+    window.driver.finishJobs();  // both are done before the window hears of either
     QVERIFY(window.driver.settle());
     QCOMPARE(window.driver.text("programName"), QStringLiteral("second.ngc"));
     QCOMPARE(window.editor().toPlainText(), QString::fromLatin1(kTurned));
@@ -173,7 +153,7 @@ class ProgramWindowTest : public QObject {
 
   // The result of a run is marked as such; leaving it shows the part as it is.
   void aRunIsMarkedAsSimulated() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     auto* banner = window.driver.find<QWidget>("simulationBanner");
     QVERIFY(!banner->isVisible());
@@ -202,7 +182,7 @@ class ProgramWindowTest : public QObject {
 
   // All errors are listed; a click on one puts the cursor there; nothing runs.
   void errorsAreListedAtTheirPlaces() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     window.write("G21\nG68 X1\nG0 X20 Z2 M77\nM2\n");
     QVERIFY(window.driver.settle());
@@ -223,7 +203,7 @@ class ProgramWindowTest : public QObject {
 
   // Lines are stepped, and the tool and the part are those of the line.
   void steppedLineByLine() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin() && window.run(kTurned));
     const auto tip = [&window] {
       const auto& insert = window.session().picture().tool.back();
@@ -270,7 +250,7 @@ class ProgramWindowTest : public QObject {
   }
 
   void collisionsAreListed() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin() && window.run("G7 G21 S600 M3\nG0 X60 Z2\nG0 X40\nG0 Z-30\nG0 X60\nM2\n"));
     QCOMPARE(window.findings().count(), 1);
     QVERIFY(window.findings().item(0)->text().startsWith("Line 4"));
@@ -282,7 +262,7 @@ class ProgramWindowTest : public QObject {
 
   // The chuck of a new bar of 100 mm holds 20 mm of it. In another chuck the run is another one.
   void theChuckOfTheLathe() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin() && window.run("G7 G21 S600 M3\nG0 X46 Z2\nG1 Z-85 F240\nG0 X60\nM2\n"));
     QCOMPARE(window.findings().count(), 1);
     QVERIFY(window.findings().item(0)->text().startsWith("Line 3"));
@@ -301,7 +281,7 @@ class ProgramWindowTest : public QObject {
   // With the tools of the post, the first of which has a holder that begins 6 mm behind its tip, a plunge of 8 mm is a
   // collision. Cut for good it is recorded, and undo removes only the groove.
   void holdersOfTheToolTable() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     window.driver.click("programTools");
     window.driver.click("toolTablePost");
@@ -341,7 +321,7 @@ class ProgramWindowTest : public QObject {
     const QString path = folder.filePath("bar.handwheel");
     QString shown;
     {
-      ProgramWindow window;
+      ProgramWindow& window = reused();
       QVERIFY(window.begin());
       const QString without = window.driver.find<QPushButton>("programTools")->text();
       window.driver.click("programTools");
@@ -361,16 +341,14 @@ class ProgramWindowTest : public QObject {
       QVERIFY(window.driver.enterFileName("saveDialog", path));
       QVERIFY(window.driver.settle());
     }
-    ProgramWindow window;
-    QVERIFY(window.driver.open(path));
-    window.driver.choose("programDockToggle");
-    QVERIFY(window.driver.settle());
+    ProgramWindow& window = reused();
+    QVERIFY(window.driver.open(path) && window.openDock());
     QTRY_COMPARE(window.driver.find<QPushButton>("programTools")->text(), shown);
   }
 
   // A program without end is let go of at once.
   void cancelledAtOnce() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     window.write("#1=0\no1 while [#1 LT 4000000]\n#1=[#1+1]\no1 endwhile\nM2\n");
     window.driver.click("programRun");
@@ -384,7 +362,7 @@ class ProgramWindowTest : public QObject {
 
   // The target is made: no more than 0.01 mm off, but for a sample at the shoulder.
   void roughedAndFinished() {
-    ProgramWindow window;
+    ProgramWindow& window = reused();
     QVERIFY(window.begin());
     const double upper = window.document().workpiece().stock.position + window.document().workpiece().stock.length;
     const auto profile = TargetProfile::make({{{22.0, upper - 50.0}, {22.0, upper - 30.0}},
@@ -416,7 +394,7 @@ class ProgramWindowTest : public QObject {
   void unsavedTextIsAskedAbout() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("typed.ngc");
-    ProgramWindow window;
+    ProgramWindow& window = fresh();
     QVERIFY(window.begin());
     window.write("G0 X60 Z2\nM2\n");
     window.driver.choose("closeDocument");
@@ -438,7 +416,7 @@ class ProgramWindowTest : public QObject {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("G0 X60 Z2\nM2\n") > 0);
     file.close();
-    ProgramWindow window;
+    ProgramWindow& window = fresh();
     QVERIFY(window.driver.open(path));
     QCOMPARE(window.driver.tabs(), 0);
     QTRY_VERIFY(window.driver.text("messageText").contains("part.ngc is a program"));
@@ -466,7 +444,7 @@ class ProgramWindowTest : public QObject {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("%\r\nO1\r\nT0101\r\nG0 X60. Z2.\r\nM30\r\n%\r\n") > 0);
     file.close();
-    ProgramWindow window;
+    ProgramWindow& window = fresh();
     window.driver.choose("newWorkpiece");
     QVERIFY(window.driver.settle());
     QVERIFY(window.driver.open(path));
@@ -485,7 +463,7 @@ class ProgramWindowTest : public QObject {
 
   // The messages of a run come and go below the text; its buttons stay in position.
   void theButtonsStayInTheirPlace() {
-    ProgramWindow window;
+    ProgramWindow& window = fresh();
     QVERIFY(window.begin());
     const auto* run = window.driver.find<QPushButton>("programRun");
     const QPoint before = run->mapTo(run->window(), QPoint());

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// An emulator of the example device: answers each force with its position.
+// An emulator of the example device. It answers each force with its position.
 struct ExampleEmulator final : Peer {
   void receive(std::span<const std::uint8_t> bytes) override {
     m_partial.insert(m_partial.end(), bytes.begin(), bytes.end());

@@ -14,8 +14,9 @@
 
 namespace handwheel {
 
-// An emulator of a Falcon behind its FTDI chip. It has bootloader, firmware, homing, motors, and the known faults.
-// Written after the description of the protocol, not after the code that it tests. Any thread, under its mutex.
+// An emulator of a Falcon connected through its FTDI chip. It has bootloader, firmware, homing, motors, and the known
+// faults. It follows the description of the protocol, not the code that it tests. It may be used on any thread that
+// holds its mutex.
 class FalconEmulator {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -27,30 +28,30 @@ class FalconEmulator {
     return bytes;
   }();
 
-  // Faults.
-  int spoiltLoads = 0;       // number of next loads in which an echo comes back wrong
-  int deafGreetings = 0;     // number of next greetings without an answer
+  // Simulated faults.
+  int spoiltLoads = 0;       // number of following loads with a wrong echo
+  int deafGreetings = 0;     // number of following greetings without an answer
   bool leadingZero = false;  // sends a zero before the answer to a greeting
   int shortEvery = 0;        // n: each n-th answer lacks its last two bytes
   bool stalled = false;
-  bool lateOnce = false;        // the next answer comes when nobody waits for it any more
-  std::size_t unpluggedAt = 0;  // byte of a load; 0: never
+  bool lateOnce = false;        // the next answer arrives after the driver has stopped waiting
+  std::size_t unpluggedAt = 0;  // byte of a load at which the device is unplugged; 0: never
   bool gone = false;
 
-  // State.
+  // State of the device.
   bool running = false;
-  int packetsToHoming = 0;  // packets with the homing bit set until it knows its position
+  int packetsToHoming = 0;  // packets with the homing bit that are needed until it knows its position
   std::array<int, 3> encoders{};
   std::uint8_t buttons = 0;
 
   // Record of events.
   int loads = 0;
   int packets = 0;
-  int largestBeforeHomed = 0;  // torque, counts
+  int largestBeforeHomed = 0;  // largest torque before homing, counts
   std::optional<std::array<int, 3>> torques;
   std::uint8_t lights = 0;
   std::deque<std::uint8_t> toHost;
-  Bytes late;  // an answer that comes with the fifth transfer from now
+  Bytes late;  // an answer that arrives with the fifth following transfer
   int transfers = 0;
 
   void transfer() {
@@ -157,7 +158,8 @@ class FalconEmulator {
   Bytes m_loaded;
 };
 
-// The USB side: transfers in come in packets of 64 bytes, each with two bytes of the chip at its head.
+// A USB transport that is connected to the emulator. Received transfers consist of packets of 64 bytes, each of which
+// begins with two status bytes of the chip.
 class FakeUsb final : public UsbTransport {
  public:
   FakeUsb(std::shared_ptr<FalconEmulator> falcon, std::shared_ptr<FakeClock> clock)

@@ -14,14 +14,14 @@
 
 namespace handwheel {
 
-// A host for a session on a thread of its own, behind a real socket. It is a complete guard without the process.
+// A host for a session on its own thread, connected by a real socket. It is a complete guard except for the process.
 class HostedSession {
  public:
   using Make = std::function<std::unique_ptr<Session>()>;
   explicit HostedSession(Make make) : m_make(std::move(make)) {}
   ~HostedSession() { end(); }
 
-  // Starts a new host, as a new process would; the one before has ended.
+  // Starts a new host, like a new process. The previous host must have ended.
   std::unique_ptr<ByteStream> start() {
     end();
     int ends[2] = {};
@@ -48,7 +48,7 @@ class HostedSession {
   std::thread m_thread;
 };
 
-// Returns the same device, held by a host.
+// Returns a contract subject whose device is held by a host.
 inline ContractSubject guardedSubject(const std::shared_ptr<HostedSession>& host, const DeviceCapabilities& kind,
                                       const ContractSubject& of) {
   ContractSubject subject = of;

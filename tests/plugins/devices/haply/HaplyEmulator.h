@@ -16,15 +16,16 @@
 namespace handwheel {
 
 // An emulator of the Inverse service according to its documentation. It sends one frame for each message, and forces
-// hold for one message. It checks what it is sent, and closes the connection when that is no WebSocket.
+// hold for one message. It checks the messages that it receives, and closes the connection if they do not follow the
+// WebSocket protocol.
 struct HaplyEmulator final : Peer {
   nlohmann::json position = {{"x", 0.01}, {"y", -0.02}, {"z", 0.03}};
   bool calibrated = true;
   bool stalled = false;
   bool grip = true;
   bool pings = false;
-  std::size_t fragment = 0;  // the longest frame of its messages; 0: whole
-  std::string replyInstead;  // used if not empty
+  std::size_t fragment = 0;  // length of the longest frame of its messages; 0: no limit
+  std::string replyInstead;  // reply that replaces the normal one; empty: the normal reply
   std::string consent = "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n";
   bool answersTheKey = true;
 
@@ -33,7 +34,7 @@ struct HaplyEmulator final : Peer {
   int pongs = 0;
   bool saidGoodbye = false;
   std::string preset;
-  std::optional<Vec3> force;  // in the service's own frame
+  std::optional<Vec3> force;  // force of the last message, in the service's own frame
 
   void receive(std::span<const std::uint8_t> bytes) override {
     m_in.append(bytes.begin(), bytes.end());
@@ -84,7 +85,7 @@ struct HaplyEmulator final : Peer {
       length = at(2) << 8 | at(3);
       start = 4;
     }
-    if (!(at(1) & 0x80) || !(at(0) & 0x80)) gone = true;  // a client masks, and this one never fragments
+    if (!(at(1) & 0x80) || !(at(0) & 0x80)) gone = true;  // must be masked and not fragmented
     if (m_in.size() < start + 4 + length) return false;
     std::string payload;
     for (std::size_t i = 0; i < length; ++i) payload += static_cast<char>(at(start + 4 + i) ^ at(start + i % 4));
@@ -135,7 +136,7 @@ struct HaplyEmulator final : Peer {
 };
 
 inline ContractSubject haplySubject() {
-  // Each connection is a new one to the service.
+  // The state that the functions of the subject share. Each connection gets a new emulator.
   struct World {
     std::mutex mutex;
     std::shared_ptr<HaplyEmulator> peer = std::make_shared<HaplyEmulator>();

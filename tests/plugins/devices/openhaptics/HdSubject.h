@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Returns the complete chain of an OpenHaptics device for tests. The plugin's session, a host, the bridge's session,
-// and the stand-in of the manufacturer's library.
+// Returns the complete chain of an OpenHaptics device for tests. The chain consists of the plugin's session, a host,
+// the bridge's session, and the stand-in for the manufacturer's library.
 inline ContractSubject hdSubject() {
   HdStandIn& device = HdStandIn::only();
   device.reset();
@@ -23,7 +23,7 @@ inline ContractSubject hdSubject() {
       const std::lock_guard lock(device.mutex);
       device.isPlugged = false;
     }
-    host->stop();  // the manufacturer's library does not recover from that: the process ends
+    host->stop();  // the manufacturer's library does not recover when the device is unplugged: the process ends
   };
   subject.corrupt = [&device] {
     const std::lock_guard lock(device.mutex);

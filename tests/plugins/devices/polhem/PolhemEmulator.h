@@ -13,12 +13,11 @@
 
 namespace handwheel {
 
-// An emulator of the board of a Polhem. It has 64 bytes in, 64 bytes out, written with the format that its firmware
-// uses.
+// An emulator of the board of a Polhem. It receives and sends lines of 64 bytes, in the format that its firmware uses.
 struct PolhemEmulator final : Peer {
   double position[3] = {-59.276, 13.383, -148.002};
   double angles[4] = {0.0919, -1.8483, 1.0370, -1.9512};
-  int booting = 0;  // lines that it does not receive yet
+  int booting = 0;  // number of following lines that are lost while it boots
   bool stalled = false;
   bool lateOnce = false;  // the next answer is kept in `late`
   std::size_t loses = 0;  // bytes lost from the middle of each line

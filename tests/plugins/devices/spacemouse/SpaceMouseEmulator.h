@@ -15,7 +15,8 @@ namespace handwheel {
 
 using Report = std::vector<std::uint8_t>;
 
-// A SpaceMouse: reports that wait to be read, and the lamp. Any thread.
+// An emulator of a SpaceMouse. It consists of the reports that wait to be read, and the lamp. It may be used on any
+// thread.
 struct SpaceMouseEmulator {
   std::mutex mutex;
   std::deque<Report> reports;
@@ -81,7 +82,7 @@ inline ContractSubject spaceMouseHidSubject() {
           nullptr};
 }
 
-// spacenavd, seen from a client.
+// An emulator of the daemon spacenavd as its clients see it.
 struct SpaceNavEmulator final : Peer {
   void receive(std::span<const std::uint8_t>) override {}
   void send(const std::array<std::int32_t, 8>& record) {

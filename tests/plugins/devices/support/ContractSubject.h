@@ -10,14 +10,14 @@
 
 namespace handwheel {
 
-// A device under the contract, with functions that disturb it. It runs on an emulated device that is connected and in
-// order.
+// A device for the contract tests, with functions that disturb it. It communicates with an emulated device that is
+// initially connected and in order.
 struct ContractSubject {
   std::function<std::unique_ptr<Device>()> make;
   std::function<void()> unplug;
-  std::function<void()> corrupt;  // makes it answer nonsense from now on
+  std::function<void()> corrupt;  // makes the device send invalid answers from now on
   std::function<std::optional<Vec3>()>
-      motorForce;  // N, the force of its motors; nothing before the first command. Null: no motors
+      motorForce;  // returns the force of its motors, N, or nothing before the first command; null: no motors
 };
 
 }  // namespace handwheel

@@ -11,18 +11,18 @@
 
 namespace handwheel {
 
-// Time that passes only when somebody sleeps. Any thread.
+// A clock whose time passes only during calls of sleep(). It may be used on any thread.
 class FakeClock final : public Clock {
  public:
   enum class Pace { None, Real };
-  // Real: for a device on a thread of its own, which would otherwise keep a processor busy, perhaps at real-time
-  // priority.
+  // pace: use Pace::Real for a device on a thread of its own, which would otherwise keep a processor busy, perhaps at
+  // real-time priority.
   explicit FakeClock(Pace pace = Pace::None) : m_pace(pace) {}
 
   double now() noexcept override { return static_cast<double>(m_microseconds.load()) * 1e-6; }
   void sleep(double seconds) noexcept override { m_microseconds += static_cast<long long>(std::ceil(seconds * 1e6)); }
 
-  // To be called by the emulated lines for each transfer.
+  // Sleeps for a short real time if the pace is Real. To be called by the emulated transports for each transfer.
   void pace() const {
     if (m_pace == Pace::Real) std::this_thread::sleep_for(std::chrono::microseconds(200));
   }

@@ -13,12 +13,12 @@
 
 namespace handwheel {
 
-// The other end of a FakeStream: a model of a device. Its mutex is held whenever it is called; tests hold it, too, when
-// they look at it or change it.
+// The other end of a FakeStream: a model of a device. Its mutex is held during each call of its functions; tests must
+// also hold it while they read or change the model.
 class Peer {
  public:
   virtual ~Peer() = default;
-  // Receives bytes from the host; answers go into toHost.
+  // Receives bytes from the host. Answers are appended to toHost.
   virtual void receive(std::span<const std::uint8_t> bytes) = 0;
 
   std::mutex mutex;

@@ -4,16 +4,16 @@
 
 #include <utility>
 
-// Stands in for oneTBB under ThreadSanitizer (preset tsan). Debian's libtbb is not instrumented: what it orders between
-// threads goes unseen, every handed-over task is reported as a race, and a suppression wide enough to silence that
-// would silence the races inside our tasks as well. Here the same calls run on plain threads, which the sanitizer
-// understands.
+// Replaces oneTBB in builds with ThreadSanitizer (preset tsan). Debian's libtbb is not instrumented, so the sanitizer
+// cannot see how it orders the work of threads and reports each task as a race. Suppressions for these reports would
+// also hide races inside the program's own tasks. This implementation runs the tasks on plain threads, which the
+// sanitizer can follow.
 
 namespace tbb {
 
 namespace this_task_arena {
 
-inline thread_local int concurrency = 4;  // more than the machine may have: threads must overlap
+inline thread_local int concurrency = 4;  // may exceed the number of cores, so that threads overlap
 
 inline int max_concurrency() {
   return concurrency;

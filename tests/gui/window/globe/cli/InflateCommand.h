@@ -6,7 +6,7 @@
 
 namespace handwheel::test {
 
-// The command of globes: handwheel inflate.
+// Returns the command "handwheel inflate", which changes globes.
 Command inflateCommand();
 
 }  // namespace handwheel::test

@@ -6,7 +6,7 @@
 #include "document/scene/BodyOwner.h"
 #include "globe/document/GlobeGeometry.h"
 
-// A document that the program does not have: a globe of points, and its moon.
+// A globe of points and its moon, a kind of document for tests only.
 namespace handwheel::test {
 
 // Ids of the two bodies.
@@ -17,8 +17,9 @@ struct GlobeSnapshot : Snapshot {
   BodySet bodies;
 };
 
-// Return a globe of this radius (mm) at the origin with its moon, and one with these points.
+// Returns a globe at the origin and its moon.
 BodySet globeBodies(const GlobeSurface& points);
+// Returns the content of a document with a globe of this radius, mm, without dents.
 SnapshotPointer globe(double radius);
 
 const BodySet& bodiesOf(const Snapshot& content);
@@ -29,7 +30,7 @@ inline const GlobeSurface& surfaceOf(const Snapshot& content) {
 inline double radiusOf(const Snapshot& content) {
   return surfaceOf(content).radius();
 }
-// Returns the same bodies, the globe with these points.
+// Returns the bodies with the surface of the globe replaced.
 BodySet withGlobe(const BodySet& bodies, GlobeSurface points);
 
 class GlobeDocument : public Document, public BodyOwner {
@@ -41,7 +42,7 @@ class GlobeDocument : public Document, public BodyOwner {
   const Pose& pose() const { return bodies().withId(kGlobeBody)->pose; }
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
-  // Returns an edit that gives the globe these points; null if it has them.
+  // Returns an edit that gives the globe these points, or null if the globe already has them.
   std::unique_ptr<Edit> surfaceEdit(GlobeSurface points) const;
 
  private:

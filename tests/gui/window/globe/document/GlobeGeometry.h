@@ -8,7 +8,7 @@
 
 namespace handwheel::test {
 
-// The shape of a body that the program does not have: points of a globe.
+// A shape of a body that only these tests have: points of a globe.
 class GlobeGeometry : public BodyGeometry {
  public:
   static constexpr std::string_view kKind = "globe";

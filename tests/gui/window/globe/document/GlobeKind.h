@@ -6,7 +6,7 @@
 
 namespace handwheel::test {
 
-// The error code of this kind.
+// The error code of globes.
 namespace GlobeError {
 
 extern const ErrorDescription Flat;  // {file}
@@ -14,7 +14,7 @@ extern const ErrorDescription Flat;  // {file}
 }  // namespace GlobeError
 
 // The kind of globes. Its foreign format is text: a line "globe RADIUS", and a line "dent NUMBER FRACTION" for each
-// point that is pushed in. Names and poses are not in it.
+// point that is pushed in. The format contains no names or poses.
 class GlobeKind : public DocumentKind {
  public:
   std::string id() const override { return "globe"; }

@@ -11,11 +11,12 @@ namespace handwheel::test {
 
 // The number of points on a globe.
 inline constexpr std::size_t kGlobePoints = 2000;
-// Returns directions at about equal distances from one another: a Fibonacci lattice on the unit sphere.
+// Returns unit vectors at nearly equal distances from one another (a Fibonacci lattice on the sphere).
 const std::vector<Vec3>& globeDirections();
 
-// The weight of a direction at this chord (of the unit sphere) from another: from 1 to 0 at kGlobeReach, smooth.
+// The distance on the unit sphere, as a chord, at which globeWeight() becomes 0.
 inline constexpr double kGlobeReach = 0.25;
+// Returns the weight of a point whose direction is this chord of the unit sphere away. It falls smoothly from 1 to 0.
 double globeWeight(double chord);
 
 // Limits of the radius, mm.
@@ -24,8 +25,8 @@ inline bool isRadius(double radius) {
   return radius >= kLeastRadius && radius <= kLargestRadius;
 }
 
-// The surface of a globe: points at varying distances from its centre. They are in fixed directions, each pushed in by
-// a fraction of the radius. A value type; versions share unchanged data.
+// The surface of a globe: points in fixed directions from its centre. Each point is pushed in by a fraction of the
+// radius. It is a value type; copies share unchanged data.
 class GlobeSurface {
  public:
   static constexpr double kDeepest = 0.9;
@@ -40,7 +41,7 @@ class GlobeSurface {
 
   double height(std::size_t i) const { return m_radius * (1.0 - m_dents[i]); }  // mm, from the centre
   Vec3 point(std::size_t i) const { return height(i) * globeDirections()[i]; }
-  // Returns the height of the surface towards p, which is the weighted mean of the points around; mm.
+  // Returns the height of the surface in the direction of p, mm: the weighted mean of the nearby points.
   double heightTowards(const Vec3& p) const;
 
   bool operator==(const GlobeSurface& other) const;

@@ -10,15 +10,15 @@ namespace handwheel::test {
 struct DentState : SimulationState {
   explicit DentState(GlobeSurface s, bool changed = false) : surface(std::move(s)), isChanged(changed) {}
   GlobeSurface surface;
-  bool isChanged;  // since the simulation began
+  bool isChanged;  // true if the surface was changed since the simulation began
 };
 
-// Simulates dents in a globe. In a gesture the surface around the tip yields until it reaches the tip.
+// Simulates dents in a globe. During a gesture, the surface near the tip yields until it reaches the tip.
 class DentSimulation : public Simulation {
  public:
-  static constexpr double kYield = 0.05;  // s, in which the depth falls to 1/e
+  static constexpr double kYield = 0.05;  // s, time in which the depth of the tip falls to 1/e
 
-  // pose: that of the globe in the scene.
+  // pose: the pose of the globe in the scene.
   DentSimulation(GlobeSurface surface, const Pose& pose, std::shared_ptr<DentChannel> channel);
 
   void step(double dt, std::span<const SimulationInput> inputs) override;

@@ -11,8 +11,8 @@
 
 namespace handwheel::test {
 
-// The points of a globe near the tip, for the servo loop. They are all that the loop knows of a globe that is being
-// dented; the simulation renews them.
+// The points of a globe near the tip. The servo loop knows no other points of a globe that is being dented; the
+// simulation updates them.
 struct GlobePatch {
   static constexpr std::size_t kMost = 256;
   static constexpr double kChord = 2.0 * kGlobeReach;  // chord of the unit sphere
@@ -23,7 +23,7 @@ struct GlobePatch {
   std::array<std::uint32_t, kMost> numbers{};
   std::array<double, kMost> dents{};
 
-  // None if p is too far from the centre of the patch.
+  // Returns the height of the surface in the direction of p, or nothing if p is too far from the centre of the patch.
   std::optional<double> heightTowards(const Vec3& p) const;
 };
 
@@ -33,11 +33,11 @@ using DentChannel = SimulationChannel<GlobePatch>;
 
 inline constexpr const char* kGlobeSource = "globe";
 
-// The contact force of a globe. It is a spring from the tip inside to the surface above it.
+// The contact force of a globe. It is a spring from the tip to the surface above it.
 class GlobeForce : public ForceSource {
  public:
-  // pose: that of the globe in the scene. stiffness: N/mm in the scene. channel: that of the simulation that changes
-  // the surface; null if there is none.
+  // pose: the pose of the globe in the scene. stiffness: N/mm in the scene. channel: the channel of the simulation that
+  // changes the surface; null: there is none.
   GlobeForce(GlobeSurface surface, const Pose& pose, double stiffness, std::shared_ptr<DentChannel> channel);
 
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;

@@ -10,21 +10,21 @@
 
 namespace handwheel::test {
 
-// The id of the service that tools of dents need.
+// Id of the service that tools for dents require.
 inline constexpr const char* kDentService = "globe_dents";
 
-// Tool that dents a globe while a button is held. The dent is at the tip of a device, or a little below the surface
-// under the mouse.
+// Tool that dents a globe while a button is held. The dent is at the tip of a haptic device, or slightly below the
+// surface at the mouse pointer.
 class DentTool : public Tool {
  public:
-  static constexpr double kRate = 250.0;  // steps of the simulation a second
-  static constexpr double kPress = 0.2;   // depth below the surface at which the mouse presses, fraction of the radius
+  static constexpr double kRate = 250.0;  // steps of the simulation per second
+  static constexpr double kPress = 0.2;   // depth of the mouse's dent below the surface, as a fraction of the radius
 
   DentTool(GlobeDocument& document, const SimulationServices& services);
 
-  // The channel for the haptic scene.
+  // Channel from the simulation to the haptic scene.
   const std::shared_ptr<DentChannel>& channel() const { return m_channel; }
-  // The log of the last gesture that was committed.
+  // Log of the last gesture that was committed.
   const SimulationLog& lastGesture() const { return m_lastGesture; }
 
   std::string id() const override { return "dent"; }

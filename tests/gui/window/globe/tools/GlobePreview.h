@@ -7,7 +7,7 @@
 
 namespace handwheel::test {
 
-// Preview of globe tools, shown instead of the document.
+// The preview of a globe tool, shown instead of the document.
 struct GlobePreview : KindPreview {
   explicit GlobePreview(GlobeSurface s) : surface(std::move(s)) {}
   GlobeSurface surface;

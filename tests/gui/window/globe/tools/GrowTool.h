@@ -7,7 +7,8 @@
 
 namespace handwheel::test {
 
-// Tool that doubles the size of the globe. It shows the result while a button is held, then applies it.
+// Tool that doubles the size of the globe. It shows the result while a button is held, and applies it when the button
+// is released.
 class GrowTool : public Tool {
  public:
   explicit GrowTool(GlobeDocument& document) : m_document(document) {}

@@ -15,11 +15,11 @@ namespace handwheel::test {
 
 class PointsLayer;
 
-// The user interface of globes. It has points in a layer of their own, felt through a force of their own; their poles
-// attract.
+// The user interface of globes. It has its own layer of points and its own contact force. The poles of the globe
+// attract the tip of a haptic device.
 class GlobeUi : public KindUi {
  public:
-  // sample: a file of it.
+  // sample: a file of this kind.
   GlobeUi(const WindowContext& window, QString sample);
   ~GlobeUi() override;
 
@@ -54,7 +54,7 @@ class GlobeUi : public KindUi {
   std::shared_ptr<PointsLayer> m_layer;
   PropertyList* m_panel;
   DocumentTab* m_document = nullptr;
-  std::shared_ptr<DentChannel> m_dented;  // channel of the running tool; null: it dents nothing
+  std::shared_ptr<DentChannel> m_dented;  // channel of the running tool; null: the tool does not dent
   bool m_isPreviewed = false;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The few functions of OpenHaptics that the bridge calls, declared for its test. Nothing of the manufacturer's is here,
-// and the numbers are our own. HdStandIn.h is the device behind them.
+// The few functions of OpenHaptics that the bridge calls, declared for its test. This file contains nothing from the
+// manufacturer, and the numerical values are Handwheel's own. HdStandIn.h simulates the device.
 
 using HHD = unsigned int;
 using HDenum = unsigned int;
@@ -46,7 +46,7 @@ enum : HDenum {
   HD_CALIBRATION_NEEDS_MANUAL_INPUT,
 };
 
-// Bits: a device may know several styles.
+// The calibration styles. They are bits, because a device may support several styles.
 enum : HDenum {
   HD_CALIBRATION_ENCODER_RESET = 1u << 0,
   HD_CALIBRATION_AUTO = 1u << 1,
