@@ -823,6 +823,18 @@
         <translation>Suchen Sie nach einer Schleife, deren Bedingung nie falsch wird.</translation>
     </message>
     <message>
+        <source>the program stops with the alarm %1: %2</source>
+        <translation>das Programm hält mit dem Alarm %1 an: %2</translation>
+    </message>
+    <message>
+        <source>the program stops with the alarm %1</source>
+        <translation>das Programm hält mit dem Alarm %1 an</translation>
+    </message>
+    <message>
+        <source>A control stops here, too, before the next move. Look at the condition of the alarm.</source>
+        <translation>Auch eine Steuerung hält hier an, vor der nächsten Bewegung. Sehen Sie sich die Bedingung des Alarms an.</translation>
+    </message>
+    <message>
         <source>the tool path has more than %1 moves</source>
         <translation>der Werkzeugweg hat mehr als %1 Bewegungen</translation>
     </message>
@@ -1403,10 +1415,6 @@
         <translation>Wählen Sie ein Bild mit hellen Stellen oder eine Form, die entlang z ansteigt.</translation>
     </message>
     <message>
-        <source>pass %1 was made with a file, paper or a disk, or is a thread in a bore</source>
-        <translation>Schnitt %1 entstand mit Feile, Schleifpapier oder Scheibe oder ist ein Gewinde in einer Bohrung</translation>
-    </message>
-    <message>
         <source>Write passes of tools that turn, bore or drill.</source>
         <translation>Schreiben Sie Schnitte von Werkzeugen, die drehen, ausdrehen oder bohren.</translation>
     </message>
@@ -1605,6 +1613,10 @@
     <message>
         <source>Choose a file, or the folder in which the slices are; folders in it are not searched.</source>
         <translation>Wählen Sie eine Datei oder den Ordner, in dem die Schichten liegen; Unterordner werden nicht durchsucht.</translation>
+    </message>
+    <message>
+        <source>all passes were made with a file, paper or a disk, or are threads that no program can cut</source>
+        <translation>alle Schnitte wurden mit Feile, Papier oder Scheibe gemacht oder sind Gewinde, die kein Programm schneiden kann</translation>
     </message>
 </context>
 <context>
@@ -3090,6 +3102,18 @@
         <translation>es ist nicht angegeben, welche Routine die erste ist</translation>
     </message>
     <message>
+        <source>its class needs the thread in front of it, as in M20x2.5-6g</source>
+        <translation>Die Toleranzklasse braucht das Gewinde davor, wie in M20x2.5-6g</translation>
+    </message>
+    <message>
+        <source>its tolerance is not that of a thread, as M20x2.5-6g or M20-6H</source>
+        <translation>Die Toleranz ist nicht die eines Gewindes, wie M20x2.5-6g oder M20-6H</translation>
+    </message>
+    <message>
+        <source>its sides are not known</source>
+        <translation>Die Seiten sind unbekannt</translation>
+    </message>
+    <message>
         <source>it is not a list of holes</source>
         <translation>es ist keine Liste von Bohrlöchern</translation>
     </message>
@@ -4296,12 +4320,12 @@
         <translation>Rauheit Ra innen</translation>
     </message>
     <message>
-        <source>Largest cutting force</source>
-        <translation>Größte Schnittkraft</translation>
+        <source>Largest resultant force</source>
+        <translation>Größte Zerspankraft</translation>
     </message>
     <message>
-        <source>Largest power</source>
-        <translation>Größte Leistung</translation>
+        <source>Largest motor power</source>
+        <translation>Größte Motorleistung</translation>
     </message>
     <message>
         <source>Time of all passes</source>
@@ -4344,12 +4368,12 @@
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>Cutting force</source>
-        <translation>Schnittkraft</translation>
+        <source>Resultant force</source>
+        <translation>Zerspankraft</translation>
     </message>
     <message>
-        <source>Power</source>
-        <translation>Leistung</translation>
+        <source>Motor power</source>
+        <translation>Motorleistung</translation>
     </message>
     <message>
         <source>Pitch of a thread</source>
@@ -4741,6 +4765,18 @@
     <message>
         <source>The cut needed more power than the motor has.</source>
         <translation>Der Schnitt brauchte mehr Leistung, als der Motor hat.</translation>
+    </message>
+    <message>
+        <source>A file, paper or a disk follows the hand, not a program.</source>
+        <translation>Feile, Papier und Scheibe folgen der Hand, keinem Programm.</translation>
+    </message>
+    <message>
+        <source>Programs cut threads with a point of 60°, which this thread does not have.</source>
+        <translation>Programme schneiden Gewinde mit einer Spitze von 60°, die dieses Gewinde nicht hat.</translation>
+    </message>
+    <message>
+        <source>The tool cut on a side that it is not made for.</source>
+        <translation>Das Werkzeug schnitt auf einer Seite, für die es nicht gemacht ist.</translation>
     </message>
 </context>
 <context>
@@ -5381,12 +5417,12 @@
         <translation>Der Schnitt war bei Z %1 mm, ⌀%2 mm tiefer, als die Schneide lang ist.</translation>
     </message>
     <message>
-        <source>The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N.</source>
-        <translation>Der Schnitt war zu schwer: eine Schnittkraft von %1 N, wo die Drehmaschine %2 N verträgt.</translation>
+        <source>The cut was too heavy: a resultant force of %1 N, where the lathe takes %2 N.</source>
+        <translation>Der Schnitt war zu schwer: eine Zerspankraft von %1 N, wo die Drehmaschine %2 N verträgt.</translation>
     </message>
     <message>
-        <source>The cut was too heavy: a power of %1 kW, where the lathe has %2 kW.</source>
-        <translation>Der Schnitt war zu schwer: eine Leistung von %1 kW, wo die Drehmaschine %2 kW hat.</translation>
+        <source>The cut was too heavy: a motor power of %1 kW, where the lathe has %2 kW.</source>
+        <translation>Der Schnitt war zu schwer: eine Motorleistung von %1 kW, wo die Drehmaschine %2 kW hat.</translation>
     </message>
     <message>
         <source>there is no such surface along the whole range</source>
@@ -5453,12 +5489,12 @@
         <translation>%1 von 1 Punkt</translation>
     </message>
     <message>
-        <source>Force up to %1 N</source>
-        <translation>Kraft bis %1 N</translation>
+        <source>Resultant force up to %1 N</source>
+        <translation>Zerspankraft bis %1 N</translation>
     </message>
     <message>
-        <source>Power up to %1 kW</source>
-        <translation>Leistung bis %1 kW</translation>
+        <source>Motor power up to %1 kW</source>
+        <translation>Motorleistung bis %1 kW</translation>
     </message>
     <message>
         <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep. The bar behind the part is grey.</source>
@@ -5499,6 +5535,22 @@
     <message>
         <source>The planned path and the forbidden region stay where they are. Adapt them to this volume; a drilled hole can be taken as the path.</source>
         <translation>Die geplante Bahn und der verbotene Bereich bleiben, wo sie sind. Passen Sie sie an dieses Volumen an; ein gebohrtes Loch kann als Bahn übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Commands that cut, such as Thread, are allowed</source>
+        <translation>Befehle, die spanen, wie Gewinde, sind erlaubt</translation>
+    </message>
+    <message>
+        <source>the pitch of %1 mm is not that of the thread</source>
+        <translation>die Steigung von %1 mm ist nicht die des Gewindes</translation>
+    </message>
+    <message>
+        <source>These marks do not fit the target, which itself would not meet them: %1. Change or delete them.</source>
+        <translation>Diese Kriterien passen nicht zum Ziel, das sie selbst nicht erfüllen würde: %1. Ändern oder löschen Sie sie.</translation>
+    </message>
+    <message>
+        <source>a twist drill leaves H11 to H12, here +%1 mm: bore or ream a finer hole</source>
+        <translation>ein Spiralbohrer hinterlässt H11 bis H12, hier +%1 mm: Eine feinere Bohrung ist auszudrehen oder zu reiben</translation>
     </message>
 </context>
 <context>
@@ -8020,6 +8072,14 @@
         <source>Tries</source>
         <translation>Versuche</translation>
     </message>
+    <message>
+        <source>Commands that cut, such as Thread, allowed</source>
+        <translation>Befehle, die spanen, wie Gewinde, erlaubt</translation>
+    </message>
+    <message>
+        <source>Largest resultant force (N)</source>
+        <translation>Größte Zerspankraft (N)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -8633,6 +8693,22 @@
     <message>
         <source>Tries</source>
         <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>by command</source>
+        <translation>durch einen Befehl</translation>
+    </message>
+    <message>
+        <source>by hand and command</source>
+        <translation>von Hand und durch einen Befehl</translation>
+    </message>
+    <message>
+        <source>by program and command</source>
+        <translation>durch ein Programm und einen Befehl</translation>
+    </message>
+    <message>
+        <source>by hand, program and command</source>
+        <translation>von Hand, durch ein Programm und einen Befehl</translation>
     </message>
 </context>
 <context>
@@ -11829,6 +11905,29 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ControlButton</name>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Settings of the control that the program does not tell: decimal points and block skips</source>
+        <translation>Einstellungen der Steuerung, die das Programm nicht nennt: Dezimalpunkte und Satzausblendungen</translation>
+    </message>
+    <message>
+        <source>A length without a decimal point counts 0.001 mm or 0.0001 inch</source>
+        <translation>Eine Länge ohne Dezimalpunkt zählt 0,001 mm oder 0,0001 Zoll</translation>
+    </message>
+    <message>
+        <source>Skip blocks with / or /1</source>
+        <translation>Sätze mit / oder /1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Skip blocks with /%1</source>
+        <translation>Sätze mit /%1 ausblenden</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::CopyActions</name>
     <message>
         <source>Open a copy as %1</source>
@@ -13069,6 +13168,10 @@
         <source>It is for targets of turned parts only.</source>
         <translation>Nur für Ziele von Drehteilen.</translation>
     </message>
+    <message>
+        <source>The exercise has another target now</source>
+        <translation>Die Übung hat jetzt ein anderes Ziel</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -13884,12 +13987,12 @@
 <context>
     <name>handwheel::LatheReadout</name>
     <message>
-        <source>Force</source>
-        <translation>Kraft</translation>
+        <source>Resultant force</source>
+        <translation>Zerspankraft</translation>
     </message>
     <message>
-        <source>Power</source>
-        <translation>Leistung</translation>
+        <source>Motor power</source>
+        <translation>Motorleistung</translation>
     </message>
     <message>
         <source>%1 of %2 %3</source>
@@ -13964,8 +14067,8 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
-        <translation>Resultierende der drei Komponenten der Schnittkraft, und die Grenze der Übung</translation>
+        <source>Resultant of cutting, feed and radial force, and the limit of the exercise</source>
+        <translation>Resultierende aus Schnitt-, Vorschub- und Passivkraft, und die Grenze der Übung</translation>
     </message>
     <message>
         <source>Power taken from the motor, and its rated power</source>
@@ -14089,6 +14192,26 @@
     <message>
         <source>Its slides stay where they are, and its handwheels count on.</source>
         <translation>Die Schlitten bleiben, wo sie sind, und die Handräder zählen weiter.</translation>
+    </message>
+    <message>
+        <source>The work has another size there</source>
+        <translation>Das Werkstück hat dort ein anderes Maß</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm was entered; where the tool touches, the work has %1 %3 mm. X was not touched off.</source>
+        <translation>Eingegeben wurden %1 %2 mm; wo das Werkzeug berührt, hat das Werkstück %1 %3 mm. X wurde nicht angekratzt.</translation>
+    </message>
+    <message>
+        <source>Measure again, and correct the number, or take it as it is. Undo takes it back.</source>
+        <translation>Messen Sie noch einmal, und berichtigen Sie die Zahl, oder übernehmen Sie sie so. Rückgängig nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Keep the read-out</source>
+        <translation>Anzeige beibehalten</translation>
     </message>
 </context>
 <context>
@@ -15163,6 +15286,30 @@
         <source>Tool table of the program: nose radii, holders and offsets</source>
         <translation>Werkzeugtabelle des Programms: Eckenradien, Halter und Korrekturen</translation>
     </message>
+    <message>
+        <source>Tool post</source>
+        <translation>Werkzeugträger</translation>
+    </message>
+    <message>
+        <source>Tool post of the machine, and the side that the inserts face: they decide between M3 and M4. X+ points to the post; seen from above, G2, G3, G41 and G42 appear reversed if it is in front.</source>
+        <translation>Werkzeugträger der Maschine und die Seite, zu der die Schneidplatten zeigen: danach richtet sich, ob M3 oder M4 richtig ist. X+ zeigt zum Träger; von oben gesehen erscheinen G2, G3, G41 und G42 umgekehrt, wenn er vorne steht.</translation>
+    </message>
+    <message>
+        <source>Behind, insert down (M3)</source>
+        <translation>Hinten, Platte unten (M3)</translation>
+    </message>
+    <message>
+        <source>Behind, insert up (M4)</source>
+        <translation>Hinten, Platte oben (M4)</translation>
+    </message>
+    <message>
+        <source>In front, insert down (M4)</source>
+        <translation>Vorne, Platte unten (M4)</translation>
+    </message>
+    <message>
+        <source>In front, insert up (M3)</source>
+        <translation>Vorne, Platte oben (M3)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ProgramPlayer</name>
@@ -15463,10 +15610,6 @@
         <translation>Kollision: ein Vorschub in das Material bei stehender Spindel, nach ⌀ %1, Z %2.</translation>
     </message>
     <message>
-        <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
-        <translation>Kollision: ein Vorschub in das Material bei rückwärts laufender Spindel (M4), nach ⌀ %1, Z %2.</translation>
-    </message>
-    <message>
         <source>Drill for the bore</source>
         <translation>Bohrer für die Bohrung</translation>
     </message>
@@ -15537,12 +15680,12 @@
         <translation>Höchste Drehzahl</translation>
     </message>
     <message>
-        <source>force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
-        <translation>Kraft: bis zu %1 N, wo die Drehmaschine der Übung %2 N erlaubt. Das steht im Bericht der Übung.</translation>
+        <source>resultant force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
+        <translation>Zerspankraft: bis zu %1 N, wo die Drehmaschine der Übung %2 N erlaubt. Das steht im Bericht der Übung.</translation>
     </message>
     <message>
-        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
-        <translation>Leistung: bis zu %1 kW, wo die Drehmaschine der Übung %2 kW hat. Das steht im Bericht der Übung.</translation>
+        <source>motor power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
+        <translation>Motorleistung: bis zu %1 kW, wo die Drehmaschine der Übung %2 kW hat. Das steht im Bericht der Übung.</translation>
     </message>
     <message>
         <source>Cut the part as the program does. If it collides, its collisions are shown first.</source>
@@ -15595,6 +15738,29 @@
     <message>
         <source>There is no target.</source>
         <translation>Es gibt kein Ziel.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The others are named at the head of the program.</source>
+        <translation>Die übrigen stehen am Kopf des Programms.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es) were left out of the program</source>
+        <translation>
+            <numerusform>%n Schnitt wurde aus dem Programm weggelassen</numerusform>
+            <numerusform>%n Schnitte wurden aus dem Programm weggelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Do their work by hand, after the program.</source>
+        <translation>Machen Sie deren Arbeit nach dem Programm von Hand.</translation>
+    </message>
+    <message>
+        <source>Change the tool post</source>
+        <translation>Werkzeugträger ändern</translation>
     </message>
 </context>
 <context>
@@ -16177,16 +16343,16 @@
         <translation>Kollision: %1, %2</translation>
     </message>
     <message>
-        <source>Cutting force</source>
-        <translation>Schnittkraft</translation>
+        <source>Resultant force</source>
+        <translation>Zerspankraft</translation>
     </message>
     <message>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <source>Power</source>
-        <translation>Leistung</translation>
+        <source>Motor power</source>
+        <translation>Motorleistung</translation>
     </message>
     <message>
         <source>kW</source>
@@ -17716,6 +17882,14 @@
         <source>Thread</source>
         <translation>Gewinde</translation>
     </message>
+    <message>
+        <source>The exercise does not allow it: cut the thread on the lathe, by its half-nut.</source>
+        <translation>Die Übung erlaubt es nicht: Schneiden Sie das Gewinde an der Drehmaschine, mit der Schlossmutter.</translation>
+    </message>
+    <message>
+        <source>Open a workpiece first.</source>
+        <translation>Öffnen Sie zuerst ein Werkstück.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
@@ -18000,6 +18174,14 @@
     <message>
         <source>The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel.</source>
         <translation>Die Werkzeuge mit den T-Nummern des Programms. Mit einem Werkzeug der Drehmaschine werden auch sein Halter, der Stahlhalter und der Schlitten auf Kollisionen geprüft. Werkzeuge, die nicht aufgeführt sind, haben den Eckenradius aus dem Feld.</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>Gewendet</translation>
+    </message>
+    <message>
+        <source>The insert faces the other side than those of the machine do: it cuts with the other of M3 and M4.</source>
+        <translation>Die Schneidplatte zeigt zur anderen Seite als die der Maschine: sie schneidet mit dem anderen von M3 und M4.</translation>
     </message>
 </context>
 <context>
@@ -18386,8 +18568,8 @@
         <translation>Kraft und Leistung werden geprüft</translation>
     </message>
     <message>
-        <source>The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
-        <translation>Die Leistung dieses Schnitts betrug bis zu %1 kW; die Drehmaschine der Übung hat %2 kW.</translation>
+        <source>The motor power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
+        <translation>Die Motorleistung dieses Schnitts betrug bis zu %1 kW; die Drehmaschine der Übung hat %2 kW.</translation>
     </message>
     <message>
         <source>Too heavy a cut</source>
@@ -18414,8 +18596,8 @@
         <translation>Programme (%1)</translation>
     </message>
     <message>
-        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
-        <translation>Die Schnittkraft dieses Schnitts betrug bis zu %1 N; die Drehmaschine der Übung erlaubt %2 N.</translation>
+        <source>The resultant force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
+        <translation>Die Zerspankraft dieses Schnitts betrug bis zu %1 N; die Drehmaschine der Übung erlaubt %2 N.</translation>
     </message>
     <message>
         <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>

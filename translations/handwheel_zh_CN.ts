@@ -823,6 +823,18 @@
         <translation>请检查是否有条件始终为真的循环。</translation>
     </message>
     <message>
+        <source>the program stops with the alarm %1: %2</source>
+        <translation>程序因报警 %1 停止：%2</translation>
+    </message>
+    <message>
+        <source>the program stops with the alarm %1</source>
+        <translation>程序因报警 %1 停止</translation>
+    </message>
+    <message>
+        <source>A control stops here, too, before the next move. Look at the condition of the alarm.</source>
+        <translation>数控系统也会在此处停止，不再执行下一个移动。请检查触发报警的条件。</translation>
+    </message>
+    <message>
         <source>the tool path has more than %1 moves</source>
         <translation>刀具路径超过 %1 次移动</translation>
     </message>
@@ -1403,10 +1415,6 @@
         <translation>请选择有明亮部位的图片，或沿 z 方向凸起的形状。</translation>
     </message>
     <message>
-        <source>pass %1 was made with a file, paper or a disk, or is a thread in a bore</source>
-        <translation>第 %1 次走刀使用了锉刀、砂纸或砂轮，或者是孔内的螺纹</translation>
-    </message>
-    <message>
         <source>Write passes of tools that turn, bore or drill.</source>
         <translation>请写入车削、镗孔或钻孔刀具的走刀。</translation>
     </message>
@@ -1605,6 +1613,10 @@
     <message>
         <source>Choose a file, or the folder in which the slices are; folders in it are not searched.</source>
         <translation>请选择一个文件，或切片所在的文件夹；不会搜索其中的子文件夹。</translation>
+    </message>
+    <message>
+        <source>all passes were made with a file, paper or a disk, or are threads that no program can cut</source>
+        <translation>所有走刀都是用锉刀、砂纸或砂轮完成的，或是程序无法切削的螺纹</translation>
     </message>
 </context>
 <context>
@@ -3090,6 +3102,18 @@
         <translation>未指明首先执行哪个例行程序</translation>
     </message>
     <message>
+        <source>its class needs the thread in front of it, as in M20x2.5-6g</source>
+        <translation>公差带前需要写出螺纹，如 M20x2.5-6g</translation>
+    </message>
+    <message>
+        <source>its tolerance is not that of a thread, as M20x2.5-6g or M20-6H</source>
+        <translation>公差不是螺纹公差，如 M20x2.5-6g 或 M20-6H</translation>
+    </message>
+    <message>
+        <source>its sides are not known</source>
+        <translation>不认识其方位</translation>
+    </message>
+    <message>
         <source>it is not a list of holes</source>
         <translation>不是孔的列表</translation>
     </message>
@@ -4296,12 +4320,12 @@
         <translation>内表面粗糙度 Ra</translation>
     </message>
     <message>
-        <source>Largest cutting force</source>
-        <translation>最大切削力</translation>
+        <source>Largest resultant force</source>
+        <translation>最大切削合力</translation>
     </message>
     <message>
-        <source>Largest power</source>
-        <translation>最大功率</translation>
+        <source>Largest motor power</source>
+        <translation>最大电机功率</translation>
     </message>
     <message>
         <source>Time of all passes</source>
@@ -4344,12 +4368,12 @@
         <translation>车削</translation>
     </message>
     <message>
-        <source>Cutting force</source>
-        <translation>切削力</translation>
+        <source>Resultant force</source>
+        <translation>切削合力</translation>
     </message>
     <message>
-        <source>Power</source>
-        <translation>功率</translation>
+        <source>Motor power</source>
+        <translation>电机功率</translation>
     </message>
     <message>
         <source>Pitch of a thread</source>
@@ -4741,6 +4765,18 @@
     <message>
         <source>The cut needed more power than the motor has.</source>
         <translation>切削所需功率超过了电机的功率。</translation>
+    </message>
+    <message>
+        <source>A file, paper or a disk follows the hand, not a program.</source>
+        <translation>锉刀、砂纸和砂轮由手操作，不能由程序控制。</translation>
+    </message>
+    <message>
+        <source>Programs cut threads with a point of 60°, which this thread does not have.</source>
+        <translation>程序用 60° 的刀尖切削螺纹，而此螺纹不是这种牙型。</translation>
+    </message>
+    <message>
+        <source>The tool cut on a side that it is not made for.</source>
+        <translation>刀具在其不适用的一侧切削。</translation>
     </message>
 </context>
 <context>
@@ -5381,12 +5417,12 @@
         <translation>在 Z %1 mm、⌀%2 mm 处切深超过了切削刃的长度。</translation>
     </message>
     <message>
-        <source>The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N.</source>
-        <translation>切削过重：切削力为 %1 N，而车床只能承受 %2 N。</translation>
+        <source>The cut was too heavy: a resultant force of %1 N, where the lathe takes %2 N.</source>
+        <translation>切削过重：切削合力为 %1 N，而车床只能承受 %2 N。</translation>
     </message>
     <message>
-        <source>The cut was too heavy: a power of %1 kW, where the lathe has %2 kW.</source>
-        <translation>切削过重：功率为 %1 kW，而车床只有 %2 kW。</translation>
+        <source>The cut was too heavy: a motor power of %1 kW, where the lathe has %2 kW.</source>
+        <translation>切削过重：电机功率为 %1 kW，而车床只有 %2 kW。</translation>
     </message>
     <message>
         <source>there is no such surface along the whole range</source>
@@ -5453,12 +5489,12 @@
         <translation>%1/1 分</translation>
     </message>
     <message>
-        <source>Force up to %1 N</source>
-        <translation>力不超过 %1 N</translation>
+        <source>Resultant force up to %1 N</source>
+        <translation>切削合力不超过 %1 N</translation>
     </message>
     <message>
-        <source>Power up to %1 kW</source>
-        <translation>功率不超过 %1 kW</translation>
+        <source>Motor power up to %1 kW</source>
+        <translation>电机功率不超过 %1 kW</translation>
     </message>
     <message>
         <source>The part in section, with the outline of the target. Blue: material left over the target. Red: cut too deep. The bar behind the part is grey.</source>
@@ -5499,6 +5535,22 @@
     <message>
         <source>The planned path and the forbidden region stay where they are. Adapt them to this volume; a drilled hole can be taken as the path.</source>
         <translation>规划路径和禁区保持原位。请使其适应此体素模型；可将已钻的孔设为路径。</translation>
+    </message>
+    <message>
+        <source>Commands that cut, such as Thread, are allowed</source>
+        <translation>允许使用切削命令，例如“螺纹”</translation>
+    </message>
+    <message>
+        <source>the pitch of %1 mm is not that of the thread</source>
+        <translation>螺距 %1 mm 不是该螺纹的螺距</translation>
+    </message>
+    <message>
+        <source>These marks do not fit the target, which itself would not meet them: %1. Change or delete them.</source>
+        <translation>这些评分项与目标不符，目标本身也不能满足它们：%1。请修改或删除它们。</translation>
+    </message>
+    <message>
+        <source>a twist drill leaves H11 to H12, here +%1 mm: bore or ream a finer hole</source>
+        <translation>麻花钻只能达到 H11 至 H12，此处为 +%1 mm：更精的孔请镗削或铰削</translation>
     </message>
 </context>
 <context>
@@ -8016,6 +8068,14 @@
         <source>Tries</source>
         <translation>尝试次数</translation>
     </message>
+    <message>
+        <source>Commands that cut, such as Thread, allowed</source>
+        <translation>允许切削命令，例如“螺纹”</translation>
+    </message>
+    <message>
+        <source>Largest resultant force (N)</source>
+        <translation>最大切削合力 (N)</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -8590,6 +8650,22 @@
     <message>
         <source>Tries</source>
         <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>by command</source>
+        <translation>用命令</translation>
+    </message>
+    <message>
+        <source>by hand and command</source>
+        <translation>手动和用命令</translation>
+    </message>
+    <message>
+        <source>by program and command</source>
+        <translation>用程序和命令</translation>
+    </message>
+    <message>
+        <source>by hand, program and command</source>
+        <translation>手动、用程序和用命令</translation>
     </message>
 </context>
 <context>
@@ -11755,6 +11831,29 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ControlButton</name>
+    <message>
+        <source>Control</source>
+        <translation>数控系统</translation>
+    </message>
+    <message>
+        <source>Settings of the control that the program does not tell: decimal points and block skips</source>
+        <translation>程序中未说明的数控系统设置：小数点和程序段跳过</translation>
+    </message>
+    <message>
+        <source>A length without a decimal point counts 0.001 mm or 0.0001 inch</source>
+        <translation>不带小数点的长度以 0.001 mm 或 0.0001 英寸为单位</translation>
+    </message>
+    <message>
+        <source>Skip blocks with / or /1</source>
+        <translation>跳过带 / 或 /1 的程序段</translation>
+    </message>
+    <message>
+        <source>Skip blocks with /%1</source>
+        <translation>跳过带 /%1 的程序段</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::CopyActions</name>
     <message>
         <source>Open a copy as %1</source>
@@ -12985,6 +13084,10 @@
         <source>It is for targets of turned parts only.</source>
         <translation>仅适用于车削件的目标。</translation>
     </message>
+    <message>
+        <source>The exercise has another target now</source>
+        <translation>练习现在有了另一个目标</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>
@@ -13793,12 +13896,12 @@
 <context>
     <name>handwheel::LatheReadout</name>
     <message>
-        <source>Force</source>
-        <translation>力</translation>
+        <source>Resultant force</source>
+        <translation>切削合力</translation>
     </message>
     <message>
-        <source>Power</source>
-        <translation>功率</translation>
+        <source>Motor power</source>
+        <translation>电机功率</translation>
     </message>
     <message>
         <source>%1 of %2 %3</source>
@@ -13873,8 +13976,8 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Resultant of the three components of the cutting force, and the limit of the exercise</source>
-        <translation>切削力三个分量的合力，以及练习的限值</translation>
+        <source>Resultant of cutting, feed and radial force, and the limit of the exercise</source>
+        <translation>切削力、进给力和径向力的合力，以及练习的限值</translation>
     </message>
     <message>
         <source>Power taken from the motor, and its rated power</source>
@@ -13998,6 +14101,26 @@
     <message>
         <source>Its slides stay where they are, and its handwheels count on.</source>
         <translation>滑板保持原位，手轮继续计数。</translation>
+    </message>
+    <message>
+        <source>The work has another size there</source>
+        <translation>工件在该处的尺寸不同</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm was entered; where the tool touches, the work has %1 %3 mm. X was not touched off.</source>
+        <translation>输入的是 %1 %2 mm；刀具接触处工件为 %1 %3 mm。X 未对刀。</translation>
+    </message>
+    <message>
+        <source>Measure again, and correct the number, or take it as it is. Undo takes it back.</source>
+        <translation>请重新测量并改正数值，或按此采用。可以撤销。</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Keep the read-out</source>
+        <translation>保持显示值</translation>
     </message>
 </context>
 <context>
@@ -15067,6 +15190,30 @@
         <source>Tool table of the program: nose radii, holders and offsets</source>
         <translation>程序的刀具表：刀尖圆弧半径、刀杆和偏置</translation>
     </message>
+    <message>
+        <source>Tool post</source>
+        <translation>刀架</translation>
+    </message>
+    <message>
+        <source>Tool post of the machine, and the side that the inserts face: they decide between M3 and M4. X+ points to the post; seen from above, G2, G3, G41 and G42 appear reversed if it is in front.</source>
+        <translation>机床的刀架以及刀片的朝向：二者决定使用 M3 还是 M4。X+ 指向刀架；刀架在前时，从上方看 G2、G3、G41 和 G42 的方向相反。</translation>
+    </message>
+    <message>
+        <source>Behind, insert down (M3)</source>
+        <translation>后置，刀片朝下 (M3)</translation>
+    </message>
+    <message>
+        <source>Behind, insert up (M4)</source>
+        <translation>后置，刀片朝上 (M4)</translation>
+    </message>
+    <message>
+        <source>In front, insert down (M4)</source>
+        <translation>前置，刀片朝下 (M4)</translation>
+    </message>
+    <message>
+        <source>In front, insert up (M3)</source>
+        <translation>前置，刀片朝上 (M3)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ProgramPlayer</name>
@@ -15365,10 +15512,6 @@
         <translation>碰撞：主轴静止时切入材料，到 ⌀ %1，Z %2。</translation>
     </message>
     <message>
-        <source>collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.</source>
-        <translation>碰撞：主轴反转（M4）时切入材料，到 ⌀ %1，Z %2。</translation>
-    </message>
-    <message>
         <source>Drill for the bore</source>
         <translation>内孔的钻头</translation>
     </message>
@@ -15437,12 +15580,12 @@
         <translation>最高主轴转速</translation>
     </message>
     <message>
-        <source>force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
-        <translation>力：最大 %1 N，而练习的车床只允许 %2 N。已记入练习的报告。</translation>
+        <source>resultant force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise.</source>
+        <translation>切削合力：最大 %1 N，而练习的车床只允许 %2 N。已记入练习的报告。</translation>
     </message>
     <message>
-        <source>power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
-        <translation>功率：最大 %1 kW，而练习的车床只有 %2 kW。将写入练习的报告。</translation>
+        <source>motor power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise.</source>
+        <translation>电机功率：最大 %1 kW，而练习的车床只有 %2 kW。将写入练习的报告。</translation>
     </message>
     <message>
         <source>Cut the part as the program does. If it collides, its collisions are shown first.</source>
@@ -15495,6 +15638,28 @@
     <message>
         <source>There is no target.</source>
         <translation>没有目标。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>The others are named at the head of the program.</source>
+        <translation>其余的列在程序开头。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es) were left out of the program</source>
+        <translation>
+            <numerusform>程序中省略了 %n 次走刀</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Do their work by hand, after the program.</source>
+        <translation>请在程序之后手动完成这些走刀。</translation>
+    </message>
+    <message>
+        <source>Change the tool post</source>
+        <translation>更改刀架</translation>
     </message>
 </context>
 <context>
@@ -16071,16 +16236,16 @@
         <translation>碰撞：%1，%2</translation>
     </message>
     <message>
-        <source>Cutting force</source>
-        <translation>切削力</translation>
+        <source>Resultant force</source>
+        <translation>切削合力</translation>
     </message>
     <message>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <source>Power</source>
-        <translation>功率</translation>
+        <source>Motor power</source>
+        <translation>电机功率</translation>
     </message>
     <message>
         <source>kW</source>
@@ -17596,6 +17761,14 @@
         <source>Thread</source>
         <translation>螺纹</translation>
     </message>
+    <message>
+        <source>The exercise does not allow it: cut the thread on the lathe, by its half-nut.</source>
+        <translation>练习不允许：请在车床上用开合螺母车削螺纹。</translation>
+    </message>
+    <message>
+        <source>Open a workpiece first.</source>
+        <translation>请先打开一个工件。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ThreadDialog</name>
@@ -17880,6 +18053,14 @@
     <message>
         <source>The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the slide are checked for collisions, too. Tools that are not listed have the nose radius of the panel.</source>
         <translation>程序中各 T 编号对应的刀具。对于车床上的刀具，还会检查其刀杆、刀架和拖板的碰撞。未列出的刀具采用面板中的刀尖圆弧半径。</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>翻转安装</translation>
+    </message>
+    <message>
+        <source>The insert faces the other side than those of the machine do: it cuts with the other of M3 and M4.</source>
+        <translation>刀片的朝向与机床的其他刀片相反：使用 M3 和 M4 中的另一个进行切削。</translation>
     </message>
 </context>
 <context>
@@ -18266,8 +18447,8 @@
         <translation>正在检查切削力和功率</translation>
     </message>
     <message>
-        <source>The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
-        <translation>此次走刀的功率最大达 %1 kW；练习所用车床为 %2 kW。</translation>
+        <source>The motor power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.</source>
+        <translation>此次走刀的电机功率最大达 %1 kW；练习所用车床为 %2 kW。</translation>
     </message>
     <message>
         <source>Too heavy a cut</source>
@@ -18294,8 +18475,8 @@
         <translation>程序 (%1)</translation>
     </message>
     <message>
-        <source>The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
-        <translation>此次走刀的切削力最大达 %1 N；练习所用车床允许 %2 N。</translation>
+        <source>The resultant force of this pass was up to %1 N; the lathe of the exercise allows %2 N.</source>
+        <translation>此次走刀的切削合力最大达 %1 N；练习所用车床允许 %2 N。</translation>
     </message>
     <message>
         <source>Enter another size in its panel, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>

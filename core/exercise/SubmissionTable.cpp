@@ -31,6 +31,14 @@ const char* wordOf(WorkOrigin origin) {
       return translatable("SubmissionTable", "by program");
     case WorkOrigin::Both:
       return translatable("SubmissionTable", "both");
+    case WorkOrigin::Command:
+      return translatable("SubmissionTable", "by command");
+    case WorkOrigin::HandAndCommand:
+      return translatable("SubmissionTable", "by hand and command");
+    case WorkOrigin::ProgramAndCommand:
+      return translatable("SubmissionTable", "by program and command");
+    case WorkOrigin::All:
+      return translatable("SubmissionTable", "by hand, program and command");
     case WorkOrigin::Unknown:
       break;
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/PassesReplay.h"
 
+#include "machining/section/SectionSource.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -13,9 +15,11 @@ double durationOf(const TurningPass& pass) {
   return pass.times.size() == pass.path.size() && !pass.times.empty() ? std::max(0.0, pass.times.back()) : 0.0;
 }
 
-// Continues a pass from some of its points to more of them.
-void cutOn(TurnedProfile& profile, const TurningPass& pass, std::size_t from, std::size_t to) {
-  for (std::size_t i = from; i < to; ++i) cut(profile, pass, pass.path[i == 0 ? 0 : i - 1], pass.path[i]);
+// Continues a pass from some of its points to more of them. before: the part at the begin of the pass.
+void cutOn(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
+           const TurnedProfile& before, std::size_t from, std::size_t to) {
+  for (std::size_t i = from; i < to; ++i) cutTo(profile, *pass, i, number);
+  if (to == pass->path.size()) settlePass(profile, before, pass, number);
 }
 
 }  // namespace
@@ -27,7 +31,7 @@ PassesReplay::PassesReplay(TurnedProfile bar, TurningPasses passes) : m_passes(s
     m_threads.push_back(threads);
     if (pass->thread) threads = PartThreads::with(threads, *pass);
   }
-  m_versions.push_back({0, 0, std::move(bar)});
+  m_versions.push_back({0, 0, bar, bar});
 }
 
 std::optional<PassesReplay> PassesReplay::make(TurnedProfile bar, TurningPasses passes, Progress progress) {
@@ -37,13 +41,14 @@ std::optional<PassesReplay> PassesReplay::make(TurnedProfile bar, TurningPasses 
   const std::size_t each = all / kVersions + 1;
   TurnedProfile profile = replay.m_versions.front().profile;
   for (std::size_t number = 0; number < replay.m_passes.size(); ++number) {
-    const TurningPass& pass = *replay.m_passes[number];
-    for (std::size_t i = 0; i < pass.path.size(); ++i) {
-      cutOn(profile, pass, i, i + 1);
+    const auto& pass = replay.m_passes[number];
+    const TurnedProfile before = profile;
+    for (std::size_t i = 0; i < pass->path.size(); ++i) {
+      cutOn(profile, pass, static_cast<std::uint32_t>(number), before, i, i + 1);
       if (++done % each != 0) continue;
       if (progress.cancelled()) return std::nullopt;
       progress.set(static_cast<double>(done) / static_cast<double>(all));
-      replay.m_versions.push_back({number, i + 1, profile});
+      replay.m_versions.push_back({number, i + 1, profile, before});
     }
   }
   return replay;
@@ -71,9 +76,12 @@ PassesReplay::Moment PassesReplay::at(double seconds) const {
                     1;
   Moment moment{kept->profile, nullptr, m_passes[number], number};
   std::size_t from = kept->points;
-  for (std::size_t i = kept->pass; i < number; ++i, from = 0)
-    cutOn(moment.profile, *m_passes[i], from, m_passes[i]->path.size());
-  cutOn(moment.profile, pass, from, points);
+  TurnedProfile uncut = kept->before;
+  for (std::size_t i = kept->pass; i < number; ++i, from = 0) {
+    cutOn(moment.profile, m_passes[i], static_cast<std::uint32_t>(i), uncut, from, m_passes[i]->path.size());
+    uncut = moment.profile;
+  }
+  cutOn(moment.profile, m_passes[number], static_cast<std::uint32_t>(number), uncut, from, points);
   if (pass.path.empty()) return moment;
   moment.position = pass.path[points == 0 ? 0 : points - 1];
   if (points > 0 && points < pass.path.size()) {

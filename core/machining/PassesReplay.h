@@ -44,6 +44,7 @@ class PassesReplay {
   struct Version {
     std::size_t pass = 0, points = 0;  // pass and number of its points that were cut; earlier passes are complete
     TurnedProfile profile;
+    TurnedProfile before;  // the part at the begin of the pass
   };
   TurningPasses m_passes;
   std::vector<double> m_begins;                               // s; start of each pass, and the end of the last one

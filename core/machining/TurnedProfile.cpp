@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/TurnedProfile.h"
 
+#include "machining/section/SectionSource.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,10 +93,13 @@ TurnedProfile::TurnedProfile(const StockCylinder& stock, double spacing) {
   const auto count = static_cast<std::size_t>(std::clamp(steps, 1.0, static_cast<double>(kMostSamples - 1)));
   m_spacing = stock.length / static_cast<double>(count);
   for (std::size_t i = 0; i <= count; ++i) m_radii.push_back(0.5 * stock.diameter);
+  m_section = SectionSource::of(TurnedSection(stock));
 }
 
 TurnedProfile TurnedProfile::barOf(const StockCylinder& stock, std::size_t samples) {
-  return fromRadii(std::vector<double>(samples, 0.5 * stock.diameter), stock.length);
+  TurnedProfile bar = fromRadii(std::vector<double>(samples, 0.5 * stock.diameter), stock.length);
+  bar.m_section = SectionSource::of(TurnedSection(stock));
+  return bar;
 }
 
 TurnedProfile TurnedProfile::fromRadii(const std::vector<double>& radii, double length) {
@@ -125,19 +130,24 @@ TurnedProfile::Range TurnedProfile::samplesUnder(const ProfilePoint& a, const Pr
 bool TurnedProfile::limitOuter(std::size_t i, double radius) {
   if (!std::isfinite(radius)) return false;
   const double left = std::max(radius, inner(i));
-  if (!(left < m_radii[i])) return false;
-  m_radii.set(i, left);
-  return true;
+  return left < m_radii[i] && set(i, left, inner(i));
 }
 
 bool TurnedProfile::limitInner(std::size_t i, double radius) {
   if (!std::isfinite(radius)) return false;
   const double left = std::min(radius, m_radii[i]);
-  if (!(left > inner(i))) return false;
+  return left > inner(i) && set(i, m_radii[i], left);
+}
+
+bool TurnedProfile::set(std::size_t i, double outer, double inner) {
+  const bool isOuter = m_radii[i] != outer, isInner = this->inner(i) != inner;
+  if (isOuter || isInner) m_section.reset();
+  if (isOuter) m_radii.set(i, outer);
+  if (!isInner) return isOuter;
   if (m_inner.empty()) {
     for (std::size_t k = 0; k < size(); ++k) m_inner.push_back(0.0);
   }
-  m_inner.set(i, left);
+  m_inner.set(i, inner);
   return true;
 }
 
@@ -182,10 +192,14 @@ double TurnedProfile::area() const {
   return M_PI * sum;
 }
 
-std::size_t TurnedProfile::pieces() const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < size(); ++i) count += hasMaterial(i) && (i == 0 || !hasMaterial(i - 1)) ? 1 : 0;
-  return count;
+std::vector<TurnedProfile::Range> TurnedProfile::pieces() const {
+  std::vector<Range> pieces;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!hasMaterial(i)) continue;
+    if (pieces.empty() || pieces.back().last < i) pieces.push_back({i, i});
+    pieces.back().last = i + 1;
+  }
+  return pieces;
 }
 
 bool TurnedProfile::operator==(const TurnedProfile& other) const {

@@ -6,8 +6,11 @@
 #include "nurbs/StockCylinder.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace handwheel {
+
+class SectionSource;
 
 // The side from which the shank of a tool comes. A cut removes all material between the nose and that side.
 enum class TurningSide { Outside, Bore };
@@ -16,6 +19,9 @@ enum class TurningSide { Outside, Bore };
 // inner radius of a sample and its outer radius, which is never smaller. The inner radius is 0 if the sample is not
 // bored; a sample with two equal radii has no material. A copy shares its pages with the original, so it costs only the
 // memory of the samples that are cut afterwards. The lower end is at z = 0.
+//
+// The samples are what the display and the servo loop read while a pass is under way. The exact shape of the part is
+// its section, lines and arcs without samples: lengths, faces, drawings and exports are read from that.
 //
 // Between two samples the radii are linear. The error of the ridges that a round nose of radius R leaves between its
 // passes is therefore at most spacing²/(8R) where the tangent of the nose is parallel to the axis. The error of steep
@@ -52,6 +58,9 @@ class TurnedProfile {
   double radius(std::size_t i) const { return m_radii[i]; }                   // mm, outer radius
   double inner(std::size_t i) const { return isBored() ? m_inner[i] : 0.0; }  // mm
   bool isBored() const { return !m_inner.empty(); }                           // true once an inner radius was raised
+  // Returns the source of the exact section; null if the samples were changed since it was set, or if it is not known.
+  const std::shared_ptr<const SectionSource>& section() const { return m_section; }
+  void setSection(std::shared_ptr<const SectionSource> section) { m_section = std::move(section); }
   bool hasMaterial(std::size_t i) const { return m_radii[i] > inner(i); }
 
   // Lowers the outer radius of a sample to this radius (mm) if it is larger, but never below the inner radius. Returns
@@ -60,6 +69,9 @@ class TurnedProfile {
   // Raises the inner radius of a sample to this radius (mm) if it is smaller, but never above the outer radius. Returns
   // true if the profile changed. A radius that is not finite changes nothing.
   bool limitInner(std::size_t i, double radius);
+
+  // Sets the radii of a sample (mm, finite, 0 ≤ inner ≤ outer). Returns true if the profile changed.
+  bool set(std::size_t i, double outer, double inner);
 
   // Removes the material that a disc of this radius (mm, > 0) sweeps while its centre moves straight from a to b, given
   // as (r, z). All material farther from the axis than the disc is removed, too, because the shank of a tool comes from
@@ -78,8 +90,9 @@ class TurnedProfile {
   double volume() const;  // mm³, volume of the frustums between the samples; O(samples)
   double area() const;    // mm², area of the outer and inner surfaces and the two flat ends; O(samples)
 
-  // Returns the number of pieces of the part, which is parted where a sample has no material. O(samples).
-  std::size_t pieces() const;
+  // Returns the samples of each piece of the part, which is parted where a sample has no material, from the one in the
+  // chuck to the free end. O(samples).
+  std::vector<Range> pieces() const;
 
   bool operator==(const TurnedProfile& other) const;  // compares bit for bit
 
@@ -89,6 +102,7 @@ class TurnedProfile {
   double m_spacing = 0.0;
   PagedArray<double> m_radii;
   PagedArray<double> m_inner;  // empty until an inner radius is raised
+  std::shared_ptr<const SectionSource> m_section;
 };
 
 }  // namespace handwheel

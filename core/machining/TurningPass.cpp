@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/TurningPass.h"
 
+#include "machining/section/SectionCut.h"
+#include "machining/section/SectionSource.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +71,16 @@ double deepestIn(const Wall& wall, double r0, double r1) {
   return std::min(wall.outer - r, r - wall.inner);
 }
 
+TurnedProfile::Range cutSamples(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a,
+                                const ProfilePoint& b) {
+  if (how.thread) return {};
+  if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
+  if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
+  if (how.method == TurningMethod::Poles)
+    return ControlPointCut(profile, how.resolution, how.isInParts).cut(profile, how.side, a, b, how.noseRadius);
+  return how.side == TurningSide::Bore ? profile.cutBore(a, b, how.noseRadius) : profile.cut(a, b, how.noseRadius);
+}
+
 }  // namespace
 
 double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b) {
@@ -88,24 +101,38 @@ double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const Pro
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b) {
   if (how.thread) return {};
-  if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
-  if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
-  if (how.method == TurningMethod::Poles)
-    return ControlPointCut(profile, how.resolution, how.isInParts).cut(profile, how.side, a, b, how.noseRadius);
-  return how.side == TurningSide::Bore ? profile.cutBore(a, b, how.noseRadius) : profile.cut(a, b, how.noseRadius);
+  if (how.isExact) {
+    const ProfileSegment move{a, b, 0.0};
+    if (const std::optional<ExactStep> step = cutExactly(profile, how, move, move, 0)) return step->changed;
+  }
+  return cutSamples(profile, how, a, b);
+}
+
+TurnedProfile::Range cutTo(TurnedProfile& profile, const TurningPass& pass, std::size_t i, std::uint32_t number) {
+  const ProfilePoint &a = pointBefore(pass, i), &b = pass.path[i];
+  if (!pass.isExact) return cut(profile, pass, a, b);
+  const auto step = cutExactly(profile, pass, {a, b, 0.0}, straightRun(pass, i), number);
+  return step ? step->changed : cutSamples(profile, pass, a, b);
+}
+
+TurnedProfile::Range cut(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
+                         Progress progress) {
+  constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
+  const TurnedProfile before = profile;
+  TurnedProfile::Range changed;
+  for (std::size_t i = 0; i < pass->path.size() && !pass->isExact; ++i) {
+    if (i % kLook == 0) {
+      if (progress.cancelled()) return changed;
+      progress.set(static_cast<double>(i) / static_cast<double>(pass->path.size()));
+    }
+    changed.extend(cutTo(profile, *pass, i, number));
+  }
+  if (pass->isExact || !changed.isEmpty()) changed.extend(settlePass(profile, before, pass, number, progress));
+  return changed;
 }
 
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress) {
-  constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
-  TurnedProfile::Range changed;
-  for (std::size_t i = 0; i < pass.path.size(); ++i) {
-    if (i % kLook == 0) {
-      if (progress.cancelled()) break;
-      progress.set(static_cast<double>(i) / static_cast<double>(pass.path.size()));
-    }
-    changed.extend(cut(profile, pass, pointBefore(pass, i), pass.path[i]));
-  }
-  return changed;
+  return cut(profile, std::make_shared<const TurningPass>(pass), 0, progress);
 }
 
 std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass) {

@@ -41,19 +41,38 @@ struct TurningPass {
   // all speeds.
   std::vector<double> askedSpeeds = {};
   bool isOfProgram = false;  // a program moved the tool
+  // After the pass the samples of the part are taken from its exact section. Early versions of the program kept the
+  // samples that were cut step by step, and their passes are repeated with false.
+  bool isExact = false;
+  // Direction of the tip from the centre of the nose of a tool without a body, as tipDirection() gives it. Such a tool
+  // has a leading edge across the axis and a trailing edge along it. (0, 0): a round nose without edges.
+  ProfilePoint edges{0, 0};
+  // The points of `path` from `first` to `last` approximate an arc with this bulge, which begins and ends in them.
+  struct Arc {
+    std::uint32_t first = 0, last = 0;
+    double bulge = 0.0;  // bulge of ProfileSegment
+    bool operator==(const Arc&) const = default;
+  };
+  std::vector<Arc> arcs = {};  // in ascending order; they do not overlap
+  bool isOfCommand = false;    // a command made the pass: no hand and no program moved a tool
 };
 
 // Cuts by the method and with the tool of a pass while the nose centre, or the tip of the tool, moves straight from a
 // to b. Returns the samples that changed.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b);
 
+// Cuts the move of a pass to its point i. number: the index of the pass in the part. Returns the samples that changed.
+TurnedProfile::Range cutTo(TurnedProfile& profile, const TurningPass& pass, std::size_t i, std::uint32_t number);
+
 // Returns the largest depth (mm) in the material of a point that moves straight from a to b, at most the radius of the
 // work. The depth is 0 outside of the material, and where only one of two neighbouring samples has material. O(samples
 // between a and b).
 double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b);
 
-// Cuts a pass into the profile. Returns the samples that changed. If cancelled, only the first moves of the pass are
-// cut.
+// Cuts a pass into the profile, which then has its section (TurnedProfile::section()). number: the index of the pass in
+// the part. Returns the samples that changed. If cancelled, only the first moves of the pass are cut.
+TurnedProfile::Range cut(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
+                         Progress progress = {});
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress = {});
 
 // Largest number of samples that the passes of a file may visit when they are repeated, which takes about ten seconds.

@@ -10,8 +10,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown in a sentence,
-constexpr qsizetype kLongestName = 400;  // and those of the name of a file, whose end tells most
+constexpr qsizetype kLongestQuote = 48;      // characters of a foreign file shown in a sentence,
+constexpr qsizetype kLongestName = 400;      // those of the name of a file, whose end tells most,
+constexpr qsizetype kLongestSentence = 200;  // and those of a sentence, such as the reason why a program is refused
+constexpr qsizetype kLongestWord = 24;       // limit of a word of a sentence
 
 // The phrases that the core, most of which knows no Qt, puts into its errors. A phrase that is missing here is shown in
 // English. %1 stands for a name or a number; the first phrase that fits counts.
@@ -419,6 +421,9 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "balls were expected: x; y; z; radius, with “|” between them"),
     QT_TRANSLATE_NOOP("ErrorWord", "figures of drilling have limits, no tolerance"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no drill"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its class needs the thread in front of it, as in M20x2.5-6g"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its tolerance is not that of a thread, as M20x2.5-6g or M20-6H"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its sides are not known"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a list of holes"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a list of tries"),
     QT_TRANSLATE_NOOP("ErrorWord", "a try is impossible"),
@@ -429,8 +434,15 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "three numbers were expected, with “;” between them"),
 };
 
+bool isSentence(const QString& text) {
+  const QStringList words = text.split(QLatin1Char(' '));
+  return std::all_of(words.begin(), words.end(), [](const QString& word) { return word.size() <= kLongestWord; });
+}
+
 QString shortened(const QString& text) {
-  const qsizetype longest = text.contains(QLatin1Char('/')) ? kLongestName : kLongestQuote;
+  const qsizetype longest = text.contains(QLatin1Char('/')) ? kLongestName
+                            : isSentence(text)              ? kLongestSentence
+                                                            : kLongestQuote;
   return text.size() > longest ? text.left(longest) + QChar(0x2026) : text;
 }
 

@@ -87,6 +87,9 @@ Result<std::shared_ptr<const ExerciseSnapshot>> withTarget(std::shared_ptr<const
     if (!rounded) return rounded.error();
     changed->task = std::move(rounded->task);
   }
+  if (changed->task != exercise->task) {
+    if (const auto off = offTargetNote(*changed)) complain(noteText(*off).toStdString());
+  }
   if (values.flag("mark-sizes")) {
     const std::vector<MarkingCriterion> sizes = unmarkedSizes(*changed);
     if (sizes.empty()) complain("No mark was added: all sizes of the target are marked, or it has none.");

@@ -116,6 +116,7 @@ nlohmann::ordered_json toJson(const LawForces& law, const CutReport& report, con
       {"cutting_N", law.forces.cutting},
       {"feed_N", law.forces.feed},
       {"radial_N", law.forces.radial},
+      {"resultant_N", law.forces.norm()},
       {"power_kW", power},
       {"motor_kW", motorPower(power, values.number("efficiency"))},
       {"torque_Nm", nullptr},
@@ -158,12 +159,13 @@ std::string readableText(const CutReport& report, const OperationValues& values)
   std::string text = report.material.name + ", depth " + shownText(report.cut.depth) + " mm, feed " +
                      shownText(report.cut.feed) + " mm, speed " + shownText(report.cut.speed) + " m/min\n" +
                      padded("", 10);
-  for (const char* column : {"cutting N", "feed N", "radial N", "power kW", "motor kW"}) text += padded(column, 11);
+  for (const char* column : {"cutting N", "feed N", "radial N", "result. N", "power kW", "motor kW"})
+    text += padded(column, 11);
   text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
   for (const LawForces& law : report.laws) {
     const double power = cuttingPower(law.forces, report.cut);
     text += padded(law.law, 10);
-    for (const double value : {law.forces.cutting, law.forces.feed, law.forces.radial, power,
+    for (const double value : {law.forces.cutting, law.forces.feed, law.forces.radial, law.forces.norm(), power,
                                motorPower(power, values.number("efficiency"))})
       text += padded(roundedText(value, 4), 11);
     while (text.ends_with(' ')) text.pop_back();

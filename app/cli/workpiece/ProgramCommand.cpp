@@ -7,6 +7,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/workpiece/BarStockArgument.h"
+#include "cli/workpiece/PostArguments.h"
 #include "cli/workpiece/TurnStatistics.h"
 #include "document/AtomicFile.h"
 #include "document/workpiece/PassesProgram.h"
@@ -28,6 +29,7 @@ struct ProgramRequest {
   CycleSettings cycles;
   double facing = 0.0;  // mm, of the bar beyond the target
   bool choosesDrill = false;
+  std::optional<ProgramPost> post;  // none: that of the document, or the usual one
   PassProgram passes;
 };
 
@@ -46,6 +48,9 @@ std::string readProgramRequest(const Arguments& arguments, ProgramRequest& reque
   const std::string dialect = arguments.has("dialect") ? arguments.valueOf("dialect") : "linuxcnc";
   if (dialect != "linuxcnc" && dialect != "fanuc") return "--dialect is linuxcnc or fanuc.";
   request.dialect = dialect == "fanuc" ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc;
+  if (arguments.has("post") || arguments.has("insert")) {
+    if (std::string problem = readPost(arguments, request.post.emplace()); !problem.empty()) return problem;
+  }
   if (arguments.has("stock")) {
     BarStockArgument word = readBar(arguments.valueOf("stock"));
     if (!word.problem.empty()) return std::move(word.problem);
@@ -78,7 +83,7 @@ struct Written {
   std::string text, problem;
   std::optional<Error> error;
   std::string tools = {};  // path of the tool table
-  std::string warning = {};
+  std::vector<std::string> warnings = {};
 };
 
 // Returns a warning about the material that cycles leave on the target; empty: no warning.
@@ -104,15 +109,15 @@ Written cyclesFor(const ProgramRequest& request, const DocumentKinds& kinds, Pro
   task.allowance = request.facing;
   task.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, nullptr};
   CycleSettings cycles = request.cycles;
-  if (request.choosesDrill) cycles.drill = drillFor(*target, tools);
-  if (request.choosesDrill && cycles.drill == 0.0) return {{}, {}, whyNoDrill(*target, tools).value_or(Error{})};
-  auto program = cycleProgram(task, request.dialect, cycles, progress.part(0.2, 1.0));
+  cycles.post = request.post.value_or(ProgramPost());
+  const Progress rest = progress.part(0.2, 1.0);
+  auto program = request.choosesDrill ? cycleProgramWithDrill(task, request.dialect, cycles, rest)
+                                      : cycleProgram(task, request.dialect, cycles, rest);
   if (!program) return {{}, {}, program.error()};
-  return {std::move(program->text),
-          {},
-          {},
-          toolTableText(program->tools),
-          warningOf(program->rest, *target, cycles.drill, tools)};
+  std::vector<std::string> warnings;
+  if (std::string warning = warningOf(program->rest, *target, program->drill, tools); !warning.empty())
+    warnings.push_back(std::move(warning));
+  return {std::move(program->text), {}, {}, toolTableText(program->tools), std::move(warnings)};
 }
 
 Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, Progress progress) {
@@ -120,9 +125,13 @@ Written passesOfFile(const ProgramRequest& request, const DocumentKinds& kinds, 
   if (!opened) return {{}, {}, opened.error()};
   const auto* const workpiece = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
   if (!workpiece) return {{}, request.from + " is not a workpiece. With --stock cycles are made for a drawing.", {}};
-  const auto program = passesProgram(*workpiece, request.dialect, request.passes);
+  PassProgram how = request.passes;
+  how.post = request.post.value_or(workpiece->programPost);
+  const auto program = passesProgram(*workpiece, request.dialect, how);
   if (!program) return {{}, {}, program.error()};
-  return {program->text, {}, {}, toolTableText(program->tools)};
+  std::vector<std::string> warnings;
+  for (const LeftOutPass& pass : program->leftOut) warnings.push_back("Left out: " + textOf(pass));
+  return {program->text, {}, {}, toolTableText(program->tools), std::move(warnings)};
 }
 
 int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
@@ -148,37 +157,39 @@ int runProgramCommand(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!request.tools.empty()) {
     if (const Status saved = writeFileAtomically(request.tools, written.tools); !saved) return fail(saved.error());
   }
-  if (!written.warning.empty()) complain(written.warning);
+  for (const std::string& warning : written.warnings) complain(warning);
   return print("Wrote " + request.output + ".\n");
 }
 
 }  // namespace
 
 Command programCommand() {
-  return {{"program",
-           "FROM",
-           "Writes a program for a lathe: the passes of a workpiece or, with --stock, cycles that rough and finish a\n"
-           "target (.dxf, .svg or a workpiece). The cycles are simulated first, and refused where they\n"
-           "collide or cut into the target. The right end of the part is Z 0; X is a diameter.",
-           {
-               {"output", 'o', "P.ngc", "The program to write"},
-               {"dialect", 0, "NAME", "Dialect of the program: linuxcnc (default) or fanuc, system A"},
-               {"stock", 0, "cylinder:DxL", "The bar that the target is made of"},
-               {"depth", 0, "MM", "Depth of a roughing cut, on the radius (default 1.5)"},
-               {"allowance", 0, "MM", "Allowance for finishing (default 0.3)"},
-               {"nose", 0, "MM", "Nose radius of the tools of cycles (default 0.4)"},
-               {"rough-feed", 0, "MM", "Feed of roughing, per revolution (default 0.25)"},
-               {"finish-feed", 0, "MM", "Feed of finishing, per revolution (default 0.08)"},
-               {"speed", 0, "M/MIN", "Surface speed in cycles (default 150)"},
-               {"max-rpm", 0, "RPM", "Largest speed of the spindle in cycles (default 2000)"},
-               {"drill", 0, "MM|auto", "Also make the bore, through or blind, from a hole of this diameter"},
-               {"facing", 0, "MM", "How far the bar stands over the face of the target, which is faced (default 0)"},
-               {"write-tools", 0, "P.tbl", "Also write the tools of the program, for turn --tools"},
-               {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default: their mean)"},
-               {"help", 'h', "", "Show this help"},
-           },
-           "FROM -o P.ngc [--dialect NAME] [--stock cylinder:DxL [--depth MM] [--nose MM] ...]"},
-          runProgramCommand};
+  CommandSpec spec = {
+      "program",
+      "FROM",
+      "Writes a program for a lathe: the passes of a workpiece or, with --stock, cycles that rough and finish a\n"
+      "target (.dxf, .svg or a workpiece). The cycles are simulated first, and refused where they\n"
+      "collide or cut into the target. The right end of the part is Z 0; X is a diameter.",
+      {
+          {"output", 'o', "P.ngc", "The program to write"},
+          {"dialect", 0, "NAME", "Dialect of the program: linuxcnc (default) or fanuc, system A"},
+          {"stock", 0, "cylinder:DxL", "The bar that the target is made of"},
+          {"depth", 0, "MM", "Depth of a roughing cut, on the radius (default 1.5)"},
+          {"allowance", 0, "MM", "Allowance for finishing (default 0.3)"},
+          {"nose", 0, "MM", "Nose radius of the tools of cycles (default 0.4)"},
+          {"rough-feed", 0, "MM", "Feed of roughing, per revolution (default 0.25)"},
+          {"finish-feed", 0, "MM", "Feed of finishing, per revolution (default 0.08)"},
+          {"speed", 0, "M/MIN", "Surface speed in cycles (default 150)"},
+          {"max-rpm", 0, "RPM", "Largest speed of the spindle in cycles (default 2000)"},
+          {"drill", 0, "MM|auto", "Also make the bore, through or blind, from a hole of this diameter"},
+          {"facing", 0, "MM", "How far the bar stands over the face of the target, which is faced (default 0)"},
+          {"write-tools", 0, "P.tbl", "Also write the tools of the program, for turn --tools"},
+          {"spindle", 0, "RPM", "Speed of the spindle for recorded passes (default: their mean)"},
+          {"help", 'h', "", "Show this help"},
+      },
+      "FROM -o P.ngc [--dialect NAME] [--post SIDE] [--stock cylinder:DxL [--depth MM] [--nose MM] ...]"};
+  for (OptionSpec& option : postOptions()) spec.options.push_back(std::move(option));
+  return {std::move(spec), runProgramCommand};
 }
 
 }  // namespace handwheel

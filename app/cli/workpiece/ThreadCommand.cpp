@@ -9,6 +9,7 @@
 #include "cli/OperationOptions.h"
 #include "document/workpiece/ThreadReport.h"
 #include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/exercise/AssignedTask.h"
 #include "machining/TurningFidelity.h"
 #include "text/NoteText.h"
 #include "tools/workpiece/ThreadOperation.h"
@@ -56,6 +57,10 @@ int runThread(const Arguments& arguments, const DocumentKinds& kinds) {
   const auto* const given = dynamic_cast<const WorkpieceSnapshot*>(file.content.get());
   if (!given) return refuse(arguments.operands[0] + " is not a workpiece.");
   reportLosses(file.file);
+  if (const auto task = assignedTask(file.file.assigned); task && !task->areCommandsAllowed)
+    return refuse(arguments.operands[0] +
+                  ": the exercise does not allow a command to cut the thread. Cut it on the lathe, or let the teacher "
+                  "allow commands.");
   if (const std::string refusal = refusalToReplace(output, file.file); !refusal.empty()) return refuse(refusal);
   std::optional<Result<ThreadedWork>> done;
   runInterruptible("Threading",

@@ -14,6 +14,9 @@ namespace {
 Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot& workpiece) {
   const LatheTools bodies = shippedLatheTools();
   ProgramSetup setup = programSetupFor(workpiece, bodies, request.dialect, request.noseRadius.value_or(0.0));
+  setup.skips = request.skips;
+  setup.hasIncrements = request.hasIncrements;
+  if (request.post) setup.post = *request.post;
   if (request.tools.empty()) return setup;
   const Result<std::string> text = readFileBytes(request.tools);
   if (!text) return text.error();
@@ -40,8 +43,6 @@ std::string collisionSentence(const ProgramCollision& collision) {
       return "collision with the chuck.";
     case ProgramCollision::Kind::SpindleAtRest:
       return "feed into material with the spindle at rest.";
-    case ProgramCollision::Kind::SpindleReversed:
-      return "feed into material with the spindle reversed (M4).";
     default:
       return "rapid move through material.";
   }
@@ -71,13 +72,16 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   const ProgramTrial& tried = **trial;
   figures.force = tried.peaks().force;
   figures.power = tried.peaks().power;
+  figures.drilling = tried.peaks().drilling;
   figures.collisions = tried.collisionCount();
   figures.time = tried.path().time;
   for (const ToolPath::Note& note : tried.path().notes) remarks.push_back(atLine(note.line, note.text));
   for (const ToolPath::Note& note : tried.notes()) remarks.push_back(atLine(note.line, note.text));
+  figures.warnings = tried.notes();
   for (const ProgramCollision& collision : tried.collisions())
     remarks.push_back(atLine(collision.line, collisionSentence(collision)));
   if (tried.part()) workpiece.part = tried.part();
+  workpiece.programPost = setup->post;
   addCrashes(workpiece, tried.crashes());
   return workpiece;
 }

@@ -34,7 +34,7 @@ Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const Workpiec
     const Progress part = progress.part(share(passes.size()), share(passes.size() + 1));
     if (!addPass(figures, profile, *pass, request.material, request.spindle, part))
       return Error{ErrorCode::Cancelled, {}, {}, {}};
-    cut(profile, *pass, part);
+    cut(profile, pass, static_cast<std::uint32_t>(passes.size()), part);
     passes.push_back(*pass);
   }
   auto made = withPasses(turned, std::move(passes), request.spacing, progress.part(0.7, 1.0));

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/workpiece/BarStockArgument.h"
+#include "cli/workpiece/PostArguments.h"
 #include "document/DocumentKind.h"
 #include "machining/program/ToolPath.h"
 
@@ -37,6 +38,30 @@ std::string readDialect(const Arguments& arguments, TurnRequest& request) {
   if (dialect != "linuxcnc" && dialect != "fanuc") return "--dialect is linuxcnc or fanuc.";
   if (dialect == "fanuc") request.dialect = ProgramDialect::Fanuc;
   return {};
+}
+
+// Reads a list of block skips such as 1,3.
+std::string readSkips(const Arguments& arguments, TurnRequest& request) {
+  request.hasIncrements = arguments.has("increments");
+  const bool isFanuc = request.dialect == ProgramDialect::Fanuc;
+  if (request.hasIncrements && !isFanuc) return "--increments is of --dialect fanuc.";
+  if (!arguments.has("block-skip")) return {};
+  if (!arguments.has("program")) return "--block-skip is of --program P.";
+  const std::string list = arguments.valueOf("block-skip");
+  for (std::size_t i = 0; i < list.size(); i += 2) {
+    const bool isDigitOfSkip = list[i] >= '1' && list[i] <= '9' && (isFanuc || list[i] == '1');
+    const bool isListed = i + 1 == list.size() || (list[i + 1] == ',' && i + 2 < list.size());
+    if (!isDigitOfSkip || !isListed)
+      return isFanuc ? "--block-skip takes numbers from 1 to 9, such as 1,3." : "--block-skip is 1 on a LinuxCNC.";
+    request.skips = static_cast<std::uint16_t>(request.skips | 1u << (list[i] - '0'));
+  }
+  return list.empty() ? "--block-skip takes numbers from 1 to 9, such as 1,3." : "";
+}
+
+std::string readPostOf(const Arguments& arguments, TurnRequest& request) {
+  if (!arguments.has("post") && !arguments.has("insert")) return {};
+  if (!arguments.has("program")) return "--post and --insert are of --program P.ngc.";
+  return readPost(arguments, request.post.emplace());
 }
 
 // Programs cut exactly.
@@ -88,7 +113,7 @@ std::string readTurnRequest(const Arguments& arguments, TurnRequest& request) {
   if (isContainerName(request.recording) && arguments.has("spacing"))
     return "--spacing is not for a document, whose part has its own.";
   if (request.isReplay && arguments.has("output")) return "--replay writes nothing: leave out -o.";
-  for (const auto read : {readNose, readMethod, readDialect, readMaterial})
+  for (const auto read : {readNose, readMethod, readDialect, readSkips, readPostOf, readMaterial})
     if (std::string problem = read(arguments, request); !problem.empty()) return problem;
   if (arguments.has("spindle") && !(readNumber(arguments.valueOf("spindle"), request.spindle) &&
                                     request.spindle > 0.0 && request.spindle <= kMostSpindle))

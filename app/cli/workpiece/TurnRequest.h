@@ -26,6 +26,9 @@ struct TurnRequest {
   std::optional<TurningMethod> method;  // for a recording; none: the method in the recording, or Trim
   std::optional<double> resolution;     // mm, for TurningMethod::Poles
   ProgramDialect dialect = ProgramDialect::LinuxCnc;
+  std::uint16_t skips = 0;          // block skips of the program that are on, as of ProgramSetup
+  bool hasIncrements = false;       // lengths without a decimal point count in least increments
+  std::optional<ProgramPost> post;  // none: that of the document
   WorkMaterial material;
   bool isReplay = false;
   bool asJson = false;

@@ -5,7 +5,9 @@
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
 #include "machining/force/ForcePeaks.h"
+#include "machining/lathe/LatheMaterial.h"
 #include "machining/refit/SampledProfile.h"
+#include "machining/section/SectionOutline.h"
 #include "machining/target/TargetDeviation.h"
 #include "machining/target/files/Drawing.h"
 #include "machining/target/files/DxfReader.h"
@@ -34,38 +36,58 @@ std::string forceText(double newtons) {
   return newtons < 1000.0 ? roundedText(newtons, 4) : std::to_string(std::llround(newtons));
 }
 
+// Returns the power that the motor of a usual drive needs for the heaviest cut, kW.
+double motorPowerOf(const TurnStatistics& figures) {
+  return motorPower(figures.power, SpindleDrive().efficiency);
+}
+
 }  // namespace
 
 bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
              const WorkMaterial& material, double spindle, Progress progress) {
   figures.time += pass.times.empty() ? 0.0 : pass.times.back();
   if (pass.thread || (pass.tool && pass.tool->isAbrasive())) return true;
-  CuttingEdge edge;
-  edge.noseRadius = pass.noseRadius;
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(material, edge);
+  const std::unique_ptr<CuttingForceModel> model = kienzleModel(material, edgeOf(pass));
   const double speed = pass.speeds.empty() ? spindle : pass.speeds.front();
-  const std::optional<ForcePeaks> peaks = forcePeaks(profile, {&pass, 1}, {speed, 0.0}, *model, progress);
+  const std::optional<ForcePeaks> peaks = forcePeaks(profile, {&pass, 1}, speed, *model, progress);
   if (!peaks) return false;
   figures.force = std::max(figures.force, peaks->force);
   figures.power = std::max(figures.power, peaks->power);
+  DrillPeaks& drilling = figures.drilling;
+  if (peaks->drilling.torque > drilling.torque) drilling.diameter = peaks->drilling.diameter;
+  drilling.thrust = std::max(drilling.thrust, peaks->drilling.thrust);
+  drilling.torque = std::max(drilling.torque, peaks->drilling.torque);
+  drilling.power = std::max(drilling.power, peaks->drilling.power);
   return true;
 }
 
 std::string statisticsAsJson(const TurnStatistics& figures) {
   nlohmann::ordered_json json = {{"removed_mm3", figures.removed}, {"max_force_N", figures.force},
-                                 {"max_power_kW", figures.power},  {"collisions", nullptr},
-                                 {"time_s", figures.time},         {"profile_error_mm", nullptr}};
+                                 {"max_power_kW", figures.power},  {"max_motor_power_kW", motorPowerOf(figures)},
+                                 {"collisions", nullptr},          {"time_s", figures.time},
+                                 {"profile_error_mm", nullptr}};
   if (figures.collisions) json["collisions"] = *figures.collisions;
   if (figures.profileError) json["profile_error_mm"] = *figures.profileError;
   json["finish"] = figures.finish;
+  if (const DrillPeaks& drilling = figures.drilling; drilling.diameter > 0.0)
+    json["drilling"] = {{"diameter_mm", drilling.diameter},
+                        {"thrust_N", drilling.thrust},
+                        {"torque_Nm", drilling.torque},
+                        {"power_kW", drilling.power}};
+  for (const ToolPath::Note& note : figures.warnings)
+    json["warnings"].push_back({{"line", note.line}, {"text", note.text}});
   return json.dump(2) + "\n";
 }
 
 std::string statisticsAsText(const TurnStatistics& figures) {
-  std::string text = "Removed: " + roundedText(figures.removed) + " mm³. Largest force: " + forceText(figures.force) +
-                     " N, power: " + roundedText(figures.power, 4) + " kW. Time: " + roundedText(figures.time, 5) +
-                     " s." + (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") +
-                     "\n";
+  std::string text =
+      "Removed: " + roundedText(figures.removed) + " mm³. Largest resultant force: " + forceText(figures.force) +
+      " N, power at the cut: " + roundedText(figures.power, 4) +
+      " kW, motor power: " + roundedText(motorPowerOf(figures), 4) + " kW. Time: " + roundedText(figures.time, 5) +
+      " s." + (figures.collisions ? " Collisions: " + std::to_string(*figures.collisions) + "." : "") + "\n";
+  if (const DrillPeaks& drilling = figures.drilling; drilling.diameter > 0.0)
+    text += "Drilling: thrust " + forceText(drilling.thrust) + " N, torque " + roundedText(drilling.torque, 3) +
+            " N·m, power " + roundedText(drilling.power, 3) + " kW.\n";
   text += roughestText(figures.finish);
   if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
   return text;
@@ -85,7 +107,7 @@ Result<TargetProfile> readTarget(const std::filesystem::path& path, const Docume
   const auto* const workpiece = dynamic_cast<const WorkpieceSnapshot*>(opened->content.get());
   if (!workpiece)
     return Error{ErrorCode::Unsupported, {"a target that is not a workpiece or a drawing"}, {}, path.string()};
-  if (workpiece->part) return sectionOf(workpiece->part->profile, kSection);
+  if (workpiece->part) return outlineOf(workpiece->part->section(), kSection, 0.0);
   return sectionOf(workpiece->stock.profile(), kSection);
 }
 

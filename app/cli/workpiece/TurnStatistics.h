@@ -4,7 +4,9 @@
 
 #include "document/DocumentKind.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/force/ForcePeaks.h"
 #include "machining/force/WorkMaterials.h"
+#include "machining/program/ToolPath.h"
 #include "machining/target/TargetProfile.h"
 
 #include <filesystem>
@@ -15,9 +17,12 @@ namespace handwheel {
 // The figures that 'handwheel turn' reports.
 struct TurnStatistics {
   double removed = 0.0;                   // mm³
-  double force = 0.0, power = 0.0;        // N, kW; largest values
+  double force = 0.0;                     // N, the largest resultant of the three components
+  double power = 0.0;                     // kW, the largest at the cut
+  DrillPeaks drilling;                    // largest loads of drills
   std::optional<std::size_t> collisions;  // none: not checked
   double time = 0.0;                      // s
+  std::vector<ToolPath::Note> warnings;   // warnings of the simulation of a program
   std::optional<double> profileError;     // mm, deviation from a target
   nlohmann::json finish;                  // finishJson() of the part; null if nothing was cut
 };
@@ -28,8 +33,9 @@ struct TurnStatistics {
 bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
              const WorkMaterial& material, double spindle, Progress progress);
 
-// Returns the figures as JSON with the keys removed_mm3, max_force_N, max_power_kW, collisions, time_s,
-// profile_error_mm, finish.
+// Returns the figures as JSON with the keys removed_mm3, max_force_N, max_power_kW, max_motor_power_kW, collisions,
+// time_s, profile_error_mm, finish; and drilling if something was drilled, and
+// warnings if there are any.
 std::string statisticsAsJson(const TurnStatistics& figures);
 std::string statisticsAsText(const TurnStatistics& figures);
 

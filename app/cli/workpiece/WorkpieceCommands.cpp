@@ -7,6 +7,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/workpiece/ForceCommand.h"
+#include "cli/workpiece/PostArguments.h"
 #include "cli/workpiece/ProgramCommand.h"
 #include "cli/workpiece/TargetCommand.h"
 #include "cli/workpiece/ThreadCommand.h"
@@ -66,7 +67,7 @@ bool repeats(const WorkpieceSnapshot& workpiece, Progress progress) {
   if (!workpiece.part) return true;
   TurnedProfile profile = TurnedProfile::barOf(workpiece.stock, workpiece.part->profile.size());
   for (std::size_t i = 0; i < workpiece.part->passes.size() && !progress.cancelled(); ++i) {
-    cut(profile, *workpiece.part->passes[i], progress);
+    cut(profile, workpiece.part->passes[i], static_cast<std::uint32_t>(i), progress);
   }
   return profile == workpiece.part->profile;
 }
@@ -208,59 +209,66 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   return print(report(after, figures, request.asJson));
 }
 
+namespace {
+
+Command turnCommand() {
+  CommandSpec spec = {
+      "turn",
+      "STOCK",
+      "Cuts a workpiece on a lathe by a program or a recording. STOCK is a workpiece, an exercise, or a bar such as "
+      "cylinder:40x100:\n"
+      "diameter and length in mm, its right end at Z 0, gripped at the left. docs/programs.md lists the words of\n"
+      "programs. R is a document with work that was made by hand in the window, a workpiece or what was handed in, "
+      "whose\n"
+      "passes are cut again, turned, ground, bored or threaded; or a recording of a device that the window has "
+      "exported,\n"
+      "in the coordinates of the document, where each press of the first button is a pass; or a table with the "
+      "columns\n"
+      "t_s,x_mm,y_mm,z_mm: the centre of the nose, of one pass. Forces follow Kienzle's law. Exit code 0: done; 2: "
+      "the path does not touch the part and nothing is "
+      "written, "
+      "or\n"
+      "--replay found a difference; 1: error.",
+      {
+          {"program", 0, "P.ngc", "The program that the lathe runs"},
+          {"recording", 0, "R", "Work by hand (.handwheel), or the recorded path of a tool (.csv)", "path"},
+          {"output", 'o', "OUT", "The document to write, .handwheel or an export such as .step or .stl; may be STOCK"},
+          {"dialect", 0, "NAME", "Dialect of the program: linuxcnc (default) or fanuc, system A"},
+          {"increments", 0, "",
+           "A length without a decimal point counts 0.001 mm or 0.0001 inch, as on many a Fanuc; default: mm or "
+           "inch"},
+          {"block-skip", 0, "N,N", "Block skips of the program that are on, 1 to 9; / is 1. Default: none"},
+          {"nose", 0, "MM",
+           "Nose radius, 0.05 to 50; default: 0, a point, for a program; what a recording says, else 1", "nose-radius"},
+          {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
+          {"material", 0, "NAME",
+           "Material of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
+          {"spindle", 0, "RPM",
+           "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise or "
+           "workpiece)"},
+          {"method", 0, "NAME",
+           "How a recording cuts: trim (default), exactly what the nose sweeps; or poles, by moving the control "
+           "points of a smooth curve, which errs by up to their distance, and by millimetres beside walls higher "
+           "than "
+           "the nose radius"},
+          {"resolution", 0, "MM", "Distance of these control points, 0.05 to 10 (default 0.5)"},
+          {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
+          {"spacing", 0, "MM",
+           "Sample spacing of the profile, for a bar that was not cut yet; not with a document as R"},
+          {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},
+          {"json", 0, "", "Report as JSON"},
+          {"help", 'h', "", "Show this help"},
+      },
+      "STOCK (--program P.ngc | --recording R) -o OUT [--dialect NAME] [--post SIDE] [--nose MM] [--material NAME] "
+      "[--json]"};
+  for (OptionSpec& option : postOptions()) spec.options.push_back(std::move(option));
+  return {std::move(spec), runTurn};
+}
+
+}  // namespace
+
 std::vector<Command> workpieceCommands() {
-  return {
-      {{"turn",
-        "STOCK",
-        "Cuts a workpiece on a lathe by a program or a recording. STOCK is a workpiece, an exercise, or a bar such as "
-        "cylinder:40x100:\n"
-        "diameter and length in mm, its right end at Z 0, gripped at the left. docs/programs.md lists the words of\n"
-        "programs. R is a document with work that was made by hand in the window, a workpiece or what was handed in, "
-        "whose\n"
-        "passes are cut again, turned, ground, bored or threaded; or a recording of a device that the window has "
-        "exported,\n"
-        "in the coordinates of the document, where each press of the first button is a pass; or a table with the "
-        "columns\n"
-        "t_s,x_mm,y_mm,z_mm: the centre of the nose, of one pass. Forces follow Kienzle's law. Exit code 0: done; 2: "
-        "the path does not touch the part and nothing is "
-        "written, "
-        "or\n"
-        "--replay found a difference; 1: error.",
-        {
-            {"program", 0, "P.ngc", "The program that the lathe runs"},
-            {"recording", 0, "R", "Work by hand (.handwheel), or the recorded path of a tool (.csv)", "path"},
-            {"output", 'o', "OUT",
-             "The document to write, .handwheel or an export such as .step or .stl; may be STOCK"},
-            {"dialect", 0, "NAME", "Dialect of the program: linuxcnc (default) or fanuc, system A"},
-            {"nose", 0, "MM",
-             "Nose radius, 0.05 to 50; default: 0, a point, for a program; what a recording says, else 1",
-             "nose-radius"},
-            {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
-            {"material", 0, "NAME",
-             "Material of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
-            {"spindle", 0, "RPM",
-             "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise or "
-             "workpiece)"},
-            {"method", 0, "NAME",
-             "How a recording cuts: trim (default), exactly what the nose sweeps; or poles, by moving the control "
-             "points of a smooth curve, which errs by up to their distance, and by millimetres beside walls higher "
-             "than "
-             "the nose radius"},
-            {"resolution", 0, "MM", "Distance of these control points, 0.05 to 10 (default 0.5)"},
-            {"target", 0, "FILE", "A drawing (.dxf, .svg) or workpiece to compare with, upper end at upper end"},
-            {"spacing", 0, "MM",
-             "Sample spacing of the profile, for a bar that was not cut yet; not with a document as R"},
-            {"replay", 0, "", "Replay the passes of STOCK on its bar and compare the result, bit for bit"},
-            {"json", 0, "", "Report as JSON"},
-            {"help", 'h', "", "Show this help"},
-        },
-        "STOCK (--program P.ngc | --recording R) -o OUT [--dialect NAME] [--nose MM] [--material NAME] [--json]"},
-       runTurn},
-      programCommand(),
-      targetCommand(),
-      threadCommand(),
-      trainCommand(),
-      forceCommand()};
+  return {turnCommand(), programCommand(), targetCommand(), threadCommand(), trainCommand(), forceCommand()};
 }
 
 }  // namespace handwheel

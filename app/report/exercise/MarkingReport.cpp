@@ -176,8 +176,8 @@ Json toJson(const SubmissionsReport& report) {
                  {"seconds", row.attempt.seconds},
                  {"recorded_s", work.details.seconds},
                  {"hints", row.attempt.hintCount()}};
-    static constexpr const char* kOrigins[] = {"", "hand", "program", "both"};
-    json["made_by"] = row.origin == WorkOrigin::Unknown ? Json() : Json(kOrigins[static_cast<std::size_t>(row.origin)]);
+    json["made_by"] =
+        row.origin == WorkOrigin::Unknown ? Json() : Json(kOriginNames[static_cast<std::size_t>(row.origin)]);
     json["tries"] = row.tries ? Json(*row.tries) : Json();
     json["problem"] = row.problem.empty() ? Json() : Json(row.problem);
     json["remarks"] = row.remarks;

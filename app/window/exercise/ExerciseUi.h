@@ -61,6 +61,7 @@ class ExerciseUi : public RigidPartsUi {
   bool changeTarget(DocumentTab* owner, const QString& text, const TaskPointer& before, const TaskPointer& made);
   void turnTarget();
   // Shows a message that is removed as soon as the exercise has another task.
+  void sayOffTarget(DocumentTab* owner, const TaskPointer& task);
   void sayWhileTarget(Message said, DocumentTab* owner, const TaskPointer& task);
   void askToRound();
   void chooseSubmissions();

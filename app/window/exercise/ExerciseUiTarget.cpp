@@ -4,6 +4,7 @@
 // The target of an exercise: from a file, from the work that was begun, in round sizes. Each is one undo step.
 #include "controls/property/PropertyDialog.h"
 #include "document/exercise/ExerciseDocument.h"
+#include "document/exercise/ExerciseRows.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
@@ -147,7 +148,9 @@ void ExerciseUi::takeTarget(const SnapshotPointer& work) {
   job.work = [this, work, before = snapshot(), owner = document(), failed = job.failed](Progress) -> Job::Finish {
     const Result<TaskPointer> task = before->subject->withTarget(*before->task, *work);
     if (!task) return [failed, error = task.error()] { failed(error); };
-    return [this, owner, before, made = *task] { changeTarget(owner, tr("Take the target"), before->task, made); };
+    return [this, owner, before, made = *task] {
+      if (changeTarget(owner, tr("Take the target"), before->task, made)) sayOffTarget(owner, made);
+    };
   };
   parts().jobs.start(std::move(job));
 }
@@ -164,8 +167,18 @@ void ExerciseUi::turnTarget() {
   sayWhileTarget(std::move(done), document(), *turned);
 }
 
-// Undo makes it untrue.
+// Marks that were made for another target cannot be met by one who turns this one.
+void ExerciseUi::sayOffTarget(DocumentTab* owner, const TaskPointer& task) {
+  if (offTargetNote(static_cast<ExerciseDocument&>(owner->document).exercise()))
+    sayWhileTarget({Message::Weight::Warning, tr("The exercise has another target now")}, owner, task);
+}
+
+// Undo makes it untrue. Marks that do not fit the target are named.
 void ExerciseUi::sayWhileTarget(Message said, DocumentTab* owner, const TaskPointer& task) {
+  if (const auto off = offTargetNote(static_cast<ExerciseDocument&>(owner->document).exercise())) {
+    said.weight = Message::Weight::Warning;
+    said.detail += (said.detail.isEmpty() ? QString() : QStringLiteral(" ")) + noteText(*off);
+  }
   said.about = &owner->document;
   said.isOver = [exercise = QPointer<const ExerciseDocument>(static_cast<ExerciseDocument*>(&owner->document)), task] {
     return !exercise || exercise->exercise().task != task;
@@ -178,7 +191,7 @@ void ExerciseUi::askToRound() {
   auto* dialog = new RoundTargetDialog(*before->subject, before->task, parts().pool, parts().window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &RoundTargetDialog::chosen, current(), [this, before, owner = document()](const TaskPointer& task) {
-    changeTarget(owner, tr("Round the target"), before->task, task);
+    if (changeTarget(owner, tr("Round the target"), before->task, task)) sayOffTarget(owner, task);
   });
   dialog->open();
 }

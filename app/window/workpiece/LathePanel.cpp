@@ -292,7 +292,7 @@ void LathePanel::show(const ManualLatheTool& tool) {
   m_isLeft->setEnabled(now->machine.lead == 0.0);
   m_post->show(tool);
   m_wheels->show(tool);
-  m_figures->show(tool, tool.forceLimit());
+  m_figures->show(tool);
   m_events->show(tool);
   const QListWidgetItem* const latest = m_events->item(m_events->count() - 1);
   const QString text = latest ? latest->text() : QString();

@@ -45,9 +45,9 @@ LatheReadout::LatheReadout(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(12);
-  m_force = cell(*line, tr("Force"), "latheForce", tr("%1 of %2 %3").arg(8888).arg(8888).arg(tr("N")),
-                 tr("Resultant of the three components of the cutting force, and the limit of the exercise"));
-  m_power = cell(*line, tr("Power"), "lathePower", tr("%1 of %2 %3").arg(8.88).arg(88).arg(tr("kW")),
+  m_force = cell(*line, tr("Resultant force"), "latheForce", tr("%1 of %2 %3").arg(8888).arg(8888).arg(tr("N")),
+                 tr("Resultant of cutting, feed and radial force, and the limit of the exercise"));
+  m_power = cell(*line, tr("Motor power"), "lathePower", tr("%1 of %2 %3").arg(8.88).arg(88).arg(tr("kW")),
                  tr("Power taken from the motor, and its rated power"));
   m_torque = cell(*line, tr("Torque"), "latheTorque", tr("%1 of %2 %3").arg(88.8).arg(888).arg(tr("N·m")),
                   tr("Torque at the spindle, and the torque available"));
@@ -92,12 +92,17 @@ void LatheReadout::showLimited(QLabel& label, double value, double limit, int di
   setWarning(label, limit > 0.0 && value > limit);
 }
 
-void LatheReadout::show(const ManualLatheTool& tool, double forceLimit) {
+void LatheReadout::show(const ManualLatheTool& tool) {
   const auto now = tool.moment();
   const LatheLoad& load = now->load;
   const LatheSpindle spindle = tool.setup().spindle;
-  showLimited(*m_force, load.forces.norm(), forceLimit, 0, tr("N"));
-  showLimited(*m_power, load.power, spindle.power, 2, tr("kW"));
+  const WorkLimits& limits = tool.limits();
+  const double power =
+      limits.power > 0.0 && (spindle.power == 0.0 || limits.power < spindle.power) ? limits.power : spindle.power;
+  // The marks count the power that the set speed asks for.
+  showLimited(*m_force, load.forces.norm(), limits.force, 0, tr("N"));
+  showLimited(*m_power, load.power, power, 2, tr("kW"));
+  if (load.isOverloaded) setWarning(*m_power, true);
   showLimited(*m_torque, load.torque, spindle.torque, 1, tr("N·m"));
   const QString none = QStringLiteral("–");
   m_spindle->setText(tr("%1 r/min").arg(figure(now->machine.speed, 0)));
@@ -105,6 +110,8 @@ void LatheReadout::show(const ManualLatheTool& tool, double forceLimit) {
   m_speed->setText(load.isCutting ? tr("%1 m/min").arg(figure(load.cut.speed, 0)) : none);
   m_depth->setText(load.isCutting ? tr("%1 mm").arg(figure(load.cut.depth, 2)) : none);
   m_feed->setText(load.isCutting ? tr("%1 mm/rev").arg(figure(load.cut.feed, 3)) : none);
+  const bool isThread = now->machine.lead != 0.0;
+  setWarning(*m_feed, load.isCutting && !isThread && limits.feed > 0.0 && load.cut.feed > limits.feed);
   const std::optional<double> rough = tool.roughnessHere();
   m_roughness->setText(rough && std::isfinite(*rough) ? tr("%1 µm").arg(figure(*rough, 2)) : none);
   showLaw(tool, *now);

@@ -20,8 +20,9 @@ class LatheReadout : public QWidget {
  public:
   explicit LatheReadout(QWidget* parent = nullptr);
 
-  // Shows the present figures. forceLimit: the force limit of the exercise, N; 0: no limit.
-  void show(const ManualLatheTool& tool, double forceLimit);
+  // Shows the present figures. Those beyond a limit of the exercise, where its marks are lost, or of the machine are
+  // red.
+  void show(const ManualLatheTool& tool);
 
  private:
   QLabel* cell(QHBoxLayout& line, const QString& name, const char* id, const QString& widest, const QString& tip);

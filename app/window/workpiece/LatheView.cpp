@@ -39,6 +39,7 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr int kSoundMs = 60;
 constexpr int kAfterwardsMs = 2000;  // in which a crash rings out
+constexpr double kOtherSize = 0.1;   // mm, between a size that was entered and that of the work: more is a slip
 constexpr double kPushed = 20.0;     // mm for a height of the view: full deflection of a cap is some 20 mm/s
 }  // namespace
 
@@ -58,7 +59,7 @@ LatheView::~LatheView() {
   m_window.viewport.removeLayer(*m_zeroLayer);
 }
 
-std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double forceLimit) {
+std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document) {
   const SimulationServices services{m_window.servoClock, m_window.services.simulation()};
   const FidelityValues& values = m_window.fidelity.values();
   std::shared_ptr<std::optional<ManualLatheTool::Left>>& left = m_left[&document].machine;
@@ -69,7 +70,7 @@ std::unique_ptr<Tool> LatheView::make(WorkpieceDocument& document, double forceL
   m_document = &document;
   const ManualLatheTool::Start start{values.of(turnSpacingSetting()),
                                      static_cast<ForceLaw>(static_cast<int>(values.of(forceModelSetting()))),
-                                     values.of(turnStepSetting()), forceLimit, left};
+                                     values.of(turnStepSetting()), workLimits(document.file().assigned), left};
   return std::make_unique<ManualLatheTool>(document, services, shippedLatheTools(), start);
 }
 
@@ -153,8 +154,12 @@ void LatheView::touchOff(bool isX, double value, bool isConfirmed) {
   ManualLatheTool* const lathe = tool();
   if (!lathe) return;
   const double gap = lathe->touchGap(isX);
-  if (isConfirmed || gap <= ManualLatheTool::kTouching)
+  const bool isTouching = gap <= ManualLatheTool::kTouching;
+  const std::optional<double> measured = isX && isTouching ? lathe->touchedSize() : std::nullopt;
+  const bool isOther = measured && std::abs(*measured - value) > kOtherSize;
+  if (isConfirmed || (isTouching && !isOther))
     return m_window.tools.runner().deliver([&] { lathe->touchOff(isX, value); });
+  if (isOther) return askForSize(value, *measured);
   const QString away = QLocale().toString(gap, 'f', 2);
   Message question{
       Message::Weight::Warning, tr("The tool does not touch the work"),
@@ -167,6 +172,24 @@ void LatheView::touchOff(bool isX, double value, bool isConfirmed) {
     if (view) view->touchOff(isX, value, true);
   };
   question.otherText = tr("Cancel");
+  question.other = [] {};
+  question.isOver = [view = QPointer(this)] { return !view || !view->isOn(); };
+  emit message(question);
+}
+
+// A slip of the keyboard gives a zero that all sizes to come are wrong by. The read-out stays until the turner decides.
+void LatheView::askForSize(double typed, double measured) {
+  const QLocale locale;
+  const QString badge = tool()->setup().showsDiameter ? QStringLiteral("⌀") : QStringLiteral("R");
+  Message question{Message::Weight::Warning, tr("The work has another size there"),
+                   tr("%1 %2 mm was entered; where the tool touches, the work has %1 %3 mm. X was not touched off.")
+                       .arg(badge, locale.toString(typed, 'f', 3), locale.toString(measured, 'f', 3)),
+                   tr("Measure again, and correct the number, or take it as it is. Undo takes it back.")};
+  question.actionText = tr("Take %1").arg(locale.toString(typed, 'f', 3));
+  question.action = [view = QPointer(this), typed] {
+    if (view) view->touchOff(true, typed, true);
+  };
+  question.otherText = tr("Keep the read-out");
   question.other = [] {};
   question.isOver = [view = QPointer(this)] { return !view || !view->isOn(); };
   emit message(question);

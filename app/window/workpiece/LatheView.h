@@ -29,9 +29,9 @@ class LatheView : public QObject {
   LatheView(const WindowContext& window, QObject* parent);
   ~LatheView() override;
 
-  // Makes the tool for a document. It is called when the user chooses the tool. forceLimit: the force limit of the
-  // document's exercise, N; 0: no limit.
-  std::unique_ptr<Tool> make(WorkpieceDocument& document, double forceLimit);
+  // Makes the tool for a document. It is called when the user chooses the tool. The limits are those of its
+  // exercise.
+  std::unique_ptr<Tool> make(WorkpieceDocument& document);
   // Returns true if the tool of the lathe is running.
   bool isOn() const { return tool() != nullptr; }
 
@@ -54,6 +54,7 @@ class LatheView : public QObject {
   void push(const Vec3& motion);
   void mount(const QString& tool);
   void touchOff(bool isX, double value, bool isConfirmed);
+  void askForSize(double typed, double measured);
   void showZero();
   void sayUndone(const ManualLatheTool& lathe);
   void leave();

@@ -156,8 +156,8 @@ TimeLineRecording recordingOf(const QString& name, const ReplayCurves& track) {
   TimeLineRecording recording;
   recording.name = name;
   recording.duration = track.replay->duration();
-  TimeLineCurve force{ReplayDock::tr("Cutting force"), ReplayDock::tr("N"), {}};
-  TimeLineCurve power{ReplayDock::tr("Power"), ReplayDock::tr("kW"), {}};
+  TimeLineCurve force{ReplayDock::tr("Resultant force"), ReplayDock::tr("N"), {}};
+  TimeLineCurve power{ReplayDock::tr("Motor power"), ReplayDock::tr("kW"), {}};
   for (const CutLoad& load : track.loads) {
     force.points.emplace_back(load.time, load.force);
     power.points.emplace_back(load.time, load.power);
@@ -180,12 +180,6 @@ TimeLineRecording recordingOf(const QString& name, const ReplayCurves& track) {
   return recording;
 }
 
-DisplayModel modelAt(const WorkpieceSnapshot& work, const PassesReplay::Moment& moment) {
-  DisplayModel model = displayOf(TurnedSurface(moment.profile, work.chord, moment.threads), work.stock.position);
-  showPartedOff(model, moment.profile);
-  return model;
-}
-
 }  // namespace
 
 // Makes all curves here: there are as many points as the hand made.
@@ -193,8 +187,9 @@ ReplayDock::PlayedPointer ReplayDock::playedOf(const QString& name, const Workpi
   auto track = work.part ? replayCurves(work, progress) : std::nullopt;
   if (!track) return nullptr;
   TimeLineRecording recording = recordingOf(name, *track);
-  return std::make_shared<const Played>(
-      Played{work, std::make_shared<const ReplayCurves>(std::move(*track)), std::move(recording)});
+  return std::make_shared<const Played>(Played{work, std::make_shared<const ReplayCurves>(std::move(*track)),
+                                               std::move(recording),
+                                               std::make_shared<PlayedPart>(work.chord, work.stock.position)});
 }
 
 void ReplayDock::prepare() {
@@ -312,15 +307,16 @@ void ReplayDock::show(double seconds) {
   job.work = [this, seconds, first = m_played, other = m_other,
               ofOther = m_other ? m_line->timeOf(1) : 0.0](Progress) -> Job::Finish {
     const PassesReplay::Moment moment = first->track->replay->at(seconds);
-    auto model = std::make_shared<DisplayModel>(modelAt(first->work, moment));
+    auto model = std::make_shared<DisplayModel>(first->part->at(moment.profile, moment.threads));
     if (other) {
       const StockCylinder &stock = first->work.stock, &otherStock = other->work.stock;
       // Below the first, as seen by the operator: up is against y.
-      const double beside = 0.75 * (stock.diameter + otherStock.diameter) + latheOf(first->work).chuck.diameter / 2;
-      for (DisplayPart& part : modelAt(other->work, other->track->replay->at(ofOther)).parts) {
+      const double aside = 0.75 * (stock.diameter + otherStock.diameter) + latheOf(first->work).chuck.diameter / 2;
+      const PassesReplay::Moment beside = other->track->replay->at(ofOther);
+      for (DisplayPart& part : other->part->at(beside.profile, beside.threads).parts) {
         part.name = "other." + part.name;
         part.group = "other";
-        part.pose.translation() += Vec3(0.0, beside, stock.position - otherStock.position);
+        part.pose.translation() += Vec3(0.0, aside, stock.position - otherStock.position);
         model->parts.push_back(std::move(part));
       }
     }

@@ -4,6 +4,7 @@
 
 #include "document/workpiece/LatheDisplay.h"
 #include "document/workpiece/ReplayCurves.h"
+#include "document/workpiece/playback/PlayedPart.h"
 #include "panels/time/TimeLine.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
@@ -51,6 +52,7 @@ class ReplayDock : public QObject {
     WorkpieceSnapshot work;
     std::shared_ptr<const ReplayCurves> track;
     TimeLineRecording recording;
+    std::shared_ptr<PlayedPart> part;  // the shown part; used by one job at a time
   };
   using PlayedPointer = std::shared_ptr<const Played>;
   // Prepares a workpiece for the replay. Returns null if nothing was cut or if cancelled. May be called on any thread.

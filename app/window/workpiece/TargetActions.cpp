@@ -21,6 +21,7 @@
 #include "window/documents/FileDialogs.h"
 #include "window/kinds/TargetPlacementView.h"
 #include "window/tools/ToolHost.h"
+#include "window/workpiece/TargetOutline.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -59,35 +60,6 @@ std::array<float, 3> finishColour(std::optional<double> roughness) {
   return componentsOf(ColourScale{kFinishSteps}.at(std::clamp(doublings, -kFinishSteps, kFinishSteps)));
 }
 
-// The outline in the plane that faces the operator, on both sides of the axis, and a ring at each corner, which is
-// visible from anywhere.
-PathLayer::Lines outlineOf(const TargetProfile& target) {
-  constexpr int kOfArc = 16, kOfRing = 96;
-  constexpr std::size_t kMostRings = 60;
-  auto lines = std::make_shared<std::vector<PathLine>>();
-  for (const double side : {-1.0, 1.0}) {
-    for (const ProfileSegment& s : target.segments()) {
-      PathLine line;
-      const int pieces = s.isArc() ? kOfArc : 1;
-      for (int k = 0; k <= pieces; ++k) {
-        const ProfilePoint p = s.at(static_cast<double>(k) / pieces);
-        line.points.emplace_back(0.0, side * p.x(), p.y());
-      }
-      lines->push_back(std::move(line));
-    }
-  }
-  if (target.segments().size() > kMostRings) return lines;
-  for (const ProfileSegment& s : target.segments()) {
-    PathLine ring;
-    for (int k = 0; s.from.x() > 0.0 && k <= kOfRing; ++k) {
-      const double angle = 2.0 * M_PI * k / kOfRing;
-      ring.points.emplace_back(s.from.x() * std::cos(angle), s.from.x() * std::sin(angle), s.from.y());
-    }
-    if (!ring.points.empty()) lines->push_back(std::move(ring));
-  }
-  return lines;
-}
-
 QString finishLegend() {
   const QLocale locale;
   const double most = std::exp2(kFinishSteps);
@@ -119,6 +91,7 @@ TargetActions::TargetActions(const WindowContext& parts, QObject* parent)
   parts.viewport.addLayer(m_legend);
   connect(&parts.tools, &ToolHost::updated, this, &TargetActions::showLegend);
   connect(&m_outline, &QAction::toggled, this, &TargetActions::showOutline);
+  connect(&parts.viewport, &Viewport::cameraChanged, this, &TargetActions::showOutline);
   m_import.setObjectName(QStringLiteral("importTarget"));
   m_turn.setObjectName(QStringLiteral("turnWorkpieceTarget"));
   m_remove.setObjectName(QStringLiteral("removeTarget"));
@@ -154,8 +127,10 @@ void TargetActions::showOutline() {
   const WorkpieceDocument* const owner = workpiece();
   const bool isShown = owner && m_isVisible && m_outline.isChecked();
   const auto target = !isShown ? nullptr : m_proposed ? m_proposed : owner->workpiece().target;
-  if (std::exchange(m_outlined, target) == target) return;
-  m_layer->setLines(target ? outlineOf(target->profile) : nullptr);
+  const int facing = target ? outlineStep(m_parts.viewport.camera()) : 0;
+  const bool isSame = std::exchange(m_outlined, target) == target;
+  if (std::exchange(m_facing, facing) == facing && isSame) return;
+  m_layer->setLines(target ? targetOutline(target->profile, facing) : nullptr);
 }
 
 // Shows the legend in the view, as for a mesh, since the panel may be hidden. A tool that cuts shows the part in its

@@ -65,6 +65,7 @@ class TargetActions : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   std::shared_ptr<LegendLayer> m_legend;
   std::shared_ptr<const WorkpieceTarget> m_outlined;  // the target in m_layer
+  int m_facing = 0;                                   // outlineStep() of m_layer
   // target whose outline is shown while the user chooses its position; null: none
   std::shared_ptr<const WorkpieceTarget> m_proposed;
   bool m_isVisible = true;

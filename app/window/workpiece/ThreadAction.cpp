@@ -4,8 +4,10 @@
 
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/exercise/AssignedTask.h"
 #include "machining/TurningFidelity.h"
 #include "window/ActionToolTip.h"
+#include "window/OfferedAction.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -22,7 +24,10 @@ ThreadAction::ThreadAction(const WindowContext& parts, QObject* parent)
 
 void ThreadAction::setDocument(DocumentTab* document) {
   m_document = document;
-  m_cut.setEnabled(document != nullptr);
+  const auto task = document ? assignedTask(document->document.file().assigned) : nullptr;
+  offer(m_cut, document && (!task || task->areCommandsAllowed),
+        document ? tr("The exercise does not allow it: cut the thread on the lathe, by its half-nut.")
+                 : tr("Open a workpiece first."));
 }
 
 void ThreadAction::ask() {

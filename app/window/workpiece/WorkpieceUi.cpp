@@ -10,7 +10,6 @@
 #include "document/workpiece/exercise/AssignedTask.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "fidelity/Cases.h"
-#include "machining/EndPiece.h"
 #include "machining/TurningFidelity.h"
 #include "panels/MessageBar.h"
 #include "theme/Theme.h"
@@ -179,9 +178,7 @@ std::unique_ptr<Tool> WorkpieceUi::turnTool() {
 }
 
 std::unique_ptr<Tool> WorkpieceUi::latheTool() {
-  auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  const auto task = assignedTask(workpiece.file().assigned);
-  return m_lathe.make(workpiece, task ? task->forceLimit : 0.0);
+  return m_lathe.make(static_cast<WorkpieceDocument&>(document()->document));
 }
 
 // The part is felt through the simulation of the tool, as long as there is one.
@@ -255,10 +252,10 @@ void WorkpieceUi::warnOfLoads(DocumentTab* loaded, const TurningTask& task, doub
   const QLocale locale;
   QStringList lines;
   if (force > task.forceLimit)
-    lines << tr("The cutting force of this pass was up to %1 N; the lathe of the exercise allows %2 N.")
+    lines << tr("The resultant force of this pass was up to %1 N; the lathe of the exercise allows %2 N.")
                  .arg(locale.toString(force, 'f', 0), locale.toString(task.forceLimit, 'f', 0));
   if (power > task.powerLimit)
-    lines << tr("The power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
+    lines << tr("The motor power of this pass was up to %1 kW; the lathe of the exercise has %2 kW.")
                  .arg(locale.toString(power, 'f', 2), locale.toString(task.powerLimit, 'f', 2));
   if (lines.isEmpty()) return;
   const AssignedExercise& exercise = loaded->document.file().assigned;
@@ -281,18 +278,20 @@ void WorkpieceUi::tellParted() {
   const auto before = std::exchange(m_partedPart, part);
   const bool isOther = std::exchange(m_parted, document()) != document();
   if (isOther || part == before || !part) return;
-  const std::vector<TurnedProfile::Range> pieces = piecesOf(part->profile);
+  if (part->profile.pieces().size() < 2) return;
+  const std::vector<TurnedSection> pieces = part->section().pieces();
   // The one over a gap in which there was material before.
-  const auto isNew = [&](const TurnedProfile::Range& piece) {
-    return !before || before->profile.size() != part->profile.size() || before->profile.hasMaterial(piece.first - 1);
+  constexpr double kBelow = 1e-3;  // mm
+  const auto isNew = [&](const TurnedSection& piece) {
+    return !before || before->section().radiiAt(piece.box().min().y() - kBelow).has_value();
   };
   if (pieces.size() < 2) return;
   const auto found = std::find_if(pieces.begin() + 1, pieces.end(), isNew);
-  if (found == pieces.end() || (before && before->profile.pieces() >= pieces.size())) return;
-  const EndPiece piece = pieceAlone(part->profile, *found);
-  const double kept = part->volumeOf(pieceAlone(part->profile, pieces.front()));
+  if (found == pieces.end() || (before && before->section().pieces().size() >= pieces.size())) return;
+  const TurnedSection& piece = *found;
+  const double kept = part->volumeOf(pieces.front());
   const QLocale locale;
-  const QString length = locale.toString(piece.length(), 'f', 2);
+  const QString length = locale.toString(piece.box().sizes().y(), 'f', 2);
   const bool isAtEnd = found + 1 == pieces.end();
   Message off{Message::Weight::Info, tr("Parted off"),
               isAtEnd ? tr("A piece of %1 mm length has come off at the free end.").arg(length)

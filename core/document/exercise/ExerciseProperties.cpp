@@ -270,14 +270,25 @@ Status setField(MarkingCriterion& c, const std::string& field, const std::string
   return Done{};
 }
 
+// Gives a tolerance to the criteria that share it. All of them have one then.
+Status spreadTolerance(ExerciseSnapshot& exercise, const MarkingCriterion& c) {
+  for (MarkingCriterion& other : exercise.exercise.criteria) {
+    if (&other == &c || !exercise.subject->sharesTolerance(c, other)) continue;
+    other.tolerance = c.tolerance;
+    if (const Status applied = exercise.subject->applyTolerance(other); !applied) return applied;
+  }
+  return Done{};
+}
+
 // The limits follow the values that define the tolerance on the drawing.
-Status setAndResolve(const ExerciseSnapshot& exercise, MarkingCriterion& c, const std::string& field,
-                     const std::string& id, const PropertyValue& value) {
+Status setAndResolve(ExerciseSnapshot& exercise, MarkingCriterion& c, const std::string& field, const std::string& id,
+                     const PropertyValue& value) {
   const Status set = setField(c, field, id, value, measurementTypes(*exercise.subject));
   const bool isOfTolerance = field == "tolerance" || field == "nominal" || field == "figure";
   if (!set || !isOfTolerance || c.tolerance.empty()) return set;
   const Status applied = exercise.subject->applyTolerance(c);
-  if (applied || field != "figure") return applied;
+  if (applied) return spreadTolerance(exercise, c);
+  if (field != "figure") return applied;
   c.tolerance.clear();  // another figure does not have this tolerance; the limits stay
   return Done{};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/exercise/ExerciseRows.h"
 
+#include <QtGlobal>
 #include <algorithm>
 #include <cmath>
 
@@ -72,6 +73,17 @@ std::vector<MarkingCriterion> unmarkedSizes(const ExerciseSnapshot& exercise) {
     if (nearest != sizes.end()) sizes.erase(nearest);
   }
   return sizes;
+}
+
+std::optional<Note> offTargetNote(const ExerciseSnapshot& exercise) {
+  const std::vector<std::string> off = exercise.subject->criteriaOffTarget(exercise.exercise, *exercise.task);
+  if (off.empty()) return std::nullopt;
+  std::string names;
+  for (const std::string& id : off) names += (names.empty() ? "“" : ", “") + exercise.exercise.find(id)->name + "”";
+  return Note{QT_TRANSLATE_NOOP("Note",
+                                "These marks do not fit the target, which itself would not meet them: %1. Change or "
+                                "delete them."),
+              {names}};
 }
 
 ExerciseSnapshot withNewStep(ExerciseSnapshot exercise) {

@@ -14,6 +14,9 @@ ExerciseSnapshot withCriteria(ExerciseSnapshot exercise, std::vector<MarkingCrit
 // Returns the sizes of the target that no criterion of the scheme covers. Each criterion covers the nearest size that
 // has its nominal value or lies within its limits.
 std::vector<MarkingCriterion> unmarkedSizes(const ExerciseSnapshot& exercise);
+// Returns a note that names the criteria that the target itself would not meet. Returns nothing if it meets all of
+// them.
+std::optional<Note> offTargetNote(const ExerciseSnapshot& exercise);
 ExerciseSnapshot withNewStep(ExerciseSnapshot exercise);
 // Remove a criterion or a step. A removed criterion is removed from the steps, too.
 ExerciseSnapshot withoutCriterion(ExerciseSnapshot exercise, const std::string& id);

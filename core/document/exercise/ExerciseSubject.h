@@ -87,6 +87,11 @@ class ExerciseSubject {
   virtual const DocumentKind& kind() const = 0;  // the kind of the documents that students work in
   virtual std::vector<MeasurementType> figures() const = 0;
 
+  // Returns true if the tolerance on the drawing of a criterion is that of another one, too, such as that of a thread.
+  virtual bool sharesTolerance(const MarkingCriterion& criterion, const MarkingCriterion& other) const {
+    (void)criterion, (void)other;
+    return false;
+  }
   // Sets the limits of a criterion from its tolerance on the drawing. Error ElementMalformed {criterion, what is
   // wrong}: the tolerance is not known for this figure and nominal value.
   virtual Status applyTolerance(MarkingCriterion& criterion) const = 0;
@@ -159,6 +164,11 @@ class ExerciseSubject {
     (void)task;
     return true;
   }
+  // Returns true if students may make shapes by commands, without a tool in their hands.
+  virtual bool areCommandsAllowed(const ExerciseTask& task) const {
+    (void)task;
+    return true;
+  }
   // Makes work from a description in JSON, for model solutions. Errors: ElementMalformed, Cancelled.
   virtual Result<SnapshotPointer> makeWork(const ExerciseTask& task, const nlohmann::json& description,
                                            Progress progress) const = 0;
@@ -168,6 +178,11 @@ class ExerciseSubject {
   // Returns a task whose target is the shape of this work, for teachers who turn the model solution first. Errors:
   // ExerciseError::NothingTurned, ElementMalformed.
   virtual Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const = 0;
+  // Returns the ids of the criteria that the target of a task itself would not meet: they were made for another one.
+  virtual std::vector<std::string> criteriaOffTarget(const Exercise& exercise, const ExerciseTask& task) const {
+    (void)exercise, (void)task;
+    return {};
+  }
   // Returns warnings if the target does not fit into the stock, for a dialog that changes one of them. The result is
   // empty if the target fits.
   virtual std::vector<Note> fitNotes(const ExerciseTask& task) const {

@@ -26,7 +26,6 @@ constexpr std::size_t kMostClassTexts = 1000;        // limit of each kind in a 
 constexpr std::size_t kMostClassPieces = 1'000'000;  // limit of a recording
 
 constexpr std::array<const char*, 4> kVerdictWords = {"met", "too_small", "too_large", "not_measured"};
-constexpr std::array<const char*, 4> kOriginWords = {"", "hand", "program", "both"};
 
 constexpr const char *kClassPath = "path", *kClassAttempt = "attempt", *kClassMarks = "marks", *kClassPoints = "points",
                      *kClassOf = "of", *kClassOrigin = "made_by", *kClassTries = "tries", *kClassProblem = "problem",
@@ -123,7 +122,7 @@ Json workJson(const ReportedWork& work) {
                {kClassAttempt, toJson(row.attempt)},
                {kClassPoints, row.marking.points},
                {kClassOf, row.marking.of},
-               {kClassOrigin, kOriginWords[static_cast<std::size_t>(row.origin)]},
+               {kClassOrigin, kOriginNames[static_cast<std::size_t>(row.origin)]},
                {kClassProblem, soundText(row.problem)},
                {kClassRemarks, soundTexts(row.remarks)},
                {kClassScheme, work.scheme},
@@ -156,7 +155,7 @@ ReportedWork workFrom(const Json& json, std::vector<Error>& damage) {
   SubmissionRow& row = work.row;
   row.file = std::filesystem::path(work.path).filename().string();
   row.attempt = attemptFrom(JsonFieldReader(json).member(kClassAttempt), damage);
-  row.origin = static_cast<WorkOrigin>(classWordAt(kOriginWords, stringAt(json, kClassOrigin), 0));
+  row.origin = static_cast<WorkOrigin>(classWordAt(kOriginNames, stringAt(json, kClassOrigin), 0));
   if (const Json& tries = JsonFieldReader(json).member(kClassTries); tries.is_number_unsigned())
     row.tries = tries.get<std::size_t>();
   row.problem = classTextIn(json, kClassProblem);

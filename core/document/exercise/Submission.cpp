@@ -56,11 +56,14 @@ Result<SubmissionRow> markSubmission(const ExerciseSnapshot& scheme, const Exerc
     row.remarks.emplace_back("It was done by another version of the exercise: its sizes or its stock are not these.");
   row.origin = scheme.subject->originOf(*submission.work);
   row.tries = scheme.subject->triesOf(*submission.work);
-  const bool isByProgram = row.origin == WorkOrigin::Program || row.origin == WorkOrigin::Both;
-  if (isByProgram && !scheme.subject->areProgramsAllowed(*scheme.task))
-    row.remarks.emplace_back(row.origin == WorkOrigin::Both
-                                 ? "Part of it was cut by a program, which this exercise does not allow."
-                                 : "It was cut by a program, which this exercise does not allow.");
+  if (includes(row.origin, WorkOrigin::Program) && !scheme.subject->areProgramsAllowed(*scheme.task))
+    row.remarks.emplace_back(row.origin == WorkOrigin::Program
+                                 ? "It was cut by a program, which this exercise does not allow."
+                                 : "Part of it was cut by a program, which this exercise does not allow.");
+  if (includes(row.origin, WorkOrigin::Command) && !scheme.subject->areCommandsAllowed(*scheme.task))
+    row.remarks.emplace_back(row.origin == WorkOrigin::Command
+                                 ? "It was made by a command, which this exercise does not allow."
+                                 : "Part of it was made by a command, which this exercise does not allow.");
   row.marking = markWork(scheme, *submission.work, row.attempt, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return row;

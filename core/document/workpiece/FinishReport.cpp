@@ -3,6 +3,7 @@
 #include "document/workpiece/FinishReport.h"
 
 #include "base/NumberText.h"
+#include "machining/finish/FaceFinish.h"
 #include "machining/finish/FinishReading.h"
 #include "machining/measure/RoughnessGrade.h"
 
@@ -17,31 +18,53 @@ nlohmann::json finiteOrNull(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
-std::string stretchText(const FinishInterval& stretch, const std::string& grade) {
-  const double ra = stretch.reading.roughness;
+std::string roughnessText(double ra, const std::string& grade) {
   return "Ra " + (std::isfinite(ra) ? roundedText(ra, 3) + " µm" : std::string("not known")) +
-         (grade.empty() ? "" : " (" + grade + ")") + ", Z " + shownText(stretch.from) + " to " + shownText(stretch.to);
+         (grade.empty() ? "" : " (" + grade + ")");
 }
 
-nlohmann::json stretchJson(const TurnedPart& part, const FinishInterval& stretch) {
-  const std::string grade = roughnessGrade(stretch.reading.roughness);
-  nlohmann::json json = {{"from", stretch.from},
-                         {"to", stretch.to},
-                         {"roughness_um", finiteOrNull(stretch.reading.roughness)},
-                         {"largest_um", finiteOrNull(stretch.reading.largest)},
+// Returns what a surface of this roughness and the pass that made it have in common.
+nlohmann::json surfaceJson(const TurnedPart& part, double roughness, std::uint32_t number, double feed) {
+  const std::string grade = roughnessGrade(roughness);
+  nlohmann::json json = {{"roughness_um", finiteOrNull(roughness)},
                          {"grade", nullptr},
-                         {"pass", std::uint64_t{stretch.pass} + 1},
+                         {"pass", std::uint64_t{number} + 1},
                          {"tool", nullptr},
                          {"kind", nullptr},
                          {"nose_radius", nullptr},
-                         {"feed", finiteOrNull(stretch.feed)},
-                         {"text", stretchText(stretch, grade)}};
+                         {"feed", finiteOrNull(feed)}};
   if (!grade.empty()) json["grade"] = grade;
-  if (stretch.pass >= part.passes.size()) return json;
-  const TurningPass& pass = *part.passes[stretch.pass];
+  if (number >= part.passes.size()) return json;
+  const TurningPass& pass = *part.passes[number];
   json["nose_radius"] = pass.tool ? pass.tool->noseRadius : pass.noseRadius;
   if (pass.tool) json["tool"] = pass.tool->id, json["kind"] = idOf(pass.tool->kind);
   return json;
+}
+
+nlohmann::json stretchJson(const TurnedPart& part, const FinishInterval& stretch) {
+  const double ra = stretch.reading.roughness;
+  nlohmann::json json = surfaceJson(part, ra, stretch.pass, stretch.feed);
+  json["from"] = stretch.from;
+  json["to"] = stretch.to;
+  json["largest_um"] = finiteOrNull(stretch.reading.largest);
+  json["text"] =
+      roughnessText(ra, roughnessGrade(ra)) + ", Z " + shownText(stretch.from) + " to " + shownText(stretch.to);
+  return json;
+}
+
+nlohmann::json facesJson(const TurnedPart& part) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const FaceFinish& face : faceFinish(part.section(), part.passes)) {
+    if (all.size() == kMostStretches) break;
+    nlohmann::json json = surfaceJson(part, face.roughness, face.pass, face.feed);
+    json["z"] = face.height;
+    json["inner_radius"] = face.inner;
+    json["outer_radius"] = face.outer;
+    json["text"] = roughnessText(face.roughness, roughnessGrade(face.roughness)) + ", face at Z " +
+                   shownText(face.height) + ", Ø" + shownText(2.0 * face.inner) + " to Ø" + shownText(2.0 * face.outer);
+    all.push_back(std::move(json));
+  }
+  return all;
 }
 
 nlohmann::json sideJson(const TurnedPart& part, TurningSide side) {
@@ -56,7 +79,9 @@ nlohmann::json sideJson(const TurnedPart& part, TurningSide side) {
 }  // namespace
 
 nlohmann::json finishJson(const TurnedPart& part) {
-  return {{"outside", sideJson(part, TurningSide::Outside)}, {"bore", sideJson(part, TurningSide::Bore)}};
+  return {{"outside", sideJson(part, TurningSide::Outside)},
+          {"bore", sideJson(part, TurningSide::Bore)},
+          {"faces", facesJson(part)}};
 }
 
 }  // namespace handwheel

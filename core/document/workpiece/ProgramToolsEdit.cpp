@@ -17,4 +17,11 @@ std::size_t ProgramToolsEdit::bytes() const {
   return sizeof *this + (m_tools ? m_tools->size() * sizeof(ProgramTools::value_type) : 0);
 }
 
+void ProgramPostEdit::exchange(Document& document) {
+  auto& owner = static_cast<WorkpieceDocument&>(document);
+  WorkpieceSnapshot workpiece = owner.workpiece();
+  std::swap(workpiece.programPost, m_post);
+  owner.set(std::move(workpiece));
+}
+
 }  // namespace handwheel

@@ -19,4 +19,16 @@ class ProgramToolsEdit : public Edit {
   std::shared_ptr<const ProgramTools> m_tools;
 };
 
+// An edit that replaces the tool post of the machine for programs of a workpiece.
+class ProgramPostEdit : public Edit {
+ public:
+  explicit ProgramPostEdit(const ProgramPost& post) : m_post(post) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override { return sizeof *this; }
+
+ private:
+  ProgramPost m_post;
+};
+
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kVersions = 100;  // kept of a path
+constexpr std::size_t kVersions = 400;  // kept of a path
 constexpr std::size_t kLook = 16;       // moves between two looks at the cancel flag
 
 // Returns the collision in the form that the manual lathe records.
@@ -32,9 +32,6 @@ LatheCollision crashOf(const ProgramCollision& collision) {
     case ProgramCollision::Kind::SpindleAtRest:
       crash.cause = CrashCause::SpindleAtRest;
       break;
-    case ProgramCollision::Kind::SpindleReversed:
-      crash.cause = CrashCause::Reversed;
-      break;
     case ProgramCollision::Kind::Contact:
       crash.moving = collision.moving;
       crash.struck = collision.struck;
@@ -51,6 +48,7 @@ ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTool
   ProgramSetup setup = usualSetup(dialect, workpiece.stock, lathe.chuck.grip, nose, programAllowance(workpiece));
   const bool drills = lathe.tailstock.fitting == LatheFitting::Drill;
   setup.lathe = ProgramLathe{lathe.chuck, lathe.tailstock, drills ? toolNamed(tools, lathe.tailstock.drill) : nullptr};
+  setup.post = workpiece.programPost;
   if (workpiece.programTools) setup.tools = inDialect(*workpiece.programTools, ProgramDialect::LinuxCnc, dialect);
   return setup;
 }
@@ -72,6 +70,7 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   const std::size_t stride = moves / kVersions + 1;
   ProgramState state;
   state.threads = before.threads();
+  state.passes = before.passes.size();
   ProgramSimulation simulation(before.profile, m_path, m_setup, model, state);
   m_versions.push_back({0, before.profile, state});
   m_before = before.passes.size();
@@ -89,16 +88,18 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   m_collisionCount = simulation.collisionCount();
   std::vector<TurningPass> passes = simulation.takePasses();
   if (passes.empty()) return true;
-  m_removed = before.profile.volume() - simulation.part().volume();
+  const double volumeBefore = before.volume();
   TurningPasses all = before.passes;
   FinishMeter meter(before.profile, before.finish);
   for (TurningPass& pass : passes) {
     if (progress.cancelled()) return false;
-    cut(before.profile, pass, static_cast<std::uint32_t>(all.size()), meter);
-    all.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+    const auto shared = std::make_shared<const TurningPass>(std::move(pass));
+    cut(before.profile, shared, static_cast<std::uint32_t>(all.size()), meter);
+    all.push_back(shared);
   }
-  TurnedPart part = TurnedPart::of(simulation.part(), std::move(all), workpiece.chord);
+  TurnedPart part = TurnedPart::of(before.profile, std::move(all), workpiece.chord);
   part.finish = meter.finish();
+  m_removed = volumeBefore - part.volume();
   m_part = std::make_shared<const TurnedPart>(std::move(part));
   return true;
 }
@@ -112,7 +113,7 @@ std::vector<LatheCollision> ProgramTrial::crashes() const {
   return crashes;
 }
 
-std::optional<TurnedProfile> ProgramTrial::profileAt(const ProgramPosition& position, Progress progress) const {
+std::optional<ProgramTrial::Moment> ProgramTrial::at(const ProgramPosition& position, Progress progress) const {
   const auto later = std::upper_bound(m_versions.begin(), m_versions.end(), position.done,
                                       [](std::size_t done, const Version& version) { return done < version.done; });
   const Version& version = *std::prev(later);
@@ -128,7 +129,7 @@ std::optional<TurnedProfile> ProgramTrial::profileAt(const ProgramPosition& posi
   while (simulation.step()) {
     if (progress.cancelled()) return std::nullopt;
   }
-  return simulation.part();
+  return Moment{simulation.part(), simulation.state().threads};
 }
 
 }  // namespace handwheel

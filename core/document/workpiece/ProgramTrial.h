@@ -43,9 +43,14 @@ class ProgramTrial {
   const ForcePeaks& peaks() const { return m_peaks; }
   double removed() const { return m_removed; }  // mm³
 
-  // Returns the part at a position on the path. It is simulated from the nearest stored version, which costs a
-  // hundredth of the whole run. Returns nothing if cancelled.
-  std::optional<TurnedProfile> profileAt(const ProgramPosition& position, Progress progress = {}) const;
+  // The part at a position on the path.
+  struct Moment {
+    TurnedProfile profile;
+    std::shared_ptr<const PartThreads> threads;  // null: none
+  };
+  // Returns the part at a position. It is simulated from the nearest stored version, which costs a hundredth of the
+  // whole run. Returns nothing if cancelled.
+  std::optional<Moment> at(const ProgramPosition& position, Progress progress = {}) const;
 
  private:
   ProgramTrial(ToolPath path, ProgramSetup setup)

@@ -4,7 +4,9 @@
 
 #include "document/workpiece/LatheSetupEdit.h"
 #include "machining/force/CutWarnings.h"
+#include "machining/force/CuttingFeel.h"
 #include "machining/force/KienzleModel.h"
+#include "machining/lathe/LatheMaterial.h"
 #include "machining/measure/CrashTimes.h"
 #include "machining/target/TargetDeviation.h"
 
@@ -19,13 +21,19 @@ constexpr int kDeviations = 60;  // moments at which the deviation is measured
 
 }  // namespace
 
-std::vector<CutLoad> cutLoads(const TurningReview& review, const WorkMaterial& material) {
-  const auto model = kienzleModel(material, CuttingEdge());
+std::vector<CutLoad> cutLoads(const TurningReview& review, TurningReview::Passes passes, const WorkMaterial& material,
+                              double wear) {
   std::vector<CutLoad> loads;
+  std::unique_ptr<CuttingForceModel> model;
+  CuttingEdge edge;  // the edge of the model
   for (const CutMoment& moment : review.moments()) {
-    const CutForces forces = model->at({moment.depth, moment.chip, moment.speed});
+    const TurningPass& pass = *passes[moment.pass];
+    if (pass.tool && pass.tool->isAbrasive()) continue;
+    if (!model || edge != edgeOf(pass)) model = kienzleModel(material, edge = edgeOf(pass));
+    const CutConditions cut{moment.depth, moment.chip, moment.speed};
+    const CutForces forces = worn(moment.isDrilling ? model->onDrill(cut) : model->at(cut), wear);
     const CutConditions asked{moment.depth, moment.chip, moment.asked};
-    loads.push_back({moment.time, forces.cutting, motorPower(cuttingPower(forces, asked), SpindleDrive().efficiency)});
+    loads.push_back({moment.time, forces.norm(), motorPower(cuttingPower(forces, asked), SpindleDrive().efficiency)});
   }
   return loads;
 }
@@ -57,7 +65,7 @@ std::optional<ReplayCurves> replayCurves(const WorkpieceSnapshot& workpiece, Pro
   reviewed.spindleSpeed = lathe.spindle.speed;
   const auto review = TurningReview::make(bar, passes, reviewed, progress.part(0.3, 0.7));
   const WorkMaterials& materials = WorkMaterials::standard();
-  if (review) track.loads = cutLoads(*review, materials.called(workpiece.material));
+  if (review) track.loads = cutLoads(*review, passes, materials.called(workpiece.material), lathe.wear);
   if (workpiece.target) {
     const TargetProfile& target = workpiece.target->profile;
     const double base = workpiece.stock.position;

@@ -12,16 +12,19 @@
 
 namespace handwheel {
 
-// Force and power of a cut by Kienzle's law, with a sharp edge. The constants of this law differ by a quarter between
-// sources. The power is that of the motor at the set speed, like the power limit of a lathe; an overloaded motor slows
-// down and gives less than the cut needs.
+// Force and power of a cut by Kienzle's law, with the edge of its tool. The constants of this law differ by a quarter
+// between sources. The force is the resultant of the three components, as the panel of the manual lathe shows it and
+// `turn` reports it. The power is that of the motor at the set speed, like the power limit of a lathe; an overloaded
+// motor slows down and gives less than the cut needs.
 struct CutLoad {
   double time = 0.0;   // s, as in TurningReview
-  double force = 0.0;  // N
-  double power = 0.0;  // kW
+  double force = 0.0;  // N, resultant
+  double power = 0.0;  // kW, at the motor
 };
-// Returns the loads at each moment of a review.
-std::vector<CutLoad> cutLoads(const TurningReview& review, const WorkMaterial& material);
+// Returns the loads at each moment of a review of passes. What is abrasive cuts no chip and has no load. wear: flank
+// wear of the tools, mm.
+std::vector<CutLoad> cutLoads(const TurningReview& review, TurningReview::Passes passes, const WorkMaterial& material,
+                              double wear = 0.0);
 
 // The deviation of a part from its target over the time in which the part is made, mm.
 struct DeviationTrack {

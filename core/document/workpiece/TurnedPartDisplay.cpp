@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/TurnedPartDisplay.h"
 
-#include "machining/EndPiece.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,7 +82,7 @@ void showFinish(DisplayModel& model, const TurnedProfile& profile, const Surface
 }
 
 PartedBlock showPartedOff(DisplayModel& model, const TurnedProfile& profile, PartedBlock before) {
-  const std::vector<TurnedProfile::Range> pieces = piecesOf(profile);
+  const std::vector<TurnedProfile::Range> pieces = profile.pieces();
   if (pieces.size() < 2) return {};
   constexpr std::size_t kBlock = TurnedSurface::kBlockSamples;
   const std::size_t end = pieces.front().last;  // the first sample that has nothing

@@ -64,11 +64,12 @@ std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, T
   if (pass.thread) return withThread(std::move(part), std::move(pass));
   FinishMeter meter(part.profile, part.finish);
   const auto number = static_cast<std::uint32_t>(part.passes.size());
-  const TurnedProfile::Range changed = cut(part.profile, pass, number, meter, progress);
+  const auto shared = std::make_shared<const TurningPass>(std::move(pass));
+  const TurnedProfile::Range changed = cut(part.profile, shared, number, meter, progress);
   if (progress.cancelled()) return nullptr;
   part.finish = meter.finish();
   part.surface.update(part.profile, changed);
-  if (!changed.isEmpty()) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  if (!changed.isEmpty()) part.passes.push_back(shared);
   return std::make_shared<const TurnedPart>(std::move(part));
 }
 
@@ -80,12 +81,12 @@ std::shared_ptr<const TurnedPart> withPasses(const WorkpieceSnapshot& workpiece,
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const auto number = static_cast<std::uint32_t>(part.passes.size());
     const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(passes.size()); };
-    const bool isCut =
-        passes[i].thread
-            ? cutsThread(part.profile, passes[i])
-            : !cut(part.profile, passes[i], number, meter, progress.part(share(i), share(i + 1))).isEmpty();
+    const auto pass = std::make_shared<const TurningPass>(std::move(passes[i]));
+    const bool isCut = pass->thread
+                           ? cutsThread(part.profile, *pass)
+                           : !cut(part.profile, pass, number, meter, progress.part(share(i), share(i + 1))).isEmpty();
     if (progress.cancelled()) return nullptr;
-    if (isCut) part.passes.push_back(std::make_shared<const TurningPass>(std::move(passes[i])));
+    if (isCut) part.passes.push_back(pass);
   }
   TurnedPart made = TurnedPart::of(std::move(part.profile), std::move(part.passes), workpiece.chord);
   made.finish = meter.finish();

@@ -33,6 +33,7 @@ class WorkpieceDocument : public Document {
   friend class TargetEdit;
   friend class TurnedPartEdit;
   friend class LatheSetupEdit;
+  friend class ProgramPostEdit;
   friend class ProgramToolsEdit;
   void set(WorkpieceSnapshot workpiece);
 

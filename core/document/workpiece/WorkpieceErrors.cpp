@@ -26,7 +26,8 @@ const ErrorDescription WorkpieceError::NoPasses{
 
 const ErrorDescription WorkpieceError::OtherTools{
     .id = "OtherTools",
-    .sentences = {translatable("ErrorText", "pass %1 was made with a file, paper or a disk, or is a thread in a bore")},
+    .sentences = {translatable(
+        "ErrorText", "all passes were made with a file, paper or a disk, or are threads that no program can cut")},
     .advice = {translatable("ErrorText", "Write passes of tools that turn, bore or drill.")}};
 
 }  // namespace handwheel

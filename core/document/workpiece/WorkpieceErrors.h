@@ -12,6 +12,6 @@ extern const ErrorDescription BarOfExercise;  // the bar is work on an exercise,
 extern const ErrorDescription ClosedHollow;   // {hollows}: the format cannot store a solid with closed hollows
 
 extern const ErrorDescription NoPasses;    // no pass can be written as a program
-extern const ErrorDescription OtherTools;  // {pass}: the pass was made with a tool that no program can use
+extern const ErrorDescription OtherTools;  // all passes were made with tools that no program can use
 
 }  // namespace handwheel::WorkpieceError

@@ -6,17 +6,16 @@
 #include "document/formats/MeshExport.h"
 #include "document/workpiece/FinishReport.h"
 #include "document/workpiece/ThreadReport.h"
-#include "document/workpiece/TurnedPartBlobs.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceFromDrawing.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "document/workpiece/WorkpieceShape.h"
+#include "document/workpiece/blobs/TurnedPartBlobs.h"
 #include "document/workpiece/target/DrawingExport.h"
 #include "document/workpiece/target/TargetBlobs.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetReport.h"
-#include "machining/EndPiece.h"
 #include "machining/drawing/DrawnThreads.h"
 #include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
@@ -33,7 +32,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kProgramTools = "program_tools";
+constexpr const char *kProgramTools = "program_tools", *kProgramPost = "program_post";
 
 const WorkpieceSnapshot& workpieceOf(const Snapshot& content) {
   return static_cast<const WorkpieceSnapshot&>(content);
@@ -140,6 +139,8 @@ void WorkpieceKind::save(const Snapshot& content, Container& container) const {
   writeTarget(workpieceOf(content), container);
   if (const auto& lathe = workpieceOf(content).lathe) document["lathe"] = toJson(*lathe);
   if (const auto& tools = workpieceOf(content).programTools) document[kProgramTools] = toJson(*tools);
+  if (const ProgramPost& post = workpieceOf(content).programPost; post != ProgramPost())
+    document[kProgramPost] = toJson(post);
   if (const auto& crashes = workpieceOf(content).crashes) document["crashes"] = crashesToJson(*crashes);
 }
 
@@ -171,6 +172,7 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
   if (ProgramTools tools = programToolsFrom(found->value(kProgramTools, nlohmann::json()), shippedLatheTools(), damage);
       !tools.empty())
     workpiece.programTools = std::make_shared<const ProgramTools>(std::move(tools));
+  workpiece.programPost = programPostFrom(found->value(kProgramPost, nlohmann::json()), damage);
   auto part = readTurnedPart(*found, workpiece, container, damage, progress);
   if (!part) return part.error();
   workpiece.part = std::move(part.value());
@@ -200,6 +202,7 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
   if (const Result<TargetProfile> section = sectionOf(workpiece))
     described["dimensions"] = dimensionsJson(*section, workpiece.chord);
   if (workpiece.programTools) described[kProgramTools] = toJson(*workpiece.programTools);
+  if (workpiece.programPost != ProgramPost()) described[kProgramPost] = toJson(workpiece.programPost);
   if (workpiece.target) {
     described["target"] = {{"source", workpiece.target->source},
                            {"volume", workpiece.target->profile.volume()},
@@ -213,9 +216,10 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
     described["spacing"] = part.profile.spacing();
     described["bored"] = part.profile.isBored();
     if (part.threads()) described["threads"] = threadsJson(part);
-    described["pieces"] = part.profile.pieces();
-    if (const auto piece = endPieceOf(part.profile))
-      described["end_piece"] = {{"length", piece->length()}, {"volume", part.volumeOf(*piece)}};
+    const std::vector<TurnedSection> pieces = part.section().pieces();
+    described["pieces"] = pieces.size();
+    if (pieces.size() > 1)
+      described["end_piece"] = {{"length", pieces.back().box().sizes().y()}, {"volume", part.volumeOf(pieces.back())}};
     described["finish"] = finishJson(part);
     return described;
   }

@@ -4,7 +4,6 @@
 
 #include "document/Utf8.h"
 #include "document/workpiece/target/TargetPosition.h"
-#include "machining/EndPiece.h"
 #include "machining/force/WorkMaterials.h"
 
 #include <QCoreApplication>
@@ -162,15 +161,15 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
       all.push_back(std::move(each));
   const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
-  const auto pieces = workpiece.part ? piecesOf(workpiece.part->profile) : std::vector<TurnedProfile::Range>();
+  const auto pieces = workpiece.part ? workpiece.part->section().pieces() : std::vector<TurnedSection>();
   if (pieces.size() > 1) {
     const TurnedPart& part = *workpiece.part;
-    const EndPiece piece = pieceAlone(part.profile, pieces.back());
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume that stays in the chuck (mm³)"),
-                           part.volumeOf(pieceAlone(part.profile, pieces.front()))));
-    all.push_back(
-        computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"), part.volumeOf(piece)));
-    all.push_back(computed("parted_length", QT_TRANSLATE_NOOP("Property", "Length parted off (mm)"), piece.length()));
+                           part.volumeOf(pieces.front())));
+    all.push_back(computed("parted_volume", QT_TRANSLATE_NOOP("Property", "Volume parted off (mm³)"),
+                           part.volumeOf(pieces.back())));
+    all.push_back(computed("parted_length", QT_TRANSLATE_NOOP("Property", "Length parted off (mm)"),
+                           pieces.back().box().sizes().y()));
   } else {
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));
   }

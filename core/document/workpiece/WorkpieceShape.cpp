@@ -5,7 +5,7 @@
 #include "base/Tolerance.h"
 #include "document/DocumentErrors.h"
 #include "document/workpiece/WorkpieceErrors.h"
-#include "machining/EndPiece.h"
+#include "machining/section/SectionOutline.h"
 #include "nurbs/StepWriter.h"
 #include "nurbs/Tessellation.h"
 
@@ -45,9 +45,8 @@ Result<std::vector<TurnedCurves>> curvesWithin(const WorkpieceSnapshot& workpiec
     all.push_back({workpiece.stock.profile(), {}});
     return all;
   }
-  const TurnedProfile& profile = workpiece.part->profile;
-  for (const TurnedOutline& outline : outlinesOf(profile)) {
-    Result<TurnedCurves> curves = curvesOf(outline, chord, profile.spacing(), workpiece.stock.position);
+  for (const TurnedSection& piece : workpiece.part->section().pieces()) {
+    Result<TurnedCurves> curves = curvesOf(piece, chord, workpiece.stock.position);
     if (!curves) return curves.error();
     all.push_back(std::move(curves).value());
   }
@@ -55,14 +54,13 @@ Result<std::vector<TurnedCurves>> curvesWithin(const WorkpieceSnapshot& workpiec
   return all;
 }
 
-// Returns the curve of the piece at the free end. If none is good enough, the best one is returned: walls between two
-// samples are at neither, and the library is slow on solids with many faces.
+// Returns the curve of the piece at the free end. If none is good enough, the best one is returned: the library is slow
+// on solids with many faces.
 Result<ProfileCurve> solidCurve(const WorkpieceSnapshot& workpiece) {
   constexpr double kVolume = 5e-5;
   constexpr std::size_t kManyArcs = 5'000;
-  const auto piece = workpiece.part ? endPieceOf(workpiece.part->profile) : std::nullopt;
-  const double bar = workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
-  const double volume = piece ? piece->profile.volume() : bar;
+  const auto parts = workpiece.part ? workpiece.part->section().pieces() : std::vector<TurnedSection>();
+  const double volume = parts.empty() ? workpiece.stock.volume() : parts.back().volume();
   std::optional<ProfileCurve> best;
   double least = std::numeric_limits<double>::infinity();
   for (double chord = 0.5 * workpiece.chord; !(least <= kVolume); chord *= 0.25) {

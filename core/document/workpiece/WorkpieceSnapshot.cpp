@@ -10,16 +10,17 @@
 namespace handwheel {
 
 TurnedPart TurnedPart::of(TurnedProfile profile, TurningPasses passes, double chord) {
+  if (!profile.section()) profile.setSection(SectionSource::fitted(profile));
   TurnedSurface surface(profile, chord, PartThreads::of(passes));
   return {std::move(profile), std::move(surface), std::move(passes)};
 }
 
 double TurnedPart::volume() const {
-  return profile.volume() - (threads() ? threads()->volume(profile) : 0.0);
+  return volumeOf(section());
 }
 
-double TurnedPart::volumeOf(const EndPiece& piece) const {
-  return piece.profile.volume() - (threads() ? threads()->volume(piece.profile) : 0.0);
+double TurnedPart::volumeOf(const TurnedSection& piece) const {
+  return piece.volume() - (threads() ? threads()->volume(profile, piece.box().min().y(), piece.box().max().y()) : 0.0);
 }
 
 bool addCrashes(WorkpieceSnapshot& workpiece, std::span<const LatheCollision> crashes) {

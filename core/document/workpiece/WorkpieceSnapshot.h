@@ -4,13 +4,13 @@
 
 #include "document/Snapshot.h"
 #include "document/workpiece/StockMesh.h"
-#include "machining/EndPiece.h"
 #include "machining/TurnedSurface.h"
 #include "machining/TurningPasses.h"
 #include "machining/finish/SurfaceFinish.h"
 #include "machining/lathe/LatheCollisions.h"
 #include "machining/lathe/LatheSetup.h"
 #include "machining/program/ProgramSetup.h"
+#include "machining/section/SectionSource.h"
 #include "machining/target/TargetProfile.h"
 
 #include <span>
@@ -25,12 +25,16 @@ struct TurnedPart {
   TurningPasses passes;
   SurfaceFinish finish = SurfaceFinish();  // finish of the profile; without samples if unknown
 
-  // Makes the part with its triangles and threads. chord: the chord tolerance, mm.
+  // Makes the part with its triangles and threads. A profile without a section gets one that is fitted to its samples.
+  // chord: the chord tolerance, mm.
   static TurnedPart of(TurnedProfile profile, TurningPasses passes, double chord);
 
   const std::shared_ptr<const PartThreads>& threads() const { return surface.threads(); }  // null: none
-  double volume() const;                         // mm³, ignoring the grooves of threads; O(samples)
-  double volumeOf(const EndPiece& piece) const;  // mm³, volume of one piece, ignoring grooves
+  // Returns the exact half section, without the grooves of threads. The first call after a pass by hand computes it.
+  const TurnedSection& section() const { return profile.section()->section(); }
+  double volume() const;  // mm³, with the grooves of threads
+  // Returns the volume of one piece of section().pieces(), with the grooves of threads; mm³.
+  double volumeOf(const TurnedSection& piece) const;
 };
 
 // The target shape of a part. It consists of the profile in the coordinates of the document, and the name of its
@@ -57,6 +61,7 @@ struct WorkpieceSnapshot : Snapshot {
   // The tool table of programs, with the tool numbers of LinuxCNC. Null: every tool is the standard tool of
   // usualSetup().
   std::shared_ptr<const ProgramTools> programTools;
+  ProgramPost programPost;  // tool post of the machine that programs are for
   // Crashes of the manual lathe and of programs that cut the part, in order, at most LatheRun::kMostCollisions. Undo of
   // a cut does not remove its crash. Null: there are no crashes.
   std::shared_ptr<const std::vector<LatheCollision>> crashes;

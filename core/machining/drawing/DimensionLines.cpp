@@ -56,6 +56,7 @@ void DimensionLines::add(const PartDimensions& dimensions) {
   std::vector<double> inner = dimensions.innerHeights;
   if (!inner.empty()) inner.push_back(m_part.upperEnd());
   addNotes(std::move(notes), addLengths(std::move(inner), {}, true, top));
+  clearLengthTexts();
 }
 
 void DimensionLines::addDiameters(const PartDimensions& dimensions, Notes& notes) {
@@ -112,7 +113,10 @@ void DimensionLines::addLength(const PartDimensions::Length& length, double y, b
   m_sheet.line({a - outside, y}, {b + outside + (hasRoom ? 0.0 : width + 2.0 * kTextGap), y});
   m_sheet.arrow({a, y}, isInside ? ProfilePoint(-kRight) : kRight);
   m_sheet.arrow({b, y}, isInside ? kRight : ProfilePoint(-kRight));
-  if (hasRoom) return m_sheet.text({0.5 * (a + b), y + kTextGap}, length.text);
+  if (hasRoom) {
+    if (isAbove) m_lengthTexts.push_back({m_sheet.texts.size(), a, b});
+    return m_sheet.text({0.5 * (a + b), y + kTextGap}, length.text);
+  }
   m_sheet.text({b + outside + kTextGap, y + kTextGap}, length.text, Sheet::Align::Left);
 }
 
@@ -164,19 +168,43 @@ double DimensionLines::addRunning(const std::vector<double>& heights, bool isAbo
   return start + out * (kKink + longest + kRow);
 }
 
-// Leaders from the surface above the axis, outwards. From right to left, each in the lowest row that is free: so no
-// leader crosses the text of another one.
+// Leaders from the surface above the axis, outwards. From right to left, each in the lowest row where its text ends
+// before the leaders and texts of the others: so no leader crosses a text.
 void DimensionLines::addNotes(Notes notes, double first) {
   std::stable_sort(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.at.y() > b.at.y(); });
-  std::vector<double> rowStarts;  // x from which each row is taken
   for (const PartDimensions::Note& note : notes) {
-    const double x = m_layout.at(note.at).x() + kLeader;
+    const ProfilePoint tip = m_layout.at(note.at);
+    const double x = tip.x() + kLeader;
     const double width = widthOf(note.text, kText) + (note.isRoughness ? kSign : 0.0) + 2.0 * kTextGap;
-    std::size_t row = 0;
-    while (row < rowStarts.size() && x + width + kTextGap > rowStarts[row]) ++row;
-    if (row == rowStarts.size()) rowStarts.push_back(0.0);
-    rowStarts[row] = x;
-    addNote(note, {x, first + kTextGap + kNoteRow * static_cast<double>(row)}, width);
+    double y = first + kTextGap;
+    const auto isFree = [&] {
+      return std::all_of(m_leaders.begin(), m_leaders.end(), [&](const Leader& other) {
+        return other.elbow.y() < y - 0.5 * kNoteRow || x + width + kTextGap <= other.at(y);
+      });
+    };
+    while (!isFree()) y += kNoteRow;
+    m_leaders.push_back({tip, {x, y}});
+    addNote(note, {x, y}, width);
+  }
+}
+
+// Moves the texts of lengths above the part along their lines to where no leader crosses them.
+void DimensionLines::clearLengthTexts() {
+  for (const LengthText& each : m_lengthTexts) {
+    Sheet::Text& text = m_sheet.texts[each.index];
+    const double half = 0.5 * widthOf(text.text, text.height) + kTextGap;
+    const auto isFree = [&](double x) {
+      return std::none_of(m_leaders.begin(), m_leaders.end(), [&](const Leader& leader) {
+        const double low = leader.at(text.at.y() - kTextGap), high = leader.at(text.at.y() + kText + kTextGap);
+        return std::min(low, high) < x + half && std::max(low, high) > x - half;
+      });
+    };
+    for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9, 0.0, 1.0}) {
+      const double x = each.low + half + share * (each.high - each.low - 2.0 * half);
+      if (!isFree(x)) continue;
+      text.at.x() = x;
+      break;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "machining/drawing/PartDrawing.h"
 #include "machining/target/ProfileFeatures.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,17 @@ class DimensionLines {
 
  private:
   using Notes = std::vector<PartDimensions::Note>;
+  struct Leader {
+    ProfilePoint tip, elbow;     // on the sheet; the elbow is above the tip
+    double at(double y) const {  // x at this height
+      const double share = elbow.y() > tip.y() ? (y - tip.y()) / (elbow.y() - tip.y()) : 1.0;
+      return tip.x() + std::clamp(share, 0.0, 1.0) * (elbow.x() - tip.x());
+    }
+  };
+  struct LengthText {
+    std::size_t index;  // in the texts of the sheet
+    double low, high;   // x of the ends of its line
+  };
 
   // Adds the diameters. Diameters without room in the view become notes.
   void addDiameters(const PartDimensions& dimensions, Notes& notes);
@@ -68,12 +80,15 @@ class DimensionLines {
   double addRunning(const std::vector<double>& heights, bool isAbove, double start);
   void extend(double z, double y, bool isAbove);
   void addNotes(Notes notes, double first);
+  void clearLengthTexts();
   void addNote(const PartDimensions::Note& note, const ProfilePoint& elbow, double width);
 
   Sheet& m_sheet;
   const DrawingLayout& m_layout;
   const TargetProfile& m_part;
   const DrawingTitle& m_title;
+  std::vector<Leader> m_leaders;
+  std::vector<LengthText> m_lengthTexts;  // above the part
 };
 
 // Returns the text of a size, with its tolerance if the title has one for this size and height. low, high: the z of its

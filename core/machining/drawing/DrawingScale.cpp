@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -26,6 +27,15 @@ std::string fitted(const std::string& text, double height, double room) {
     if (!cut.empty()) cut.pop_back();
   }
   return cut + "…";
+}
+
+// Returns a text in two lines that are no longer than the room, split at a blank if there is one.
+std::pair<std::string, std::string> twoLines(const std::string& text, double height, double room) {
+  std::size_t split = std::string::npos;
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1))
+    if (widthOf(text.substr(0, at), height) <= room) split = at;
+  if (split == std::string::npos) return {fitted(text, height, room), {}};
+  return {text.substr(0, split), fitted(text.substr(split + 1), height, room)};
 }
 
 void rectangle(Sheet& sheet, const ProfilePoint& low, const ProfilePoint& high, Sheet::Line kind) {
@@ -86,11 +96,15 @@ void addTitleBlock(Sheet& sheet, const std::string& name, const std::string& mat
   sheet.line({left, middle}, {columns[3], middle});
   for (const double x : columns) sheet.line({x, bottom}, {x, bottom + kTitleHeight});
 
-  constexpr double kSmallest = 2.5;  // mm, height of a text that is too long
+  constexpr double kSmaller = 3.5, kSmallest = 2.5;  // mm, heights of texts that are too long
   const auto field = [&](double x, double y, const char* label, const std::string& value, double room, double size) {
     sheet.text({x + 1.5, y + 8.8}, label, Align::Left, 1.8);
-    const double shown = widthOf(value, size) <= room - 3.0 ? size : kSmallest;
-    sheet.text({x + 1.5, y + 2.5}, fitted(value, shown, room - 3.0), Align::Left, shown);
+    const double width = room - 3.0;
+    for (const double height : {size, std::min(size, kSmaller), kSmallest})
+      if (widthOf(value, height) <= width) return sheet.text({x + 1.5, y + 2.5}, value, Align::Left, height);
+    const auto [first, second] = twoLines(value, kSmallest, width);
+    sheet.text({x + 1.5, y + 4.9}, first, Align::Left, kSmallest);
+    if (!second.empty()) sheet.text({x + 1.5, y + 1.3}, second, Align::Left, kSmallest);
   };
   field(left, middle, "Name", name, 80.0, 5.0);
   field(left, bottom, "Material", material, 80.0, 3.5);

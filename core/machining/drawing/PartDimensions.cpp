@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/drawing/Dimensions.h"
+#include "machining/drawing/DrawnOutline.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/target/files/DrawingWriter.h"
 
@@ -12,40 +13,12 @@ namespace handwheel {
 namespace {
 
 constexpr double kSameSize = 0.005;           // mm; sizes that a drawing shows as equal
-constexpr double kLargestChamfer = 5.0;       // mm
 constexpr double kTolerancedDistance = 0.51;  // mm; distance within which a surface has a tolerance
-
-bool isChamfer(const ProfileFeature& f) {
-  return f.kind == ProfileFeature::Kind::Taper && std::abs(f.value - M_PI / 4) < 0.01 && f.length() < kLargestChamfer;
-}
 
 void addHeight(std::vector<double>& heights, double z, double least) {
   for (const double known : heights)
     if (std::abs(known - z) < std::max(kSameSize, least)) return;
   heights.push_back(z);
-}
-
-// Adds the heights that a fillet or chamfer does not blur: flat faces, and the joints of cylinders and tapers. Faces
-// come first, since nearly equal heights count as one.
-void addHeights(const std::vector<ProfileFeature>& features, bool isInner, double least, std::vector<double>& heights) {
-  const auto isSmall = [](const ProfileFeature& f) {
-    return isChamfer(f) || (f.kind == ProfileFeature::Kind::Arc && f.value < kLargestChamfer);
-  };
-  const auto isOf = [&](std::size_t k, bool side) {
-    return k < features.size() && features[k].kind != ProfileFeature::Kind::FlatFace && features[k].isInner == side;
-  };
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const bool isFace = features[i].kind == ProfileFeature::Kind::FlatFace;
-    if (isFace && (isOf(i - 1, isInner) || isOf(i + 1, isInner))) addHeight(heights, features[i].low.y(), least);
-  }
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const ProfileFeature& f = features[i];
-    if (f.kind == ProfileFeature::Kind::FlatFace || f.isInner != isInner || isSmall(f)) continue;
-    const auto isBlurred = [&](std::size_t k) { return k < features.size() && isSmall(features[k]); };
-    const bool isUp = !f.isInner;
-    if (!isBlurred(isUp ? i - 1 : i + 1)) addHeight(heights, f.low.y(), least);
-    if (!isBlurred(isUp ? i + 1 : i - 1)) addHeight(heights, f.high.y(), least);
-  }
 }
 
 // Returns true if a side leans by less than 3°, and by no more than twice the least drawn size.
@@ -68,7 +41,10 @@ ProfileFeature straightened(ProfileFeature f, double least) {
   if (isSteep || leansLittle(along.y(), along.x(), least)) {
     f.kind = ProfileFeature::Kind::FlatFace;
     f.isInner = false;
-    if (f.low.x() > f.high.x()) std::swap(f.low, f.high);  // nearer to the axis
+    if (f.low.x() > f.high.x()) {  // `low` is nearer to the axis
+      std::swap(f.low, f.high);
+      f.isDownwards = !f.isDownwards;
+    }
   } else if (std::abs(along.x()) <= 0.5 * least || leansLittle(along.x(), along.y(), 0.5 * least)) {
     f.kind = ProfileFeature::Kind::Cylinder;
     f.value = f.low.x() + f.high.x();
@@ -95,6 +71,13 @@ ProfilePoint middleOf(const ProfileFeature& f) {
   return f.centre + f.value * out;
 }
 
+// Returns a point halfway between the middle and the upper end of a feature.
+ProfilePoint besideMiddle(const ProfileFeature& f) {
+  const ProfilePoint between = 0.5 * (middleOf(f) + f.high);
+  return f.kind == ProfileFeature::Kind::Arc ? ProfilePoint(f.centre + f.value * (between - f.centre).normalized())
+                                             : between;
+}
+
 // Returns the thread whose crest has this diameter.
 const DrawnThread* threadOn(const DrawingTitle& title, const ProfileFeature& f) {
   for (const DrawnThread& t : title.threads) {
@@ -105,29 +88,54 @@ const DrawnThread* threadOn(const DrawingTitle& title, const ProfileFeature& f) 
   return nullptr;
 }
 
-void addDiameters(const std::vector<ProfileFeature>& features, const DrawingTitle& title, PartDimensions& all) {
-  for (const ProfileFeature& f : features) {
+// Returns true if two cylinders of one diameter are one that a groove interrupts. It is no longer than either of them.
+bool areOne(const std::vector<ProfileFeature>& features, const ProfileFeature& a, const PartDimensions::Diameter& b) {
+  const double from = std::min(a.high.y(), b.high), to = std::max(a.low.y(), b.low);
+  if (a.isInner != b.isInner || std::abs(a.value - b.value) > kSameSize || to < from ||
+      to - from > std::min(a.length(), b.high - b.low))
+    return false;
+  return std::all_of(features.begin(), features.end(), [&](const ProfileFeature& f) {
+    const bool isBetween = f.isInner == a.isInner && f.kind != ProfileFeature::Kind::FlatFace &&
+                           f.low.y() >= from - kSameSize && f.high.y() <= to + kSameSize;
+    const double r = 0.5 * a.value, middle = middleOf(f).x();
+    return !isBetween || (a.isInner ? std::min({f.low.x(), f.high.x(), middle}) > r - kSameSize
+                                    : std::max({f.low.x(), f.high.x(), middle}) < r + kSameSize);
+  });
+}
+
+// isSmoothed: leaves out the ends of arcs, which are the marks of a hand.
+void addDiameters(const DrawnOutline& outline, const DrawingTitle& title, bool isSmoothed, PartDimensions& all) {
+  for (const ProfileFeature& f : outline.features()) {
     if (f.kind != ProfileFeature::Kind::Cylinder) continue;
     const auto of = f.isInner ? DrawnTolerance::Of::Bore : DrawnTolerance::Of::Diameter;
     const DrawnThread* const thread = threadOn(title, f);
-    all.diameters.push_back(
-        {f.value, f.low.y(), f.high.y(), f.isInner,
-         thread ? thread->designation : toleratedText(title, of, f.value, f.low.y(), f.high.y(), "Ø")});
+    const std::string text =
+        thread ? thread->designation : toleratedText(title, of, f.value, f.low.y(), f.high.y(), "Ø");
+    const bool isKnown = std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& known) {
+      return known.text == text && areOne(outline.features(), f, known);
+    });
+    if (!isKnown) all.diameters.push_back({f.value, f.low.y(), f.high.y(), f.isInner, text});
   }
-  // Adds the ends of tapers that no cylinder defines.
-  for (const ProfileFeature& f : features) {
-    if (f.kind != ProfileFeature::Kind::Taper || isChamfer(f)) continue;
-    for (const ProfilePoint& end : {f.low, f.high}) {
-      const double d = 2.0 * end.x();
-      const bool isKnown = std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& known) {
-        return known.isInner == f.isInner && std::abs(known.value - d) < kSameSize;
-      });
-      if (!isKnown && d > kSameSize) all.diameters.push_back({d, end.y(), end.y(), f.isInner, "Ø" + sizeText(d)});
+  // Adds the ends of tapers and arcs, and the widest and narrowest points of arcs, that no cylinder defines.
+  const auto add = [&](const ProfileFeature& f, const ProfilePoint& at) {
+    const double d = 2.0 * at.x();
+    const bool isKnown = std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& known) {
+      return known.isInner == f.isInner && std::abs(known.value - d) < kSameSize;
+    });
+    if (!isKnown && d > kSameSize) all.diameters.push_back({d, at.y(), at.y(), f.isInner, "Ø" + sizeText(d)});
+  };
+  for (std::size_t i = 0; i < outline.features().size(); ++i) {
+    const ProfileFeature& f = outline.features()[i];
+    if (isSmoothed && f.kind == ProfileFeature::Kind::Arc) continue;
+    for (const bool atEnd : {f.isDownwards, !f.isDownwards}) {
+      if (outline.needsDiameter(i, atEnd)) add(f, atEnd ? f.end() : f.start());
     }
+    if (const auto extreme = outline.extremeOf(i)) add(f, *extreme);
   }
 }
 
-// Adds toleranced diameters that no cylinder shows: of a waist, or of a stem within a free form.
+// Adds toleranced diameters that no cylinder shows: of a waist, or of a stem within a free form. A waist of an arc gets
+// its tolerance.
 void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensions& all) {
   for (const DrawnTolerance& t : title.tolerances) {
     const bool isInner = t.of == DrawnTolerance::Of::Bore;
@@ -136,9 +144,36 @@ void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensio
     const double value = extent ? 2.0 * (isInner ? extent->inner : extent->outer) : 0.0;
     if (std::abs(value - t.size) >= kTolerancedDistance) continue;
     const std::string text = toleratedText(title, t.of, value, t.low, t.high, "Ø");
-    const bool isShown =
-        std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& d) { return d.text == text; });
-    if (!isShown) all.diameters.push_back({value, t.low, t.high, isInner, text});
+    const auto shown = std::find_if(all.diameters.begin(), all.diameters.end(), [&](const auto& d) {
+      const bool isHere = d.low == d.high && d.low >= t.low && d.low <= t.high;
+      return d.text == text || (d.isInner == isInner && isHere && std::abs(d.value - value) < kSameSize);
+    });
+    if (shown != all.diameters.end())
+      shown->text = text;
+    else
+      all.diameters.push_back({value, t.low, t.high, isInner, text});
+  }
+}
+
+// Adds radii, angles and chamfers. Equal ones share a note, which says how many there are.
+void addNotes(const std::vector<ProfileFeature>& features, const DrawingTitle& title, PartDimensions& all) {
+  std::vector<std::pair<PartDimensions::Note, int>> counted;
+  for (const ProfileFeature& f : features) {
+    if (f.kind != ProfileFeature::Kind::Arc && f.kind != ProfileFeature::Kind::Taper) continue;
+    const std::string text = noteOf(f, title);
+    const auto known =
+        std::find_if(counted.begin(), counted.end(), [&](const auto& each) { return each.first.text == text; });
+    if (known != counted.end()) {
+      ++known->second;
+    } else {
+      counted.push_back({{middleOf(f), text}, 1});
+    }
+  }
+  for (auto& [note, count] : counted) {
+    // A chamfer, "2×45°", has a sign of its own.
+    const bool isChamfered = note.text.find("×") != std::string::npos;
+    if (count > 1) note.text = std::to_string(count) + (isChamfered ? "× " : "×") + note.text;
+    all.notes.push_back(std::move(note));
   }
 }
 
@@ -154,10 +189,7 @@ void addRoughness(const std::vector<ProfileFeature>& features, const DrawingTitl
                          [&](const ProfileFeature& a, const ProfileFeature& b) { return common(a) < common(b); });
     if (longest == features.end() || !(common(*longest) > 0.0)) continue;
     // Off the middle, where other leaders begin.
-    const ProfilePoint at = longest->kind == ProfileFeature::Kind::Arc
-                                ? middleOf(*longest)
-                                : ProfilePoint(longest->low + 0.75 * (longest->high - longest->low));
-    all.notes.push_back({at, "Ra " + sizeText(rough.ra), true});
+    all.notes.push_back({besideMiddle(*longest), "Ra " + sizeText(rough.ra), true});
   }
 }
 
@@ -174,6 +206,13 @@ void addSpans(const DrawingTitle& title, double upperEnd, PartDimensions& all) {
     const auto from = heightAt(t.low), to = heightAt(t.high);
     if (from && to && *to > *from)
       all.spans.push_back({*from, *to, toleratedText(title, t.of, *to - *from, *from, *to, {})});
+  }
+  // The lower end of such a length follows from the upper one.
+  for (const PartDimensions::Length& span : all.spans) {
+    const std::string whole =
+        toleratedText(title, DrawnTolerance::Of::Length, upperEnd - span.from, span.from, upperEnd, {});
+    const bool isEnd = span.from == all.outerHeights.front() || whole != sizeText(upperEnd - span.from);
+    if (!isEnd) std::erase(all.outerHeights, span.from);
   }
 }
 
@@ -200,23 +239,24 @@ PartDimensions dimensionsOf(const TargetProfile& part, const DrawingTitle& title
     for (ProfileFeature& f : features) f = straightened(f, least);
   }
   std::erase_if(features, [&](const ProfileFeature& f) { return (f.high - f.low).norm() < least; });
+  const DrawnOutline outline(std::move(features), part.isClosed());
   PartDimensions all;
-  addDiameters(features, title, all);
+  addDiameters(outline, title, isSmoothed, all);
   addAsked(part, title, all);
-  for (const ProfileFeature& f : features) {
-    const bool hasNote = f.kind == ProfileFeature::Kind::Arc || f.kind == ProfileFeature::Kind::Taper;
-    if (hasNote) all.notes.push_back({middleOf(f), noteOf(f, title)});
-  }
-  addRoughness(features, title, all);
+  addNotes(outline.features(), title, all);
+  addRoughness(outline.features(), title, all);
   addHeight(all.outerHeights, part.lowerEnd(), least);
   addHeight(all.outerHeights, part.upperEnd(), least);
-  addHeights(features, false, least, all.outerHeights);
-  addHeights(features, true, least, all.innerHeights);
+  for (const double z : outline.heights(false)) addHeight(all.outerHeights, z, least);
+  std::vector<double> inner;
+  for (const double z : outline.heights(true)) addHeight(inner, z, least);
+  // A height that the outside has needs no second dimension.
+  for (const double z : inner) {
+    const bool isOutside = std::any_of(all.outerHeights.begin(), all.outerHeights.end(),
+                                       [&](double known) { return std::abs(z - known) < std::max(kSameSize, least); });
+    if (!isOutside) all.innerHeights.push_back(z);
+  }
   for (auto* heights : {&all.outerHeights, &all.innerHeights}) std::sort(heights->begin(), heights->end());
-  // The outside defines the ends of a bore.
-  std::erase_if(all.innerHeights, [&](double z) {
-    return std::abs(z - part.lowerEnd()) < least || std::abs(z - part.upperEnd()) < least;
-  });
   addSpans(title, part.upperEnd(), all);
   return all;
 }

@@ -20,10 +20,16 @@ constexpr std::size_t kMostDimensions = 40,
 constexpr int kSmoothings = 6;        // number of attempts; then the part is taken as it is
 constexpr int kDoublings = 40;        // number of doublings of the least drawn size
 
+// Size below which features of this part have no dimension, mm.
+double leastDrawn(const TargetProfile& part) {
+  return std::min(kLeastDrawn, kLeastDrawnShare * std::max(part.length(), 2.0 * part.largestRadius()));
+}
+
+// A dimple on the axis, as an arc leaves whose centre is not quite there, is no bore.
 bool hasBore(const TargetProfile& part) {
   const auto all = part.segments();
-  return part.isClosed() || std::any_of(all.begin(), all.end(), [](const ProfileSegment& s) {
-           return s.direction(0.5).y() < -1e-6 && s.at(0.5).x() > 0.0;
+  return part.isClosed() || std::any_of(all.begin(), all.end(), [&](const ProfileSegment& s) {
+           return s.direction(0.5).y() < -1e-6 && std::max(s.from.x(), s.to.x()) > leastDrawn(part);
          });
 }
 
@@ -135,8 +141,7 @@ std::optional<std::pair<Sheet, double>> largestOn(double width, double height, c
 std::optional<Sheet> sheetOf(const Drawn& drawn, double leftOut) {
   auto best = largestOn(297.0, 210.0, drawn);
   // A larger sheet is used if the part would be too small for its dimensions.
-  const bool isSmall = !best || drawn.dimensions.diameters.size() + drawn.dimensions.outerHeights.size() > kCrowded ||
-                       best->second * drawn.part.length() < 60.0;
+  const bool isSmall = !best || drawn.dimensions.count() > kCrowded || best->second * drawn.part.length() < 60.0;
   if (isSmall) {
     auto large = largestOn(420.0, 297.0, drawn);
     if (large && (!best || large->second > best->second)) best = std::move(large);
@@ -150,17 +155,21 @@ std::optional<Sheet> sheetOf(const Drawn& drawn, double leftOut) {
   return std::move(sheet);
 }
 
+// Returns true if the part has features that are too small to be drawn, but large enough to change a size.
 bool hasSmall(const TargetProfile& part, double tolerance, double least) {
+  constexpr double kUnseen = 0.1;  // share of the least size
   const std::vector<ProfileFeature> features = featuresOf(part, tolerance);
-  return std::any_of(features.begin(), features.end(),
-                     [&](const ProfileFeature& f) { return (f.high - f.low).norm() < least; });
+  return std::any_of(features.begin(), features.end(), [&](const ProfileFeature& f) {
+    const double size = (f.high - f.low).norm();
+    return size < least && size > kUnseen * least;
+  });
 }
 
 // Calls `use` with the measured part, its dimensions, and the size of omitted details (mm; 0: none), omitting more
 // until it returns true. Returns true if it did.
 template <class Use>
 bool tryDimensions(const TargetProfile& part, const DrawingTitle& title, Use use) {
-  double least = std::min(kLeastDrawn, kLeastDrawnShare * std::max(part.length(), 2.0 * part.largestRadius()));
+  double least = leastDrawn(part);
   bool isWhole = !hasSmall(part, title.tolerance, least);
   for (int i = 0; i < kDoublings; ++i, least *= 2.0, isWhole = false) {
     const std::optional<TargetProfile> smooth = isWhole ? std::nullopt : withoutSmall(part, least);

@@ -53,7 +53,8 @@ inline constexpr double kLeastDrawn = 0.05, kLeastDrawnShare = 1.0 / 400.0;
 // The part is seen from the side, with its axis horizontal. A part with a bore is shown in half section above the axis,
 // other parts whole. The drawing has diameters, lengths from the upper end, radii, angles and chamfers, threads,
 // roughness (ISO 21920-1), a frame (ISO 5457) and a title block with name, material, scale (ISO 5455), unit and the
-// symbol of first angle projection (ISO 128-3, 5456-2). Dimensions are the sizes of the features, to 0.01 mm (ISO
+// symbol of first angle projection (ISO 128-3, 5456-2). Dimensions are the sizes of the features, to 0.01 mm, each
+// once: equal radii and chamfers share a note with their number, and sizes that follow from others are left out (ISO
 // 129-1). Texts do not overlap. If the sheet has no room for all dimensions, the dimensions of the smallest features
 // are left out, and the sheet says so. O(segments · log segments).
 Sheet drawingSheet(const TargetProfile& part, const DrawingTitle& title);

@@ -3,6 +3,7 @@
 #include "machining/finish/FinishMeter.h"
 
 #include "machining/measure/RoughnessGrade.h"
+#include "machining/section/SectionSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,19 +128,26 @@ void FinishMeter::follow(TurningSide side, std::size_t i, double radius) {
     m_profile.limitInner(i, radius);
 }
 
-TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, std::uint32_t number, FinishMeter& meter,
-                         Progress progress) {
+TurnedProfile::Range cut(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
+                         FinishMeter& meter, Progress progress) {
   constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
+  const TurnedProfile before = profile;
   TurnedProfile::Range changed;
-  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+  for (std::size_t i = 0; i < pass->path.size(); ++i) {
     if (i % kLook == 0) {
-      if (progress.cancelled()) break;
-      progress.set(static_cast<double>(i) / static_cast<double>(pass.path.size()));
+      if (progress.cancelled()) return changed;
+      progress.set(static_cast<double>(i) / static_cast<double>(pass->path.size()));
     }
-    const TurnedProfile::Range now = cut(profile, pass, pass.path[i == 0 ? 0 : i - 1], pass.path[i]);
-    meter.add(pass, i, number, profile, now);
+    const TurnedProfile::Range now = cutTo(profile, *pass, i, number);
+    meter.add(*pass, i, number, profile, now);
     changed.extend(now);
   }
+  if (changed.isEmpty()) {
+    profile.setSection(before.section());
+    return changed;
+  }
+  changed.extend(settlePass(profile, before, pass, number, progress));
+  meter.renew(profile);
   return changed;
 }
 

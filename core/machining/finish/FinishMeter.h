@@ -46,6 +46,9 @@ class FinishMeter {
   void add(const TurningPass& pass, std::size_t i, std::uint32_t number, const TurnedProfile& profile,
            const TurnedProfile::Range& changed);
 
+  // Continues with these samples of the part, for example after they were taken from its exact section.
+  void renew(const TurnedProfile& profile) { m_profile = profile; }
+
   const SurfaceFinish& finish() const { return m_finish; }
   // Returns the feed of the last move, mm per revolution. The feed is 0 if the move cut nothing, and infinite if the
   // spindle was at rest.
@@ -69,7 +72,7 @@ class FinishMeter {
 
 // Cuts a pass into the profile and marks the finish. Returns the samples that changed. If cancelled, only the first
 // moves of the pass are cut.
-TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, std::uint32_t number, FinishMeter& meter,
-                         Progress progress = {});
+TurnedProfile::Range cut(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
+                         FinishMeter& meter, Progress progress = {});
 
 }  // namespace handwheel

@@ -28,7 +28,7 @@ double wearFactor(double wear, double atTenth, double atThree) noexcept {
 CutForces worn(const CutForces& sharp, double wear) noexcept {
   const double vb = withinFeel(wear, 0.0, CuttingFeel::kMostWear);
   return {sharp.cutting * wearFactor(vb, 1.19, 1.52), sharp.feed * wearFactor(vb, 1.33, 2.88),
-          sharp.radial * wearFactor(vb, 1.59, 3.35)};
+          sharp.radial * wearFactor(vb, 1.59, 3.35), sharp.isCouple};
 }
 
 double vibration(const CuttingFeel& feel, double force, double angle, double spindle, double period) noexcept {

@@ -9,7 +9,15 @@
 namespace handwheel {
 
 double CutForces::norm() const {
-  return std::hypot(cutting, feed, radial);
+  return std::hypot(isCouple ? 0.0 : cutting, feed, radial);
+}
+
+CutForces CuttingForceModel::onDrill(const CutConditions& cut) const noexcept {
+  return drillForces(at({cut.depth, 0.5 * cut.feed, cut.speed}).cutting);
+}
+
+CutForces drillForces(double lip) noexcept {
+  return {2.0 * lip, lip * std::sin(kDrillPoint), 0.0, true};
 }
 
 CutConditions bounded(const CutConditions& cut) noexcept {

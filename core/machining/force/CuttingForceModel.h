@@ -19,8 +19,10 @@ struct CutForces {
   double cutting = 0.0;
   double feed = 0.0;
   double radial = 0.0;
+  // The cutting force is a couple: those of two lips of a drill, which turn the tool but do not push it.
+  bool isCouple = false;
 
-  double norm() const;
+  double norm() const;  // N, of the resultant
   bool operator==(const CutForces&) const = default;
 };
 
@@ -42,9 +44,18 @@ class CuttingForceModel {
 
   virtual CutForces at(const CutConditions& cut) const noexcept = 0;
 
+  // Returns the forces on a twist drill with two lips, each of which takes half of the feed: the cutting forces of both
+  // lips, and the thrust (Sandvik's handbook: Mc = kc D² f / 8, Ff = kc D f sin κ / 4). cut: the depth is the width of
+  // the ring that the drill removes, half its diameter in solid work; the speed is that in the middle of the ring.
+  virtual CutForces onDrill(const CutConditions& cut) const noexcept;
+
   // Returns true if the law was measured or fitted for such cuts. For other cuts at() extrapolates.
   virtual bool covers(const CutConditions& cut) const noexcept = 0;
 };
+
+inline constexpr double kDrillPoint = 59.0 / 180.0 * 3.14159265358979323846;  // rad, κ of a drill with a point of 118°
+// Returns the forces on a drill whose lips have this cutting force each, N.
+CutForces drillForces(double lip) noexcept;
 
 // Returns the power of a cut, kW: Pc = Fc·v / 60000.
 double cuttingPower(const CutForces& forces, const CutConditions& cut) noexcept;

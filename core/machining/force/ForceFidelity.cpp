@@ -3,6 +3,7 @@
 #include "machining/force/ForceFidelity.h"
 
 #include "base/Translatable.h"
+#include "machining/force/DrillForceModel.h"
 #include "machining/force/TrainedForceModel.h"
 
 namespace handwheel {
@@ -33,6 +34,7 @@ std::unique_ptr<CuttingForceModel> forceModelFor(ForceLaw law, const WorkMateria
 }
 
 LawInUse lawInUse(const CuttingForceModel& model, const WorkMaterial& material) {
+  if (const auto* drill = dynamic_cast<const DrillForceModel*>(&model)) return lawInUse(drill->turning(), material);
   if (const auto* handbook = dynamic_cast<const KosilovaModel*>(&model))
     return {ForceLaw::Kosilova, handbook->isVerified() && !handbook->hasThrustLaws()};
   if (dynamic_cast<const TrainedForceModel*>(&model)) return {ForceLaw::Network, true};

@@ -38,26 +38,30 @@ RemovedSection removedBy(TurnedProfile& profile, const TurningPass& pass, const 
 
 }  // namespace
 
-double SpindleSetting::at(double radius) const noexcept {
-  if (!(surfaceSpeed > 0.0)) return speed;
-  const double wanted = spindleSpeed(surfaceSpeed, 2.0 * radius);
-  return speed > 0.0 ? std::min(wanted, speed) : wanted;
+double drillRadius(const TurningPass& pass, const ProfilePoint& a, const ProfilePoint& b) {
+  constexpr double kOnAxis = 1e-9;  // mm
+  if (pass.tool) return pass.tool->kind == LatheToolKind::Drill ? pass.tool->reach() : 0.0;
+  const bool isOnAxis = std::abs(a.x()) <= kOnAxis && std::abs(b.x()) <= kOnAxis;
+  return pass.side == TurningSide::Bore && isOnAxis ? pass.noseRadius : 0.0;
 }
 
-ForcePeakMeter::ForcePeakMeter(const CuttingForceModel& model, const SpindleSetting& spindle, double resolution)
-    : m_model(&model), m_spindle(spindle), m_resolution(resolution) {}
+ForcePeakMeter::ForcePeakMeter(const CuttingForceModel& model, double resolution)
+    : m_model(&model), m_resolution(resolution) {}
 
-void ForcePeakMeter::add(double length, double seconds, double area, double radius) {
-  if (!(area > 0.0)) {
+void ForcePeakMeter::add(const Move& move) {
+  if (move.isDrill != m_isDrill) judge();
+  m_isDrill = move.isDrill;
+  if (!(move.area > 0.0)) {
     judge();
-    m_time += seconds;
+    m_time += move.seconds;
     return;
   }
-  m_time += seconds;
-  m_length += length;
-  m_area += area;
-  m_radius = std::max(m_radius, radius);
-  m_turns += m_spindle.at(radius) / 60.0 * seconds;
+  m_time += move.seconds;
+  m_length += move.length;
+  m_area += move.area;
+  m_radius = std::max(m_radius, move.radius);
+  m_speed = std::max(m_speed, move.speed);
+  m_turns += move.spindle / 60.0 * move.seconds;
   if (m_length >= kSamplesOfACut * m_resolution && m_turns >= 1.0) judge();
 }
 
@@ -67,20 +71,34 @@ void ForcePeakMeter::judge() {
     const double feed = m_turns > 0.0 ? std::min(m_length / m_turns, kRapidFeed) : kRapidFeed;
     // A cut that ended before it was as long as a sample does not define its width.
     const double length = std::max(m_length, m_resolution);
-    const CutConditions cut{m_area / length, feed, handwheel::surfaceSpeed(m_spindle.at(m_radius), 2.0 * m_radius)};
-    take(cut, m_radius);
+    const CutConditions cut{m_area / length, feed, m_speed};
+    m_isDrill ? takeDrill(cut) : take(cut, m_model->at(cut), m_radius);
   }
-  m_length = m_area = m_turns = m_radius = 0.0;
+  m_length = m_area = m_turns = m_radius = m_speed = 0.0;
 }
 
-void ForcePeakMeter::addChip(double width, double thickness, double seconds, double radius) {
+void ForcePeakMeter::addChip(double width, double thickness, double seconds, double radius, double speed) {
   judge();
   m_time += seconds;
-  take({width, thickness, handwheel::surfaceSpeed(m_spindle.at(radius), 2.0 * radius)}, radius);
+  const CutConditions cut{width, thickness, speed};
+  take(cut, m_model->at(cut), radius);
 }
 
-void ForcePeakMeter::take(const CutConditions& cut, double radius) {
-  const CutForces forces = m_model->at(cut);
+// The lips work in the middle of the ring between the hole that is there and the diameter of the drill.
+void ForcePeakMeter::takeDrill(const CutConditions& cut) {
+  const double depth = std::min(cut.depth, m_radius), middle = m_radius - 0.5 * depth;
+  const CutConditions atMiddle{depth, cut.feed, m_radius > 0.0 ? cut.speed * middle / m_radius : 0.0};
+  const CutForces forces = m_model->onDrill(atMiddle);
+  take(atMiddle, forces, middle);
+  DrillPeaks& drilling = m_peaks.drilling;
+  const double torque = cuttingTorque(forces, 2.0 * middle);
+  if (torque >= drilling.torque) drilling.diameter = 2.0 * m_radius;
+  drilling.thrust = std::max(drilling.thrust, forces.feed);
+  drilling.torque = std::max(drilling.torque, torque);
+  drilling.power = std::max(drilling.power, cuttingPower(forces, atMiddle));
+}
+
+void ForcePeakMeter::take(const CutConditions& cut, const CutForces& forces, double radius) {
   if (forces.norm() > m_peaks.force) {
     m_peaks.force = forces.norm();
     m_peaks.cut = cut;
@@ -96,11 +114,11 @@ ForcePeaks ForcePeakMeter::finish() {
   return m_peaks;
 }
 
-std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const TurningPass> passes,
-                                     const SpindleSetting& spindle, const CuttingForceModel& model, Progress progress) {
+std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const TurningPass> passes, double spindle,
+                                     const CuttingForceModel& model, Progress progress) {
   constexpr std::size_t kLook = 64;      // points between two checks of the cancel flag
   constexpr double kMostParts = 10'000;  // largest number of parts of a move
-  ForcePeakMeter meter(model, spindle, profile.spacing());
+  ForcePeakMeter meter(model, profile.spacing());
   std::vector<double> before;
   for (const TurningPass& pass : passes) {
     if (!pass.path.empty()) cut(profile, pass, pass.path[0], pass.path[0]);
@@ -113,7 +131,9 @@ std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const Turn
         const ProfilePoint a = from + displacement * (static_cast<double>(k) / parts);
         const ProfilePoint b = from + displacement * (static_cast<double>(k + 1) / parts);
         const RemovedSection removed = removedBy(profile, pass, a, b, before);
-        meter.add(length / parts, seconds / parts, removed.area, removed.radius);
+        const double drill = drillRadius(pass, a, b), radius = drill > 0.0 ? drill : removed.radius;
+        meter.add({length / parts, seconds / parts, removed.area, radius, spindle, surfaceSpeed(spindle, 2.0 * radius),
+                   drill > 0.0});
       }
     }
   }

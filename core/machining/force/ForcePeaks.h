@@ -10,19 +10,20 @@
 
 namespace handwheel {
 
-// The rotation of the spindle while a path is cut.
-struct SpindleSetting {
-  double speed = 0.0;         // r/min; with a constant surface speed, the largest speed, where 0 means no limit
-  double surfaceSpeed = 0.0;  // m/min, constant surface speed (G96); 0: the spindle speed is constant
-
-  double at(double radius) const noexcept;  // r/min, for work of this radius (mm)
+// The largest loads of drills.
+struct DrillPeaks {
+  double diameter = 0.0;  // mm, of the drill with the largest torque; 0: nothing was drilled
+  double thrust = 0.0;    // N
+  double torque = 0.0;    // N·m
+  double power = 0.0;     // kW
 };
 
 // The largest values of force, power and torque on a path.
 struct ForcePeaks {
-  double force = 0.0;           // N, norm of all three components
+  double force = 0.0;           // N, of the resultant; for a drill its thrust
   double power = 0.0;           // kW, power of the cut
   double torque = 0.0;          // N·m, torque at the spindle
+  DrillPeaks drilling;          // loads of drills, which count in the values above as well
   CutConditions cut;            // the cut with the largest force
   double time = 0.0;            // s, time of the largest force since the start of the path
   bool isOutsideModel = false;  // the model does not cover all cuts of the path
@@ -34,15 +35,23 @@ struct ForcePeaks {
 class ForcePeakMeter {
  public:
   // resolution: the spacing of the samples of the profile, mm. The model must outlive the meter.
-  ForcePeakMeter(const CuttingForceModel& model, const SpindleSetting& spindle, double resolution);
+  ForcePeakMeter(const CuttingForceModel& model, double resolution);
 
-  // Adds a move of the tool: its length (mm) and time (s), the area that it removes from the half section of the part
-  // (mm²), and the largest radius of the removed material (mm). If material is removed, the time must be above zero,
-  // except for a rapid move. A rapid move through material is evaluated with the feed kRapidFeed.
-  void add(double length, double seconds, double area, double radius);
-  // Adds a cut whose chip is known: width and thickness (mm), time (s), and the radius of the work (mm). It is used for
-  // threads, whose lead is not a feed.
-  void addChip(double width, double thickness, double seconds, double radius);
+  // A short move of the tool.
+  struct Move {
+    double length = 0.0;   // mm
+    double seconds = 0.0;  // s; above zero if material is removed, except for a rapid move
+    double area = 0.0;     // mm², removed from the half section of the part
+    double radius = 0.0;   // mm, largest radius at which the edge cuts
+    double spindle = 0.0;  // r/min, mean speed of the spindle
+    double speed = 0.0;    // m/min, surface speed of the work at that radius
+    bool isDrill = false;  // the tool is a drill of that radius
+  };
+  // Adds a move. A rapid move through material is evaluated with the feed kRapidFeed.
+  void add(const Move& move);
+  // Adds a cut whose chip is known: width and thickness (mm), time (s), and the radius of the work (mm) with its
+  // surface speed (m/min). It is used for threads, whose lead is not a feed.
+  void addChip(double width, double thickness, double seconds, double radius, double speed);
   // Ends the present cut and returns the peaks of all moves.
   ForcePeaks finish();
 
@@ -50,21 +59,25 @@ class ForcePeakMeter {
 
  private:
   void judge();
-  void take(const CutConditions& cut, double radius);
+  void take(const CutConditions& cut, const CutForces& forces, double radius);
+  void takeDrill(const CutConditions& cut);
 
   const CuttingForceModel* m_model;
-  SpindleSetting m_spindle;
   double m_resolution;
   double m_time = 0.0;
-  double m_length = 0.0, m_area = 0.0, m_turns = 0.0, m_radius = 0.0;  // the cut that is being evaluated
+  double m_length = 0.0, m_area = 0.0, m_turns = 0.0;  // the cut that is being evaluated
+  double m_radius = 0.0, m_speed = 0.0;
+  bool m_isDrill = false;
   ForcePeaks m_peaks;
 };
 
+// Returns the radius of the drill that makes a move of a pass between two points, mm; 0: another tool.
+double drillRadius(const TurningPass& pass, const ProfilePoint& a, const ProfilePoint& b);
+
 // Returns the peaks of passes that cut a profile one after the other. The time of each pass continues from the pass
-// before. The profile is a copy, which shares its pages with the original. Returns nothing if it was cancelled. The
-// cost is the cost of cutting the passes.
-std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const TurningPass> passes,
-                                     const SpindleSetting& spindle, const CuttingForceModel& model,
-                                     Progress progress = {});
+// before. spindle: its speed, r/min. The profile is a copy, which shares its pages with the original. Returns nothing
+// if it was cancelled. The cost is the cost of cutting the passes.
+std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const TurningPass> passes, double spindle,
+                                     const CuttingForceModel& model, Progress progress = {});
 
 }  // namespace handwheel

@@ -35,7 +35,10 @@ KienzleConstants fittedConstants(std::span<const std::pair<double, double>> tabl
 }
 
 KienzleModel::KienzleModel(const KienzleConstants& constants, const CuttingEdge& edge, const ThrustSettings& thrust)
-    : m_edge(edge), m_thrust(thrust), m_thickness(std::sin(edge.approach.value_or(kUsualApproach))) {
+    : m_constants(constants),
+      m_edge(edge),
+      m_thrust(thrust),
+      m_thickness(std::sin(edge.approach.value_or(kUsualApproach))) {
   m_cutting.logC = std::log(constants.kc11 * rakeFactor(edge)) - constants.mc * std::log(m_thickness);
   m_cutting.x = 1.0;
   m_cutting.y = 1.0 - constants.mc;
@@ -44,6 +47,14 @@ KienzleModel::KienzleModel(const KienzleConstants& constants, const CuttingEdge&
 CutForces KienzleModel::at(const CutConditions& given) const noexcept {
   const CutConditions cut = bounded(given);
   return cut.depth == 0.0 ? CutForces() : withThrust(m_cutting.at(cut), cut, m_edge, m_thrust);
+}
+
+// The rake of a drill is not in the tables: it grows from its axis to its margin.
+CutForces KienzleModel::onDrill(const CutConditions& given) const noexcept {
+  const CutConditions cut = bounded({given.depth, 0.5 * given.feed, given.speed});
+  if (cut.depth == 0.0) return {};
+  const double specific = m_constants.kc11 * std::pow(cut.feed * std::sin(kDrillPoint), -m_constants.mc);
+  return drillForces(specific * cut.depth * cut.feed);
 }
 
 // The tables hold for chips of 0.05 to 2.5 mm (VDI 3206).

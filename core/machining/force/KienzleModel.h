@@ -29,9 +29,11 @@ class KienzleModel : public CuttingForceModel {
   KienzleModel(const KienzleConstants& constants, const CuttingEdge& edge, const ThrustSettings& thrust = {});
 
   CutForces at(const CutConditions& cut) const noexcept override;
+  CutForces onDrill(const CutConditions& cut) const noexcept override;
   bool covers(const CutConditions& cut) const noexcept override;
 
  private:
+  KienzleConstants m_constants;
   CuttingEdge m_edge;
   ThrustSettings m_thrust;
   PowerLaw m_cutting;

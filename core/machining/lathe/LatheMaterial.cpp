@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/lathe/LatheMaterial.h"
 
+#include "machining/force/DrillForceModel.h"
+
 #include <cmath>
 
 namespace handwheel {
@@ -26,13 +28,24 @@ CuttingEdge edgeOf(const LatheTool& tool) {
   return edge;
 }
 
+CuttingEdge edgeOf(const TurningPass& pass) {
+  if (pass.tool) return edgeOf(*pass.tool);
+  CuttingEdge edge;
+  edge.noseRadius = pass.noseRadius;
+  return edge;
+}
+
 LatheMaterial latheMaterial(const WorkMaterial& material, ForceLaw law, const LatheTools& tools) {
   LatheMaterial made;
   made.id = material.id;
   made.law = law;
   made.modulus = modulusOf(material);
-  for (const auto& tool : tools)
-    made.laws.push_back(tool->isAbrasive() ? nullptr : forceModelFor(law, material, edgeOf(*tool)));
+  for (const auto& tool : tools) {
+    std::unique_ptr<const CuttingForceModel> model;
+    if (!tool->isAbrasive()) model = forceModelFor(law, material, edgeOf(*tool));
+    if (tool->kind == LatheToolKind::Drill) model = std::make_unique<DrillForceModel>(std::move(model));
+    made.laws.push_back(std::move(model));
+  }
   return made;
 }
 

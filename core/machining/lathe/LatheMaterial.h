@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "machining/TurningPass.h"
 #include "machining/force/ForceFidelity.h"
 #include "machining/lathe/LatheTool.h"
 
@@ -21,6 +22,8 @@ struct LatheMaterial {
 
 // Returns the edge of a tool, with the angles that the force laws need.
 CuttingEdge edgeOf(const LatheTool& tool);
+// Returns the edge that cut a pass: that of its tool, or only the nose radius if the tool is not known.
+CuttingEdge edgeOf(const TurningPass& pass);
 
 // Returns the properties of a material with laws of the chosen kind for all tools. The call takes milliseconds.
 LatheMaterial latheMaterial(const WorkMaterial& material, ForceLaw law, const LatheTools& tools);

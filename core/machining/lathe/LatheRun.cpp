@@ -41,7 +41,8 @@ LatheRun::LatheRun(LatheSetup setup, LatheTools tools, TurnedProfile profile, co
       m_tools(std::move(tools)),
       m_profile(std::move(profile)),
       m_threads(std::move(threads)),
-      m_material(std::move(material)) {
+      m_material(std::move(material)),
+      m_beam(m_profile, m_machine.setup().chuck.grip) {
   m_gripped = grippedRadius(m_profile, m_machine.setup().chuck);
   m_within = largestRadius(m_profile);
   m_tip = m_machine.tip();
@@ -75,31 +76,45 @@ LatheRun::Try LatheRun::attempt(const LatheState& before, double dt, double most
   tried.from = tried.isQuill ? ProfilePoint(0.0, quillBefore) : tipBefore;
   tried.to = tried.isQuill ? ProfilePoint(0.0, m_machine.quillTip()) : m_machine.tip();
   tried.isPressed = tried.tool && tried.tool->isAbrasive() && tried.tool == m_lastTool && m_lastPosition != tried.to;
+  tried.isRing = leavesThread(tried);
   if (!tried.tool || !tried.hasMoved()) return tried;
   tried.cut = previewCut(m_profile, *tried.tool, tried.from, tried.to);
   tried.pushed = tried.cut.depth;
   if (tried.tool->kind == LatheToolKind::Threading && !tried.isIndexed && !tried.isQuill) meetThreads(tried);
-  if (std::abs(m_machine.state().speed) < kAtRest && isDrawnOut(tried)) tried.takesNothing = true;
+  const bool isAtRest = std::abs(m_machine.state().speed) < kAtRest;
+  if (isAtRest && isDrawnOut(tried)) tried.takesNothing = true;
+  if (tried.motion.isRapid && tried.pushed > kTouch && isDrawnStraight(tried)) tried.pushed = 0.0;
   return tried;
 }
 
-// Returns true if a turning tool is drawn away from the axis, or in a bore towards it, or aside from a shoulder, with
-// no more of it in the work than before except in the shoulder that it has left: the shoulder leans by the angle of the
-// edge, and the tool springs along it. So a turner draws back a tool that has stopped in the work.
+// Returns the depth of a tool in the work, mm.
+double LatheRun::depthAt(const LatheTool& tool, const ProfilePoint& at) const {
+  return previewCut(m_profile, tool, at, at).depth;
+}
+
+// Returns true if a turning tool is drawn straight away from the axis, or in a bore towards it, with no more of it in
+// the work than before. Nothing pushes it into the work then, however fast it goes.
+bool LatheRun::isDrawnStraight(const Try& tried) const {
+  if (tried.isQuill || tried.isIndexed || tried.tool->isAbrasive()) return false;
+  const ProfilePoint displacement = tried.to - tried.from;
+  const double back = travelBack(*tried.tool, displacement);
+  return back > 0.0 && std::abs(displacement.y()) <= back &&
+         depthAt(*tried.tool, tried.to) <= std::max(kTouch, depthAt(*tried.tool, tried.from));
+}
+
+// Returns true if a turning tool is drawn straight out of the work, or by hand aside from a shoulder, with no more of
+// it in the work than before except in the shoulder that it has left: the shoulder leans by the angle of the edge, and
+// the tool springs along it. So a turner draws back a tool that has stopped in the work.
 bool LatheRun::isDrawnOut(const Try& tried) const {
+  if (isDrawnStraight(tried)) return true;
   if (tried.isQuill || tried.isIndexed || tried.motion.isRapid || tried.tool->isAbrasive()) return false;
   const ProfilePoint displacement = tried.to - tried.from;
   const double back = travelBack(*tried.tool, displacement);
   const bool isStraight = back > 0.0 && std::abs(displacement.y()) <= back;
   if (!(back >= 0.0)) return false;
-  const auto depthAt = [&](const ProfilePoint& a, const ProfilePoint& b) {
-    return previewCut(m_profile, *tried.tool, a, b).depth;
-  };
-  if (isStraight && depthAt(tried.to, tried.to) <= std::max(kTouch, depthAt(tried.from, tried.from))) return true;
   for (const double along : {kSpring, -kSpring}) {
-    const ProfilePoint beside(0.0, along);
     if (!isStraight && !(displacement.y() * along > 0.0)) continue;
-    if (depthAt(tried.to + beside, tried.to + beside) <= kTouch) return true;
+    if (depthAt(*tried.tool, tried.to + ProfilePoint(0.0, along)) <= kTouch) return true;
   }
   return false;
 }
@@ -192,13 +207,15 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   const bool goesOn = m_lastTool == tried.tool && !tried.isIndexed;
   step.from = goesOn ? m_lastPosition : tried.from;
   step.to = tried.to;
+  m_pressed = heightPressed(tried);
+  if (!tried.cut.isEmpty()) m_balanced.reset();
   if (tool.isAbrasive()) {
     const double pressed = pressedDepth(m_profile, tool, tried.from, tried.to);
     const double lift = std::max(0.0, pressed - tool.depthPerTurn * tried.motion.turns);
     step.to.x() += tool.side == TurningSide::Outside ? lift : -lift;
-    if (!goesOn) step.from = step.to;  // its slide may be in the work already
-  } else if (tool.side == TurningSide::Outside) {
-    step.to.x() += m_compliance * m_thrust;
+    if (!goesOn) step.from = step.to;                               // its slide may be in the work already
+  } else if (tool.side == TurningSide::Outside && !tried.isRing) {  // a ring is turned until the work does not yield
+    step.to.x() += yielding(tried);
   }
   step.thread = tried.thread;
   if (step.thread) {
@@ -213,10 +230,7 @@ void LatheRun::cut(LatheStep& step, const Try& tried) {
   step.isRing = tried.isRing;
   m_lastTool = tried.tool;
   m_lastPosition = step.to;
-  if (step.thread)
-    m_behindCut = m_lastPosition.y();
-  else if (!step.cut.isEmpty())
-    m_behindCut = m_profile.z(step.cut.changed.first) - m_profile.spacing();
+  if (!step.thread) m_beam.change(m_profile, step.cut.changed);
 }
 
 // Limits the depth of a tool that is pressed on the work to the force of a hand, or of its slide: the cross slide and

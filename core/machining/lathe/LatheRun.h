@@ -8,6 +8,7 @@
 #include "machining/lathe/LatheMaterial.h"
 #include "machining/lathe/LatheWarnings.h"
 #include "machining/lathe/ThreadsBeingCut.h"
+#include "machining/lathe/WorkBeam.h"
 
 #include <span>
 
@@ -76,18 +77,25 @@ class LatheRun {
   Try attempt(const LatheState& before, double dt, double mostByHand);
   std::optional<LatheCollision> crashOf(const Try& tried) const;
   std::optional<LatheCollision> cutCrash(const Try& tried) const;
+  double depthAt(const LatheTool& tool, const ProfilePoint& at) const;
+  bool isDrawnStraight(const Try& tried) const;
   bool isDrawnOut(const Try& tried) const;
   bool isAwayFromChuck(const Try& tried, const std::vector<LatheSolid>& solids) const;
   bool holdPressed(Try& tried, const LatheState& before);
   std::size_t indexOf(const LatheTool* tool) const;
   std::shared_ptr<const LatheTool> drill() const;
   void crash(LatheStep& step, LatheCollision collision, const LatheState& before);
+  bool leavesThread(const Try& tried) const;
   void meetThreads(Try& tried) const;
   void cut(LatheStep& step, const Try& tried);
   LatheStep move(double dt, std::span<const LatheCommand> commands);
   void measure(const LatheStep& step, double dt);
   void press(LatheLoad& load, const ProfilePoint& velocity);
   void judge();
+  double heightPressed(const Try& tried) const;
+  SlenderWork beamAtCut();
+  std::optional<CutConditions> cutAhead(const Try& tried) const;
+  double yielding(const Try& tried);
   bool isStalled(double speedBefore) const;
   std::optional<ThreadCut> threadOf(const Try& tried) const;
 
@@ -105,16 +113,17 @@ class LatheRun {
   // The tool that cut last, and its position (mm). An abrasive tool yields, so it is not at the position of its slide.
   std::shared_ptr<const LatheTool> m_lastTool;
   ProfilePoint m_lastPosition{0.0, 0.0};
-  double m_behindCut = 0.0;  // mm; z of the uncut work on the chuck's side of the last cut
+  double m_pressed = 0.0;  // mm; z at which the last cut presses on the work
   std::shared_ptr<const LatheMaterial> m_material;
   CutMeter m_meter;
   LatheLoad m_load;
   LatheWarnings m_warnings;
   ProfilePoint m_tip{0.0, 0.0};    // mm, position of the tip after the last step
   double m_sinceJudged = kJudged;  // s, time since the workshop rules were last evaluated
-  double m_compliance = 0.0;       // mm/N, compliance of the work at the cut
-  double m_thrust = 0.0;           // N, force of the tool on the work, towards the axis
-  double m_chatter = 0.0;          // strength of chatter, 0 to 1 as in LatheLoad
+  WorkBeam m_beam;
+  double m_thrust = 0.0;             // N, force of the tool on the work, towards the axis
+  std::optional<double> m_balanced;  // N, thrust to which the work yielded in the last step; none: not found
+  double m_chatter = 0.0;            // strength of chatter, 0 to 1 as in LatheLoad
 };
 
 }  // namespace handwheel

@@ -8,10 +8,15 @@
 
 namespace handwheel {
 
+// Returns true if the nut is open, and the work turns against a threading tool that is still in its groove: the edge
+// makes a ring of the end of the groove before anybody can draw it back.
+bool LatheRun::leavesThread(const Try& tried) const {
+  return m_isInThread && tried.tool && tried.tool == m_lastTool && !tried.isIndexed && !tried.isQuill &&
+         std::abs(m_machine.state().speed) >= kAtRest && !threadOf(tried);
+}
+
 // The profile does not contain the grooves. On the helix, and while the spindle rests, the edge only removes material
-// beyond them. If the half-nut is opened and the work turns on, the edge makes a ring of the end of its groove before
-// anybody can draw it back. On the helix a tool that is drawn out cuts while it is in the material, but nobody has to
-// push it.
+// beyond them. On the helix a tool that is drawn out cuts while it is in the material, but nobody has to push it.
 void LatheRun::meetThreads(Try& tried) const {
   tried.thread = threadOf(tried);
   const LatheState& state = m_machine.state();
@@ -23,12 +28,11 @@ void LatheRun::meetThreads(Try& tried) const {
     const double inward = tried.from.x() - tried.to.x(), depth = tried.cut.depth;
     tried.pushed = tried.thread ? std::min(depth, tried.tool->side == TurningSide::Bore ? -inward : inward) : depth;
     tried.takesNothing = !tried.thread && !(tried.cut.depth > kTouch);
-  } else if (m_isInThread && m_lastTool == tried.tool) {
+  } else if (tried.isRing) {
     TurnedProfile ringed = m_profile;  // shares its pages
     cutWithTool(ringed, *tried.tool, m_lastPosition, tried.from);
     tried.cut = previewCut(ringed, *tried.tool, tried.from, tried.to);
     tried.pushed = tried.cut.depth;
-    tried.isRing = true;
   }
 }
 

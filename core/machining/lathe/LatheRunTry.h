@@ -20,7 +20,9 @@ struct LatheRun::Try {
   // A threading tool is at rest in its groove, or is drawn out of stationary work along its shoulder
   bool takesNothing = false;
   bool isRing = false;  // the nut was opened and the tool stayed in: the end of the groove is now a full circle
-  bool hasMoved() const { return isQuill || isIndexed || isPressed || from != to; }
+  // Returns true if the tool moves along the axis rather than across it.
+  bool goesAlong() const { return std::abs(to.y() - from.y()) > std::abs(to.x() - from.x()); }
+  bool hasMoved() const { return isQuill || isIndexed || isPressed || isRing || from != to; }
 };
 
 }  // namespace handwheel

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "machining/TurnedProfile.h"
 #include "machining/force/CutWarnings.h"
 #include "machining/lathe/LatheSetup.h"
 
@@ -21,11 +20,6 @@ struct LatheWarning {
 SpindleDrive driveOf(const LatheSpindle& spindle);
 // Returns the torque (N·m) of the spindle at a speed (r/min). The torque is infinite if nothing limits it.
 double spindleTorque(const LatheSpindle& spindle, double speed);
-
-// Returns a beam that deflects as much as a part in the jaws does at this position (z, mm). It is the shaft of one
-// diameter that has the same ∫ (position - s)² / I(s) ds from the jaws to the position, where I(s) is the second moment
-// of area at s. The beam ends at the end of the material. O(samples).
-SlenderWork beamOf(const TurnedProfile& part, double grip, double position);
 
 // The warnings since a lathe began to run. There is one entry for each time that a rule was broken. A rule that is
 // broken again within kApart continues its entry.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/measure/ProfileMeasure.h"
 
+#include "machining/section/SectionSource.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,19 +100,26 @@ std::optional<DiameterReading> measureDiameter(const TurnedProfile& profile, Tur
 
 std::optional<double> measureFace(const TurnedProfile& profile, TurningSide side, double radius, double near,
                                   double reach) {
-  // Returns 0 if there is no material. A bore begins and ends with the part.
-  const auto at = [&](std::size_t i) { return isThere(profile, side, i) ? sideAt(profile, side, i) : 0.0; };
+  const SectionSource::Pointer source = profile.section() ? profile.section() : SectionSource::fitted(profile);
+  const TurnedSection& section = source->section();
+  // Returns true if the side is there at a height, and reaches the radius. A bore begins and ends with the part.
+  const auto reaches = [&](double z) {
+    const auto radii = section.radiiAt(z);
+    return radii && (side == TurningSide::Outside ? radii->outer : radii->inner) >= radius;
+  };
   std::optional<double> face;
   const auto offer = [&](double z) {
-    if (std::abs(z - near) <= reach && (!face || std::abs(z - near) < std::abs(*face - near))) face = z;
+    constexpr double kBeside = 1e-5;  // mm
+    const bool isNearer = !face || std::abs(z - near) < std::abs(*face - near) - kBeside;
+    if (std::abs(z - near) <= reach && isNearer && reaches(z - kBeside) != reaches(z + kBeside)) face = z;
   };
-  if (at(0) >= radius) offer(0.0);
-  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    const double a = at(i), b = at(i + 1);
-    if ((a < radius) == (b < radius)) continue;
-    offer(profile.z(i) + profile.spacing() * (radius - a) / (b - a));
+  std::vector<double> heights = section.heightsAt(radius);
+  for (const TurnedSection& piece : section.pieces()) {
+    heights.push_back(piece.box().min().y());
+    heights.push_back(piece.box().max().y());
   }
-  if (at(profile.size() - 1) >= radius) offer(profile.length());
+  std::sort(heights.begin(), heights.end());
+  for (const double z : heights) offer(z);
   return face;
 }
 

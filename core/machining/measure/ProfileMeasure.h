@@ -32,8 +32,8 @@ struct ArcReading {
 std::optional<DiameterReading> measureDiameter(const TurnedProfile& profile, TurningSide side, AxisRange range);
 
 // Returns the height of the face that crosses a radius (mm), nearest to the height `near` and not further than `reach`
-// from it. The ends of the part count as faces. Of two faces at the same distance, the lower one is returned. Returns
-// nothing if there is no such face.
+// from it, in the exact section of the part. The ends of the part count as faces. Of two faces at the same distance,
+// the lower one is returned. Returns nothing if there is no such face.
 std::optional<double> measureFace(const TurnedProfile& profile, TurningSide side, double radius, double near,
                                   double reach);
 

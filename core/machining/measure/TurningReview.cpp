@@ -4,7 +4,10 @@
 
 #include "machining/finish/FinishMeter.h"
 #include "machining/force/ChipGrowth.h"
+#include "machining/force/ForcePeaks.h"
 #include "machining/lathe/LatheTool.h"
+
+#include "machining/section/SectionSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +59,7 @@ struct TurningReview::Stretch {
   double asked = 0.0;    // turns that the spindle would have made at the requested speed
   double area = 0.0;     // mm², removed area of the section
   double largest = 0.0;  // mm, the largest radius that was cut
+  bool isDrilling = false;
   ProfilePoint position{0, 0};
 };
 
@@ -76,8 +80,11 @@ std::optional<TurningReview> TurningReview::make(const TurnedProfile& bar, Passe
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const double from = static_cast<double>(i) / static_cast<double>(passes.size());
     const double to = static_cast<double>(i + 1) / static_cast<double>(passes.size());
+    const TurnedProfile before = review.m_profile;
     review.repeat(*passes[i], i, lathe, meter, progress.part(from, to));
     if (progress.cancelled()) return std::nullopt;
+    review.follow(settlePass(review.m_profile, before, passes[i], static_cast<std::uint32_t>(i), progress));
+    meter.renew(review.m_profile);
   }
   review.m_finish = meter.finish();
   return review;
@@ -112,7 +119,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     if (inChuck && inJaws < m_crashes.size()) m_crashes[inJaws].last = i;
     wasInChuck = inChuck;
 
-    const TurnedProfile::Range changed = cut(m_profile, pass, from, to);
+    const TurnedProfile::Range changed = cutTo(m_profile, pass, i, static_cast<std::uint32_t>(number));
     const double speed = speedAt(pass, i, lathe), turns = seconds * speed / 60.0;
     meter.add(pass, i, static_cast<std::uint32_t>(number), m_profile, changed);
     const bool isFast = !isThreading && meter.feed() > (1.0 + kFeedSlack) * lathe.largestFeed;
@@ -129,7 +136,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     else if (!changed.isEmpty() || chip.thickness() > 0.0)
       chip.add(distance, turns);
     if (changed.isEmpty()) {
-      endStretch(cutting);
+      endStretch(cutting, number);
       continue;
     }
     cutting.length += distance;
@@ -139,10 +146,18 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     cutting.asked += seconds * askedAt(pass, i, speed) / 60.0;
     cutting.time = time;
     cutting.position = to;
-    if (cutting.length >= Stretch::kLongest) endStretch(cutting);
+    cutting.isDrilling = drillRadius(pass, from, to) > 0.0;
+    if (cutting.length >= Stretch::kLongest) endStretch(cutting, number);
   }
-  endStretch(cutting);
+  endStretch(cutting, number);
   if (!pass.times.empty()) m_seconds += pass.times.back();
+}
+
+void TurningReview::follow(const TurnedProfile::Range& changed) {
+  for (std::size_t i = changed.first; i < changed.last; ++i) {
+    m_outerRadii[i] = m_profile.radius(i);
+    m_boreRadii[i] = m_profile.inner(i);
+  }
 }
 
 double TurningReview::take(Stretch& stretch, TurningSide side, TurnedProfile::Range changed) {
@@ -159,14 +174,15 @@ double TurningReview::take(Stretch& stretch, TurningSide side, TurnedProfile::Ra
 }
 
 // A cut that begins has covered less than a sample, but removes the whole sample.
-void TurningReview::endStretch(Stretch& stretch) {
+void TurningReview::endStretch(Stretch& stretch, std::size_t pass) {
   const Stretch done = std::exchange(stretch, Stretch());
   if (!(done.length > 0.0 && done.turns > 0.0)) return;  // work at rest is not cut: that is a crash
   const double feed = done.length / done.turns;
-  const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * done.largest * 60.0 / done.seconds / 1000.0 : 0.0;
   const double depth = done.area / std::max(done.length, m_profile.spacing());
-  m_moments.push_back({done.time, done.position, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
-                       perTurn * std::max(done.asked, done.turns)});
+  const double radius = done.isDrilling ? done.largest - 0.5 * std::min(depth, done.largest) : done.largest;
+  const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * radius * 60.0 / done.seconds / 1000.0 : 0.0;
+  m_moments.push_back({pass, done.time, done.position, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
+                       perTurn * std::max(done.asked, done.turns), done.isDrilling});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();
 }
 

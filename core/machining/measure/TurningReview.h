@@ -32,6 +32,7 @@ struct CrashMoment {
 
 // The conditions of a cut over a short distance, half a millimetre or less.
 struct CutMoment {
+  std::size_t pass = 0;
   double time = 0.0;  // s since the start of the first pass, without the pauses between passes
   ProfilePoint position{0, 0};
   double depth = 0.0;  // mm, width of the cut across the feed: removed area of the half section divided by the distance
@@ -39,6 +40,7 @@ struct CutMoment {
   double chip = 0.0;   // mm, largest chip thickness; it is less than the feed in the first turn in material
   double speed = 0.0;  // m/min, surface speed at the largest radius that was cut
   double asked = 0.0;  // m/min, speed that the levers asked for; higher than `speed` if the motor was overloaded
+  bool isDrilling = false;  // a drill cuts; the speeds are those in the middle of its lips
 };
 
 class FinishMeter;
@@ -72,8 +74,10 @@ class TurningReview {
   struct Stretch;
   void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, FinishMeter& meter,
               Progress progress);
+  // Takes the radii of samples that the end of a pass changed.
+  void follow(const TurnedProfile::Range& changed);
   double take(Stretch& stretch, TurningSide side, TurnedProfile::Range changed);  // mm, the largest change of a radius
-  void endStretch(Stretch& stretch);
+  void endStretch(Stretch& stretch, std::size_t pass);
   void thinMoments();
 
   TurnedProfile m_profile;

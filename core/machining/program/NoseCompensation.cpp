@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kCorner = 0.05;        // radian; flatter corners do not count (LinuxCNC's TOLERANCE_CONCAVE_CORNER)
 constexpr double kRadiusChange = 0.01;  // mm, between the ends of an arc
-constexpr double kSweepChange = 0.001;  // radian; tolerance of an arc's growth in a corner
+// radian; tolerance of an arc's growth in a corner, in programs in mm and in inches
+constexpr double kGrowth = 0.0254, kGrowthInch = 0.001;
 constexpr const char* kSmallerNose = "Use a tool with a smaller nose radius, or make the corner rounder.";
 constexpr const char* kNoFit = "the nose of the tool does not fit into this corner without cutting into the contour";
 
@@ -38,9 +39,10 @@ double cosineIn(double value, const SourceLocation& location) {
 
 }  // namespace
 
-void NoseCompensation::begin(int side, double radius, const ProfilePoint& tip, const PlanePoint& at) {
+void NoseCompensation::begin(int side, double radius, const ProfilePoint& tip, const PlanePoint& at, bool isInch) {
   m_side = side;
   m_radius = radius;
+  m_growth = isInch && !m_isFanuc ? kGrowthInch : kGrowth;
   m_tip = radius * planePoint(tip);
   m_isFirst = true;
   m_isEntry = false;
@@ -83,7 +85,7 @@ void NoseCompensation::endHeldAt(const PlanePoint& corner, const SourceLocation&
       if (std::abs(before - after) > kRadiusChange) refuseCorner(location);
       if (held.sweep != 0.0 && m_heldFrom) {
         const double sweep = sweepBetween(*m_heldFrom, step.centre, step.modal.turn, corner);
-        if (std::abs(sweep) > std::abs(held.sweep) + kSweepChange) refuseCorner(location);
+        if (std::abs(sweep) > std::abs(held.sweep) + held.growth) refuseCorner(location);
       }
     } else if (m_heldFrom) {
       const PlanePoint now = corner - *m_heldFrom;
@@ -101,8 +103,8 @@ void NoseCompensation::enter(const Step& programmed) {
     refuse(programmed.location, "nose compensation", "the first move is not longer than the nose radius",
            "Begin compensation farther from the part.");
   const double out = std::arg(along) + (m_side > 0 ? M_PI_2 : -M_PI_2);
-  Held held{programmed, m_entersSquare ? PlanePoint{} : std::polar(1.0, out), 0.0};
-  m_isEntry = m_entersSquare;
+  Held held{programmed, m_isFanuc ? PlanePoint{} : std::polar(1.0, out), 0.0};
+  m_isEntry = m_isFanuc;
   held.step.to = programmed.to + std::polar(m_radius, out);
   m_heldFrom = m_centre;
   m_isFirst = false;
@@ -148,6 +150,7 @@ void NoseCompensation::enterByArc(const Step& programmed) {
   }
   m_heldFrom = m_centre;
   held.sweep = sweepBetween(m_centre, held.step.centre, programmed.modal.turn, to);
+  held.growth = m_growth;
   m_centre = to;
   hold(std::move(held));
 }
@@ -265,6 +268,7 @@ void NoseCompensation::arc(const Step& programmed) {
   if (isInside(turn) && arcRadius <= m_radius) refuseCorner(programmed.location);
   const PlanePoint to = programmed.to + std::polar(side, angleTo(programmed.to, programmed.centre));
 
+  double growth = m_growth;
   const bool isTangentBack = std::abs(beta - M_PI) < kCorner && !isInside(turn);
   if (beta < -kCorner || beta > M_PI + kCorner || isTangentBack) {
     if (!m_held.empty()) {
@@ -277,8 +281,10 @@ void NoseCompensation::arc(const Step& programmed) {
   } else {
     flush();
     m_heldFrom = m_centre;
+    // The arc grows by the angle between the end of the last move and its own begin.
+    if (m_isFanuc) growth += std::abs(std::arg((m_centre - programmed.centre) / (m_contour - programmed.centre)));
   }
-  Held held{programmed, {}, sweepBetween(m_contour, programmed.centre, turn, programmed.to)};
+  Held held{programmed, {}, sweepBetween(m_contour, programmed.centre, turn, programmed.to), growth};
   held.step.to = to;
   m_contour = programmed.to;
   m_centre = to;

@@ -31,6 +31,10 @@ inline ProfilePoint profilePoint(const PlanePoint& p) {
 // LinuxCNC. On a Fanuc the entry move ends at the nose position perpendicular to the start of the contour, not
 // perpendicular to the entry move. Such an entry is possible even if the first move of the contour is shorter than the
 // radius of the nose.
+//
+// A corner flatter than 0.05 rad is left as it is: the next move begins at the end of the last one. An arc that begins
+// so may become longer than the programmed one by a few hundredths of a radian. LinuxCNC refuses more than 0.0254 rad,
+// or 0.001 rad in a program in inches; a Fanuc has no such limit.
 class NoseCompensation {
  public:
   // A move, with its modal state and its points.
@@ -42,14 +46,14 @@ class NoseCompensation {
   using Emit = std::function<void(const Step&)>;
 
   NoseCompensation(ProgramDialect dialect, Emit handler)
-      : m_entersSquare(dialect == ProgramDialect::Fanuc), m_emit(std::move(handler)) {}
+      : m_isFanuc(dialect == ProgramDialect::Fanuc), m_emit(std::move(handler)) {}
 
   bool isOn() const { return m_side != 0; }
 
   // Switches the compensation on. side: 1 if the tool is left of the contour (G41), -1 if it is right (G42). radius:
   // the radius of the nose, mm, > 0. tip: the vector from the centre of the nose to the tip, in radii. at: the position
-  // of the tip.
-  void begin(int side, double radius, const ProfilePoint& tip, const PlanePoint& at);
+  // of the tip. isInch: the program is in inches.
+  void begin(int side, double radius, const ProfilePoint& tip, const PlanePoint& at, bool isInch = false);
   // Adds a line or an arc, depending on modal.turn. It begins at the end of the contour; the first one begins at the
   // tip.
   void move(const Step& programmed);
@@ -62,6 +66,7 @@ class NoseCompensation {
     Step step;               // move of the centre of the nose
     PlanePoint direction{};  // programmed direction of a straight move, which a corner must not reverse; 0: it may
     double sweep = 0.0;      // programmed sweep of an arc, which a corner must not lengthen; 0: it may
+    double growth = 0.0;     // rad, by which the sweep may be longer all the same
   };
 
   bool isInside(int turn) const { return m_side * turn > 0; }
@@ -79,12 +84,13 @@ class NoseCompensation {
   PlanePoint cornerToArc(const Step& programmed, double theta, double beta) const;
   PlanePoint cornerOfArcs(const Step& programmed) const;
 
-  bool m_entersSquare;
+  bool m_isFanuc;
   bool m_isEntry = false;  // the held move is a straight entry move of Fanuc
   Emit m_emit;
   int m_side = 0;
   double m_radius = 0.0;
-  PlanePoint m_tip;  // vector from the centre of the nose to the tip
+  double m_growth = 0.0;  // rad, tolerance of the growth of an arc
+  PlanePoint m_tip;       // vector from the centre of the nose to the tip
   bool m_isFirst = false;
   PlanePoint m_contour;  // programmed position, the end of the contour
   PlanePoint m_centre;   // centre of the nose if no move followed

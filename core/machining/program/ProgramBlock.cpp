@@ -10,11 +10,8 @@ namespace {
 
 constexpr double kLargest = 1e9;  // limit of any number in a word
 
-struct Assignment {
-  int number = 0;
-  std::string name;
-  ProgramValue value;
-  SourceLocation location;
+struct Assignment : ProgramAssignment {
+  std::string name;  // empty: the variable has a number
 };
 
 Assignment readAssignment(ProgramScanner& scanner, const ProgramVariables& variables, ProgramDialect dialect) {
@@ -27,7 +24,9 @@ Assignment readAssignment(ProgramScanner& scanner, const ProgramVariables& varia
   else
     set.number = expression.variableNumber();
   scanner.expect('=', "Write #number=value.");
+  const std::size_t behind = scanner.at();
   set.value = dialect == ProgramDialect::Fanuc ? expression.expression() : expression.value();
+  set.comment = scanner.commentFrom(behind);
   if (set.number == 0 && set.name.empty())
     refuse(set.location, "#0", "this variable is always vacant", "Use another number.");
   return set;
@@ -37,8 +36,13 @@ ProgramWord readWord(ProgramScanner& scanner, const ProgramVariables& variables,
                      bool& isVacant) {
   ProgramWord word;
   word.location = scanner.location();
+  const bool isCorner = dialect == ProgramDialect::Fanuc && scanner.takeIf(',');
   word.letter = scanner.peek();
-  if (!scanner.nextIsLetter())
+  if (isCorner) {
+    if (word.letter != 'C' && word.letter != 'R')
+      refuse(word.location, "," + scanner.token(), "only ,C and ,R follow a comma", "Write the end of the move.");
+    word.letter = word.letter == 'C' ? 'c' : 'r';
+  } else if (!scanner.nextIsLetter())
     refuse(word.location, scanner.token(), "no word begins with this", "Remove it, or put it in a comment.");
   scanner.take();
   const std::size_t begin = scanner.at();
@@ -57,7 +61,7 @@ ProgramWord readWord(ProgramScanner& scanner, const ProgramVariables& variables,
 }  // namespace
 
 std::string ProgramWord::text() const {
-  return letter + roundedText(number);
+  return (letter == 'c' ? ",C" : letter == 'r' ? ",R" : std::string(1, letter)) + roundedText(number);
 }
 
 const ProgramWord* ProgramBlock::find(char letter) const {
@@ -71,11 +75,25 @@ double ProgramBlock::number(char letter, double otherwise) const {
   return word ? word->number : otherwise;
 }
 
-ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, ProgramDialect dialect) {
+bool skipsRest(ProgramScanner& scanner, const ProgramSetup& setup) {
+  const bool isFanuc = setup.dialect == ProgramDialect::Fanuc;
+  while (const int number = scanner.takeSkip(isFanuc)) {
+    if (setup.skips >> number & 1) return true;
+    if (!isFanuc) break;
+  }
+  return false;
+}
+
+ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, const ProgramSetup& setup) {
+  const ProgramDialect dialect = setup.dialect;
   ProgramBlock block;
   block.location = scanner.location();
   std::vector<Assignment> assignments;
   while (scanner.peek() != '\0') {
+    if (dialect == ProgramDialect::Fanuc && scanner.peek() == '/') {  // within a line it skips the rest
+      if (skipsRest(scanner, setup)) break;
+      continue;
+    }
     if (scanner.peek() == '#') {
       assignments.push_back(readAssignment(scanner, variables, dialect));
       continue;
@@ -84,6 +102,7 @@ ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, Pro
       refuse(scanner.location(), scanner.token(), "the line has too many words", "Divide it over several lines.");
     bool isVacant = false;
     const ProgramWord word = readWord(scanner, variables, dialect, isVacant);
+    if (word.letter == 'N') block.sequence = word.number;
     if (isVacant || word.letter == 'N') continue;
     if (word.letter != 'G' && word.letter != 'M' && block.has(word.letter))
       refuse(word.location, word.text(), "this letter occurs twice in the line", "Remove one of them.");
@@ -91,7 +110,7 @@ ProgramBlock readBlock(ProgramScanner& scanner, ProgramVariables& variables, Pro
   }
   for (const Assignment& set : assignments) {
     if (set.name.empty())
-      variables.set(set.number, set.value, set.location);
+      variables.set(set);
     else
       variables.set(set.name, set.value.number, set.location);
   }

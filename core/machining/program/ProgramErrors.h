@@ -10,6 +10,7 @@
 namespace handwheel::ProgramError {
 
 extern const ErrorDescription Refused;        // {column, word, what is wrong with it, what to do}
+extern const ErrorDescription Alarm;          // {number, message}; the program stopped the machine with an alarm
 extern const ErrorDescription Endless;        // {blocks}; more blocks were executed than any sensible program has
 extern const ErrorDescription TooManyMoves;   // {moves}
 extern const ErrorDescription CyclesCollide;  // {line}; cycles made for a target collide
@@ -28,6 +29,9 @@ struct SourceLocation {
 struct ProgramRefusal {
   Error error;
 };
+
+// Throws the alarm that a program sets off. number: the number that a control shows. message: may be empty.
+[[noreturn]] void alarm(const SourceLocation& location, const std::string& number, const std::string& message);
 
 // Throws the refusal of a word. reason: a clause that follows "word: ". remedy: a whole sentence.
 [[noreturn]] void refuse(const SourceLocation& location, const std::string& word, const std::string& reason,

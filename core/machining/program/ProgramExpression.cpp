@@ -139,7 +139,7 @@ double ProgramExpression::function(const std::string& name, const SourceLocation
     m_scanner.expect('[', "Write EXISTS[#<name>].");
     m_scanner.expect('#', "Write EXISTS[#<name>].");
     const bool exists = m_scanner.peek() == '<' ? m_variables.get(m_scanner.name()).has_value()
-                                                : !m_variables.get(variableNumber()).isVacant;
+                                                : !m_variables.get(variableNumber(), location).isVacant;
     m_scanner.expect(']', "Close the square bracket.");
     return exists ? 1.0 : 0.0;
   }
@@ -162,11 +162,11 @@ int ProgramExpression::variableNumber() {
 }
 
 ProgramValue ProgramExpression::variable() {
+  const SourceLocation location = m_scanner.location();
   if (m_scanner.peek() != '<') {
     const int number = variableNumber();
-    return number == 0 ? ProgramValue{0.0, true} : m_variables.get(number);
+    return number == 0 ? ProgramValue{0.0, true} : m_variables.get(number, location);
   }
-  const SourceLocation location = m_scanner.location();
   const std::string name = m_scanner.name();
   const std::optional<double> found = m_variables.get(name);
   if (!found)

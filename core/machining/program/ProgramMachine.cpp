@@ -110,7 +110,7 @@ void ProgramMachine::emitStep(const NoseCompensation::Step& step) {
 void ProgramMachine::compensate(int side, double radius, const ProfilePoint& tip, const SourceLocation& location) {
   if (m_compensation.isOn())
     refuse(location, side > 0 ? "G41" : "G42", "nose compensation is on already", "Write G40 before it.");
-  if (radius > 0.0) m_compensation.begin(side, radius, tip, planePoint(m_tip));
+  if (radius > 0.0) m_compensation.begin(side, radius, tip, planePoint(m_tip), modal.isInch);
 }
 
 void ProgramMachine::endCompensation() {

@@ -123,13 +123,17 @@ void ProgramOutline::readLine(std::uint32_t i, ProgramDialect dialect) {
   static constexpr std::string_view kBegins = "/nNoO:wWdDeE(";  // the first characters of lines of the outline
   if (kBegins.find(m_lines[i][first]) == std::string_view::npos) return;
   ProgramScanner scanner(m_lines[i], i + 1);
-  scanner.takeIf('/');
+  while (scanner.takeSkip(dialect == ProgramDialect::Fanuc)) {
+  }
   if (scanner.peek() == 'N') {
     scanner.take();
     if (!scanner.nextIsNumber()) return;  // read, and possibly refused, when it is executed
     const double n = scanner.number();
     if (n >= 0.0 && n <= 1e8 && n == std::floor(n)) m_numbered[static_cast<int>(n)].push_back(i);
   }
+  if (dialect == ProgramDialect::Fanuc)
+    while (scanner.takeSkip(true)) {
+    }
   if (scanner.peek() == 'O' || (scanner.peek() == ':' && dialect == ProgramDialect::Fanuc))
     readO(scanner, i, dialect);
   else if (dialect == ProgramDialect::Fanuc)

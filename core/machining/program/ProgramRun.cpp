@@ -18,6 +18,8 @@ constexpr std::size_t kMostNotes = 100;
 constexpr int kLocals = 33;  // Fanuc; LinuxCNC has 30
 
 std::uint32_t bitOf(char letter) {
+  if (letter == 'c') return 1u << 26;  // ,C
+  if (letter == 'r') return 1u << 27;  // ,R
   return letter >= 'A' && letter <= 'Z' ? 1u << (letter - 'A') : 0u;
 }
 
@@ -39,8 +41,9 @@ ProgramRun::ProgramRun(std::string_view text, const ProgramSetup& setup, Progres
       m_variables(setup.dialect == ProgramDialect::Fanuc ? kLocals : 30, setup.dialect == ProgramDialect::Fanuc),
       m_machine(setup, m_path),
       m_cycleBudget(progress) {
-  m_variables.setSystem([this](int n) { return systemVariable(n); },
-                        [this](const std::string& name) { return systemVariable(name); });
+  m_variables.setSystem({[this](int n, const SourceLocation& location) { return systemVariable(n, location); },
+                         [this](const std::string& name) { return systemVariable(name); },
+                         [this](const ProgramAssignment& assignment) { return setSystemVariable(assignment); }});
 }
 
 ToolPath ProgramRun::run() {
@@ -80,6 +83,16 @@ void ProgramRun::runLines(std::uint32_t begin, std::uint32_t end) {
   m_read = read;
 }
 
+void ProgramRun::runAhead(int most, const std::function<bool()>& isEnough) {
+  const ProgramBlock* const block = m_block;
+  const std::uint32_t read = m_read, after = m_next;
+  for (int i = 0; i < most && !m_isDone && m_next < m_outline.size() && !isEnough(); ++i) step();
+  m_isDone = false;
+  m_next = after;
+  m_block = block;
+  m_read = read;
+}
+
 void ProgramRun::step() {
   constexpr std::uint64_t kLook = 256;  // blocks between two checks of the cancel flag
   if (++m_path.blocks > m_setup.mostBlocks)
@@ -91,7 +104,8 @@ void ProgramRun::step() {
   }
   const std::uint32_t i = m_next++;
   ProgramScanner scanner(m_outline.line(i), i + 1);
-  if (scanner.takeIf('/') && m_setup.skipsMarked) return;
+  if (skipsRest(scanner, m_setup)) return;
+  obeyComment(i, scanner);
   if (scanner.peek() != '\0') readLine(i, scanner);
 }
 

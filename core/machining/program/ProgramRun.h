@@ -42,13 +42,21 @@ class ProgramRun {
 
   // Executes one line that is not empty and not skipped.
   virtual void readLine(std::uint32_t i, ProgramScanner& scanner) = 0;
-  virtual std::optional<ProgramValue> systemVariable(int) const { return {}; }
+  // Does what a comment of a line tells, before the line is executed.
+  virtual void obeyComment(std::uint32_t, const ProgramScanner&) {}
+  // Return the value of a variable of the machine, or nothing if it is none of the machine's.
+  virtual std::optional<ProgramValue> systemVariable(int, const SourceLocation&) const { return {}; }
   virtual std::optional<double> systemVariable(const std::string&) const { return {}; }
+  // Sets a variable of the machine. Returns false if the machine does not take it.
+  virtual bool setSystemVariable(const ProgramAssignment&) { return false; }
 
   void runTo(std::uint32_t end);
   // Runs a subprogram to its end while a block is executed. The block then continues.
   void runInside(std::uint32_t begin, const SourceLocation& location);
   void runLines(std::uint32_t begin, std::uint32_t end);
+  // Runs the next lines, at most a number of them, until there is enough, while a block is executed. The block then
+  // continues. The caller restores what the lines have changed.
+  void runAhead(int most, const std::function<bool()>& isEnough);
   void call(std::uint32_t begin, const std::vector<ProgramValue>& arguments, int repeats, bool hasOwnVariables,
             const SourceLocation& location);
   void returnFromCall();
@@ -71,6 +79,8 @@ class ProgramRun {
   // Reads the centre of an arc from I, K or R.
   PlanePoint arcCentre(const PlanePoint& from, const PlanePoint& to, int turn, bool isAbsolute,
                        const SourceLocation& location);
+  // Returns the position from which the next words count, mm: that of the tool, or in a contour the contour's end.
+  ProfilePoint position() const { return m_contour ? profilePoint(m_machine.unit() * m_contourEnd) : m_machine.at(); }
   void setSpindle(double speed);
   bool runCommonM(int code, const ProgramWord& m);
   void note(const SourceLocation& location, std::string text);

@@ -61,6 +61,14 @@ bool ProgramScanner::takeIf(std::string_view word) {
   return true;
 }
 
+int ProgramScanner::takeSkip(bool hasNumber) {
+  if (!takeIf('/')) return 0;
+  const char next = hasNumber ? peek() : '\0';
+  if (next < '1' || next > '9') return 1;
+  take();
+  return next - '0';
+}
+
 bool ProgramScanner::nextIsLetter() {
   return isLetter(peek());
 }
@@ -105,6 +113,22 @@ void ProgramScanner::expect(char c, const char* remedy) {
 void ProgramScanner::expectEnd() {
   if (peek() == '\0') return;
   refuse(location(), token(), "nothing may follow here", "Put it into a line of its own.");
+}
+
+std::string ProgramScanner::commentFrom(std::size_t at) const {
+  const std::size_t begin = m_text.find('(', at);
+  const std::size_t end = begin == std::string_view::npos ? begin : m_text.find(')', begin);
+  return end == std::string_view::npos ? std::string() : std::string(m_text.substr(begin + 1, end - begin - 1));
+}
+
+std::string ProgramScanner::lastComment() const {
+  std::string last;
+  for (std::size_t at = 0; at < m_text.size() && m_text[at] != ';'; ++at) {
+    if (m_text[at] != '(') continue;
+    last = commentFrom(at);
+    at = std::min(m_text.find(')', at), m_text.size());
+  }
+  return last;
 }
 
 bool ProgramScanner::hasWords() {

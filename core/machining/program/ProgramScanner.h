@@ -22,6 +22,9 @@ class ProgramScanner {
   bool takeIf(std::string_view word);
   bool nextIsLetter();
 
+  // Takes a block skip, a / with a digit from 1 to 9 if it may have one. Returns the digit, 1 for a bare /; 0: none.
+  int takeSkip(bool hasNumber);
+
   // Reads a decimal number without a sign.
   double number();
   bool nextIsNumber();
@@ -29,9 +32,11 @@ class ProgramScanner {
   std::string name();
 
   void expect(char c, const char* remedy);
-  void expectEnd();    // refuses anything but comments
-  bool hasWords();     // true if anything but comments follows; an unclosed comment counts
-  std::string rest();  // the rest of the line, without blanks and comments, in capitals
+  void expectEnd();                               // refuses anything but comments
+  std::string commentFrom(std::size_t at) const;  // first comment from a position on, without brackets; empty: none
+  std::string lastComment() const;                // last comment of the line, without brackets; empty: none
+  bool hasWords();                                // true if anything but comments follows; an unclosed comment counts
+  std::string rest();                             // the rest of the line, without blanks and comments, in capitals
 
   SourceLocation location();               // location of the next significant character
   std::string token();                     // token at location(), for messages

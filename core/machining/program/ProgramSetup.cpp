@@ -12,6 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostTools = 1000;
+constexpr std::string_view kTurnedOver = "upside-down";  // in a comment
 constexpr const char* kToolRemedy = "Write a line as T1 P1 X0 Z0 D0.8 Q2.";
 
 // Reads the next word of a tool line; returns false at its end.
@@ -76,6 +77,8 @@ void readToolLine(std::string_view line, std::uint32_t number, ProgramTools& too
     }
   }
   if (!isAny) return;
+  const std::size_t comment = std::min(line.find(';'), line.size());
+  tool.isTurnedOver = line.find(kTurnedOver, comment) != std::string_view::npos;
   if (name < 0 || tools.size() >= kMostTools)
     refuse({number, 1}, "T", name < 0 ? "the line has no tool number" : "there are too many tools", kToolRemedy);
   tools[name] = tool;
@@ -167,7 +170,10 @@ std::string toolTableText(const ProgramTools& tools) {
     text.append(" X").append(shortestText(tool.offset.x())).append(" Z").append(shortestText(tool.offset.y()));
     text.append(" D").append(shortestText(2.0 * tool.noseRadius)).append(" Q");
     text.append(std::to_string(tool.orientation));
-    if (tool.body) text += " ;" + tool.body->id;
+    if (tool.body || tool.isTurnedOver) text += " ;";
+    if (tool.body) text += tool.body->id;
+    if (tool.body && tool.isTurnedOver) text += ' ';
+    if (tool.isTurnedOver) text += kTurnedOver;
     text += '\n';
   }
   return text;

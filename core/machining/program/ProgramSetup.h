@@ -8,6 +8,7 @@
 #include "nurbs/BezierArc.h"
 #include "nurbs/StockCylinder.h"
 
+#include <ctime>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +19,22 @@ namespace handwheel {
 
 enum class ProgramDialect { LinuxCnc, Fanuc };
 
+// The position of the tool post and the side of the inserts. They decide how the spindle has to turn. M3 is clockwise,
+// seen from the spindle towards the tailstock: the work comes down on a tool in front of the axis, between axis and
+// operator, and comes up on a tool behind it. By default M3 cuts behind the axis with the insert facing down, as on
+// most slant-bed lathes.
+//
+// The numbers of a program do not depend on the post. X+ points to the post, and G2, G3, G41 and G42 are seen along the
+// axis Y, which points down if the post is in front. Seen from above, they then appear reversed.
+struct ProgramPost {
+  bool isInFront = false;
+  bool isInsertUp = false;
+
+  // Returns 1 if the tools of the post cut with M3, or -1 if they cut with M4.
+  int cuttingSpin() const { return isInFront == isInsertUp ? 1 : -1; }
+  bool operator==(const ProgramPost&) const = default;
+};
+
 // An entry of a machine's tool table.
 struct ProgramTool {
   double noseRadius = 0.0;    // mm; 0: an ideal point
@@ -26,6 +43,7 @@ struct ProgramTool {
   // The lathe tool of the entry. Its holder, its post and its slide must not touch anything. If the pointer is null,
   // the tool is not known, and only the tip is checked. The nose cuts in both cases.
   std::shared_ptr<const LatheTool> body = {};
+  bool isTurnedOver = false;  // the insert faces the other side than those of the machine do
 };
 
 // The parts of a lathe that the body of a tool may hit besides the work. Positions count from the lower end of the
@@ -66,7 +84,12 @@ struct ProgramSetup {
   double toolChange = 2.0;                 // s
   std::uint64_t mostBlocks = 5'000'000;
   std::size_t mostMoves = 2'000'000;
-  bool skipsMarked = false;  // skips blocks that begin with '/'
+  std::time_t begin = 0;  // time at which the run begins, for the calendar of a Fanuc; 0: the present
+  // Bit n skips what follows /n, for n from 1 to 9; / is /1. LinuxCNC has only /.
+  std::uint16_t skips = 0;
+  // A length without a decimal point counts in least increments, 0.001 mm or 0.0001 inch (Fanuc), not in mm or inch.
+  bool hasIncrements = false;
+  ProgramPost post;
 
   const ProgramTool& tool(int number) const;
   const ProgramTool& toolOf(const ToolMove& move) const { return tool(move.shape != 0 ? move.shape : move.tool); }
@@ -79,8 +102,9 @@ ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, doub
                         double allowance = 0.0);
 
 // Reads the tools from the text of a LinuxCNC tool table with lines such as "T1 P1 X0 Z0 D0.8 Q2" (mm; D is a
-// diameter). If the comment of a line begins with the id of one of the bodies, for example ";right-roughing", the tool
-// gets that body, and also its nose and orientation if the line does not give them. Errors: Refused.
+// diameter). The word upside-down in the comment of a line turns the tool over. If the comment of a line begins with
+// the id of one of the bodies, for example ";right-roughing", the tool gets that body, and also its nose and
+// orientation if the line does not give them. Errors: Refused.
 Result<ProgramTools> readToolTable(std::string_view text, const LatheTools& bodies = {},
                                    ProgramDialect dialect = ProgramDialect::LinuxCnc);
 // Returns the text of a LinuxCNC tool table with these tools.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramSimulation.h"
 
+#include "machining/section/SectionSource.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,50 +14,110 @@ namespace {
 constexpr double kTouch = 1e-3;       // mm; a rapid that takes less only touches
 constexpr double kOnAxis = 1e-6;      // mm
 constexpr double kPiece = 1.0;        // mm; piece of a straight move, for its forces
+constexpr double kPieceAngle = 0.1;   // rad; piece of an arc
 constexpr int kMostPieces = 16;       // limit for a straight move
 constexpr int kMostArcPieces = 4096;  // limit for an arc
 constexpr std::size_t kPassPoints = 100'000;
 constexpr std::size_t kMostRemarks = 100;
 
 int cutsOf(const ToolMove& move) {
-  if (move.turn == 0) return std::clamp(static_cast<int>(std::ceil(lengthOf(move) / kPiece)), 1, kMostPieces);
-  const double radius = std::max((move.from - move.centre).norm(), 1e-9);
+  const double longest = lengthOf(move) / kPiece, widest = std::abs(sweepOf(move)) / kPieceAngle;
+  return std::clamp(static_cast<int>(std::ceil(std::max(longest, widest))), 1,
+                    move.turn == 0 ? kMostPieces : kMostArcPieces);
+}
+
+// Returns the path of a move, shifted. The radii at both ends of a programmed arc differ by their rounding; the path is
+// one arc all the same. A segment counts its angle from r towards z.
+ProfileSegment pathOf(const ToolMove& move, const ProfilePoint& shift) {
+  return {move.from + shift, move.to + shift, -std::tan(0.25 * sweepOf(move))};
+}
+
+// Returns one of some equal pieces of the path of a move.
+ProfileSegment pieceOf(const ProfileSegment& path, const ToolMove& move, int piece, int pieces) {
+  const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
+  constexpr double kMostAngle = 1.9 * M_PI;  // the ends of a full circle do not define it
+  if (std::abs(sweepOf(move)) < kMostAngle) return path.piece(from, to);
+  const ProfilePoint shift = path.from - move.from;
+  return {pointOn(move, from) + shift, pointOn(move, to) + shift, -std::tan(0.25 * sweepOf(move) / pieces)};
+}
+
+// Returns the number of chords of a piece of an arc that are within ProgramSimulation::kChord of it.
+int chordsOf(const ProfileSegment& piece) {
+  const double radius = piece.radius();
+  if (!std::isfinite(radius)) return 1;
   const double step = 2.0 * std::acos(std::max(0.0, 1.0 - ProgramSimulation::kChord / radius));
-  return std::clamp(static_cast<int>(std::ceil(std::abs(sweepOf(move)) / std::max(step, 1e-6))), 1, kMostArcPieces);
+  return std::clamp(static_cast<int>(std::ceil(std::abs(piece.angle()) / std::max(step, 1e-6))), 1, kMostArcPieces);
+}
+
+// Returns the mean thickness of what was removed, mm. What rounding leaves along a wall is long, and as good as
+// nothing.
+double thicknessOf(const SectionRemoval& removal) {
+  return removal.isEmpty() ? 0.0 : removal.area / removal.box.diagonal().norm();
+}
+
+// Returns the largest distance of the tip from the axis during a piece of a move, mm.
+double farthestOf(const ToolMove& move, const MovePiece& piece) {
+  return std::max(std::abs(pointOn(move, piece.from).x()), std::abs(pointOn(move, piece.to).x()));
+}
+
+// Returns the surface speed of the work at that distance, m/min.
+double speedAt(const ToolMove& move, double radius) {
+  return surfaceSpeed(spindleAt(move, radius), 2.0 * radius);
 }
 
 }  // namespace
+
+bool isBeyondAxis(const ToolMove& move, double nose, bool was) {
+  const ProfileBox box = pathOf(move, ProfilePoint(0.0, 0.0)).box();
+  const double least = box.min().x(), most = box.max().x();
+  return std::max(-least, most) <= nose + kOnAxis ? was : -least > most;
+}
+
+ToolMove mirrored(const ToolMove& move) {
+  ToolMove image = move;
+  for (ProfilePoint* p : {&image.from, &image.to, &image.centre}) p->x() = -p->x();
+  image.turn = static_cast<std::int8_t>(-image.turn);
+  return image;
+}
 
 ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
                                      const CuttingForceModel* model, const ProgramState& before)
     : m_part(std::move(part)),
       m_path(path),
       m_setup(setup),
-      m_model(model),
       m_largest(0.0),
       m_state(before),
+      m_passesBefore(before.passes),
       m_obstacles(setup, m_part) {
   for (std::size_t i = 0; i < m_part.size(); ++i) m_largest = std::max(m_largest, m_part.radius(i));
+  if (model) m_meter.emplace(*model, m_part.spacing());
 }
 
+// A tool with a known body cuts by its body. Any other tool is its nose with two edges; a drill is as round as its
+// nose.
 TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
   const ProgramTool& tool = m_setup.toolOf(move);
   TurningPass shape;
   shape.isOfProgram = true;
+  shape.isExact = true;
   shape.noseRadius = tool.noseRadius;
-  const bool isBoring = tipDirection(m_setup.dialect, tool.orientation).x() > 0.0;
-  if (m_state.isDrilling || isBoring) shape.side = TurningSide::Bore;
-  // A drill with a known body has its point; any other drill is as round as its nose.
-  if (m_state.isDrilling && tool.body && tool.body->kind == LatheToolKind::Drill) shape.tool = tool.body;
+  const ProfilePoint tip = tipOf(move);
+  if (m_state.isDrilling || tip.x() > 0.0) shape.side = TurningSide::Bore;
+  if (tool.body)
+    shape.tool = tool.body;
+  else if (!m_state.isDrilling)
+    shape.edges = tip.isZero() ? ProfilePoint(-1, -1) : tip;
   return shape;
 }
 
 // A tool that feeds along the axis towards the chuck is a drill until it leaves the axis, so that it also returns
 // through the hole as a drill; a tool that has faced to the axis is not.
 void ProgramSimulation::followDrill(const ToolMove& move) {
+  const auto& body = m_setup.toolOf(move).body;
   const bool isOnAxis = move.turn == 0 && std::abs(move.from.x()) <= kOnAxis && std::abs(move.to.x()) <= kOnAxis;
   const bool begins = move.kind != ToolMove::Kind::Rapid && move.to.y() < move.from.y();
-  m_state.isDrilling = isOnAxis && (begins || (m_state.isDrilling && m_state.drill == move.tool));
+  const bool mayDrill = !body || body->kind == LatheToolKind::Drill;
+  m_state.isDrilling = mayDrill && isOnAxis && (begins || (m_state.isDrilling && m_state.drill == move.tool));
   m_state.drill = move.tool;
 }
 
@@ -71,17 +133,43 @@ void ProgramSimulation::judge(const ToolMove& move, const Taken& taken, double n
     collide(ProgramCollision::Kind::RapidInMaterial, move, taken.position);
   else if (move.spin == 0 || !(move.spindle > 0.0))
     collide(ProgramCollision::Kind::SpindleAtRest, move, taken.position);
-  else if (move.spin < 0 && move.kind == ToolMove::Kind::Feed)
-    collide(ProgramCollision::Kind::SpindleReversed, move, taken.position);
+  else
+    judgeSpin(move);
   if (m_state.isDrilling && nose == 0.0 && m_notes.size() < kMostRemarks)
     m_notes.push_back({move.line,
                        "The drill leaves no hole: the tool has no diameter. Give it a nose radius of half the "
                        "diameter of the drill."});
 }
 
+// A drill cuts clockwise on every machine.
+void ProgramSimulation::judgeSpin(const ToolMove& move) {
+  if (move.kind != ToolMove::Kind::Feed) return;
+  const ProgramPost& post = m_setup.post;
+  const bool isOther = m_setup.toolOf(move).isTurnedOver != m_state.isBeyond;
+  const int needed = m_state.isDrilling ? 1 : isOther ? -post.cuttingSpin() : post.cuttingSpin();
+  if (move.spin == needed || m_notes.size() >= kMostRemarks || !m_wrongSpins.insert(move.tool).second) return;
+  const std::string right = needed > 0 ? "M3" : "M4", wrong = needed > 0 ? "M4" : "M3";
+  std::string why = "a drill";
+  if (!m_state.isDrilling) {
+    const bool isInFront = post.isInFront != m_state.isBeyond,
+               isUp = post.isInsertUp != m_setup.toolOf(move).isTurnedOver;
+    why = std::string("a tool ") + (isInFront ? "in front of" : "behind") + " the axis with its insert facing " +
+          (isUp ? "up" : "down");
+  }
+  m_notes.push_back({move.line, "The spindle turns away from the cutting edge: " + why + " cuts with " + right +
+                                    ". Write " + right + " for " + wrong + ", or set up the machine as it is."});
+}
+
+ProfilePoint ProgramSimulation::tipOf(const ToolMove& move) const {
+  ProfilePoint tip = tipDirection(m_setup.dialect, m_setup.toolOf(move).orientation);
+  // A tool that seems to reach through the axis stands on the other side, unless it is in a bore.
+  if (m_state.isBeyond) tip.x() = m_part.isBored() ? -tip.x() : -std::abs(tip.x());
+  return tip;
+}
+
 // Returns the vector from the point that the program controls to the centre of the nose.
 ProfilePoint ProgramSimulation::toCentre(const ToolMove& move, double nose) const {
-  ProfilePoint toNose = -nose * tipDirection(m_setup.dialect, m_setup.toolOf(move).orientation);
+  ProfilePoint toNose = -nose * tipOf(move);
   if (m_state.isDrilling) toNose.x() = 0.0;  // a drill turns about its own axis
   return toNose;
 }
@@ -108,13 +196,23 @@ bool ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& mov
   if (m_collisionCount > 0 && m_lastCollision == move.line) return false;  // only one per line
   m_lastCollision = move.line;
   if (++m_collisionCount > kMostCollisions) return false;
-  m_collisions.push_back({kind, move.line, move.to, position, m_time});
+  m_collisions.push_back({kind, move.line, m_state.isBeyond ? mirrored(move).to : move.to, position, m_time});
   m_collisions.back().passes = m_passes.size();
   return true;
 }
 
-ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape, const ProfilePoint& a,
-                                                       const ProfilePoint& b) {
+ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape, const ProfileSegment& piece,
+                                                       const ProfileSegment& whole, std::uint32_t number) {
+  if (const std::optional<ExactStep> step = cutExactly(m_part, shape, piece, whole, number)) {
+    m_changed.extend(step->changed);
+    if (step->removal.isEmpty()) return {};
+    return {step->removal.area, thicknessOf(step->removal)};
+  }
+  return cutSamples(shape, piece.from, piece.to);
+}
+
+ProgramSimulation::Removal ProgramSimulation::cutSamples(const TurningPass& shape, const ProfilePoint& a,
+                                                         const ProfilePoint& b) {
   Removal removal;
   const TurnedProfile before = m_part;  // shares its pages
   const TurnedProfile::Range changed = cut(m_part, shape, a, b);
@@ -123,58 +221,67 @@ ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape,
     if (!(depth > 0.0)) continue;
     removal.area += depth * m_part.spacing();
     removal.depth = std::max(removal.depth, depth);
-    removal.radius = std::max(removal.radius, shape.side == TurningSide::Bore ? m_part.inner(i) : before.radius(i));
   }
   m_changed.extend(changed);
   return removal;
 }
 
-void ProgramSimulation::record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin,
-                               double end, double speed) {
-  const bool goesOn = !m_passes.empty() && !m_passes.back().thread && m_passes.back().noseRadius == shape.noseRadius &&
-                      m_passes.back().side == shape.side && m_passes.back().tool == shape.tool &&
-                      m_passes.back().path.back() == a && m_passes.back().path.size() < kPassPoints;
-  if (!goesOn) {
+// A pass is a run of moves with one tool without a rapid move among them.
+bool ProgramSimulation::continuesPass(const TurningPass& shape, const ProfilePoint& a) const {
+  if (!m_isPassOpen) return false;
+  const TurningPass& last = m_passes.back();
+  const ProfilePoint& end = m_uncut.empty() ? last.path.back() : m_uncut.back().move.to;
+  return last.noseRadius == shape.noseRadius && last.side == shape.side && last.tool == shape.tool &&
+         last.edges == shape.edges && end == a && last.path.size() < kPassPoints;
+}
+
+void ProgramSimulation::endPass() {
+  m_isPassOpen = false;
+  m_uncut.clear();
+}
+
+// Pieces without a cut are kept until one with a cut follows in the same pass.
+void ProgramSimulation::record(const TurningPass& shape, const RecordedPiece& piece, bool isCut) {
+  if (!continuesPass(shape, piece.move.from)) {
+    endPass();
+    if (!isCut) return;
     m_passes.push_back(shape);
-    m_passes.back().path.push_back(a);
+    m_passes.back().path.push_back(piece.move.from);
     m_passes.back().times.push_back(0.0);
-    m_passes.back().speeds.push_back(speed);
-    m_passBegin = begin;
+    m_passes.back().speeds.push_back(piece.speed);
+    m_passBegin = piece.begin;
+    m_isPassOpen = true;
   }
-  m_passes.back().path.push_back(b);
-  m_passes.back().times.push_back(std::max(end - m_passBegin, m_passes.back().times.back()));
-  m_passes.back().speeds.push_back(speed);
+  m_uncut.push_back(piece);
+  if (!isCut) return;
+  for (const RecordedPiece& each : std::exchange(m_uncut, {})) append(each);
 }
 
-// Returns the meter for the spindle setting of the move. There must be a model.
-ForcePeakMeter& ProgramSimulation::meterOf(const ToolMove& move) {
-  SpindleSetting spindle;
-  spindle.speed = move.isSurfaceSpeed ? move.mostSpindle : move.spindle;
-  spindle.surfaceSpeed = move.isSurfaceSpeed ? move.spindle : 0.0;
-  const bool isSame = m_meter && m_spindle.speed == spindle.speed && m_spindle.surfaceSpeed == spindle.surfaceSpeed;
-  if (!isSame) {
-    m_peaks = peaks();
-    m_spindle = spindle;
-    m_meter.emplace(*m_model, spindle, m_part.spacing());
+void ProgramSimulation::append(const RecordedPiece& piece) {
+  TurningPass& pass = m_passes.back();
+  const auto first = static_cast<std::uint32_t>(pass.path.size() - 1);
+  const int chords = chordsOf(piece.move);
+  for (int i = 1; i <= chords; ++i) {
+    const double share = static_cast<double>(i) / chords, now = piece.begin + share * (piece.end - piece.begin);
+    pass.path.push_back(i == chords ? piece.move.to : piece.move.at(share));
+    pass.times.push_back(std::max(now - m_passBegin, pass.times.back()));
+    pass.speeds.push_back(piece.speed);
   }
-  return *m_meter;
-}
-
-ForcePeaks ProgramSimulation::peaks() {
-  if (!m_meter) return m_peaks;
-  const ForcePeaks more = m_meter->finish();
-  ForcePeaks all = more.force > m_peaks.force ? more : m_peaks;
-  all.power = std::max(more.power, m_peaks.power);
-  all.torque = std::max(more.torque, m_peaks.torque);
-  all.isOutsideModel = more.isOutsideModel || m_peaks.isOutsideModel;
-  m_peaks = all;
-  m_meter.reset();
-  return all;
+  if (!piece.move.isArc()) return;
+  const auto last = static_cast<std::uint32_t>(pass.path.size() - 1);
+  if (piece.isOfSameArc && !pass.arcs.empty() && pass.arcs.back().last == first)
+    pass.arcs.back() = {pass.arcs.back().first, last,
+                        std::tan(std::atan(pass.arcs.back().bulge) + std::atan(piece.move.bulge))};
+  else
+    pass.arcs.push_back({first, last, piece.move.bulge});
 }
 
 bool ProgramSimulation::step() {
   if (m_next >= m_path.moves.size()) return false;
-  const ToolMove& move = m_path.moves[m_next++];
+  const ToolMove& written = m_path.moves[m_next++];
+  m_state.isBeyond =
+      isBeyondAxis(written, m_setup.toolOf(written).noseRadius, m_state.isBeyond && m_state.drill == written.tool);
+  const ToolMove move = m_state.isBeyond ? mirrored(written) : written;
   m_time += move.time;
   if (move.kind == ToolMove::Kind::Dwell) return true;
   followDrill(move);
@@ -221,38 +328,68 @@ void ProgramSimulation::followBody(const ToolMove& move) {
     meetBody(move, pointOn(move, static_cast<double>(i) / pieces) + toPart, tool.noseRadius);
 }
 
+// Returns true if a rapid move draws a tool straight back from a shoulder that it has made. The shoulder leans by the
+// angle of the edge, and the tool springs along it, as on the manual lathe.
+bool ProgramSimulation::isDrawnBack(const ToolMove& move, const TurningPass& shape, const ProfileSegment& path) const {
+  if (move.kind != ToolMove::Kind::Rapid || !shape.tool) return false;
+  const ProfilePoint by = path.to - path.from;
+  const double back = shape.tool->side == TurningSide::Bore ? -by.x() : by.x();
+  if (!(back > 0.0) || std::abs(by.y()) > back) return false;
+  constexpr double kDrawnSpring = 1.0;  // mm; 11 mm deep, an edge of 95° leans by 0.96
+  for (const double along : {kDrawnSpring, -kDrawnSpring}) {
+    const ProfilePoint beside(0.0, along);
+    const ProfileSegment sprung{path.from + beside, path.to + beside, path.bulge};
+    TurnedProfile part = m_part;
+    const auto step = cutExactly(part, shape, sprung, sprung, 0);
+    if (step && !(thicknessOf(step->removal) > kTouch)) return true;
+  }
+  return false;
+}
+
 ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const TurningPass& shape) {
   const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, zeroHeight());
   // The path of a tool is that of its tip.
-  const ProfilePoint toTip(0.0, shape.tool ? -shape.noseRadius : 0.0);
-  const double reach = m_largest + shape.noseRadius;
+  const ProfilePoint toTip =
+      shape.tool ? bodyTipFrom(*shape.tool, ProfilePoint(0.0, 0.0), shape.noseRadius) : ProfilePoint(0.0, 0.0);
   const int pieces = piecesOf(move);
-  const bool hasBody = m_setup.toolOf(move).body != nullptr;
-  const double length = lengthOf(move) / pieces, seconds = move.time / pieces;
+  const ProfileSegment whole = pathOf(move, toPart + toTip);
+  const bool isRapid = move.kind == ToolMove::Kind::Rapid;
+  if (isRapid || m_wasRapid) endPass();
+  m_wasRapid = isRapid;
+  if (isDrawnBack(move, shape, whole)) {
+    followBody(move);
+    return {0.0, move.to + toPart};
+  }
+  const double length = lengthOf(move) / pieces;
+  double end = m_time - move.time;
   Taken taken;
   std::optional<ProfilePoint> first;
   for (int i = 0; i < pieces; ++i) {
-    const ProfilePoint a = pointOn(move, static_cast<double>(i) / pieces) + toPart;
-    const ProfilePoint b = pointOn(move, static_cast<double>(i + 1) / pieces) + toPart;
-    Removal removal;
+    const MovePiece share{static_cast<double>(i) / pieces, static_cast<double>(i + 1) / pieces};
+    const ProfilePoint a = pointOn(move, share.from) + toPart, b = pointOn(move, share.to) + toPart;
+    const ProfileSegment piece = pieceOf(whole, move, i, pieces);
+    const double seconds = timeOf(move, share), spindle = spindleOf(move, share);
+    end += seconds;
     taken.deepest = std::max(taken.deepest, deepestOf(a, b, shape));
-    if (std::min(a.x(), b.x()) <= reach && !samplesBelow(a, b, shape.noseRadius).isEmpty())
-      removal = cutPiece(shape, a + toTip, b + toTip);
-    if (removal.area > 0.0) {
-      const double end = m_time - move.time + seconds * (i + 1);
-      record(shape, a + toTip, b + toTip, end - seconds, end, move.spin == 0 ? 0.0 : spindleAt(move, removal.radius));
-      if (!first) first = b;
+    const bool goesOn = continuesPass(shape, piece.from);
+    const std::size_t number = m_passesBefore + m_passes.size() - (goesOn ? 1 : 0);
+    const Removal removal = cutPiece(shape, piece, whole, static_cast<std::uint32_t>(number));
+    const bool isCut = removal.area > 0.0;
+    record(shape, {piece, end - seconds, end, spindle, i > 0}, isCut);
+    if (isCut && !first) first = b;
+    if (m_meter) {
+      const bool drills = m_state.isDrilling;
+      // The force of a cut at rest, which is a collision, is that of the speed that was set.
+      const double turning = move.spin == 0 ? spindleAt(move, pointOn(move, share.from).x()) : spindle;
+      const double radius = drills ? shape.noseRadius : farthestOf(move, share);
+      const double speed = drills ? surfaceSpeed(turning, 2.0 * radius) : speedAt(move, radius);
+      m_meter->add({length, seconds, removal.area, radius, turning, speed, drills});
     }
-    if (m_model) meterOf(move).add(length, seconds, removal.area, removal.radius);
     taken.deepest = std::max(taken.deepest, removal.depth);
-    if (hasBody) meetBody(move, b, shape.noseRadius);
+    if (shape.tool) meetBody(move, b, shape.noseRadius);
   }
   taken.position = first.value_or(move.to + toPart);
   return taken;
-}
-
-TurnedProfile::Range ProgramSimulation::samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const {
-  return m_part.samplesUnder(a, b, std::max(nose, m_part.spacing()));
 }
 
 bool ProgramSimulation::run(Progress progress) {

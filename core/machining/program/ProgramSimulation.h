@@ -7,9 +7,11 @@
 #include "machining/program/ProgramObstacles.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
+#include "machining/target/ProfileSegment.h"
 #include "machining/thread/PartThreads.h"
 
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace handwheel {
@@ -20,7 +22,6 @@ struct ProgramCollision {
     RapidInMaterial,  // a rapid move through the part
     Chuck,            // the tip went beyond the face of the chuck
     SpindleAtRest,    // a feed into the part that does not turn
-    SpindleReversed,  // a feed into the part that turns away from the edge (M4)
     Contact,          // contact of two parts of the lathe: a holder, a slide, the tailstock
   };
   Kind kind = Kind::RapidInMaterial;
@@ -44,21 +45,31 @@ struct ThreadLead {
 // The state that the next move of a program depends on, besides the profile of the part.
 struct ProgramState {
   bool isDrilling = false;                     // the tool has drilled and is still on the axis
-  int drill = -1;                              // number of the drill
+  int drill = -1;                              // number of the tool that moved last
+  bool isBeyond = false;                       // true if that tool is beyond the axis
   std::optional<ThreadLead> lead;              // set if the last move was a thread
-  std::shared_ptr<const PartThreads> threads;  // threads of the part, used for the forces; null: none
+  std::shared_ptr<const PartThreads> threads;  // threads of the part; null: none
+  std::size_t passes = 0;                      // number of passes that the part had before the program
 };
+
+// Returns true if a move is made beyond the axis, at negative radii. A tool may go over the axis by its nose, to take
+// the middle of a face away; it stays on its side. nose: its radius, mm. was: the side of the move before.
+bool isBeyondAxis(const ToolMove& move, double nose, bool was);
+// Returns the mirror image of a move at the axis.
+ToolMove mirrored(const ToolMove& move);
 
 // Cuts a part along the tool path of a program, move by move.
 //
 // The upper end of the part, without ProgramSetup::allowance, is z = 0 of the program. The chuck grips the lower end
 // over ProgramSetup::grip, where no tool may be beside the part. A tool cuts with its nose, or as a point if it has
-// none. It removes all material between the nose and the side of its shank, which is the outside, or the axis for a
-// tool whose tip points outwards. A feed along the axis towards the chuck drills, with the nose as the drill, until the
-// tool leaves the axis. Rapid moves, and feeds with the spindle at rest or reversed, cut as well; such a move is a
-// collision if it meets material. A thread is a pass of its own. It does not change the profile, which is the envelope;
-// its flanks are at 60°. If the body of a tool is known, contacts of its holder, its post and its slide are checked
-// once in each millimetre of travel. O(samples below the moves). A simulation may be used by one thread at a time.
+// none. Beyond the axis, at negative X, it cuts as its mirror image. It removes all material between the nose and the
+// side of its shank, which is the outside, or the axis for a tool whose tip points outwards. A feed along the axis
+// towards the chuck drills, with the nose as the drill, until the tool leaves the axis. Rapid moves, and feeds with the
+// spindle at rest, cut as well; such a move is a collision if it meets material. A spindle that turns away from the
+// edge is a note at the first such feed of a tool. A thread is a pass of its own. It does not change the profile, which
+// is the envelope; its flanks are at 60°. If the body of a tool is known, contacts of its holder, its post and its
+// slide are checked once in each millimetre of travel. O(samples below the moves). A simulation may be used by one
+// thread at a time.
 class ProgramSimulation {
  public:
   static constexpr std::size_t kMostCollisions = 1000;  // limit of stored collisions; collisionCount() counts all
@@ -86,13 +97,13 @@ class ProgramSimulation {
   // Returns remarks on results that the author of a program may not expect, such as a drill without diameter.
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }
   // Returns the largest force, power and torque so far. All are zero without a model.
-  ForcePeaks peaks();
+  ForcePeaks peaks() { return m_meter ? m_meter->finish() : ForcePeaks(); }
   // Returns the cutting moves as passes that reproduce the part, and removes them from the simulation.
   std::vector<TurningPass> takePasses() { return std::move(m_passes); }
 
  private:
   struct Removal {
-    double area = 0.0, depth = 0.0, radius = 0.0;  // mm², mm, mm
+    double area = 0.0, depth = 0.0;  // mm², mm
   };
   void followDrill(const ToolMove& move);
   TurningPass shapeOf(const ToolMove& move) const;
@@ -104,17 +115,32 @@ class ProgramSimulation {
   };
   Taken cutMove(const ToolMove& move, const TurningPass& shape);
   void judge(const ToolMove& move, const Taken& taken, double nose);
-  TurnedProfile::Range samplesBelow(const ProfilePoint& a, const ProfilePoint& b, double nose) const;
-  Removal cutPiece(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
-  void record(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b, double begin, double end,
-              double speed);
+  void judgeSpin(const ToolMove& move);
+  // Returns the vector from the centre of the nose to the tip in radii, (r, z), of the tool of a move or its mirror
+  // image.
+  ProfilePoint tipOf(const ToolMove& move) const;
+  // A piece of a move: the path of the nose centre, or of the tip of a body.
+  struct RecordedPiece {
+    ProfileSegment move;
+    double begin = 0.0, end = 0.0;  // s, program time
+    double speed = 0.0;             // r/min
+    bool isOfSameArc = false;       // the piece before is of the same move
+  };
+  Removal cutPiece(const TurningPass& shape, const ProfileSegment& piece, const ProfileSegment& whole,
+                   std::uint32_t number);
+  bool isDrawnBack(const ToolMove& move, const TurningPass& shape, const ProfileSegment& path) const;
+  Removal cutSamples(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
+  bool continuesPass(const TurningPass& shape, const ProfilePoint& a) const;
+  void endPass();
+  void record(const TurningPass& shape, const RecordedPiece& piece, bool isCut);
+  void append(const RecordedPiece& piece);
   double zeroHeight() const { return m_part.length() - m_setup.allowance; }  // z of program zero in the part
-  ForcePeakMeter& meterOf(const ToolMove& move);
   bool collide(ProgramCollision::Kind kind, const ToolMove& move, const ProfilePoint& position);
   static bool isThread(const ToolMove& move);
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
   void meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove);
+  void addChip(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove);
   bool leavesThread(const ToolMove& move) const;
   ProfilePoint toCentre(const ToolMove& move, double nose) const;
   bool isInChuck(const ProfilePoint& low, TurningSide side) const;
@@ -126,7 +152,6 @@ class ProgramSimulation {
   TurnedProfile m_part;
   const ToolPath& m_path;
   const ProgramSetup& m_setup;
-  const CuttingForceModel* m_model;
   double m_largest;  // mm, initial radius of the part
   std::size_t m_next = 0;
   double m_time = 0.0;
@@ -136,14 +161,17 @@ class ProgramSimulation {
   std::uint32_t m_lastCollision = 0;  // line of the last collision
   bool m_isInChuck = false;           // the tip was in the chuck at the end of the last move
   std::vector<ToolPath::Note> m_notes;
+  std::set<int> m_wrongSpins;  // tools that cut while the spindle turned away from their edge
   ProgramState m_state;
+  std::size_t m_passesBefore;  // number of passes of the part before the program
   ProgramObstacles m_obstacles;
   bool m_isTouching = false;  // the body of the tool touched something at the end of the last move
   std::vector<TurningPass> m_passes;
-  double m_passBegin = 0.0;  // s, program time at the start of the last pass
-  std::optional<ForcePeakMeter> m_meter;
-  SpindleSetting m_spindle;
-  ForcePeaks m_peaks;
+  bool m_isPassOpen = false;              // the next move may continue the last pass
+  bool m_wasRapid = false;                // the last move was rapid
+  std::vector<RecordedPiece> m_uncut;     // pieces of the last pass since its last cut
+  double m_passBegin = 0.0;               // s, program time at the start of the last pass
+  std::optional<ForcePeakMeter> m_meter;  // none without a model
 };
 
 }  // namespace handwheel

@@ -66,7 +66,7 @@ bool ProgramSimulation::leavesThread(const ToolMove& move) const {
 TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   const ProgramTool& tool = m_setup.toolOf(move);
   const double nose = tool.noseRadius;
-  const ProfilePoint shift = ProfilePoint(0.0, zeroHeight()) - nose * tipDirection(m_setup.dialect, tool.orientation);
+  const ProfilePoint shift = ProfilePoint(0.0, zeroHeight()) - nose * tipOf(move);
   const double travel = move.to.y() - move.from.y();
   TurningPass pass;
   pass.isOfProgram = true;
@@ -74,7 +74,7 @@ TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   pass.path = {move.from + shift, move.to + shift};
   pass.times = {0.0, move.time};
   const ProfilePoint middle = 0.5 * (pass.path[0] + pass.path[1]);
-  pass.speeds.assign(2, move.spin == 0 ? 0.0 : spindleAt(move, middle.x()));
+  pass.speeds.assign(2, move.spin == 0 ? 0.0 : spindleAt(move, pointOn(move, 0.5).x()));
   const double at = std::clamp(middle.y() / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
   const auto sample = static_cast<std::size_t>(at);
   const double bore = m_part.inner(sample);
@@ -90,21 +90,26 @@ TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   return pass;
 }
 
+void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
+  if (m_meter) addChip(move, pass, groove);
+  m_state.threads = PartThreads::with(m_state.threads, pass);
+}
+
 // Adds the force of a thread: the width of the chip is that of the cutting edge, and its thickness follows from the
 // area that the pass removes beyond the ones before.
-void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
-  if (!m_model) return;
+void ProgramSimulation::addChip(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
   const double middle = 0.5 * (std::max(groove.from(), 0.0) + std::min(groove.to(), m_part.length()));
   const double at = std::clamp(middle / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
   const auto sample = static_cast<std::size_t>(at);
   const double surface = groove.side() == TurningSide::Bore ? m_part.inner(sample) : m_part.radius(sample);
   const TurnChip chip = chipOf(groove, m_state.threads.get(), middle, surface);
-  if (chip.width > 0.0) meterOf(move).addChip(chip.width, chip.area / chip.width, move.time, surface);
-  m_state.threads = PartThreads::with(m_state.threads, pass);
+  const double speed = surfaceSpeed(pass.speeds.front(), 2.0 * surface);
+  if (chip.width > 0.0) m_meter->addChip(chip.width, chip.area / chip.width, move.time, surface, speed);
 }
 
 // Consecutive moves are one pass if they continue with the same lead.
 void ProgramSimulation::cutThread(const ToolMove& move) {
+  endPass();
   std::optional<ThreadLead>& lead = m_state.lead;
   if (lead && lead->end != move.from) lead.reset();
   TurningPass pass = threadOf(move);

@@ -18,7 +18,7 @@ ProgramTimeline::ProgramTimeline(const ToolPath& path) : m_path(path) {
 double ProgramTimeline::timeAt(const ProgramPosition& position) const {
   const double begun = position.done == 0 ? 0.0 : m_ends[std::min(position.done, m_ends.size()) - 1];
   if (position.done >= m_ends.size()) return duration();
-  return begun + position.fraction * (m_ends[position.done] - begun);
+  return begun + timeOf(m_path.moves[position.done], {0.0, position.fraction});
 }
 
 ProgramPosition ProgramTimeline::at(double time) const {
@@ -26,7 +26,7 @@ ProgramPosition ProgramTimeline::at(double time) const {
   const auto done = static_cast<std::size_t>(move - m_ends.begin());
   if (move == m_ends.end()) return end();
   const double begun = done == 0 ? 0.0 : m_ends[done - 1];
-  return {done, std::clamp((time - begun) / (*move - begun), 0.0, 1.0)};
+  return {done, lengthAfter(m_path.moves[done], std::clamp((time - begun) / (*move - begun), 0.0, 1.0))};
 }
 
 const ToolMove& ProgramTimeline::moveAt(const ProgramPosition& position) const {

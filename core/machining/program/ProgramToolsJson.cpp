@@ -15,7 +15,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char *kNumber = "number", *kBody = "tool", *kNose = "nose_radius", *kOrientation = "orientation",
-                     *kOffset = "offset";
+                     *kOffset = "offset", *kUpsideDown = "upside_down";
+constexpr const char *kPost = "post", *kInsert = "insert", *kFront = "front", *kBehind = "behind", *kToolUp = "up",
+                     *kDown = "down";
 constexpr std::size_t kMostStored = 1000;
 constexpr int kMostNumber = 99'999;
 constexpr double kMostOffset = 1e4;  // mm
@@ -43,6 +45,7 @@ std::optional<std::pair<int, ProgramTool>> toolFrom(const Json& json, const Lath
     return std::nullopt;
   tool.noseRadius = nose->get<double>();
   tool.offset = {(*offset)[0].get<double>(), (*offset)[1].get<double>()};
+  tool.isTurnedOver = json.value(kUpsideDown, Json(false)) == Json(true);
   const bool isPossible = tool.noseRadius >= 0.0 && tool.noseRadius <= TurningPass::kLargestNose &&
                           std::abs(tool.offset.x()) <= kMostOffset && std::abs(tool.offset.y()) <= kMostOffset;
   return isPossible ? std::optional(std::pair(*number, tool)) : std::nullopt;
@@ -58,6 +61,7 @@ Json toJson(const ProgramTools& tools) {
                  {kOrientation, tool.orientation},
                  {kOffset, {tool.offset.x(), tool.offset.y()}}};
     if (tool.body) json[kBody] = tool.body->id;
+    if (tool.isTurnedOver) json[kUpsideDown] = true;
     all.push_back(std::move(json));
   }
   return all;
@@ -76,6 +80,19 @@ ProgramTools programToolsFrom(const Json& json, const LatheTools& bodies, std::v
     if (damage.size() > kMostStored) break;
   }
   return tools;
+}
+
+Json toJson(const ProgramPost& post) {
+  return {{kPost, post.isInFront ? kFront : kBehind}, {kInsert, post.isInsertUp ? kToolUp : kDown}};
+}
+
+ProgramPost programPostFrom(const Json& json, std::vector<Error>& damage) {
+  if (json.is_null()) return {};
+  const std::string post = stringAt(json, kPost), insert = stringAt(json, kInsert);
+  if ((post == kFront || post == kBehind) && (insert == kToolUp || insert == kDown))
+    return {post == kFront, insert == kToolUp};
+  damage.push_back({ErrorCode::ElementMalformed, {"program_post", "its sides are not known"}, {}, {}});
+  return {};
 }
 
 }  // namespace handwheel

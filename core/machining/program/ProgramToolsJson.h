@@ -17,4 +17,10 @@ nlohmann::json toJson(const ProgramTools& tools);
 // reported in the damage.
 ProgramTools programToolsFrom(const nlohmann::json& json, const LatheTools& bodies, std::vector<Error>& damage);
 
+// Converts a tool post: {"post": "front", "insert": "up"}.
+nlohmann::json toJson(const ProgramPost& post);
+// Reads a tool post. Words that are not known are added to the damage, and the usual post is returned. Null: the usual
+// post.
+ProgramPost programPostFrom(const nlohmann::json& json, std::vector<Error>& damage);
+
 }  // namespace handwheel

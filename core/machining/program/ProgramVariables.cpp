@@ -14,21 +14,18 @@ bool isGlobalName(const std::string& name) {
 
 }  // namespace
 
-void ProgramVariables::setSystem(System numbers, NamedSystem names) {
-  m_system = std::move(numbers);
-  m_namedSystem = std::move(names);
-}
-
-ProgramValue ProgramVariables::get(int number) const {
-  if (m_system)
-    if (const std::optional<ProgramValue> value = m_system(number)) return *value;
+ProgramValue ProgramVariables::get(int number, const SourceLocation& location) const {
+  if (m_system.read)
+    if (const std::optional<ProgramValue> value = m_system.read(number, location)) return *value;
   const auto& values = number <= m_localCount ? m_frames.back().numbers : m_global;
   const auto found = values.find(number);
   return found == values.end() ? ProgramValue{0.0, m_isVacant} : found->second;
 }
 
-void ProgramVariables::set(int number, ProgramValue value, const SourceLocation& location) {
-  if (m_system && m_system(number))
+void ProgramVariables::set(const ProgramAssignment& assignment) {
+  const auto& [number, value, location, comment] = assignment;
+  if (m_system.write && m_system.write(assignment)) return;
+  if (m_system.read && m_system.read(number, location))
     refuse(location, "#" + std::to_string(number), "this variable belongs to the machine and can only be read",
            "Use another number.");
   auto& values = number <= m_localCount ? m_frames.back().numbers : m_global;
@@ -37,15 +34,15 @@ void ProgramVariables::set(int number, ProgramValue value, const SourceLocation&
 }
 
 std::optional<double> ProgramVariables::get(const std::string& name) const {
-  if (m_namedSystem && isGlobalName(name))
-    if (const std::optional<double> value = m_namedSystem(name)) return value;
+  if (m_system.readNamed && isGlobalName(name))
+    if (const std::optional<double> value = m_system.readNamed(name)) return value;
   const auto& names = isGlobalName(name) ? m_globalNames : m_frames.back().names;
   const auto found = names.find(name);
   return found == names.end() ? std::nullopt : std::optional<double>(found->second);
 }
 
 void ProgramVariables::set(const std::string& name, double value, const SourceLocation& location) {
-  if (m_namedSystem && isGlobalName(name) && m_namedSystem(name))
+  if (m_system.readNamed && isGlobalName(name) && m_system.readNamed(name))
     refuse(location, "#<" + name + ">", "this variable belongs to the machine and can only be read",
            "Use another name.");
   auto& names = isGlobalName(name) ? m_globalNames : m_frames.back().names;

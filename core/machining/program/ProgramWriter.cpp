@@ -3,6 +3,7 @@
 #include "machining/program/ProgramWriter.h"
 
 #include "base/NumberText.h"
+#include "base/Translatable.h"
 
 #include <algorithm>
 #include <array>
@@ -200,17 +201,18 @@ std::vector<std::size_t> thinned(const std::vector<ProfilePoint>& path, const st
   return kept;
 }
 
-// Returns the path of the tip that repeats a thread, as deep and in the same groove: the spindle runs forward, so a
-// right-hand thread goes towards the chuck, and all passes begin a whole number of pitches from one another.
-std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint& toTip) {
+// Returns the path of the tip that repeats one start of a thread, as deep and in the same groove: the spindle runs
+// forward, so a right-hand thread goes towards the chuck, and all passes begin a whole number of leads from one
+// another, the starts a pitch.
+std::vector<ProfilePoint> threadTips(const TurningPass& pass, const ProfilePoint& toTip, int start) {
   std::vector<ProfilePoint> tips;
   const double middle = pass.tool ? pass.tool->noseCentre().y() : 0.0;  // middle of the groove, from the path
   for (const ProfilePoint& point : pass.path) tips.emplace_back(point.x() + toTip.x(), point.y() + middle);
   if ((tips.front().y() < tips.back().y()) != pass.thread->isLeft) std::reverse(tips.begin(), tips.end());
-  const double pitch = pass.thread->lead(), offset = pass.thread->offset;
-  const double turns = (tips.front().y() - offset) / pitch;
-  const double start = offset + pitch * (pass.thread->isLeft ? std::floor(turns) : std::ceil(turns));
-  if (start != tips.front().y()) tips.insert(tips.begin(), {tips.front().x(), start});
+  const double lead = pass.thread->lead(), offset = pass.thread->offset + start * pass.thread->pitch;
+  const double turns = (tips.front().y() - offset) / lead;
+  const double begin = offset + lead * (pass.thread->isLeft ? std::floor(turns) : std::ceil(turns));
+  if (begin != tips.front().y()) tips.insert(tips.begin(), {tips.front().x(), begin});
   for (ProfilePoint& tip : tips) tip.y() += toTip.y() - middle;
   return tips;
 }
@@ -251,7 +253,10 @@ class PassMoves {
     m_move.tool = tool;
     const double nose = pass.tool ? 0.0 : pass.noseRadius;  // the path of a tool is that of its tip
     const ProfilePoint toTip(isBored ? nose : -nose, -nose - m_zero);
-    if (pass.thread) return cutThread(pass, toTip);
+    if (pass.thread) {
+      for (int start = 0; start < pass.thread->starts; ++start) cutThread(threadTips(pass, toTip, start), pass);
+      return;
+    }
     const std::vector<double> turns = turnsOf(pass);
     std::vector<Stretch> path;
     std::size_t before = 0;
@@ -319,11 +324,18 @@ class PassMoves {
     go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
   }
 
-  void cutThread(const TurningPass& pass, const ProfilePoint& toTip) {
-    const std::vector<ProfilePoint> tips = threadTips(pass, toTip);
+  // In a bore the tool comes from the front, as far from its thread as it was when it began.
+  void cutThread(const std::vector<ProfilePoint>& tips, const TurningPass& pass) {
+    double clear = m_above;
     m_move.feed = kUsualFeed;
-    go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
-    go(ToolMove::Kind::Rapid, {m_above, tips.front().y()});
+    if (pass.side == TurningSide::Bore) {
+      for (const ProfilePoint& tip : tips) clear = std::min(clear, tip.x());
+      clear = std::max(0.0, clear - kClearOfWall - isoMetricDepth(pass.thread->pitch));
+      go(ToolMove::Kind::Rapid, {clear, m_front});
+    } else {
+      go(ToolMove::Kind::Rapid, {clear, m_move.to.y()});
+    }
+    go(ToolMove::Kind::Rapid, {clear, tips.front().y()});
     go(ToolMove::Kind::Rapid, tips.front());
     for (std::size_t i = 1; i < tips.size(); ++i) {
       const ProfilePoint displacement = tips[i] - tips[i - 1];
@@ -331,6 +343,9 @@ class PassMoves {
       m_move.feed = pass.thread->lead() * displacement.norm() / std::abs(displacement.y());
       go(ToolMove::Kind::Thread, tips[i]);
     }
+    go(ToolMove::Kind::Rapid, {clear, m_move.to.y()});
+    if (pass.side != TurningSide::Bore) return;
+    go(ToolMove::Kind::Rapid, {clear, std::max(m_front, m_move.to.y())});
     go(ToolMove::Kind::Rapid, {m_above, m_move.to.y()});
   }
 
@@ -376,24 +391,27 @@ std::string descriptionOf(const PassTool& tool, ProgramDialect dialect) {
          shortestText(tool.noseRadius) + ", orientation " + std::to_string(tool.orientationIn(dialect));
 }
 
-bool isProgrammable(const TurningPass& pass) {
-  const bool isBored = pass.side == TurningSide::Bore;
-  if (pass.thread) return !isBored;
-  if (!pass.tool) return true;
-  switch (pass.tool->kind) {
-    case LatheToolKind::RightTurning:
-    case LatheToolKind::LeftTurning:
-    case LatheToolKind::Facing:
-    case LatheToolKind::Parting:
-    case LatheToolKind::Grooving:
-    case LatheToolKind::Form:
-      return !isBored;
-    case LatheToolKind::BoringBar:
-    case LatheToolKind::Drill:
-      return isBored;
-    default:
-      return false;  // file, paper and disk follow the hand
+std::optional<PassRefusal> refusalToProgram(const TurningPass& pass) {
+  const ThreadCut usual;
+  if (pass.thread && (std::abs(pass.thread->angle - usual.angle) > 1e-6 || pass.thread->flat > 0.0))
+    return PassRefusal::ThreadEdge;
+  if (!pass.tool) return std::nullopt;
+  if (pass.tool->isAbrasive()) return PassRefusal::Abrasive;
+  const bool isBoring = pass.tool->kind == LatheToolKind::BoringBar || pass.tool->kind == LatheToolKind::Drill;
+  const TurningSide side = isBoring ? TurningSide::Bore : pass.tool->side;
+  return side == pass.side ? std::nullopt : std::optional(PassRefusal::WrongSide);
+}
+
+const char* sentenceOf(PassRefusal refusal) {
+  switch (refusal) {
+    case PassRefusal::Abrasive:
+      return translatable("LathePart", "A file, paper or a disk follows the hand, not a program.");
+    case PassRefusal::ThreadEdge:
+      return translatable("LathePart", "Programs cut threads with a point of 60°, which this thread does not have.");
+    case PassRefusal::WrongSide:
+      break;
   }
+  return translatable("LathePart", "The tool cut on a side that it is not made for.");
 }
 
 std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect, const std::string& title,
@@ -401,6 +419,15 @@ std::string programText(std::span<const ToolMove> moves, ProgramDialect dialect,
   Writer writer(dialect, title, comments);
   for (const ToolMove& move : moves) writer.add(move);
   return writer.finish();
+}
+
+void setSpins(std::span<ToolMove> moves, const ProgramTools& tools, const ProgramPost& post) {
+  for (ToolMove& move : moves) {
+    const auto tool = tools.find(move.tool);
+    const bool drills = tool != tools.end() && tool->second.body && tool->second.body->kind == LatheToolKind::Drill;
+    if (move.spin != 0 && move.kind != ToolMove::Kind::Thread && !drills)
+      move.spin = static_cast<std::int8_t>(post.cuttingSpin());
+  }
 }
 
 std::vector<ToolMove> movesOf(std::span<const TurningPass> passes, const StockCylinder& stock, double zero,

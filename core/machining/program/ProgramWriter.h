@@ -33,6 +33,7 @@ struct PassProgram {
   double spindle = 0.0;     // r/min; 0: the mean speed of the passes (MeanSpindle)
   double tolerance = 1e-3;  // mm; a point nearer than this to the line between its neighbours is left out
   double clearance = 2.0;   // mm, distance from the part between passes
+  ProgramPost post;
 };
 
 // A tool of a program for recorded passes.
@@ -49,8 +50,20 @@ struct PassTool {
 std::vector<PassTool> toolsOf(std::span<const TurningPass> passes);
 // Returns a description for the head of a program, for example "T2: CNMG 120408, nose 0.8, orientation 2".
 std::string descriptionOf(const PassTool& tool, ProgramDialect dialect);
-// Returns true if a program can repeat the pass. Such a pass turns, bores, drills, or cuts a thread on the outside.
-bool isProgrammable(const TurningPass& pass);
+// The reason why a program cannot repeat a pass.
+enum class PassRefusal {
+  Abrasive,    // a file, paper or disk follows the hand
+  ThreadEdge,  // the edge of the thread is not the point of 60° that programs cut with
+  WrongSide,   // the tool cut on a side that it is not made for
+};
+// Returns the reason why no program can repeat a pass, or nothing if one can. A programmable pass turns, grooves, parts
+// off, forms, bores, drills or cuts a thread.
+std::optional<PassRefusal> refusalToProgram(const TurningPass& pass);
+const char* sentenceOf(PassRefusal refusal);  // English text, translated in the context "LathePart"
+
+// Sets the sense in which the spindle turns for the tools of a post. Threads keep theirs, and drills cut with M3.
+// tools: the tool table of the moves.
+void setSpins(std::span<ToolMove> moves, const ProgramTools& tools, const ProgramPost& post);
 
 // Returns the moves that repeat recorded passes, each with its tool of toolsOf(). The tool approaches a pass from
 // above, or a bore from in front, follows the pass, and leaves the part. Each move has the feed per revolution of the

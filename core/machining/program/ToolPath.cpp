@@ -14,6 +14,49 @@ double angleOf(const ProfilePoint& centre, const ProfilePoint& p) {
   return std::atan2(p.x() - centre.x(), p.y() - centre.y());
 }
 
+bool isPerRevolution(const ToolMove& move) {
+  return move.isPerRevolution || move.kind == ToolMove::Kind::Thread;
+}
+
+// Returns true if the speed of the tool changes along the move.
+bool hasVaryingSpeed(const ToolMove& move) {
+  return move.isSurfaceSpeed && isPerRevolution(move) && move.kind != ToolMove::Kind::Rapid &&
+         move.kind != ToolMove::Kind::Dwell;
+}
+
+// Returns the time of a revolution at a radius, min.
+double revolutionAt(const ToolMove& move, double radius) {
+  return 1.0 / std::max(1.0, spindleAt(move, radius));
+}
+
+// Returns the mean time of a revolution on a straight piece from one radius to another: the time grows with the radius
+// beyond the one at which the limit of the spindle ends.
+double meanRevolution(const ToolMove& move, double from, double to) {
+  const double shortest = revolutionAt(move, 0.0), perRadius = 2.0 * M_PI / (1000.0 * move.spindle);
+  if (!(std::abs(to - from) > 1e-9) || !std::isfinite(perRadius)) return revolutionAt(move, 0.5 * (from + to));
+  const auto integral = [&](double radius) {
+    const double r = std::abs(radius), limited = shortest / perRadius;
+    const double sum = r <= limited ? shortest * r : shortest * limited + 0.5 * perRadius * (r * r - limited * limited);
+    return std::copysign(sum, radius);
+  };
+  return (integral(to) - integral(from)) / (to - from);
+}
+
+// Returns the integral of the time of a revolution over a piece, mm·min.
+double revolutionsAlong(const ToolMove& move, const MovePiece& piece) {
+  const double share = piece.to - piece.from, length = share * lengthOf(move);
+  if (!move.isSurfaceSpeed) return length * revolutionAt(move, 0.0);
+  if (move.turn == 0) return length * meanRevolution(move, pointOn(move, piece.from).x(), pointOn(move, piece.to).x());
+  constexpr double kParts = 64.0;  // number of parts of a whole arc
+  const int parts = std::max(1, static_cast<int>(std::ceil(kParts * share)));
+  double mean = 0.0;
+  for (int i = 0; i < parts; ++i) {
+    const double at = piece.from + share * i / parts, next = piece.from + share * (i + 1) / parts;
+    mean += meanRevolution(move, pointOn(move, at).x(), pointOn(move, next).x()) / parts;
+  }
+  return length * mean;
+}
+
 }  // namespace
 
 double sweepOf(const ToolMove& move) {
@@ -62,15 +105,30 @@ double durationOf(const ToolMove& move, double rapidSpeed) {
   if (move.kind == ToolMove::Kind::Dwell) return move.time;
   if (move.kind == ToolMove::Kind::Rapid) return length / rapidSpeed * 60.0;
   if (!(move.feed > 0.0)) return 0.0;
-  const bool turns = move.isPerRevolution || move.kind == ToolMove::Kind::Thread;
-  if (!turns) return length / move.feed * 60.0;
-  const int parts = move.isSurfaceSpeed ? 16 : 1;  // the speed depends on the radius: midpoint rule
-  double revolutions = 0.0;
-  for (int i = 0; i < parts; ++i) {
-    const double spindle = std::max(1.0, spindleAt(move, pointOn(move, (i + 0.5) / parts).x()));
-    revolutions += length / parts / (move.feed * spindle);
+  if (!isPerRevolution(move)) return length / move.feed * 60.0;
+  return revolutionsAlong(move, {}) / move.feed * 60.0;
+}
+
+double timeOf(const ToolMove& move, const MovePiece& piece) {
+  if (!hasVaryingSpeed(move) || !(move.feed > 0.0)) return move.time * (piece.to - piece.from);
+  return revolutionsAlong(move, piece) / move.feed * 60.0;
+}
+
+double spindleOf(const ToolMove& move, const MovePiece& piece) {
+  if (move.spin == 0) return 0.0;
+  if (!hasVaryingSpeed(move)) return spindleAt(move, pointOn(move, 0.5 * (piece.from + piece.to)).x());
+  const double length = lengthOf(move) * (piece.to - piece.from);
+  return length > 0.0 ? length / revolutionsAlong(move, piece) : spindleAt(move, pointOn(move, piece.from).x());
+}
+
+double lengthAfter(const ToolMove& move, double fractionOfTime) {
+  if (!hasVaryingSpeed(move) || !(move.time > 0.0)) return fractionOfTime;
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (timeOf(move, {0.0, middle}) < fractionOfTime * move.time ? low : high) = middle;
   }
-  return revolutions * 60.0;
+  return 0.5 * (low + high);
 }
 
 }  // namespace handwheel

@@ -46,6 +46,19 @@ double spindleAt(const ToolMove& move, double radius);
 // revolution is computed for 1 r/min. rapidSpeed: the speed of rapid moves, mm/min.
 double durationOf(const ToolMove& move, double rapidSpeed);
 
+// A piece of a move, between two fractions (0…1) of its length.
+struct MovePiece {
+  double from = 0.0, to = 1.0;
+};
+// Returns the time of a piece, s. The time of the whole move must be set. With a feed per revolution and a constant
+// surface speed a piece near the axis is made sooner than one farther away.
+double timeOf(const ToolMove& move, const MovePiece& piece);
+// Returns the mean speed of the spindle during a piece, r/min; 0 if it does not turn. The feed per revolution of a
+// piece is its length over its time at this speed.
+double spindleOf(const ToolMove& move, const MovePiece& piece);
+// Returns the fraction of the length of a move that is complete after a fraction of its time.
+double lengthAfter(const ToolMove& move, double fractionOfTime);
+
 // The tool path of a program.
 struct ToolPath {
   struct Note {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/refit/SampledProfile.h"
 
-#include "machining/EndPiece.h"
 #include "machining/refit/Refit.h"
 #include "machining/target/CurveFit.h"
 
@@ -92,12 +91,6 @@ Result<TargetProfile> sectionBetween(const TurnedProfile& part, std::size_t firs
 
 Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance) {
   return sectionBetween(part, 0, part.size(), tolerance);
-}
-
-Result<TargetProfile> sectionOfEndPiece(const TurnedProfile& part, double tolerance) {
-  const std::vector<TurnedProfile::Range> pieces = piecesOf(part);
-  if (pieces.empty() || pieces.back().size() < 2) return sectionOf(part, tolerance);
-  return sectionBetween(part, pieces.back().first, pieces.back().last, tolerance);
 }
 
 Result<TargetProfile> sectionOf(const ProfileCurve& curve, double tolerance) {

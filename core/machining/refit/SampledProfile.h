@@ -11,13 +11,9 @@ namespace handwheel {
 // Returns the half section of a sampled turned part as lines and arcs. The first sample of the part is at z = 0. The
 // section is within the tolerance (mm, > 0) of the samples. A corner between two samples is the intersection of the
 // surfaces beside it. A shoulder between two samples is halfway between them, unless the arc beside it determines its
-// position; the same applies to a face of a bored part. The part must be in one piece; sectionOfEndPiece() is for a
-// part that was parted off. O(samples log samples). Errors: the errors of TargetProfile::make().
+// position; the same applies to a face of a bored part. The part must be in one piece. O(samples log samples). Errors:
+// the errors of TargetProfile::make().
 Result<TargetProfile> sectionOf(const TurnedProfile& part, double tolerance);
-
-// Returns the half section of the piece at the free end of a part that was parted off. The other material is left out.
-// The piece keeps its position along z.
-Result<TargetProfile> sectionOfEndPiece(const TurnedProfile& part, double tolerance);
 
 // Returns the half section of a solid part whose surface is a curve from the lower end to the upper end. Lines and arcs
 // are fitted to the curve within the tolerance (mm).

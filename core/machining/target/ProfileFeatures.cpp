@@ -32,6 +32,7 @@ ProfileFeature featureOf(const ProfileSegment& s, double tolerance) {
   const bool isUp = isFace ? along.x() > 0.0 : along.y() > 0.0;
   feature.low = isUp ? s.from : s.to;
   feature.high = isUp ? s.to : s.from;
+  feature.isDownwards = !isUp;
   // Material is on the left: the outside runs up, a bore down.
   feature.isInner = !isFace && s.direction(0.5).y() < 0.0;
   if (s.isArc()) {

@@ -19,7 +19,10 @@ struct ProfileFeature {
   double value = 0.0;
   ProfilePoint centre{0, 0};  // centre of an arc
   bool isConvex = false;      // the arc bulges out of the material
+  bool isDownwards = false;   // the outline runs from `high` to `low`
 
+  const ProfilePoint& start() const { return isDownwards ? high : low; }  // in the direction of the outline
+  const ProfilePoint& end() const { return isDownwards ? low : high; }
   double length() const { return high.y() - low.y(); }  // mm, along the axis
 };
 

@@ -62,7 +62,7 @@ double PartThreads::radius(TurningSide side, double radius, double otherSide, do
 }
 
 // The mean over a turn, by the rectangle rule, which is exact for periodic functions in the limit.
-double PartThreads::volume(const TurnedProfile& profile) const {
+double PartThreads::volume(const TurnedProfile& profile, double low, double high) const {
   constexpr int kAngles = 32;
   constexpr double kSteps = 96.0;  // samples along a pitch
   double least = ThreadCut::kLargestPitch;
@@ -75,6 +75,7 @@ double PartThreads::volume(const TurnedProfile& profile) const {
     const auto own = [&](std::size_t i) { return isBore ? profile.inner(i) : profile.radius(i); };
     const auto other = [&](std::size_t i) { return isBore ? profile.radius(i) : profile.inner(i); };
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+      if (profile.z(i) < low || profile.z(i) > high) continue;
       if (!between(side, profile.z(i), profile.z(i + 1), own(i), own(i + 1))) continue;
       for (int k = 0; k < parts * kAngles; ++k) {
         const double t = (k / kAngles + 0.5) / parts, angle = 2.0 * M_PI * (k % kAngles) / kAngles;

@@ -5,6 +5,7 @@
 #include "machining/TurningPasses.h"
 #include "machining/thread/ThreadGroove.h"
 
+#include <limits>
 #include <memory>
 
 namespace handwheel {
@@ -33,7 +34,9 @@ class PartThreads {
   double radius(TurningSide side, double radius, double otherSide, double z, double angle) const;
 
   // Returns the volume that the grooves remove from the profile, mm³, with a relative error below 1e-4.
-  double volume(const TurnedProfile& profile) const;
+  // low, high: heights between which the grooves count, mm.
+  double volume(const TurnedProfile& profile, double low = -std::numeric_limits<double>::infinity(),
+                double high = std::numeric_limits<double>::infinity()) const;
 
  private:
   void add(const TurningPass& pass);

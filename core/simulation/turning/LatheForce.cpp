@@ -32,8 +32,10 @@ ForceBounds LatheForce::advance(const TipState& tip, ForceOut& out) noexcept {
   const std::uint32_t gesture = m_channel->inputs->gestureAt(tip);
   m_channel->inputs->push({tip, tip.position, gesture});
   m_patch = m_channel->patch.read();
-  m_tool = Vec3(m_patch.tip.x(), 0.0, m_patch.tip.y() + m_base);
-  m_isHeld = gesture != 0 && m_tool.allFinite();
+  // The lathe measures the grip in its next step: until then no spring pulls.
+  m_hold = tip.position;
+  if (m_patch.gesture == gesture) m_hold = Vec3(m_patch.tip.x(), 0.0, m_patch.tip.y() + m_base) - m_patch.grip;
+  m_isHeld = gesture != 0 && m_hold.allFinite();
   if (!m_isHeld) {
     touch(tip, out);
     return {m_touch.plane + (m_isTouching ? m_touch.stiffness : 0.0), 0.0};
@@ -44,7 +46,7 @@ ForceBounds LatheForce::advance(const TipState& tip, ForceOut& out) noexcept {
   m_press = m_patch.press;
   if (law && m_patch.cut.depth > 0.0) m_cut = worn(law->at(m_patch.cut), m_patch.wear);
   out.isContact = m_patch.cut.depth > 0.0 || !m_press.isZero(0.0);
-  out.proxy = m_tool;
+  out.proxy = m_hold;
   return {std::max(m_touch.stiffness, m_touch.plane), steepestDamping(m_touch.feel)};
 }
 
@@ -74,11 +76,12 @@ double LatheForce::planeForce(double y) const noexcept {
 
 // An abrasive is pressed along the normal of the surface. The cutting force acts along the motion of the surface, which
 // turns about +z at a positive speed: the tool is at +x. The other components act against the feed, and across it out
-// of the material.
+// of the material. The lips of a drill turn the work and do not push the tool aside.
 Vec3 LatheForce::cutForce(double period) const noexcept {
   const ProfilePoint direction = m_patch.velocity.norm() > 0.0 ? m_patch.velocity.normalized() : ProfilePoint(0.0, 0.0);
   const ProfilePoint push = m_cut.radial * m_patch.passive - m_cut.feed * direction + m_press;
-  Vec3 cut(push.x(), std::copysign(m_cut.cutting, m_patch.spindleSpeed), push.y());
+  const double aside = m_cut.isCouple ? 0.0 : std::copysign(m_cut.cutting, m_patch.spindleSpeed);
+  Vec3 cut(push.x(), aside, push.y());
   cut *= m_touch.forceShare;
   if (const double norm = cut.norm(); norm > m_touch.mostForce) cut *= m_touch.mostForce / norm;
   cut.y() += std::copysign(
@@ -92,7 +95,7 @@ Vec3 LatheForce::force(const TipState& tip, double stiffness, double damping) no
   Vec3 sum(0.0, stiffness * planeForce(tip.position.y()), 0.0);
   if (m_isTouching) sum += stiffness * m_touch.stiffness * (m_surface - tip.position);
   if (!m_isHeld) return sum;
-  const Vec3 spring = m_touch.stiffness * (m_tool - tip.position);
+  const Vec3 spring = m_touch.stiffness * (m_hold - tip.position);
   sum += stiffness * Vec3(spring.x(), 0.0, spring.z());
   sum -= damping *
          Vec3(slideResistance(m_touch.feel, tip.velocity.x()), 0.0, slideResistance(m_touch.feel, tip.velocity.z()));

@@ -25,7 +25,8 @@ struct LatheTouch {
 };
 
 // The force of a manual lathe. A plane through the axis, y = 0, attracts the hand. A spring connects the hand and the
-// tool that it holds in a gesture, since the slides move only as fast as the machine allows. While the tool cuts, the
+// tool that it holds in a gesture, in the distance at which it took it, since the slides move only as fast as the
+// machine allows. While the tool cuts, the
 // force of the cutting law, or the pressure of an abrasive, pushes it along with the work, back, and out of the
 // material; the slides have friction and drag. A hand that holds no tool feels the part from outside, and the grooves
 // of its threads while the part does not turn. A tick allocates no memory and takes no lock.
@@ -56,7 +57,7 @@ class LatheForce : public ForceSource {
   LathePatch m_patch;
   CutForces m_cut;
   ProfilePoint m_press{0.0, 0.0};  // N, force on an abrasive in (r, z)
-  Vec3 m_tool = Vec3::Zero();      // mm, position of the tool
+  Vec3 m_hold = Vec3::Zero();      // mm, position of the hand that the tool corresponds to
   bool m_isHeld = false;
   TurningContact m_contact;        // contact of a hand that holds no tool
   Vec3 m_outward = Vec3::UnitX();  // direction from the axis to that hand

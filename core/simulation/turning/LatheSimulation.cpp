@@ -54,15 +54,21 @@ void LatheSimulation::takeCommands(std::span<const SimulationInput> inputs) {
   if (inputs.empty()) return;
   const SimulationInput& last = inputs.back();
   if (last.gesture != 0) {
-    LatheCommand placement;
-    placement.kind = LatheCommand::Kind::MoveTip;
-    placement.value = last.tip.position.x();
-    placement.other = last.tip.position.z() - m_base;
-    m_commands.push_back(placement);
-  } else if (m_isPlacing) {
+    if (last.gesture != m_gesture) {
+      const auto isOfIt = [&](const SimulationInput& each) { return each.gesture == last.gesture; };
+      m_grip = m_run.machine().tip() - handAt(*std::find_if(inputs.begin(), inputs.end(), isOfIt));
+    }
+    const ProfilePoint tip = handAt(last) + m_grip;
+    m_commands.push_back({LatheCommand::Kind::MoveTip, LatheAxis::Carriage, tip.x(), tip.y()});
+  } else if (m_gesture != 0) {
     m_commands.push_back({LatheCommand::Kind::Release});
   }
-  m_isPlacing = last.gesture != 0;
+  m_gesture = last.gesture;
+}
+
+// Returns the position of a hand in the half plane of the tool.
+ProfilePoint LatheSimulation::handAt(const SimulationInput& input) const {
+  return {input.tip.position.x(), input.tip.position.z() - m_base};
 }
 
 // Each tool makes a pass of its own. Its path is continuous, since each cut begins where the last move of the same tool
@@ -152,6 +158,8 @@ void LatheSimulation::step(double dt, std::span<const SimulationInput> inputs) {
   patch.tool = static_cast<std::uint32_t>(m_run.cuttingTool());
   patch.spindleSpeed = machine.state().speed;
   patch.angle = machine.state().turns;
+  patch.gesture = m_gesture;
+  patch.grip = Vec3(m_grip.x(), 0.0, m_grip.y());
   if (!inputs.empty()) m_part = patchAt(inputs.back());
   patch.part = m_part;
   m_channel->patch.write(patch);

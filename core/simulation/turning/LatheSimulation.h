@@ -24,6 +24,8 @@ struct LathePatch {
   std::uint32_t tool = 0;           // index of the cutting tool in the list of tools
   double spindleSpeed = 0.0;        // r/min, signed
   double angle = 0.0;               // revolutions of the spindle
+  std::uint32_t gesture = 0;        // number of the gesture in which the hand holds the tool; 0: it does not
+  Vec3 grip = Vec3::Zero();         // mm, displacement from the hand to the tip while it holds the tool
   ProfilePatch part;                // the part near the hand, with threads if it does not turn
 };
 
@@ -66,8 +68,8 @@ class LatheSimulation : public Simulation {
   LatheSimulation(LatheRun run, TurnedSurface surface, double base, std::shared_ptr<LatheChannel> channel,
                   SurfaceFinish finish = SurfaceFinish(), std::size_t passesBefore = 0);
 
-  // Advances the lathe by a step. A device positions the tip during its gesture, and lets go of the tip when the
-  // gesture ends. The position of the hand is projected onto the plane through the axis.
+  // Advances the lathe by a step. A device takes the tool where it is, and moves it during its gesture by as much as
+  // the hand moves along the plane through the axis; it lets go of the tool when the gesture ends.
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
 
@@ -78,6 +80,7 @@ class LatheSimulation : public Simulation {
 
  private:
   void takeCommands(std::span<const SimulationInput> inputs);
+  ProfilePoint handAt(const SimulationInput& input) const;
   void record(const LatheStep& step, double dt);
   ProfilePatch patchAt(const SimulationInput& input) const;
   TurnedProfile::Range samplesBeside(const LatheStep& step) const;
@@ -97,7 +100,8 @@ class LatheSimulation : public Simulation {
   std::size_t m_shownPasses = 0;    // number of passes whose threads are fully shown
   double m_sincePublished = 0.0;    // s
   double m_sinceThreaded = 0.0;     // s, time since the threads were shown
-  bool m_isPlacing = false;         // true: a device positions the tip
+  std::uint32_t m_gesture = 0;      // gesture in which a device holds the tool; 0: none
+  ProfilePoint m_grip{0.0, 0.0};    // mm, displacement from the hand to the tip in this gesture
   ProfilePatch m_part;              // patch of the last input
   std::uint32_t m_number;           // number of this simulation in the channel
   std::uint64_t m_warned = 0;       // number of changes of the warnings in m_now

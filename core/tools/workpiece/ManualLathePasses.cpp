@@ -54,10 +54,18 @@ void ManualLatheTool::settle() {
 std::shared_ptr<const TurnedPart> ManualLatheTool::partWith(const LatheSimulation& lathe) const {
   const auto last = std::static_pointer_cast<const LatheMoment>(lathe.state());
   TurnedPart part = m_present.of(m_document.workpiece());
-  part.profile = last->profile;
+  const TurnedProfile before = std::exchange(part.profile, last->profile);
   part.surface = last->surface;
   part.finish = last->finish;
-  for (const TurningPass& pass : lathe.passes()) part.passes.push_back(std::make_shared<const TurningPass>(pass));
+  TurnedProfile settled = before;
+  for (const TurningPass& each : lathe.passes()) {
+    const auto pass = std::make_shared<const TurningPass>(each);
+    TurnedProfile next = last->profile;
+    settlePass(next, settled, pass, static_cast<std::uint32_t>(part.passes.size()));
+    settled = std::move(next);
+    part.passes.push_back(pass);
+  }
+  part.profile = std::move(settled);
   return std::make_shared<const TurnedPart>(std::move(part));
 }
 

@@ -6,6 +6,8 @@
 #include "tools/workpiece/ManualLatheTool.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <array>
 
 namespace handwheel {
 
@@ -19,6 +21,24 @@ constexpr Limits kWears{0.0, CuttingFeel::kMostWear};
 constexpr Limits kPowers{0.0, 100.0};    // kW
 constexpr Limits kTorques{0.0, 1000.0};  // N·m
 
+// The settings that are facts of the machine. Those of an exercise are the teacher's.
+bool isOfMachine(std::string_view id) {
+  constexpr std::array<std::string_view, 6> kOfMachine{"power", "torque", "wear", "backlash", "grip", "grips_inside"};
+  return std::find(kOfMachine.begin(), kOfMachine.end(), id) != kOfMachine.end();
+}
+
+// Returns the id of the drill that is put into the tailstock first: the usual one, or else the first one that may be
+// mounted; empty: none may.
+std::string firstDrill(const LatheSetup& lathe, const LatheTools& tools) {
+  constexpr const char* kUsual = "drill-10";
+  if (isAllowed(lathe, kUsual)) return kUsual;
+  const auto isDrill = [&](const auto& tool) {
+    return tool->kind == LatheToolKind::Drill && isAllowed(lathe, tool->id);
+  };
+  const auto found = std::find_if(tools.begin(), tools.end(), isDrill);
+  return found == tools.end() ? std::string() : (*found)->id;
+}
+
 void setBacklash(LatheSetup& lathe, double backlash) {
   for (LatheDial& dial : lathe.dials) dial.backlash = backlash;
 }
@@ -27,30 +47,34 @@ void setBacklash(LatheSetup& lathe, double backlash) {
 
 std::vector<Property> ManualLatheTool::settings() const {
   const LatheSetup lathe = setup();
-  return {switchSetting("shows_diameter", QT_TRANSLATE_NOOP("Property", "Read-out in diameter"), lathe.showsDiameter),
-          switchSetting("chips", QT_TRANSLATE_NOOP("Property", "Chips are shown"), m_showsChips),
-          numberSetting("depth_limit", QT_TRANSLATE_NOOP("Property", "Depth limit (0: none)"), lathe.depthLimit,
-                        Quantity::Length, kDepthLimits),
-          numberSetting("power", QT_TRANSLATE_NOOP("Property", "Motor power, kW (0: no limit)"), lathe.spindle.power,
-                        Quantity::Number, kPowers),
-          numberSetting("torque", QT_TRANSLATE_NOOP("Property", "Spindle torque, N·m (0: no limit)"),
-                        lathe.spindle.torque, Quantity::Number, kTorques),
-          numberSetting("wear", QT_TRANSLATE_NOOP("Property", "Flank wear of the tools"), lathe.wear, Quantity::Length,
-                        kWears),
-          numberSetting("compound_angle",
-                        QT_TRANSLATE_NOOP("Property", "Compound slide angle, ° (+: thicker away from the chuck)"),
-                        lathe.compoundAngle, Quantity::Number, kAngles),
-          numberSetting("backlash", QT_TRANSLATE_NOOP("Property", "Backlash"), lathe.dials[1].backlash,
-                        Quantity::Length, kBacklashes),
-          numberSetting("grip", QT_TRANSLATE_NOOP("Property", "Length in the jaws"), lathe.chuck.grip, Quantity::Length,
-                        kLengths),
-          switchSetting("grips_inside", QT_TRANSLATE_NOOP("Property", "Jaws grip inside"), lathe.chuck.gripsInside),
-          choiceSetting("fitting", QT_TRANSLATE_NOOP("Property", "In the tailstock"),
-                        static_cast<int>(lathe.tailstock.fitting),
-                        {QT_TRANSLATE_NOOP("Property", "Nothing"), QT_TRANSLATE_NOOP("Property", "Centre"),
-                         QT_TRANSLATE_NOOP("Property", "Drill")}),
-          numberSetting("tailstock", QT_TRANSLATE_NOOP("Property", "Tailstock at Z"), lathe.tailstock.position,
-                        Quantity::Length, kLengths)};
+  std::vector<Property> all = {
+      switchSetting("shows_diameter", QT_TRANSLATE_NOOP("Property", "Read-out in diameter"), lathe.showsDiameter),
+      switchSetting("chips", QT_TRANSLATE_NOOP("Property", "Chips are shown"), m_showsChips),
+      numberSetting("depth_limit", QT_TRANSLATE_NOOP("Property", "Depth limit (0: none)"), lathe.depthLimit,
+                    Quantity::Length, kDepthLimits),
+      numberSetting("power", QT_TRANSLATE_NOOP("Property", "Motor power, kW (0: no limit)"), lathe.spindle.power,
+                    Quantity::Number, kPowers),
+      numberSetting("torque", QT_TRANSLATE_NOOP("Property", "Spindle torque, N·m (0: no limit)"), lathe.spindle.torque,
+                    Quantity::Number, kTorques),
+      numberSetting("wear", QT_TRANSLATE_NOOP("Property", "Flank wear of the tools"), lathe.wear, Quantity::Length,
+                    kWears),
+      numberSetting("compound_angle",
+                    QT_TRANSLATE_NOOP("Property", "Compound slide angle, ° (+: thicker away from the chuck)"),
+                    lathe.compoundAngle, Quantity::Number, kAngles),
+      numberSetting("backlash", QT_TRANSLATE_NOOP("Property", "Backlash"), lathe.dials[1].backlash, Quantity::Length,
+                    kBacklashes),
+      numberSetting("grip", QT_TRANSLATE_NOOP("Property", "Length in the jaws"), lathe.chuck.grip, Quantity::Length,
+                    kLengths),
+      switchSetting("grips_inside", QT_TRANSLATE_NOOP("Property", "Jaws grip inside"), lathe.chuck.gripsInside),
+      choiceSetting("fitting", QT_TRANSLATE_NOOP("Property", "In the tailstock"),
+                    static_cast<int>(lathe.tailstock.fitting),
+                    {QT_TRANSLATE_NOOP("Property", "Nothing"), QT_TRANSLATE_NOOP("Property", "Centre"),
+                     QT_TRANSLATE_NOOP("Property", "Drill")}),
+      numberSetting("tailstock", QT_TRANSLATE_NOOP("Property", "Tailstock at Z"), lathe.tailstock.position,
+                    Quantity::Length, kLengths)};
+  for (Property& each : all)
+    if (m_document.file().assigned && isOfMachine(each.id)) each.editable = false;
+  return all;
 }
 
 void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value) {
@@ -58,6 +82,7 @@ void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value
     assignSwitch(m_showsChips, value);
     return;
   }
+  if (m_document.file().assigned && isOfMachine(id)) return;
   LatheSetup lathe = setup();
   double backlash = lathe.dials[1].backlash;
   bool isSet = false;
@@ -74,8 +99,10 @@ void ManualLatheTool::setSetting(std::string_view id, const PropertyValue& value
   if (id == "tailstock") isSet = assignNumber(lathe.tailstock.position, value, kLengths);
   if (!isSet) return;
   if (id == "backlash") setBacklash(lathe, backlash);
-  if (lathe.tailstock.fitting == LatheFitting::Drill && lathe.tailstock.drill.empty())
-    lathe.tailstock.drill = "drill-10";
+  if (lathe.tailstock.fitting == LatheFitting::Drill && lathe.tailstock.drill.empty()) {
+    lathe.tailstock.drill = firstDrill(lathe, m_tools);
+    if (lathe.tailstock.drill.empty()) return;  // the exercise allows none
+  }
   setUp(lathe, QCoreApplication::translate("Tool", "Set up the lathe"));
 }
 

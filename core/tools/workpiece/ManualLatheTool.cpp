@@ -35,6 +35,13 @@ LatheState atRest(LatheState state) {
   return state;
 }
 
+// Returns the radius at a sample that the tool in use can touch, mm: of the outside, or of the bore for a boring tool.
+double radiusToTouch(const LatheMoment& now, std::size_t i) {
+  const TurnedProfile& work = now.profile;
+  if (now.tool && now.tool->side == TurningSide::Bore) return work.inner(i);
+  return work.hasMaterial(i) ? work.radius(i) : 0.0;
+}
+
 std::shared_ptr<const LatheMaterial> materialCalled(const std::string& name, ForceLaw law, const LatheTools& tools) {
   const WorkMaterials& materials = WorkMaterials::standard();
   return std::make_shared<const LatheMaterial>(latheMaterial(materials.called(name), law, tools));
@@ -48,7 +55,7 @@ ManualLatheTool::ManualLatheTool(WorkpieceDocument& document, const SimulationSe
       m_present(start.spacing),
       m_tools(std::move(tools)),
       m_law(start.law),
-      m_forceLimit(start.forceLimit),
+      m_limits(start.limits),
       m_left(start.left),
       m_materialName(document.workpiece().material),
       m_material(materialCalled(m_materialName, m_law, m_tools)),
@@ -141,29 +148,44 @@ void ManualLatheTool::command(const LatheCommand& command) {
   reportUpdated();
 }
 
-double ManualLatheTool::touchGap(bool isX) const {
-  constexpr double kStep = 0.05;              // mm, in r between two samples: more is a face
+// Fillets and faces have every radius: they count only where the tip is.
+std::optional<double> ManualLatheTool::touchedRadius(const LatheMoment& now) const {
   constexpr double kLean = 0.1, kNear = 1.0;  // slope of a surface that is nearly a cylinder; mm along the work
+  const TurnedProfile& work = now.profile;
+  std::optional<double> nearest;
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    const double radius = radiusToTouch(now, i);
+    const double rise = i + 1 < work.size() ? std::abs(radiusToTouch(now, i + 1) - radius) : 0.0;
+    const bool isSurface = rise <= kLean * work.spacing() || std::abs(work.z(i) - now.tip.y()) <= kNear;
+    if (!work.hasMaterial(i) || !isSurface) continue;
+    if (!nearest || std::abs(radius - now.tip.x()) < std::abs(*nearest - now.tip.x())) nearest = radius;
+  }
+  return nearest;
+}
+
+std::optional<double> ManualLatheTool::touchedSize() const {
+  const std::optional<double> radius = touchedRadius(*moment());
+  return radius && setup().showsDiameter ? std::optional(2.0 * *radius) : radius;
+}
+
+double ManualLatheTool::touchGap(bool isX) const {
+  constexpr double kStep = 0.05;  // mm, in r between two samples: more is a face
   const auto now = moment();
   const TurnedProfile& work = now->profile;
-  const bool isBore = now->tool && now->tool->side == TurningSide::Bore;
-  const auto radius = [&](std::size_t i) {
-    return isBore ? work.inner(i) : work.hasMaterial(i) ? work.radius(i) : 0.0;
-  };
   double gap = std::numeric_limits<double>::infinity();
+  if (isX) {
+    const std::optional<double> radius = touchedRadius(*now);
+    return radius ? std::abs(*radius - now->tip.x()) : gap;
+  }
   const auto meet = [&](double from, double to, double at) {
     gap = std::min(gap, std::max({0.0, from - at, at - to}));
   };
-  for (std::size_t i = 0; i < work.size(); ++i) {
-    // Fillets and faces have every radius: they count only where the tip is.
-    const double rise = i + 1 < work.size() ? std::abs(radius(i + 1) - radius(i)) : 0.0;
-    const bool isSurface = rise <= kLean * work.spacing() || std::abs(work.z(i) - now->tip.y()) <= kNear;
-    if (isX && work.hasMaterial(i) && isSurface) meet(radius(i), radius(i), now->tip.x());
-    const bool isFace = i + 1 < work.size() && std::abs(radius(i + 1) - radius(i)) > kStep;
-    if (!isX && isFace) meet(work.z(i), work.z(i + 1), now->tip.y());
+  for (std::size_t i = 0; i + 1 < work.size(); ++i) {
+    if (std::abs(radiusToTouch(*now, i + 1) - radiusToTouch(*now, i)) > kStep)
+      meet(work.z(i), work.z(i + 1), now->tip.y());
   }
   for (const std::size_t end : {std::size_t{0}, work.size() - 1})
-    if (!isX && work.hasMaterial(end)) meet(work.z(end), work.z(end), now->tip.y());
+    if (work.hasMaterial(end)) meet(work.z(end), work.z(end), now->tip.y());
   return gap;
 }
 

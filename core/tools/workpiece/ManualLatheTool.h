@@ -7,6 +7,7 @@
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/exercise/AssignedTask.h"
 #include "machining/TurningFidelity.h"
 #include "machining/lathe/LatheMounting.h"
 #include "simulation/SimulatedGesture.h"
@@ -38,7 +39,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
     double spacing = 0.0;  // mm, distance between the samples of an uncut bar
     ForceLaw law = ForceLaw::Kienzle;
     double step = turnStepSetting().standard;  // ms, step of the simulation
-    double forceLimit = 0.0;                   // N, limit of the exercise; 0: no limit
+    WorkLimits limits;                         // limits of the exercise
     // State of the lathe at the end of the previous tool for this document, updated at the end of this one; null: the
     // initial state.
     std::shared_ptr<std::optional<Left>> left{};
@@ -51,7 +52,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   const std::shared_ptr<LatheChannel>& channel() const { return m_channel; }
   double base() const { return m_document.workpiece().stock.position; }  // mm, z of the part's lower end
   const LatheTools& tools() const { return m_tools; }
-  double forceLimit() const { return m_forceLimit; }  // N, limit of the exercise; 0: no limit
+  const WorkLimits& limits() const { return m_limits; }  // limits of the exercise
   // Returns the material of the part; never null. The material changes when the document names another material.
   const std::shared_ptr<const LatheMaterial>& material() const { return m_material; }
   LatheSetup setup() const { return latheOf(m_document.workpiece()); }
@@ -87,6 +88,9 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   // the nearest face, anywhere along the work, since a turner draws the tool away along the other axis before
   // measuring.
   double touchGap(bool isX) const;
+  // Returns the value of X of the surface that touchGap() measures to, as the read-out shows it: diameter or radius,
+  // mm. Returns nothing if the part has no surface.
+  std::optional<double> touchedSize() const;
   static constexpr double kTouching = 0.05;  // mm, touchGap() that counts as touching: about the thickness of paper
   // Touches off by setting the read-out of the tool in use to a value, X as diameter or radius. This is one undo step.
   void touchOff(bool isX, double value);
@@ -123,6 +127,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   void renewMaterial();
   void turn(LatheAxis axis, double divisions);
   void stop();
+  std::optional<double> touchedRadius(const LatheMoment& now) const;
   std::optional<Vec3> positionOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release(bool isDevice);
@@ -140,7 +145,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   PresentPart m_present;
   LatheTools m_tools;
   ForceLaw m_law;
-  double m_forceLimit;
+  WorkLimits m_limits;
   std::shared_ptr<std::optional<Left>> m_left;  // null: the state is not kept
   std::string m_materialName;                   // name of m_material in the document
   std::shared_ptr<const LatheMaterial> m_material;

@@ -116,6 +116,7 @@ Result<TurningPass> threadPass(const WorkpieceSnapshot& workpiece, const Operati
   pass.path = {{bottom, to}, {bottom, from}};
   pass.times = {0.0, 0.0};
   pass.thread = cut;
+  pass.isOfCommand = true;
   const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
   const bool isCut = workpiece.part ? !grooves.empty() && grooves.front().touches(workpiece.part->profile) : !isInside;
   if (!isCut) return noThread("it touches nothing");

@@ -48,7 +48,7 @@ double radiusAt(const WorkpieceSnapshot& workpiece, double z, TurningSide side) 
 // Returns the text of a pass for the history. removed: mm³.
 QString passText(const TurnedPart& part, double removed) {
   QString text = passesText(part, part.passes.size() - 1, removed);
-  if (const std::size_t pieces = part.profile.pieces(); pieces > 1)
+  if (const std::size_t pieces = part.profile.pieces().size(); pieces > 1)
     text += QCoreApplication::translate("Tool", "; the part is now in %n piece(s)", nullptr, static_cast<int>(pieces));
   return text;
 }
@@ -155,10 +155,13 @@ ToolReply TurnTool::release() {
   m_tooFast = isTooFast(cut->fastest) ? std::optional(cut->fastest) : std::nullopt;
   TurnedPart before = m_present.of(m_document.workpiece());
   const double removed = before.profile.volume() - cut->profile.volume();
+  const auto pass = std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass());
+  TurnedProfile profile = cut->profile;
+  settlePass(profile, before.profile, pass, static_cast<std::uint32_t>(before.passes.size()));
   auto passes = std::move(before.passes);
-  passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
+  passes.push_back(pass);
   auto turned =
-      std::make_shared<const TurnedPart>(TurnedPart{cut->profile, cut->surface, std::move(passes), cut->finish});
+      std::make_shared<const TurnedPart>(TurnedPart{std::move(profile), cut->surface, std::move(passes), cut->finish});
   const QString text = passText(*turned, removed);
   m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;

@@ -86,7 +86,7 @@ class ExerciseTest : public QObject {
     for (const nlohmann::json& figure : ada["figures"])
       for (const nlohmann::json& mark : ada["marks"])
         if (mark["figure"] == figure["figure"]) QCOMPARE(figure["measured"], mark["measured"]);
-    QVERIFY(html.contains("Largest cutting force: ") && html.contains("Largest power: "));
+    QVERIFY(html.contains("Largest resultant force: ") && html.contains("Largest motor power: "));
     // The drawing of the target is the target of an exercise again.
     QCOMPARE(ran({"exercise", "shaft.handwheel", "-o", "shaft.dxf"}), 0);
     QCOMPARE(ran({"exercise", "shaft.handwheel", "--import-target", "shaft.dxf", "-o", "drawn.handwheel"}), 0);
@@ -387,6 +387,30 @@ class ExerciseTest : public QObject {
       QVERIFY(!fixture.names().contains("x.handwheel"));
     }
     QCOMPARE(fixture.run({"turn", "bar.handwheel", "--recording", "p.csv", "-o", "x.handwheel"}).code, 0);
+  }
+
+  // The thread of an exercise is cut on the lathe. Where the teacher allows commands it may be one, and the report says
+  // so, as it does of one that was made in a copy of the bar.
+  void noThreadByACommand() {
+    const Fixture fixture;
+    const QString exercise = test::sourcePath("resources/samples/exercises/thread-m20.exercise.json");
+    QCOMPARE(fixture.run({"exercise", exercise, "-o", "e.handwheel"}).code, 0);
+    const QStringList thread{"--from", "60", "--to", "80", "--pitch", "2.5", "-o", "done.handwheel"};
+    QCOMPARE(fixture.run({"exercise", "e.handwheel", "--stock", "-o", "bar.handwheel"}).code, 0);
+    const Ran refused = fixture.run(QStringList{"thread", "bar.handwheel"} + thread);
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains("does not allow a command") && refused.err.contains("bar.handwheel"), refused.err);
+    QVERIFY(!fixture.names().contains("done.handwheel"));
+    QCOMPARE(fixture.run({"set", "e.handwheel", "commands=yes", "-o", "e.handwheel"}).code, 0);
+    QCOMPARE(fixture.run({"exercise", "e.handwheel", "--stock", "-o", "open.handwheel"}).code, 0);
+    QCOMPARE(fixture.run(QStringList{"thread", "open.handwheel"} + thread).code, 0);
+    QCOMPARE(
+        fixture.run({"exercise", "e.handwheel", "--hand-in", "done.handwheel", "--name", "Ada", "-o", "a.handwheel"})
+            .code,
+        0);
+    const Ran marked = fixture.run({"mark", "e.handwheel", "a.handwheel", "--json"});
+    const nlohmann::json made = nlohmann::json::parse(marked.out.toStdString())["submissions"][0]["made_by"];
+    QCOMPARE(made.get<std::string>(), std::string("command"));
   }
 
   // Names of 14 letters head two columns of the table of a class, but not six: a page of A4 has no room for 84 letters

@@ -42,6 +42,8 @@ class ForceTest : public QObject {
     const nlohmann::json laws = reportIn(ran)["laws"];
     QVERIFY(std::abs(laws["kosilova"]["cutting_N"].get<double>() - 846.0) < 0.5);
     QVERIFY(std::abs(laws["kienzle"]["cutting_N"].get<double>() - 855.0) < 0.5);
+    // The components across are 0.7 of the cutting force together: √(855² + 598²).
+    QVERIFY(std::abs(laws["kienzle"]["resultant_N"].get<double>() - 1043.2) < 0.6);
     QVERIFY(std::abs(laws["kienzle"]["power_kW"].get<double>() - 855.0 * 150.0 / 60000.0) < 0.01);
     QVERIFY(laws["kosilova"]["verified"].get<bool>() && laws["network"]["synthetic"].get<bool>());
     // Kienzle's law is not corrected for strength; Kosilova's is, and reports the value before the correction.

@@ -34,7 +34,7 @@ class TurnProgramTest : public QObject {
     const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.step", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = figuresOf(ran);
-    QCOMPARE(json.size(), std::size_t{7});
+    QCOMPARE(json.size(), std::size_t{8});
     const double expected = M_PI * (400.0 - 225.0) * 40.0;
     QVERIFY2(std::abs(json["removed_mm3"].get<double>() / expected - 1.0) < 1e-3, ran.out);
     QCOMPARE(json["collisions"].get<int>(), 0);
@@ -44,6 +44,9 @@ class TurnProgramTest : public QObject {
     // Kienzle, medium carbon steel: 1.5 to 2 mm deep at 0.2 mm are several hundred newtons.
     QVERIFY(json["max_force_N"].get<double>() > 300.0 && json["max_force_N"].get<double>() < 3000.0);
     const double speed = M_PI * 40.0 * 800.0 / 1000.0;  // m/min
+    // 80 % of the motor's power come to the cut.
+    const double ofMotor = json["max_motor_power_kW"].get<double>();
+    QVERIFY(std::abs(0.8 * ofMotor - json["max_power_kW"].get<double>()) < 1e-9);
     QVERIFY(json["max_power_kW"].get<double>() < json["max_force_N"].get<double>() * speed / 60000.0 * 1.01);
     QVERIFY(fixture.names().contains("part.step"));
     const Ran document = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "part.handwheel"});
@@ -67,6 +70,33 @@ class TurnProgramTest : public QObject {
     QVERIFY(std::abs(figuresOf(ran)["removed_mm3"].get<double>() / expected - 1.0) < 1e-3);
   }
 
+  // The settings of a control besides the program: increments of 0.001 mm, and the switches of block skips. /2 skips a
+  // cut from Ø36 to Ø30.
+  void readsAsTheControlIsSet() {
+    const Fixture fixture;
+    fixture.put("p.nc", "G21 G99\nT0101\nG97 S800 M3\nG0 X44000 Z2000\nG90 X36000 Z-40000 F0.2\n/2 X30000\nM30\n");
+    const auto removed = [&](const QStringList& options) {
+      const Ran ran = fixture.run(
+          QStringList{"turn", "cylinder:40x100", "--program", "p.nc", "--dialect", "fanuc", "-o", "a.step", "--json"} +
+          options);
+      return ran.code == 0 ? figuresOf(ran)["removed_mm3"].get<double>() : -1.0;
+    };
+    QVERIFY(std::abs(removed({"--increments"}) / (M_PI * (400.0 - 225.0) * 40.0) - 1.0) < 1e-3);
+    QVERIFY(std::abs(removed({"--increments", "--block-skip", "1,2"}) / (M_PI * (400.0 - 324.0) * 40.0) - 1.0) < 1e-3);
+    QVERIFY(removed({"--block-skip", "0"}) == -1.0 && removed({"--block-skip", "1,"}) == -1.0);
+    QCOMPARE(fixture.run({"turn", "cylinder:40x9", "--program", "p.nc", "-o", "a.step", "--increments"}).code, 1);
+  }
+
+  // An alarm of the program is an error that tells its message, and nothing is written.
+  void tellsTheAlarm() {
+    const Fixture fixture;
+    fixture.put("p.nc", "G97 S800 M3\n#1=5.\nIF[#1 GT 3.] THEN #3000=1 (TOO BIG)\nG0 X36. Z2.\nG1 Z-10. F0.2\n");
+    const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.nc", "--dialect", "fanuc", "-o", "a.step"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains("p.nc, line 3: the program stops with the alarm 3001: TOO BIG."), ran.err);
+    QVERIFY(!QFile::exists(fixture.path() + "/a.step"));
+  }
+
   // A nose of 2 mm leaves its fillet at the shoulder: the square minus the quarter circle, by Pappus' theorem.
   void theNoseLeavesAFillet() {
     const Fixture fixture;
@@ -87,6 +117,46 @@ class TurnProgramTest : public QObject {
     const Ran ran = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl", "--json"});
     QCOMPARE(figuresOf(ran)["collisions"].get<int>(), 1);
     QVERIFY2(ran.err.contains("line 5: feed into material with the spindle at rest"), ran.err);
+  }
+
+  // M4 is one warning in the report, no collision; with the post in front and the inserts down it is right, and the
+  // post is saved with the document. A program for such a machine says M4.
+  void theToolPostDecidesTheSense() {
+    const Fixture fixture;
+    fixture.put("p.ngc", "G21 G18 G7 S500 M4\nF100\nG0 X44 Z2\nX36\nG1 Z-20\nX44\nG0 Z2\nX34\nG1 Z-20\nM2\n");
+    const QStringList turn = {"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.handwheel", "--json"};
+    const Ran usual = fixture.run(turn);
+    QVERIFY2(usual.code == 0, usual.err);
+    const nlohmann::json json = figuresOf(usual);
+    QCOMPARE(json["collisions"].get<int>(), 0);
+    QCOMPARE(json["warnings"].size(), std::size_t{1});
+    QCOMPARE(json["warnings"][0]["line"].get<int>(), 5);
+    QVERIFY2(usual.err.contains("line 5: The spindle turns away from the cutting edge"), usual.err);
+    const Ran front = fixture.run(turn + QStringList{"--post", "front", "--insert", "down"});
+    QVERIFY2(front.code == 0 && !figuresOf(front).contains("warnings"), front.err);
+    fixture.put("deeper.ngc", "G21 G18 G7 S500 M4\nF100\nG0 X44 Z2\nX30\nG1 Z-20\nM2\n");
+    const Ran again = fixture.run({"turn", "a.handwheel", "--program", "deeper.ngc", "-o", "b.handwheel", "--json"});
+    QVERIFY2(again.code == 0 && !figuresOf(again).contains("warnings"), again.err);
+    const Ran written = fixture.run({"program", "a.handwheel", "-o", "m4.ngc"});
+    QVERIFY2(written.code == 0 && fixture.content("m4.ngc").contains("M4"), written.err);
+    QVERIFY(fixture.run({"program", "a.handwheel", "--post", "front", "-o", "m3.ngc"}).code == 0);
+    QVERIFY(fixture.content("m3.ngc").contains("M3"));
+    QVERIFY(fixture.run(turn + QStringList{"--post", "above"}).err.contains("--post is behind or front"));
+    QVERIFY(fixture.run({"turn", "a.handwheel", "--replay", "--insert", "up"}).err.contains("--program"));
+  }
+
+  // The formula of a drill (docs/forces.md): 25.75 N·m, 1.348 kW and 2207 N.
+  void aDrillIsReported() {
+    const Fixture fixture;
+    fixture.put("p.ngc", "G21 G18 G7 G95 F0.2 G97 S500 M3\nG0 X0 Z3\nG1 Z-30\nG0 Z5\nM2\n");
+    const Ran ran = fixture.run(
+        {"turn", "cylinder:40x100", "--program", "p.ngc", "--nose", "10", "-o", "part.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json drilling = figuresOf(ran)["drilling"];
+    QVERIFY(drilling["diameter_mm"] == 20.0);
+    QVERIFY(std::abs(drilling["torque_Nm"].get<double>() - 25.75) < 0.3);
+    QVERIFY(std::abs(drilling["power_kW"].get<double>() - 1.348) < 0.015);
+    QVERIFY(std::abs(drilling["thrust_N"].get<double>() - 2207.0) < 25.0);
   }
 
   void collisionsAreCounted() {

@@ -48,7 +48,7 @@ class TurnTest : public QObject {
     const Ran ran = fixture.run({"turn", "bar.handwheel", "--path", "p.csv", "-o", "part.handwheel", "--json"});
     QVERIFY2(ran.code == 0, ran.err);
     const nlohmann::json json = reported(ran);
-    QCOMPARE(json.size(), std::size_t{7});
+    QCOMPARE(json.size(), std::size_t{8});
     QCOMPARE(json["time_s"].get<double>(), 3.0);
     QVERIFY(json["max_force_N"].get<double>() > 0.0 && json["profile_error_mm"].is_null());
     // At the ends the nose leaves min(25, 21 - sqrt(1 - x²)), which is 21 at x = 1, then the bar.

@@ -111,6 +111,17 @@ class SubmissionTableTest : public QObject {
     // Translated to the language of the window.
     const std::string csv = table.csv([](const std::string& word) { return "<" + word + ">"; });
     QVERIFY(csv.find("<Made>") != csv.npos && csv.find("<by hand>") != csv.npos && csv.find("<>") == csv.npos);
+    // A command, alone and with others.
+    const std::pair<WorkOrigin, const char*> others[] = {{WorkOrigin::Command, "by command"},
+                                                         {WorkOrigin::HandAndCommand, "by hand and command"},
+                                                         {WorkOrigin::ProgramAndCommand, "by program and command"},
+                                                         {WorkOrigin::All, "by hand, program and command"}};
+    for (const auto& [origin, text] : others) {
+      SubmissionRow made = row("Eve", 20.0, 10.0);
+      made.origin = origin;
+      table.add(made);
+      QCOMPARE(table.cell(table.rows().size() - 1, SubmissionTable::Made), std::string(text));
+    }
   }
 
   // Follows RFC 4180; no field is a formula to a spreadsheet.

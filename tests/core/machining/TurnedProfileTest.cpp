@@ -68,10 +68,10 @@ class TurnedProfileTest : public QObject {
   }
 
   void countsItsPieces() {
-    QCOMPARE(TurnedProfile::fromRadii({3.0, 1.0, 2.0}, 4.0).pieces(), std::size_t{1});
-    QCOMPARE(TurnedProfile::fromRadii({0.0, 1.0, 0.0}, 4.0).pieces(), std::size_t{1});
-    QCOMPARE(TurnedProfile::fromRadii({1.0, 0.0, 0.0, 2.0, 0.0, 1.0}, 4.0).pieces(), std::size_t{3});
-    QCOMPARE(TurnedProfile::fromRadii({0.0, 0.0}, 4.0).pieces(), std::size_t{0});
+    QCOMPARE(TurnedProfile::fromRadii({3.0, 1.0, 2.0}, 4.0).pieces().size(), std::size_t{1});
+    QCOMPARE(TurnedProfile::fromRadii({0.0, 1.0, 0.0}, 4.0).pieces().size(), std::size_t{1});
+    QCOMPARE(TurnedProfile::fromRadii({1.0, 0.0, 0.0, 2.0, 0.0, 1.0}, 4.0).pieces().size(), std::size_t{3});
+    QCOMPARE(TurnedProfile::fromRadii({0.0, 0.0}, 4.0).pieces().size(), std::size_t{0});
   }
 
   // A straight pass leaves a cylinder; the removed ring and the two quarter circles of the nose are known.

@@ -83,7 +83,7 @@ class TurnedSurfaceTest : public QObject {
       if (which == 4 && i == 500 && profile.limitOuter(i, 5.0)) changed.extend({i, i + 1});
     }
     surface.update(profile, changed);
-    QCOMPARE(profile.pieces(), std::size_t{which == 3 || which == 4 ? 2u : 1u});
+    QCOMPARE(profile.pieces().size(), std::size_t{which == 3 || which == 4 ? 2u : 1u});
     const HalfEdgeMesh mesh = buildMesh(joined(surface)).mesh;
     QVERIFY(findBoundaryLoops(mesh).empty());
     const double volume = signedVolume(joined(surface));

@@ -61,7 +61,8 @@ class LatheFinishTest : public QObject {
     TurnedProfile part = fixture.rod;
     FinishMeter again(part, SurfaceFinish(part.size()));
     for (std::size_t i = 0; i < lathe.passes().size(); ++i)
-      cut(part, lathe.passes()[i], static_cast<std::uint32_t>(kPassesBefore + i), again);
+      cut(part, std::make_shared<const TurningPass>(lathe.passes()[i]), static_cast<std::uint32_t>(kPassesBefore + i),
+          again);
     QVERIFY(part == last.profile);
     QVERIFY(again.finish() == last.finish);
   }
@@ -103,11 +104,11 @@ class LatheFinishTest : public QObject {
     QVERIFY(there.passes().size() == 1 && back.passes().size() == 1);
     TurnedProfile part = rod;
     FinishMeter again(part, SurfaceFinish(part.size()));
-    cut(part, there.passes().front(), 0, again);
+    cut(part, std::make_shared<const TurningPass>(there.passes().front()), 0, again);
     TurnedProfile atFirstPoint = part;
     const TurningPass& home = back.passes().front();
     QVERIFY(!cut(atFirstPoint, home, home.path[0], home.path[0]).isEmpty());
-    cut(part, home, 1, again);
+    cut(part, std::make_shared<const TurningPass>(home), 1, again);
     QVERIFY(part == last.profile);
     QVERIFY(again.finish() == last.finish);
   }

@@ -105,7 +105,8 @@ class LatheSimulationTest : public QObject {
     QVERIFY(fixture.moment().profile == fixture.rod);
   }
 
-  // A device that acts positions the tool; the plane attracts it within its reach, without a step at the border.
+  // A device takes the tool where it is, 25 mm from the hand here, and moves it by as much as the hand moves; the plane
+  // attracts the hand within its reach, without a step at the border.
   void aDeviceHoldsTheTool() {
     LatheFixture fixture;
     LatheTouch touch;
@@ -136,13 +137,17 @@ class LatheSimulationTest : public QObject {
     fixture.loop.setGesture(1);
     fixture.channel->inputs->setDeviceGesture(1);
     const ProfilePoint start = fixture.channel->patch.read().tip;
-    for (int i = 0; i < 3000; ++i) tick({start.x() - 5.0, 0.0, start.y() + kLower - 10.0}, true);
+    const ProfilePoint grip(15.0, -20.0);
+    const auto hand = [&](double r, double z) { return Vec3(r - grip.x(), 0.0, z - grip.y() + kLower); };
+    for (int i = 0; i < 10; ++i) QCOMPARE(tick(hand(start.x(), start.y()), true).force.norm(), 0.0);
+    QVERIFY(fixture.channel->patch.read().tip == start);
+    for (int i = 0; i < 3000; ++i) tick(hand(start.x() - 5.0, start.y() - 10.0), true);
     QVERIFY((fixture.channel->patch.read().tip - (start - ProfilePoint(5.0, 10.0))).norm() < 1e-6);
     // Held back by material, the spring pulls the hand.
     fixture.send(LatheDo::Spindle, 1.0);
-    for (int i = 0; i < 500; ++i) tick({30.0, 0.0, 95.0 + kLower}, true);
+    for (int i = 0; i < 500; ++i) tick(hand(30.0, 95.0), true);
     ForceOut out;
-    for (int i = 0; i < 150; ++i) out = tick({19.0, 0.0, 95.0 + kLower}, true);
+    for (int i = 0; i < 150; ++i) out = tick(hand(19.0, 95.0), true);
     QVERIFY(out.isContact);
     QVERIFY(out.force.x() > 0.05);
     QVERIFY(out.force.y() > 0.0);  // the work turns about +z and takes the edge along

@@ -157,18 +157,19 @@ class LatheThreadingTest : public QObject {
     fixture.channel->inputs->setDeviceGesture(1);
     LatheForce force(fixture.channel, fixture.material, {}, kLower);
     const ProfilePoint from = fixture.moment().tip;
-    const auto tick = [&](bool isHeld) {
+    const auto tick = [&](double along, bool isHeld) {
       TipState tip;
-      tip.position = Vec3(from.x(), 0.0, from.y() + 100.0 + kLower);
+      tip.position = Vec3(from.x(), 0.0, from.y() + along + kLower);
       tip.buttons = isHeld ? 1u : 0u;
       tip.isRestart = false;
       ForceOut out;
       force.advance(tip, out);
       fixture.loop.runSteps(1);
     };
-    tick(false);
-    for (int i = 0; i < 100; ++i) tick(true);
-    tick(false);
+    tick(0.0, false);
+    tick(0.0, true);
+    for (int i = 0; i < 100; ++i) tick(100.0, true);
+    tick(100.0, false);
     fixture.run(2.0);
     const double travel = fixture.moment().tip.y() - from.y(), most = 0.101 * fixture.setup.handSpeed;
     QVERIFY2(travel > 1.0 && travel <= most + 1e-9, qPrintable(QString::number(travel)));

@@ -94,7 +94,7 @@ class TurningSimulationTest : public QObject {
     QVERIFY(std::abs(mark.roughness / (1e3 * 0.04 / (32.0 * kNose)) - 1.0) < 0.01);  // 2 mm/s: 0.2 mm in a turn
     TurnedProfile again = bar;
     FinishMeter meter(bar, SurfaceFinish(bar.size()));
-    cut(again, simulation.pass(), 5, meter);
+    cut(again, std::make_shared<const TurningPass>(simulation.pass()), 5, meter);
     QVERIFY(again == state.profile);
     QVERIFY(meter.finish() == state.finish);
   }

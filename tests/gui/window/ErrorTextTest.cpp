@@ -74,6 +74,13 @@ class ErrorTextTest : public QObject {
     QVERIFY2(errorSentence(error).contains(QString::fromStdString(phrase)), qPrintable(errorSentence(error)));
   }
 
+  // The reason and the remedy of a lathe program's error are sentences, and are shown whole.
+  void sentencesAreWhole() {
+    const std::string reason = "the next cut does not go in this direction, straight along the other axis";
+    const Error error{ErrorCode::NumberMalformed, {reason}, {}, {}};
+    QVERIFY2(errorSentence(error).contains(QString::fromStdString(reason)), qPrintable(errorSentence(error)));
+  }
+
   void quotesAreShortAndHarmless() {
     const Error error{ErrorCode::NumberMalformed, {"\x1b[31m" + std::string(500, 'x')}, {}, {}};
     const QString sentence = errorSentence(error);

@@ -7,6 +7,7 @@
 #include "machining/TurningPass.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
+#include "window/workpiece/program/ControlButton.h"
 #include "window/workpiece/program/ProgramPlayer.h"
 
 #include <QAction>
@@ -157,9 +158,26 @@ QWidget* ProgramPanel::makeSetupRow() {
   layout->addWidget(m_dialect);
   layout->addWidget(new QLabel(tr("Nose"), row));
   layout->addWidget(m_nose, 1);
+  m_post = new QComboBox(row);
+  m_post->setObjectName(QStringLiteral("programPost"));
+  m_post->setAccessibleName(tr("Tool post"));
+  m_post->setToolTip(tr(
+      "Tool post of the machine, and the side that the inserts face: they decide between M3 and M4. X+ points to the "
+      "post; seen from above, G2, G3, G41 and G42 appear reversed if it is in front."));
+  m_post->addItem(tr("Behind, insert down (M3)"));
+  m_post->addItem(tr("Behind, insert up (M4)"));
+  m_post->addItem(tr("In front, insert down (M4)"));
+  m_post->addItem(tr("In front, insert up (M3)"));
+  layout->addWidget(m_post);
+  connect(m_post, &QComboBox::activated, this, [this](int index) { emit postChosen({index >= 2, index % 2 == 1}); });
   m_tools = runButton({}, "programTools", tr("Tool table of the program: nose radii, holders and offsets"), row);
   layout->addWidget(m_tools);
+  m_control = new ControlButton(row);
+  m_control->setDialect(dialect());
+  layout->addWidget(m_control);
   setToolCount(0);
+  connect(m_control, &ControlButton::changed, this, &ProgramPanel::controlChanged);
+  connect(m_dialect, &QComboBox::currentIndexChanged, this, [this] { m_control->setDialect(dialect()); });
   connect(m_dialect, &QComboBox::activated, this, &ProgramPanel::dialectChanged);
   connect(m_nose, &NumberField::valueEdited, this, &ProgramPanel::noseChanged);
   connect(m_tools, &QPushButton::clicked, this, &ProgramPanel::toolsRequested);
@@ -206,12 +224,21 @@ void ProgramPanel::setDialect(ProgramDialect dialect) {
   m_dialect->setCurrentIndex(m_dialect->findData(static_cast<int>(dialect)));
 }
 
+void ProgramPanel::applyControl(ProgramSetup& setup) const {
+  m_control->applyTo(setup);
+}
+
 double ProgramPanel::nose() const {
   return m_nose->value();
 }
 
 void ProgramPanel::setNose(double mm) {
   m_nose->setValue(mm);
+}
+
+// The items are in the order of their sides.
+void ProgramPanel::setPost(const ProgramPost& post) {
+  m_post->setCurrentIndex((post.isInFront ? 2 : 0) + (post.isInsertUp ? 1 : 0));
 }
 
 void ProgramPanel::setToolCount(std::size_t count) {

@@ -19,6 +19,7 @@ class QPushButton;
 
 namespace handwheel {
 
+class ControlButton;
 class NumberField;
 class ProgramEditor;
 class ProgramPlayer;
@@ -51,10 +52,12 @@ class ProgramPanel : public QWidget {
   QString name() const;  // file name, with a mark if the text is not saved
   void setName(const QString& name);
   ProgramDialect dialect() const;
-  void setDialect(ProgramDialect dialect);  // emits no signal
-  double nose() const;                      // mm
-  void setNose(double mm);                  // emits no signal
-  void setToolCount(std::size_t count);     // number of tools in the table
+  void setDialect(ProgramDialect dialect);       // emits no signal
+  void applyControl(ProgramSetup& setup) const;  // sets what the control reads as the user has chosen
+  double nose() const;                           // mm
+  void setNose(double mm);                       // emits no signal
+  void setPost(const ProgramPost& post);         // emits no signal
+  void setToolCount(std::size_t count);          // number of tools in the table
 
   // Sets the list of findings and the marks in the editor.
   void setFindings(std::vector<ProgramFinding> findings);
@@ -67,6 +70,8 @@ class ProgramPanel : public QWidget {
  signals:
   void dialectChanged();
   void noseChanged();
+  void controlChanged();
+  void postChosen(const handwheel::ProgramPost& post);
   void toolsRequested();
   void runRequested();
   void cancelRequested();
@@ -90,7 +95,9 @@ class ProgramPanel : public QWidget {
   ProgramPlayer* m_player;
   QLabel* m_name;
   QComboBox* m_dialect;
+  ControlButton* m_control;
   NumberField* m_nose;
+  QComboBox* m_post;
   QPushButton* m_tools;
   QPushButton* m_run;
   QPushButton* m_cancel;

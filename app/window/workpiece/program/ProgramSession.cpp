@@ -121,6 +121,11 @@ void ProgramSession::connectPanel() {
     if (!m_hasOwnTools) setTools({}, false);
     textChanged();
   });
+  connect(m_panel, &ProgramPanel::controlChanged, this, &ProgramSession::textChanged);
+  connect(m_panel, &ProgramPanel::postChosen, this, [this](const ProgramPost& post) {
+    if (post == workpiece().workpiece().programPost) return;
+    m_document.document.commit(tr("Change the tool post"), std::make_unique<ProgramPostEdit>(post));
+  });
   connect(m_panel, &ProgramPanel::toolsRequested, this, &ProgramSession::askForTools);
   connect(m_panel, &ProgramPanel::runRequested, this, &ProgramSession::run);
   connect(m_panel, &ProgramPanel::cancelRequested, &m_runs, &JobRunner::cancelAll);
@@ -154,6 +159,7 @@ ProgramSetup ProgramSession::setup() const {
   const WorkpieceSnapshot& work = workpiece().workpiece();
   ProgramSetup setup = programSetupFor(work, shippedLatheTools(), m_panel->dialect(), m_panel->nose());
   setup.tools = m_tools;
+  m_panel->applyControl(setup);
   return setup;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>  // moc cannot read <numbers>, which Units.h includes, without this before it
 
 #include "document/workpiece/ProgramTrial.h"
+#include "document/workpiece/playback/PlayedPart.h"
 #include "viewport/path/PathLayer.h"
 #include "window/JobRunner.h"
 #include "window/kinds/KindUi.h"
@@ -20,6 +21,7 @@ namespace handwheel {
 class TargetProfile;
 class WorkpieceDocument;
 struct CycleRest;
+struct LeftOutPass;
 
 // The display of a program run in the view.
 struct ProgramPicture {
@@ -87,6 +89,7 @@ class ProgramSession : public QObject {
   void write(const QString& path, std::function<void(bool)> ended);
   void askForPasses();
   void writePasses(double spindle);
+  void warnOfLeftOut(const std::vector<LeftOutPass>& passes);
   void askForCycles();
   void askForTools();
   void setTools(ProgramTools tools, bool isOwn);
@@ -126,7 +129,8 @@ class ProgramSession : public QObject {
   ProgramTrial::Pointer m_trial;  // null: the present text was not run
   WorkpieceSnapshot m_start;      // initial workpiece of the trial
   ProgramPosition m_position, m_shown;
-  bool m_isShowing = false;  // a job is making the part of a position
+  std::shared_ptr<PlayedPart> m_played;  // the shown part of the trial; used by one job at a time
+  bool m_isShowing = false;              // a job is making the part of a position
   ProgramPicture m_picture;
 };
 

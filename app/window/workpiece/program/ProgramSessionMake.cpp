@@ -16,12 +16,14 @@
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorWords.h"
+#include "tools/workpiece/PassNames.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/workpiece/program/NumbersDialog.h"
 #include "window/workpiece/program/ProgramSession.h"
 #include "window/workpiece/program/ToolTableDialog.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
 namespace handwheel {
@@ -50,11 +52,32 @@ void ProgramSession::writePasses(double spindle) {
               failed = job.failed](Progress) -> Job::Finish {
     PassProgram how;
     how.spindle = spindle;
+    how.post = start.programPost;
     const Result<PassesProgram> program = passesProgram(start, dialect, how);
     if (!program) return [failed, error = program.error()] { failed(error); };
-    return [this, made = *program] { offer(made.text, made.tools); };
+    return [this, made = *program] {
+      offer(made.text, made.tools);
+      warnOfLeftOut(made.leftOut);
+    };
   };
   m_runs.start(std::move(job));
+}
+
+void ProgramSession::warnOfLeftOut(const std::vector<LeftOutPass>& passes) {
+  constexpr std::size_t kMostInMessage = 3;
+  if (passes.empty()) return;
+  QStringList lines;
+  for (std::size_t i = 0; i < std::min(passes.size(), kMostInMessage); ++i) {
+    const LeftOutPass& pass = passes[i];
+    const QString name = passName(pass.tool.get(), TurningSide::Outside, QString::number(pass.number));
+    lines << tr("%1: %2").arg(name, QCoreApplication::translate("LathePart", sentenceOf(pass.reason)));
+  }
+  if (passes.size() > kMostInMessage) lines << tr("The others are named at the head of the program.");
+  Message warning{Message::Weight::Warning,
+                  tr("%n pass(es) were left out of the program", nullptr, static_cast<int>(passes.size())),
+                  lines.join(QLatin1Char(' ')), tr("Do their work by hand, after the program.")};
+  warning.about = &m_document.document;
+  emit message(warning);
 }
 
 void ProgramSession::askForCycles() {
@@ -92,6 +115,7 @@ void ProgramSession::writeCycles(const std::vector<double>& numbers) {
                             &settings.finishFeed, &settings.speed,     &settings.mostSpindle, &settings.drill};
   std::size_t next = 0;
   for (double* field : fields) *field = numbers[next++];
+  settings.post = workpiece().workpiece().programPost;
   const double spacing = m_parts.fidelity.values().of(turnSpacingSetting());
   Job job;
   job.name = tr("Writing and simulating the cycles");

@@ -5,7 +5,6 @@
 #include "controls/QuantityText.h"
 #include "controls/program/ProgramEditor.h"
 #include "document/workpiece/LatheSetupEdit.h"
-#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/exercise/AssignedTask.h"
@@ -35,8 +34,8 @@ namespace handwheel {
 namespace {
 
 bool isOfProgram(const Error& error) {
-  return error.code == ProgramError::Refused || error.code == ProgramError::Endless ||
-         error.code == ProgramError::TooManyMoves;
+  return error.code == ProgramError::Refused || error.code == ProgramError::Alarm ||
+         error.code == ProgramError::Endless || error.code == ProgramError::TooManyMoves;
 }
 
 // The move of a collision: the first of its line that ends there.
@@ -49,8 +48,9 @@ std::size_t moveOf(const ProgramCollision& collision, const ToolPath& path) {
 
 // Returns true if a program does the same to both.
 bool isSameWork(const WorkpieceSnapshot& a, const WorkpieceSnapshot& b) {
-  return a.part == b.part && a.chord == b.chord && a.stock == b.stock && programZero(a) == programZero(b) &&
-         latheOf(a).chuck == latheOf(b).chuck && latheOf(a).tailstock == latheOf(b).tailstock;
+  return a.part == b.part && a.chord == b.chord && a.stock == b.stock && a.programPost == b.programPost &&
+         programZero(a) == programZero(b) && latheOf(a).chuck == latheOf(b).chuck &&
+         latheOf(a).tailstock == latheOf(b).tailstock;
 }
 
 // Returns the violated limits of the lathe of an exercise, judged as by the marks.
@@ -67,11 +67,11 @@ std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnap
                           text.arg(locale.toString(value, 'g', 3), locale.toString(limit, 'g', 3)), std::nullopt});
   };
   add(peaks->first, task.forceLimit,
-      ProgramSession::tr(
-          "force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the report of the exercise."));
+      ProgramSession::tr("resultant force: up to %1 N, where the lathe of the exercise allows %2 N. It is in the "
+                         "report of the exercise."));
   add(peaks->second, task.powerLimit,
       ProgramSession::tr(
-          "power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise."));
+          "motor power: up to %1 kW, where the lathe of the exercise has %2 kW. It is in the report of the exercise."));
   return findings;
 }
 
@@ -87,11 +87,9 @@ QString collisionText(const ProgramCollision& collision) {
     case ProgramCollision::Kind::RapidInMaterial:
       return ProgramSession::tr("collision: a rapid move through material, to ⌀ %1, Z %2.");
     case ProgramCollision::Kind::SpindleAtRest:
-      return ProgramSession::tr("collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.");
-    case ProgramCollision::Kind::SpindleReversed:
       break;
   }
-  return ProgramSession::tr("collision: a feed into material with the spindle reversed (M4), to ⌀ %1, Z %2.");
+  return ProgramSession::tr("collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.");
 }
 
 }  // namespace
@@ -114,6 +112,7 @@ void ProgramSession::documentChanged() {
   handwheel::offer(m_fromPasses, now.part != nullptr, tr("Nothing was cut yet."));
   handwheel::offer(m_cycles, now.target != nullptr, tr("There is no target."));
   takeStoredTools();
+  m_panel->setPost(now.programPost);
   if (isSameWork(m_start, now)) return;
   m_runs.cancelOf(&m_start);
   forgetRun();
@@ -188,6 +187,7 @@ void ProgramSession::ran(ProgramTrial::Pointer trial, PathLayer::Lines lines,
   m_panel->player().setDuration(m_trial->steps().duration());
   m_picture.lines = std::move(lines);
   m_shown = {};
+  m_played = std::make_shared<PlayedPart>(m_start.chord, m_start.stock.position);
   goTo(m_trial->steps().end());
 }
 
@@ -299,14 +299,10 @@ void ProgramSession::showPart() {
   Job job;
   job.name = tr("Cutting up to the line");
   job.failed = [this](const Error&) { m_isShowing = false; };
-  job.work = [this, trial = m_trial, position = m_position, chord = m_start.chord,
-              base = m_start.stock.position](Progress progress) -> Job::Finish {
-    const std::optional<TurnedProfile> profile = trial->profileAt(position, progress);
-    std::shared_ptr<DisplayModel> model;
-    if (profile) {
-      model = std::make_shared<DisplayModel>(displayOf(TurnedSurface(*profile, chord), base));
-      showPartedOff(*model, *profile);
-    }
+  job.work = [this, trial = m_trial, position = m_position, played = m_played](Progress progress) -> Job::Finish {
+    const std::optional<ProgramTrial::Moment> moment = trial->at(position, progress);
+    const auto model =
+        moment ? std::make_shared<const DisplayModel>(played->at(moment->profile, moment->threads)) : nullptr;
     return [this, trial, position, model] {
       m_isShowing = false;
       if (trial == m_trial) {

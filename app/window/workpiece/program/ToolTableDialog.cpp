@@ -5,6 +5,7 @@
 #include "controls/NumberField.h"
 #include "machining/TurningPass.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
@@ -20,7 +21,7 @@ namespace handwheel {
 
 namespace {
 
-enum Column { kNumber, kBody, kNose, kOrientation, kOffsetX, kOffsetZ, kColumns };
+enum Column { kNumber, kBody, kNose, kOrientation, kOffsetX, kOffsetZ, kUpsideDown, kColumns };
 constexpr int kMostNumber = 9999, kMostTools = 99;
 constexpr double kMostOffset = 1e4;  // mm
 
@@ -68,7 +69,7 @@ ToolTableDialog::ToolTableDialog(const ProgramTools& tools, LatheTools bodies, L
   setObjectName(QStringLiteral("toolTableDialog"));
   setWindowTitle(tr("Tools of the program"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(760, 360);
+  resize(840, 360);
   auto* column = new QVBoxLayout(this);
   auto* text = new QLabel(
       tr("The tools with the T numbers of the program. With a tool of the lathe, its holder, the tool post and the "
@@ -79,7 +80,7 @@ ToolTableDialog::ToolTableDialog(const ProgramTools& tools, LatheTools bodies, L
   m_table->setObjectName(QStringLiteral("toolTable"));
   m_table->setAccessibleName(windowTitle());
   m_table->setHorizontalHeaderLabels(
-      {tr("T"), tr("Tool"), tr("Nose radius"), tr("Orientation"), offsetX(), tr("Offset Z")});
+      {tr("T"), tr("Tool"), tr("Nose radius"), tr("Orientation"), offsetX(), tr("Offset Z"), tr("Upside down")});
   m_table->horizontalHeader()->setSectionResizeMode(kBody, QHeaderView::Stretch);
   m_table->verticalHeader()->hide();
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -125,6 +126,13 @@ void ToolTableDialog::addRow(int number, const ProgramTool& tool) {
   m_table->setCellWidget(row, kOrientation, countBox(tool.orientation, 0, 9, tr("Orientation")));
   m_table->setCellWidget(row, kOffsetX, lengthField(tool.offset.x(), -kMostOffset, kMostOffset, offsetX()));
   m_table->setCellWidget(row, kOffsetZ, lengthField(tool.offset.y(), -kMostOffset, kMostOffset, tr("Offset Z")));
+  auto* upsideDown = new QCheckBox;
+  upsideDown->setObjectName(QStringLiteral("toolTableUpsideDown%1").arg(number));
+  upsideDown->setAccessibleName(tr("Upside down"));
+  upsideDown->setToolTip(
+      tr("The insert faces the other side than those of the machine do: it cuts with the other of M3 and M4."));
+  upsideDown->setChecked(tool.isTurnedOver);
+  m_table->setCellWidget(row, kUpsideDown, upsideDown);
   connect(bodies, &QComboBox::activated, this, [this, bodies] {
     for (int i = 0; i < m_table->rowCount(); ++i)
       if (m_table->cellWidget(i, kBody) == bodies) takeBody(i);
@@ -161,6 +169,7 @@ ProgramTools ToolTableDialog::tools() const {
     tool.orientation = cell<QSpinBox>(*m_table, i, kOrientation)->value();
     tool.offset = {cell<NumberField>(*m_table, i, kOffsetX)->value(),
                    cell<NumberField>(*m_table, i, kOffsetZ)->value()};
+    tool.isTurnedOver = cell<QCheckBox>(*m_table, i, kUpsideDown)->isChecked();
     const int body = cell<QComboBox>(*m_table, i, kBody)->currentIndex();
     if (body > 0) tool.body = m_bodies[static_cast<std::size_t>(body - 1)];
     tools[cell<QSpinBox>(*m_table, i, kNumber)->value()] = tool;

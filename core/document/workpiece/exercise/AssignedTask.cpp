@@ -17,6 +17,24 @@ std::shared_ptr<const TurningTask> assignedTask(const AssignedExercise& assigned
   return std::make_shared<const TurningTask>(turningTaskFrom(*task, damage));
 }
 
+WorkLimits workLimits(const AssignedExercise& assigned) {
+  const auto task = assignedTask(assigned);
+  if (!task) return {};
+  WorkLimits limits{task->forceLimit, task->powerLimit, task->lathe.largestFeed};
+  const auto criteria = assigned.description->find("criteria");
+  if (criteria == assigned.description->end() || !criteria->is_array()) return limits;
+  const auto narrow = [](double& limit, double upper) { limit = limit > 0.0 ? std::min(limit, upper) : upper; };
+  for (const nlohmann::json& criterion : *criteria) {
+    if (!criterion.is_object()) continue;
+    const auto upper = criterion.find("upper");
+    if (upper == criterion.end() || !upper->is_number() || !(upper->get<double>() > 0.0)) continue;
+    const std::string figure = stringAt(criterion, "figure");
+    if (figure == "force") narrow(limits.force, upper->get<double>());
+    if (figure == "power") narrow(limits.power, upper->get<double>());
+  }
+  return limits;
+}
+
 bool isMarked(const AssignedExercise& assigned, std::string_view figure) {
   if (!assigned || !assigned.description->is_object()) return false;
   const auto criteria = assigned.description->find("criteria");

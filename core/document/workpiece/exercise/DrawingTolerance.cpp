@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "machining/measure/IsoTolerance.h"
 #include "machining/measure/RoughnessGrade.h"
+#include "machining/thread/ThreadTolerance.h"
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,40 @@ std::optional<double> symmetricTolerance(std::string& text) {
   return std::nullopt;
 }
 
+// A figure of a thread with its limits in the tolerance of the thread.
+struct ThreadFigure {
+  std::string_view figure;
+  ToleratedSize ThreadTolerance::*size;
+  std::optional<ThreadDiameter> diameter;  // none: the pitch
+};
+constexpr std::array<ThreadFigure, 4> kThreadFigures = {
+    {{"thread_pitch", &ThreadTolerance::pitch, std::nullopt},
+     {"major_diameter", &ThreadTolerance::major, ThreadDiameter::Major},
+     {"pitch_diameter", &ThreadTolerance::pitchDiameter, ThreadDiameter::Pitch},
+     {"minor_diameter", &ThreadTolerance::minor, ThreadDiameter::Minor}}};
+
+const ThreadFigure* threadFigureOf(const MarkingCriterion& c) {
+  const auto found = std::find_if(kThreadFigures.begin(), kThreadFigures.end(),
+                                  [&](const ThreadFigure& each) { return each.figure == c.figure; });
+  return found == kThreadFigures.end() ? nullptr : &*found;
+}
+
+// "M20×2.5-6g" says all; a class alone is that of the coarse thread with the nominal size.
+Status applyThreadTolerance(MarkingCriterion& c, const ThreadFigure& figure) {
+  std::optional<ThreadTolerance> thread = threadTolerance(c.tolerance);
+  const std::string_view alone = threadClassIn(c.tolerance);
+  if (!thread && !alone.empty() && c.nominal && figure.diameter)
+    thread = coarseThreadWith(*figure.diameter, *c.nominal, alone);
+  if (!thread && !alone.empty())
+    return malformedTolerance(c, "its class needs the thread in front of it, as in M20x2.5-6g");
+  if (!thread) return malformedTolerance(c, "its tolerance is not that of a thread, as M20x2.5-6g or M20-6H");
+  c.tolerance = thread->designation;
+  c.nominal = ((*thread).*figure.size).nominal;
+  c.lower = ((*thread).*figure.size).lower;
+  c.upper = ((*thread).*figure.size).upper;
+  return Done{};
+}
+
 // "10": not where the tolerance lies.
 bool isGradeAlone(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
@@ -65,8 +100,14 @@ std::optional<double> sizeInFront(std::string& text) {
 
 }  // namespace
 
+bool sharesThreadTolerance(const MarkingCriterion& criterion, const MarkingCriterion& other) {
+  return threadFigureOf(criterion) && threadFigureOf(other) && criterion.arguments == other.arguments &&
+         threadTolerance(criterion.tolerance);
+}
+
 Status applyDrawingTolerance(MarkingCriterion& c) {
-  if (const auto size = sizeInFront(c.tolerance)) {
+  const ThreadFigure* const thread = threadFigureOf(c);
+  if (const auto size = thread ? std::nullopt : sizeInFront(c.tolerance)) {  // "6g" is no size
     if (c.nominal && *c.nominal != *size)
       return malformedTolerance(c, "the size in front of its tolerance is not the nominal size");
     c.nominal = *size;
@@ -77,6 +118,7 @@ Status applyDrawingTolerance(MarkingCriterion& c) {
     c.upper = *c.nominal + *half;
     return Done{};
   }
+  if (thread) return applyThreadTolerance(c, *thread);
   if (isOneOf(kRoughness, c)) {
     const auto ra = roughnessOf(c.tolerance);
     if (!ra) return malformedTolerance(c, "its tolerance is not a roughness grade, N1 to N12");

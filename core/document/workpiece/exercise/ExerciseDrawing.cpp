@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/thread/ThreadDesignation.h"
+#include "machining/thread/ThreadTolerance.h"
 
 #include <algorithm>
 #include <array>
@@ -85,9 +86,10 @@ std::optional<DrawnThread> threadOf(const Exercise& exercise, const TurningTask&
   thread.major = *size;
   thread.minor = *size - 2.0 * (isInner ? isoMetricInnerDepth(cut.pitch) : isoMetricDepth(cut.pitch));
   thread.designation = threadDesignation(cut, *size, isInner);
-  // Only the class of "6g major diameter".
-  if (const std::string grade = major.tolerance.substr(0, major.tolerance.find(' ')); !grade.empty())
-    thread.designation += " – " + grade;
+  // Only the class of "6g major diameter" and of "M20×2.5-6g".
+  const auto tolerance = threadTolerance(major.tolerance);
+  const std::string grade = tolerance ? tolerance->grade : major.tolerance.substr(0, major.tolerance.find(' '));
+  if (!grade.empty()) thread.designation += " – " + grade;
   return thread;
 }
 

@@ -211,7 +211,7 @@ RecordedPiece recordedPieceOf(const TurningPass& pass) {
   Fingerprint mark;
   for (const ProfilePoint& p : pass.path) mark.add(p.x()), mark.add(p.y());
   for (const double time : pass.times) mark.add(time);
-  return {mark.value(), pass.times.empty() ? 0.0 : pass.times.back(), !pass.isOfProgram};
+  return {mark.value(), pass.times.empty() ? 0.0 : pass.times.back(), !pass.isOfProgram && !pass.isOfCommand};
 }
 
 }  // namespace
@@ -228,8 +228,9 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
     details.curves.push_back(alongAxis(std::move(finish), task));
   const std::vector<MeasuredPart::Load> loads = part.loads();
   details.curves.push_back(
-      loadCurve(QT_TRANSLATE_NOOP("Figure", "Cutting force"), "N", loads, &MeasuredPart::Load::force));
-  details.curves.push_back(loadCurve(QT_TRANSLATE_NOOP("Figure", "Power"), "kW", loads, &MeasuredPart::Load::power));
+      loadCurve(QT_TRANSLATE_NOOP("Figure", "Resultant force"), "N", loads, &MeasuredPart::Load::force));
+  details.curves.push_back(
+      loadCurve(QT_TRANSLATE_NOOP("Figure", "Motor power"), "kW", loads, &MeasuredPart::Load::power));
   if (task.target) addDeviations(details, task, work, progress);
   for (const CrashMoment& crash : part.unrecordedCrashes())
     details.events.push_back(eventOf(crash, task.lathe, part.zero()));
@@ -237,9 +238,10 @@ ReportDetails turningDetails(const TurningTask& task, const WorkpieceSnapshot& w
   for (std::size_t i = 0; i < struck.size(); ++i)
     details.events.push_back(eventOf(part.crashes()[i], struck[i], part.zero()));
   addPeak(details, "force", loads, &MeasuredPart::Load::force, task.forceLimit,
-          QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a cutting force of %1 N, where the lathe takes %2 N."), 4);
+          QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a resultant force of %1 N, where the lathe takes %2 N."),
+          4);
   addPeak(details, "power", loads, &MeasuredPart::Load::power, task.powerLimit,
-          QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a power of %1 kW, where the lathe has %2 kW."), 3);
+          QT_TRANSLATE_NOOP("Note", "The cut was too heavy: a motor power of %1 kW, where the lathe has %2 kW."), 3);
   details.seconds = part.review()->seconds();
   return details;
 }

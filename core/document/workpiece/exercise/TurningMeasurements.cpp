@@ -7,10 +7,12 @@
 #include "machining/TurningFidelity.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/measure/CrashTimes.h"
+#include "machining/measure/IsoTolerance.h"
 #include "machining/measure/RoughnessGrade.h"
 #include "machining/measure/TaperMeasure.h"
 #include "machining/measure/ThreadMeasure.h"
 #include "machining/target/TargetDeviation.h"
+#include "machining/thread/ThreadTolerance.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -24,6 +26,7 @@ namespace {
 // Largest distance between a face and its position on the drawing, mm.
 constexpr double kFaceReach = 3.0;
 constexpr double kDegree = M_PI / 180.0;
+constexpr int kGradeOfDrill = 11;  // the finest standard tolerance that a twist drill holds
 
 AxisRange rangeOf(const MarkingCriterion& c) {
   return {c.arguments[0], c.arguments[1]};
@@ -135,12 +138,21 @@ double ThreadReading::*threadFigure(const std::string& figure) {
   return nullptr;
 }
 
+Measurement wrongPitch(const MarkingCriterion& c, double pitch) {
+  return {c.id,
+          std::nullopt,
+          {QT_TRANSLATE_NOOP("Note", "the pitch of %1 mm is not that of the thread"), {measuredText(pitch, "mm")}}};
+}
+
 // Measures the outside, or else the bore.
 Measurement threadReading(const MarkingCriterion& c, const TurnedProfile& profile, const PartThreads* threads) {
   std::optional<ThreadReading> reading;
   if (threads) reading = measureThread(profile, *threads, TurningSide::Outside, rangeOf(c));
   if (threads && !reading) reading = measureThread(profile, *threads, TurningSide::Bore, rangeOf(c));
   if (!reading) return none(c, QT_TRANSLATE_NOOP("Note", "there is no thread along the range"));
+  const auto asked = c.figure == "pitch_diameter" ? threadTolerance(c.tolerance) : std::nullopt;
+  if (asked && (reading->pitch < asked->pitch.lower || reading->pitch > asked->pitch.upper))
+    return wrongPitch(c, reading->pitch);
   return {c.id,
           (*reading).*threadFigure(c.figure),
           {QT_TRANSLATE_NOOP("Note", "%1 grooves, each within %2 mm of the pitch"),
@@ -202,12 +214,51 @@ bool isSameInJaws(const LatheCollision& recorded, const CrashMoment& seen, const
                      [&](const ProfilePoint& p) { return (p - recorded.position).norm() <= kCrashReach; });
 }
 
-std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review) {
+std::vector<CutLoad> loadsOf(const TurningTask& task, const TurningReview& review, TurningReview::Passes passes) {
   const WorkMaterial* material = WorkMaterials::standard().find(task.material);
-  return material ? cutLoads(review, *material) : std::vector<CutLoad>();
+  return material ? cutLoads(review, passes, *material) : std::vector<CutLoad>();
 }
 
 }  // namespace
+
+Measurement measureShape(const TurningTask& task, const MarkingCriterion& c, const TurnedProfile& profile,
+                         const PartThreads* threads, Progress progress) {
+  const double zero = task.zero();
+  if (c.figure == "diameter") return diameter(c, profile, TurningSide::Outside, zero);
+  if (c.figure == "bore") return diameter(c, profile, TurningSide::Bore, zero);
+  if (c.figure == "length") return distance(c, profile, TurningSide::Outside, zero);
+  if (c.figure == "depth") return distance(c, profile, TurningSide::Bore, zero);
+  if (c.figure == "arc") return arc(c, profile, TurningSide::Outside, task.target);
+  if (c.figure == "bore_arc") return arc(c, profile, TurningSide::Bore, task.target);
+  if (c.figure == "taper") return taper(c, profile, zero);
+  if (c.figure == "taper_diameter") return taperDiameter(c, profile, zero);
+  if (c.figure == "taper_length") return taperLength(c, profile, zero);
+  if (threadFigure(c.figure)) return threadReading(c, profile, threads);
+  if (!task.target) return none(c, QT_TRANSLATE_NOOP("Note", "the exercise has no target"));
+  const TargetDeviation deviation = deviationFrom(*task.target, profile, 0.0, progress, rangeOf(c));
+  const auto &over = deviation.largestOver, &under = deviation.largestUnder;
+  return {c.id,
+          deviation.largest(),
+          {QT_TRANSLATE_NOOP("Note", "%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm"),
+           {roundedText(over.distance, 3), roundedText(over.at.y() - zero, 4), roundedText(-under.distance, 3),
+            roundedText(under.at.y() - zero, 4)}}};
+}
+
+void rejectWrongPitches(const Exercise& exercise, std::vector<Measurement>& figures) {
+  const auto figureOf = [&](const MarkingCriterion& c) {
+    return std::find_if(figures.begin(), figures.end(),
+                        [&](const Measurement& each) { return each.criterion == c.id; });
+  };
+  for (const MarkingCriterion& pitch : exercise.criteria) {
+    if (pitch.figure != "thread_pitch") continue;
+    const auto measured = figureOf(pitch);
+    if (measured == figures.end() || !measured->value || earnedShare(pitch, *measured->value) == 1.0) continue;
+    for (const MarkingCriterion& c : exercise.criteria) {
+      if (c.figure != "pitch_diameter" || c.arguments != pitch.arguments) continue;
+      if (const auto found = figureOf(c); found != figures.end()) *found = wrongPitch(c, *measured->value);
+    }
+  }
+}
 
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    const TurnedPart* before, Progress progress) {
@@ -218,7 +269,7 @@ std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, cons
   const auto review = TurningReview::make(from, passes, task.lathe, progress);
   if (!review) return std::nullopt;
   std::pair<double, double> peaks(0.0, 0.0);
-  for (const CutLoad& load : loadsOf(task, *review))
+  for (const CutLoad& load : loadsOf(task, *review, passes))
     peaks = {std::max(peaks.first, load.force), std::max(peaks.second, load.power)};
   return peaks;
 }
@@ -256,8 +307,8 @@ const std::vector<MeasurementType>& turningMeasurementTypes() {
         {"roughness", QT_TRANSLATE_NOOP("Figure", "Roughness Ra"), "µm", range},
         {"bore_roughness", QT_TRANSLATE_NOOP("Figure", "Roughness Ra inside"), "µm", range},
         {"crashes", QT_TRANSLATE_NOOP("Figure", "Collisions and feeds too high"), ""},
-        {"force", QT_TRANSLATE_NOOP("Figure", "Largest cutting force"), "N"},
-        {"power", QT_TRANSLATE_NOOP("Figure", "Largest power"), "kW"},
+        {"force", QT_TRANSLATE_NOOP("Figure", "Largest resultant force"), "N"},
+        {"power", QT_TRANSLATE_NOOP("Figure", "Largest motor power"), "kW"},
         {"cutting_time", QT_TRANSLATE_NOOP("Figure", "Time of all passes"), "s"},
     };
   }();
@@ -342,7 +393,7 @@ std::vector<CrashMoment> MeasuredPart::unrecordedCrashes() const {
 }
 
 std::vector<MeasuredPart::Load> MeasuredPart::loads() const {
-  return m_review ? loadsOf(m_task, *m_review) : std::vector<Load>();
+  return m_review ? loadsOf(m_task, *m_review, m_passes) : std::vector<Load>();
 }
 
 Measurement MeasuredPart::measure(const MarkingCriterion& c, Progress progress) const {
@@ -355,7 +406,26 @@ Measurement MeasuredPart::measure(const MarkingCriterion& c, Progress progress) 
   if (c.figure == "crashes" || c.figure == "force" || c.figure == "power" || c.figure == "cutting_time" ||
       c.figure == "roughness" || c.figure == "bore_roughness")
     return ofPasses(c);
-  return ofShape(c, progress);
+  const Measurement measured = measureShape(m_task, c, m_profile, m_threads.get(), progress);
+  if (c.figure != "bore" || !measured.value || !c.lower || !c.upper || !isDrilled(rangeOf(c))) return measured;
+  const auto drilled = standardTolerance(*measured.value, kGradeOfDrill);
+  if (!drilled || *c.upper - *c.lower >= *drilled) return measured;
+  return {c.id,
+          std::nullopt,
+          {QT_TRANSLATE_NOOP("Note", "a twist drill leaves H11 to H12, here +%1 mm: bore or ream a finer hole"),
+           {roundedText(*drilled, 3)}}};
+}
+
+// Returns true if a drill took the last material off somewhere in a range of the bore.
+bool MeasuredPart::isDrilled(AxisRange range) const {
+  const TurnedProfile::Range samples = samplesWithin(m_profile, range.from, range.to);
+  for (std::size_t i = samples.first; i < samples.last; ++i) {
+    const FinishMark mark = finishAt(TurningSide::Bore, i);
+    if (!mark.isKnown() || mark.pass >= m_passes.size()) continue;
+    const auto& tool = m_passes[mark.pass]->tool;
+    if (tool && tool->kind == LatheToolKind::Drill) return true;
+  }
+  return false;
 }
 
 Measurement MeasuredPart::ofPasses(const MarkingCriterion& c) const {
@@ -399,27 +469,6 @@ Measurement MeasuredPart::collisions(const MarkingCriterion& c) const {
                "feed too high %1 times, up to %2 mm per revolution where at most %3 is allowed; other collisions: %4"),
            {std::to_string(fast), feedText(fastest->feed), roundedText(m_task.lathe.largestFeed, 3),
             std::to_string(all - fast)}}};
-}
-
-Measurement MeasuredPart::ofShape(const MarkingCriterion& c, Progress progress) const {
-  if (c.figure == "diameter") return diameter(c, m_profile, TurningSide::Outside, zero());
-  if (c.figure == "bore") return diameter(c, m_profile, TurningSide::Bore, zero());
-  if (c.figure == "length") return distance(c, m_profile, TurningSide::Outside, zero());
-  if (c.figure == "depth") return distance(c, m_profile, TurningSide::Bore, zero());
-  if (c.figure == "arc") return arc(c, m_profile, TurningSide::Outside, m_task.target);
-  if (c.figure == "bore_arc") return arc(c, m_profile, TurningSide::Bore, m_task.target);
-  if (c.figure == "taper") return taper(c, m_profile, zero());
-  if (c.figure == "taper_diameter") return taperDiameter(c, m_profile, zero());
-  if (c.figure == "taper_length") return taperLength(c, m_profile, zero());
-  if (threadFigure(c.figure)) return threadReading(c, m_profile, m_threads.get());
-  if (!m_task.target) return none(c, QT_TRANSLATE_NOOP("Note", "the exercise has no target"));
-  const TargetDeviation deviation = deviationFrom(*m_task.target, m_profile, 0.0, progress, rangeOf(c));
-  const auto &over = deviation.largestOver, &under = deviation.largestUnder;
-  return {c.id,
-          deviation.largest(),
-          {QT_TRANSLATE_NOOP("Note", "%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm"),
-           {roundedText(over.distance, 3), roundedText(over.at.y() - zero(), 4), roundedText(-under.distance, 3),
-            roundedText(under.at.y() - zero(), 4)}}};
 }
 
 }  // namespace handwheel

@@ -16,9 +16,19 @@ const std::vector<MeasurementType>& turningMeasurementTypes();
 // Implements ExerciseSubject::positionProblem() for parts that are made from a bar.
 std::string positionProblem(const MarkingCriterion& criterion, const StockCylinder& bar);
 
-// Returns the largest force (N) and power (kW), as they are marked, of the passes of a workpiece after the passes of
-// `before`. `before` must be an earlier part of that workpiece; if it is null, all passes count. Returns nothing if the
-// computation takes too much work or is cancelled.
+// Measures a figure of the shape of a part: its sizes, or its deviation from the target of the task. threads: null for
+// none.
+Measurement measureShape(const TurningTask& task, const MarkingCriterion& criterion, const TurnedProfile& profile,
+                         const PartThreads* threads, Progress progress = {});
+
+// Takes back the pitch diameter of a thread whose pitch is not within its limits: those of the criterion for the pitch
+// along the same range, or of the tolerance of the pitch diameter. It is no pitch diameter of the thread that was asked
+// for. figures: figures of criteria of the exercise.
+void rejectWrongPitches(const Exercise& exercise, std::vector<Measurement>& figures);
+
+// Returns the largest resultant force (N) and motor power (kW), as they are marked, of the passes of a workpiece after
+// the passes of `before`. `before` must be an earlier part of that workpiece; if it is null, all passes count. Returns
+// nothing if the computation takes too much work or is cancelled.
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    const TurnedPart* before, Progress progress = {});
 
@@ -45,7 +55,7 @@ class MeasuredPart {
   // manipulated.
   bool isOfItsPasses() const { return m_isOfItsPasses; }
   using Load = CutLoad;
-  // Returns the cutting force (N) and the power (kW) at each moment of the review, by Kienzle's law.
+  // Returns the resultant force (N) and the motor power (kW) at each moment of the review, by Kienzle's law.
   std::vector<Load> loads() const;
   // Returns the roughness of a side over a range. It is the finish stored with the part or, if that has gaps as in
   // files of older programs, the finish of the passes at the speed of the task. Returns nothing if part of the range is
@@ -59,7 +69,7 @@ class MeasuredPart {
  private:
   Measurement ofPasses(const MarkingCriterion& criterion) const;
   Measurement collisions(const MarkingCriterion& criterion) const;
-  Measurement ofShape(const MarkingCriterion& criterion, Progress progress) const;
+  bool isDrilled(AxisRange range) const;
 
   const TurningTask& m_task;
   TurnedProfile m_profile;

@@ -96,6 +96,10 @@ std::vector<MeasurementType> TurningSubject::figures() const {
   return turningMeasurementTypes();
 }
 
+bool TurningSubject::sharesTolerance(const MarkingCriterion& criterion, const MarkingCriterion& other) const {
+  return sharesThreadTolerance(criterion, other);
+}
+
 Status TurningSubject::applyTolerance(MarkingCriterion& criterion) const {
   return applyDrawingTolerance(criterion);
 }
@@ -136,11 +140,11 @@ TaskPointer TurningSubject::fromJson(const nlohmann::json& json, std::vector<Err
   return std::make_shared<const TurningTask>(turningTaskFrom(json, damage));
 }
 
-// A target may be given as outer and inner points, and that programs are allowed may be said, too.
+// A target may be given as outer and inner points, and switches may be given with their default values.
 nlohmann::json TurningSubject::unknownKeys(const nlohmann::json& json, const ExerciseTask& task) const {
   if (!json.is_object()) return nlohmann::json::object();
   nlohmann::json beyond = keysBeyond(json, toJson(task));
-  beyond.erase("programs");  // not written if programs are allowed
+  for (const char* const known : {"programs", "commands"}) beyond.erase(known);
   const auto target = beyond.find("target");
   if (target == beyond.end() || !target->is_object()) return beyond;
   for (const char* const known : {"outer", "inner"}) target->erase(known);
@@ -167,11 +171,13 @@ std::vector<ExerciseText> TurningSubject::conditions(const ExerciseTask& task) c
       {QT_TRANSLATE_NOOP("Note", "Spindle %1 r/min, feed up to %2 mm per revolution"),
        {shownText(turning.lathe.spindleSpeed), shownText(turning.lathe.largestFeed)}}};
   if (turning.forceLimit > 0)
-    lines.push_back({QT_TRANSLATE_NOOP("Note", "Force up to %1 N"), {shownText(turning.forceLimit)}});
+    lines.push_back({QT_TRANSLATE_NOOP("Note", "Resultant force up to %1 N"), {shownText(turning.forceLimit)}});
   if (turning.powerLimit > 0)
-    lines.push_back({QT_TRANSLATE_NOOP("Note", "Power up to %1 kW"), {shownText(turning.powerLimit)}});
+    lines.push_back({QT_TRANSLATE_NOOP("Note", "Motor power up to %1 kW"), {shownText(turning.powerLimit)}});
   if (!turning.areProgramsAllowed)
     lines.push_back({QT_TRANSLATE_NOOP("Note", "By hand: programs are not allowed"), {}});
+  if (turning.areCommandsAllowed)
+    lines.push_back({QT_TRANSLATE_NOOP("Note", "Commands that cut, such as Thread, are allowed"), {}});
   for (const AllowedTool& tool : turning.tools) {
     if (hasNose(tool))
       lines.push_back(
@@ -207,15 +213,22 @@ Status TurningSubject::checkWork(const ExerciseTask& task, const Snapshot& work)
 
 WorkOrigin TurningSubject::originOf(const Snapshot& work) const {
   const WorkpieceSnapshot& workpiece = turnedOf(work);
-  bool hasHand = false, hasProgram = false;
-  if (workpiece.part)
-    for (const auto& pass : workpiece.part->passes) (pass->isOfProgram ? hasProgram : hasHand) = true;
-  if (hasHand && hasProgram) return WorkOrigin::Both;
-  return hasHand ? WorkOrigin::Hand : hasProgram ? WorkOrigin::Program : WorkOrigin::Unknown;
+  int origin = 0;
+  for (const auto& pass : workpiece.part ? workpiece.part->passes : TurningPasses()) {
+    const WorkOrigin of = pass->isOfCommand   ? WorkOrigin::Command
+                          : pass->isOfProgram ? WorkOrigin::Program
+                                              : WorkOrigin::Hand;
+    origin |= static_cast<int>(of);
+  }
+  return static_cast<WorkOrigin>(origin);
 }
 
 bool TurningSubject::areProgramsAllowed(const ExerciseTask& task) const {
   return turningOf(task).areProgramsAllowed;
+}
+
+bool TurningSubject::areCommandsAllowed(const ExerciseTask& task) const {
+  return turningOf(task).areCommandsAllowed;
 }
 
 Result<SnapshotPointer> TurningSubject::makeWork(const ExerciseTask& task, const nlohmann::json& description,
@@ -249,6 +262,7 @@ std::vector<Measurement> TurningSubject::measure(const Exercise& exercise, const
     if (progress.cancelled()) break;
     figures.push_back(part.measure(criterion, progress.part(0.8, 1.0)));
   }
+  rejectWrongPitches(exercise, figures);
   return figures;
 }
 

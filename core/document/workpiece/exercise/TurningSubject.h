@@ -16,6 +16,7 @@ class TurningSubject : public ExerciseSubject {
   bool isTurned() const override { return true; }
   std::vector<MeasurementType> figures() const override;
 
+  bool sharesTolerance(const MarkingCriterion& criterion, const MarkingCriterion& other) const override;
   Status applyTolerance(MarkingCriterion& criterion) const override;
   // Returns Z of the finished face.
   std::optional<double> drawingZero(const ExerciseTask& task) const override;
@@ -35,9 +36,10 @@ class TurningSubject : public ExerciseSubject {
   std::vector<ExerciseText> conditions(const ExerciseTask& task) const override;
   SnapshotPointer start(const ExerciseTask& task) const override;
   Status checkWork(const ExerciseTask& task, const Snapshot& work) const override;
-  // Judges the origin by the passes. Passes in files of older programs count as made by hand.
+  // Judges the origin by the passes. Passes in files of older programs that do not tell count as made by hand.
   WorkOrigin originOf(const Snapshot& work) const override;
   bool areProgramsAllowed(const ExerciseTask& task) const override;
+  bool areCommandsAllowed(const ExerciseTask& task) const override;
   // Reads {"passes": [{"nose_radius": mm, "side": "outside" or "bore", "feed": mm per revolution, "points": [[r, z],
   // …], "thread": {"pitch": mm, "starts", "hand": "right" or "left", "flat": mm}}]}. The key "points" contains the
   // positions of the centre of the nose; all other keys are optional.
@@ -45,6 +47,8 @@ class TurningSubject : public ExerciseSubject {
                                    Progress progress) const override;
   nlohmann::json describeWork(const ExerciseTask& task, const Snapshot& work) const override;
   Result<TaskPointer> withTarget(const ExerciseTask& task, const Snapshot& work) const override;
+  // Judges sizes, not threads, which a target does not have, and what only passes tell.
+  std::vector<std::string> criteriaOffTarget(const Exercise& exercise, const ExerciseTask& task) const override;
   std::vector<Note> fitNotes(const ExerciseTask& task) const override;
   std::optional<Note> endsNote(const ExerciseTask& task) const override;
   QImage targetPicture(const ExerciseTask& task) const override;

@@ -4,15 +4,21 @@
 // The targets of exercises of turning: from work, from a file, in round sizes.
 #include "base/NumberText.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/exercise/TurningSubject.h"
 #include "document/workpiece/target/SectionPicture.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetPosition.h"
+#include "machining/TurningFidelity.h"
 #include "machining/refit/SampledProfile.h"
+#include "machining/section/SectionOutline.h"
 #include "machining/target/RoundedTarget.h"
 
 #include <QtGlobal>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace handwheel {
 
@@ -38,12 +44,40 @@ Result<TaskPointer> TurningSubject::withTarget(const ExerciseTask& task, const S
   constexpr double kTolerance = 2e-3;  // mm
   const auto& workpiece = static_cast<const WorkpieceSnapshot&>(work);
   if (!workpiece.part || workpiece.part->passes.empty()) return Error{ExerciseError::NothingTurned, {}, {}, {}};
-  const TurnedProfile& profile = workpiece.part->profile;
-  if (profile.pieces() > 1)
+  const TurnedSection& section = workpiece.part->section();
+  if (section.pieces().size() > 1)
     return Error{ErrorCode::ElementMalformed, {"target", "the part is in several pieces"}, {}, {}};
-  Result<TargetProfile> target = sectionOf(profile, kTolerance);
+  Result<TargetProfile> target = outlineOf(section, kTolerance, 0.0);
   if (!target) return target.error();
   return handwheel::withTarget(task, std::move(target.value()));
+}
+
+std::vector<std::string> TurningSubject::criteriaOffTarget(const Exercise& exercise, const ExerciseTask& task) const {
+  constexpr double kLength = 0.02, kDegrees = 0.5;  // mm, degrees: how well the samples give the target
+  constexpr std::array<std::string_view, 9> kOfShape = {"diameter", "bore",  "length",         "depth",       "arc",
+                                                        "bore_arc", "taper", "taper_diameter", "taper_length"};
+  const auto& turning = static_cast<const TurningTask&>(task);
+  std::vector<std::string> off;
+  if (!turning.target) return off;
+  TurnedProfile shape(turning.stock, turnSpacingSetting().standard);
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const auto extent = turning.target->extentAt(shape.z(i));
+    shape.limitOuter(i, extent ? extent->outer : 0.0);
+    if (extent) shape.limitInner(i, extent->inner);
+  }
+  for (MarkingCriterion c : exercise.criteria) {
+    const bool isOfShape = std::find(kOfShape.begin(), kOfShape.end(), c.figure) != kOfShape.end();
+    const MeasurementType* const type = measurementType(turningMeasurementTypes(), c.figure);
+    if (!isOfShape || !c.hasLimit() || c.arguments.size() < type->arguments.size()) continue;
+    const double room = c.figure == "taper" ? kDegrees : kLength;
+    if (c.lower) *c.lower -= room;
+    if (c.upper) *c.upper += room;
+    const Measurement measured = measureShape(turning, c, shape, nullptr);
+    const bool isMet =
+        measured.value && (!c.lower || *measured.value >= *c.lower) && (!c.upper || *measured.value <= *c.upper);
+    if (!isMet) off.push_back(c.id);
+  }
+  return off;
 }
 
 std::vector<Note> TurningSubject::fitNotes(const ExerciseTask& task) const {

@@ -48,7 +48,7 @@ std::span<const TaskNumber> taskNumbers() {
        [](TurningTask& t) -> double& { return t.lathe.chuckDiameter; }},
       {"largest_feed", kLathe, QT_TRANSLATE_NOOP("Property", "Largest feed (mm per revolution)"), 1e-3,
        TurningTask::kLargestFeed, Quantity::Number, [](TurningTask& t) -> double& { return t.lathe.largestFeed; }},
-      {"force_limit", kLathe, QT_TRANSLATE_NOOP("Property", "Largest force (N)"), 0.0, 1e6, Quantity::Number,
+      {"force_limit", kLathe, QT_TRANSLATE_NOOP("Property", "Largest resultant force (N)"), 0.0, 1e6, Quantity::Number,
        [](TurningTask& t) -> double& { return t.forceLimit; }},
       {"power_limit", kLathe, QT_TRANSLATE_NOOP("Property", "Motor power (kW)"), 0.0, 1e4, Quantity::Number,
        [](TurningTask& t) -> double& { return t.powerLimit; }},
@@ -66,7 +66,18 @@ const WorkMaterials& materials() {
 }
 
 constexpr std::string_view kToolPrefix = "tool.";
-constexpr const char* kPrograms = "programs";
+
+// A switch of a task: its key in files, which is the id of its property. Its default value is not written, so that
+// tasks without it keep their key.
+struct TaskSwitch {
+  const char* id;
+  const char* label;
+  bool TurningTask::*at;
+};
+constexpr std::array<TaskSwitch, 2> kSwitches = {
+    {{"programs", QT_TRANSLATE_NOOP("Property", "Programs allowed"), &TurningTask::areProgramsAllowed},
+     {"commands", QT_TRANSLATE_NOOP("Property", "Commands that cut, such as Thread, allowed"),
+      &TurningTask::areCommandsAllowed}}};
 
 std::string nameOf(const LatheTool& tool) {
   return std::string(titleOf(tool.kind)) + " " + tool.designation;
@@ -125,7 +136,8 @@ Json toJson(const TurningTask& task) {
   Json json = Json::object();
   for (const TaskNumber& number : taskNumbers()) json[number.id] = valueOf(number, task);
   json["material"] = task.material;
-  if (!task.areProgramsAllowed) json[kPrograms] = false;  // else as before there was a choice, for the same key
+  for (const TaskSwitch& each : kSwitches)
+    if (task.*each.at != TurningTask().*each.at) json[each.id] = task.*each.at;
   json["tools"] = Json::array();
   for (const AllowedTool& tool : task.tools) {
     const Json beyond = tool.others.empty() ? Json::object() : Json::parse(tool.others, nullptr, false);
@@ -158,10 +170,14 @@ TurningTask turningTaskFrom(const Json& json, std::vector<Error>& damage) {
     task.material = TurningTask().material;
     damage.push_back({ErrorCode::ElementMalformed, {"material", "it is not known"}, {}, {}});
   }
-  if (const auto programs = json.find(kPrograms); programs != json.end() && programs->is_boolean())
-    task.areProgramsAllowed = programs->get<bool>();
-  else if (programs != json.end())
-    damage.push_back({ErrorCode::ElementMalformed, {kPrograms, "a switch was expected"}, {}, {}});
+  for (const TaskSwitch& each : kSwitches) {
+    const auto found = json.find(each.id);
+    if (found == json.end()) continue;
+    if (found->is_boolean())
+      task.*each.at = found->get<bool>();
+    else
+      damage.push_back({ErrorCode::ElementMalformed, {each.id, "a switch was expected"}, {}, {}});
+  }
   if (const auto tools = json.find("tools"); tools != json.end() && tools->is_array()) {
     for (const Json& each : *tools) {
       const auto nose = each.is_object() ? each.find("nose_radius") : each.end();
@@ -197,12 +213,14 @@ std::vector<Property> propertiesOf(const TurningTask& task) {
     if (p.id.ends_with("diameter")) p.prefix = "⌀";
     all.push_back(std::move(p));
   }
-  Property programs;
-  programs.id = kPrograms;
-  programs.group = all.back().group;
-  programs.label = QT_TRANSLATE_NOOP("Property", "Programs allowed");
-  programs.value = task.areProgramsAllowed;
-  all.push_back(std::move(programs));
+  for (const TaskSwitch& each : kSwitches) {
+    Property allowed;
+    allowed.id = each.id;
+    allowed.group = all.back().group;
+    allowed.label = each.label;
+    allowed.value = task.*each.at;
+    all.push_back(std::move(allowed));
+  }
   Property material;
   material.id = "material";
   material.group = all.front().group;
@@ -228,10 +246,11 @@ Result<TurningTask> withTaskProperty(TurningTask task, const std::string& id, co
     task.material = materials().all()[static_cast<std::size_t>(*number)].id;
     return task;
   }
-  if (id == kPrograms) {
+  for (const TaskSwitch& each : kSwitches) {
+    if (id != each.id) continue;
     const auto* isOn = std::get_if<bool>(&value);
     if (!isOn) return malformed("a switch was expected");
-    task.areProgramsAllowed = *isOn;
+    task.*each.at = *isOn;
     return task;
   }
   if (id == kAllowanceId && task.target) {

@@ -27,9 +27,10 @@ struct TurningTask : ExerciseTask {
   StockCylinder stock{40.0, 100.0, 0.0};
   std::string material = "medium-carbon-steel";  // id of a WorkMaterial
   ReviewedLathe lathe{800.0, 25.0, 100.0, 2.0};
-  double forceLimit = 2000.0;      // N, limit of the lathe, shown to the student; 0: no limit
-  double powerLimit = 3.0;         // kW; 0: no limit
-  bool areProgramsAllowed = true;  // for students; false: all cuts are made by hand
+  double forceLimit = 2000.0;       // N, limit of the lathe, shown to the student; 0: no limit
+  double powerLimit = 3.0;          // kW; 0: no limit
+  bool areProgramsAllowed = true;   // for students
+  bool areCommandsAllowed = false;  // for students: commands that cut without a tool, such as Thread
   std::vector<AllowedTool> tools;
   std::optional<TargetProfile> target;
 

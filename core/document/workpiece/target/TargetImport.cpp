@@ -12,6 +12,7 @@
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/target/TargetPosition.h"
 #include "machining/refit/SampledProfile.h"
+#include "machining/section/SectionOutline.h"
 #include "machining/target/ProfileFromMesh.h"
 #include "machining/target/files/DxfReader.h"
 #include "machining/target/files/SvgReader.h"
@@ -134,14 +135,13 @@ Result<TargetProfile> sectionOf(const WorkpieceSnapshot& workpiece) {
     const double r = 0.5 * stock.diameter;
     return TargetProfile::make({{{r, stock.position}, {r, stock.position + stock.length}, 0.0}});
   }
-  const TurnedProfile& part = workpiece.part->profile;
-  const double tolerance = 0.5 * workpiece.chord;
-  Result<TargetProfile> section = part.pieces() > 1 ? sectionOfEndPiece(part, tolerance) : sectionOf(part, tolerance);
-  return section ? Result<TargetProfile>(section->moved(stock.position)) : section;
+  const std::vector<TurnedSection> pieces = workpiece.part->section().pieces();
+  if (pieces.empty()) return Error{ErrorCode::ElementMalformed, {"profile", "nothing is left of the part"}, {}, {}};
+  return outlineOf(pieces.back(), 0.5 * workpiece.chord, stock.position);
 }
 
 std::vector<Note> sectionNotes(const WorkpieceSnapshot& workpiece) {
-  if (!workpiece.part || workpiece.part->profile.pieces() < 2) return {};
+  if (!workpiece.part || workpiece.part->section().pieces().size() < 2) return {};
   return {Note{QT_TRANSLATE_NOOP("Note", "The part is parted off: only the piece at its free end counts."), {}, true}};
 }
 

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "machining/program/ProgramErrors.h"
 #include "machining/program/cycles/BoreWall.h"
+#include "machining/target/TargetSides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,16 +61,16 @@ std::shared_ptr<const LatheTool> drillOf(double diameter, const LatheTools& tool
   return found == tools.end() ? nullptr : *found;
 }
 
-// Returns true if the drill alone makes the bore.
+// Returns true if the drill alone makes the bore: it goes through, or ends in the drill's cone.
 bool isDrilledOnly(const BoreWall& bore, double hole) {
-  return bore.bottom == BoreWall::Bottom::Drilled &&
+  return bore.bottom != BoreWall::Bottom::Flat &&
          std::all_of(bore.wall.begin(), bore.wall.end(),
                      [hole](const ProfileSegment& s) { return s.box().max().x() <= hole + kSameRadius; });
 }
 
 void checkDrill(const BoreWall& bore, double hole) {
   const double least = bore.leastRadius();
-  const bool isExact = bore.bottom == BoreWall::Bottom::Drilled && std::abs(hole - least) <= kSameRadius;
+  const bool isExact = bore.bottom != BoreWall::Bottom::Flat && std::abs(hole - least) <= kSameRadius;
   if (hole > least - kLeastToBore && !isExact)
     refuse({}, "drill", "it is too large for the bore",
            "Take one of at most " + roundedText(2.0 * (least - kLeastToBore), 3) + " mm.");
@@ -190,9 +191,9 @@ void boreToCone(std::vector<ToolMove>& moves, const BoreWall& blind, double hole
   bore(moves, std::move(wall), hole, inside);
 }
 
-// Returns the depth through the part for the nose, plus the point of the drill.
-double throughDepth(const TargetProfile& target, double hole, const CycleSettings& inside, double below) {
-  const double deep = 2.0 * inside.nose + inside.allowance + inside.overrun + kBesideWall + hole;
+// Returns the depth through the part, plus the point of the drill, and the room of a boring bar (mm) below the part.
+double throughDepth(const TargetProfile& target, double hole, double room, double below) {
+  const double deep = room + kBesideWall + hole;
   if (deep > below - kBesideWall)
     refuse({}, "bar", "the drill would come out of it in the chuck",
            "Take a bar that is at least " + roundedText(deep - below + kBesideWall, 2) + " mm longer.");
@@ -209,14 +210,26 @@ Result<BoreTools> boreTools(const TargetProfile& target, double drill, const Lat
   }
 }
 
-double drillFor(const TargetProfile& target, const LatheTools& tools) {
-  double largest = 0.0;
+bool hasBore(const TargetProfile& target) {
+  const Result<TargetSides> sides = sidesOf(target);
+  return !sides || std::any_of(sides->bores.begin(), sides->bores.end(), [&](const TargetProfile& bore) {
+    return bore.upperEnd() > target.upperEnd() + TargetProfile::kJoin;
+  });
+}
+
+std::vector<double> drillsFor(const TargetProfile& target, const LatheTools& tools) {
+  std::vector<double> diameters;
   for (const auto& tool : tools) {
     const double diameter = 2.0 * tool->reach();
-    if (tool->kind == LatheToolKind::Drill && diameter > largest && boreTools(target, diameter, tools))
-      largest = diameter;
+    if (tool->kind == LatheToolKind::Drill && boreTools(target, diameter, tools)) diameters.push_back(diameter);
   }
-  return largest;
+  std::sort(diameters.rbegin(), diameters.rend());
+  return diameters;
+}
+
+double drillFor(const TargetProfile& target, const LatheTools& tools) {
+  const std::vector<double> diameters = drillsFor(target, tools);
+  return diameters.empty() ? 0.0 : diameters.front();
 }
 
 // Checks the shape of the bore; then the largest drill that goes into it.
@@ -227,7 +240,7 @@ std::optional<Error> whyNoDrill(const TargetProfile& target, const LatheTools& t
     for (const auto& tool : tools) {
       if (tool->kind != LatheToolKind::Drill) continue;
       smallest = std::min(smallest, tool->reach());
-      if (tool->reach() < wall.leastRadius()) largest = std::max(largest, tool->reach());
+      if (tool->reach() <= wall.leastRadius() + kSameRadius) largest = std::max(largest, tool->reach());
     }
     toolsFor(wall, 2.0 * (largest > 0.0 ? largest : smallest), tools);
   } catch (const ProgramRefusal& refusal) {
@@ -241,13 +254,16 @@ Result<std::vector<ToolMove>> drillAndBore(const TargetProfile& target, const Bo
   try {
     const BoreWall wall = boreWallOf(target);
     const double hole = tools.drill->reach();
-    if (!tools.bar) return drillTo(wall.depth, 2.0 * hole, settings);
+    const bool isThrough = wall.bottom == BoreWall::Bottom::Through;
+    if (!tools.bar)
+      return drillTo(isThrough ? throughDepth(target, hole, 0.0, below) : wall.depth, 2.0 * hole, settings);
     const CycleSettings inside = inHole(settings, *tools.bar, below);
-    const double depth = wall.bottom == BoreWall::Bottom::Through ? throughDepth(target, hole, inside, below)
-                         : wall.bottom == BoreWall::Bottom::Flat  ? wall.depth - kAboveFlat
-                                                                  : wall.depth;
+    const double room = 2.0 * inside.nose + inside.allowance + inside.overrun;
+    const double depth = isThrough                               ? throughDepth(target, hole, room, below)
+                         : wall.bottom == BoreWall::Bottom::Flat ? wall.depth - kAboveFlat
+                                                                 : wall.depth;
     std::vector<ToolMove> moves = drillTo(depth, 2.0 * hole, settings);
-    if (wall.bottom == BoreWall::Bottom::Through) bore(moves, wall.wall, hole, inside);
+    if (isThrough) bore(moves, wall.wall, hole, inside);
     if (wall.bottom == BoreWall::Bottom::Flat) boreToFlat(moves, wall, hole, inside);
     if (wall.bottom == BoreWall::Bottom::Drilled) boreToCone(moves, wall, hole, inside);
     return moves;

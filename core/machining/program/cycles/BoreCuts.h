@@ -19,6 +19,13 @@ struct BoreTools {
 // of 118°. Errors: Refused if there are no such tools, if the drill is too large, or if the bore ends otherwise.
 Result<BoreTools> boreTools(const TargetProfile& target, double drill, const LatheTools& tools);
 
+// Returns true if the target has a bore that is open at its upper end.
+bool hasBore(const TargetProfile& target);
+
+// Returns the diameters (mm) of the drills for the bore of a target, the largest first. The list is empty if there is
+// no bore that the tools can make.
+std::vector<double> drillsFor(const TargetProfile& target, const LatheTools& tools);
+
 // Returns the diameter (mm) of the largest drill for the bore of a target. The diameter is 0 if there is no bore that
 // the tools can make.
 double drillFor(const TargetProfile& target, const LatheTools& tools);

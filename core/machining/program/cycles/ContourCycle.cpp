@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/cycles/ContourCycle.h"
 
-#include "machining/program/cycles/ContourLevels.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -60,6 +58,20 @@ void ContourCycle::checkMonotonic() {
   if ((in.to - in.from).real() > 0.0) in.from.real(in.to.real());
   for (const ContourSegment& segment : m_segments)
     if (!segment.isMonotonic()) refuse(m_location, "contour", "it goes back", kContourRemedy);
+}
+
+// Refuses a contour with pockets. It must have been oriented, so that its depth becomes less from its start on.
+void ContourCycle::checkRising() {
+  constexpr double kSlack = 1e-3;  // rounding of a program's numbers
+  for (std::size_t i = 1; i < m_segments.size(); ++i) {
+    const ContourSegment& segment = m_segments[i];
+    const bool fallsWithin = segment.turn > 0   ? segment.to.real() < segment.centre.real() - kSlack
+                             : segment.turn < 0 ? segment.from.real() > segment.centre.real() + kSlack
+                                                : false;
+    if (fallsWithin || segment.to.imag() < segment.from.imag() - kSlack)
+      refuse(m_location, "contour", "it has a pocket, which type I of the cycle does not cut",
+             "Name X and Z in its first line, with W0 if Z stays, which makes it type II.");
+  }
 }
 
 // A rounded or chamfered corner between its neighbours: tangent to both at this distance from their meeting point.
@@ -161,6 +173,7 @@ void ContourCycle::rough(const Roughing& how, const CycleOutput& output) {
   orient();
   finishCorners();
   checkMonotonic();
+  if (how.isMonotonic) checkRising();
   offsetBy(how.allowance);
   for (ContourSegment& segment : m_segments) segment.move(how.displacement);
   const CycleOutput out = turned(output);
@@ -172,7 +185,7 @@ void ContourCycle::rough(const Roughing& how, const CycleOutput& output) {
     up.to = {up.from.real(), start.imag()};
     m_segments.push_back(up);
   }
-  ContourLevels levels(m_segments, how.depth, how.retract, m_location, m_work);
+  ContourLevels levels(m_segments, how.depth, how.retract, how.mode, m_location, m_work);
   levels.cut(static_cast<int>(how.pockets), out);
 }
 

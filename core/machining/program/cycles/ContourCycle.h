@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "machining/program/cycles/ContourSegment.h"
+#include "machining/program/cycles/ContourLevels.h"
 #include "machining/program/cycles/CycleBudget.h"
 
 namespace handwheel {
@@ -25,6 +25,8 @@ class ContourCycle {
     double allowance = 0.0;   // D, material left on the contour
     double depth = 1.0;       // I, depth of a level
     double retract = 0.5;     // R, length of the escape
+    RoughingMode mode = {};
+    bool isMonotonic = false;  // the contour must not go back in the depth either; true for type I of a Fanuc
   };
   struct Finishing {
     PlanePoint start;
@@ -48,6 +50,7 @@ class ContourCycle {
   void finishCorners();
   void finishCorner(std::size_t i);
   void checkMonotonic();
+  void checkRising();
   void offsetBy(double distance);
   void offsetStep(double step, bool isOutward);
 

@@ -16,10 +16,11 @@ constexpr int kMostLevelSteps = 4'000'000;
 }  // namespace
 
 ContourLevels::ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract,
-                             const SourceLocation& location, CycleBudget& work)
+                             const RoughingMode& mode, const SourceLocation& location, CycleBudget& work)
     : m_contour(contour),
       m_depth(std::max(depth, 2.0 * kSameLevel)),
       m_retract(retract),
+      m_mode(mode),
       m_location(location),
       m_work(work) {}
 
@@ -127,12 +128,31 @@ void ContourLevels::cutLevel(Index& p, double& level) {
     const PlanePoint begin = m_at, to(end, m_at.imag());
     m_out->feed(to);
     const PlanePoint escape = std::min(1.0, length / 2.0 / m_retract) * m_retract * PlanePoint(1.0, 1.0);
-    m_out->rapid(to + escape);
+    m_out->rapid((m_mode.followsWall ? followWall(i, to, level + m_depth) : to) + escape);
     m_out->rapid(begin - std::conj(escape));
     p == 0 ? m_out->rapid(begin) : m_out->feed(begin);
     level -= m_depth;
     return;
   }
+}
+
+PlanePoint ContourLevels::followWall(Index i, PlanePoint from, double top) {
+  for (; i < m_contour.size() && from.imag() < top - kSameLevel; ++i) {
+    spend();
+    const ContourSegment& segment = m_contour[i];
+    PlanePoint to = segment.to;
+    if (segment.turn > 0 && to.real() < segment.centre.real())
+      to = segment.centre + PlanePoint(0.0, segment.radius());  // top of a convex arc
+    if (to.imag() <= from.imag() + kSameLevel) return from;
+    if (to.imag() > top) {
+      const std::vector<double> z = segment.crossings(top);
+      if (z.empty()) return from;
+      to = {segment.turn < 0 ? z.back() : z.front(), top};
+    }
+    segment.turn == 0 ? m_out->feed(to) : m_out->arc(segment.turn, segment.centre, to);
+    from = to;
+  }
+  return from;
 }
 
 bool ContourLevels::follow(Index& p, int mode) {
@@ -156,7 +176,7 @@ void ContourLevels::cut(int mode, const CycleOutput& out) {
     for (; p < m_contour.size(); ++p)
       if (dive(m_contour[p], kBottom, p == 0) == Dive::Climbs) break;
   }
-  double level = m_pockets.back().imag();
+  double level = firstLevel();
   while (p < m_contour.size()) {
     spend();
     if (level - kSameLevel > m_at.imag()) level -= m_depth * std::ceil((level - kSameLevel - m_at.imag()) / m_depth);
@@ -166,7 +186,7 @@ void ContourLevels::cut(int mode, const CycleOutput& out) {
         if (m_pockets.size() > 1 && m_at.imag() > m_pockets.back().imag()) m_pockets.pop_back();
         if (m_pockets.size() == 1) m_pockets.push_back(m_at);
       }
-      level = m_pockets.back().imag();
+      level = firstLevel();
     } else if (std::abs(m_at.imag() - level) > kSameLevel) {
       ++p;
     } else {

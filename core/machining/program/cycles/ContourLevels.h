@@ -7,6 +7,12 @@
 
 namespace handwheel {
 
+// The differences between controls that rough in levels.
+struct RoughingMode {
+  bool cutsStart = true;     // the first level is that of the start (LinuxCNC), not a depth of cut below it (Fanuc)
+  bool followsWall = false;  // a level ends along the contour, up to the level before (Fanuc, type II)
+};
+
 // Roughs the region outside of a contour in levels, downwards from its start. ContourCycle uses this class. The contour
 // must run in the direction -z. A level is cut from its entry into the material to its end at the contour. A pocket of
 // the contour is cut when the contour has been followed to the pocket.
@@ -14,7 +20,7 @@ class ContourLevels {
  public:
   // depth: the depth of a level. retract: the length of the escape of 45 degrees at the end of a level. Throws
   // ProgramRefusal if there would be too many levels.
-  ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract,
+  ContourLevels(const std::vector<ContourSegment>& contour, double depth, double retract, const RoughingMode& mode,
                 const SourceLocation& location, CycleBudget& work);
 
   // Cuts the levels. mode: 0 cuts everything, 1 all but the pockets, 2 only the pockets and the material that mode 1
@@ -37,10 +43,14 @@ class ContourLevels {
   void cutLevel(Index& p, double& level);
   // Follows the contour from p to the next pocket. Returns false at the end of the contour.
   bool follow(Index& p, int mode);
+  // Follows the contour upwards from a point of segment i to a level, or as far as it climbs. Returns the end.
+  PlanePoint followWall(Index i, PlanePoint from, double top);
+  double firstLevel() const { return m_pockets.back().imag() - (m_mode.cutsStart ? 0.0 : m_depth); }
   void spend();
 
   const std::vector<ContourSegment>& m_contour;
   double m_depth, m_retract;
+  RoughingMode m_mode;
   SourceLocation m_location;
   CycleBudget& m_work;
   const CycleOutput* m_out = nullptr;

@@ -94,6 +94,7 @@ Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect,
   const double front = task.target.upperEnd() - (task.base + task.part.length() - task.allowance);
   for (ToolMove& move : moves)
     for (ProfilePoint* each : {&move.from, &move.to, &move.centre}) each->y() += front;
+  setSpins(moves, program.tools, settings.post);
   program.text = programText(moves, dialect, "rough and finish", commentsOf(program.tools));
   ProgramSetup setup = usualSetup(dialect, task.stock, task.grip, settings.nose, task.allowance);
   setup.tools = program.tools;
@@ -101,7 +102,22 @@ Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect,
   const Result<CycleRest> rest = checkCycles(program.text, task, setup, progress);
   if (!rest) return rest.error();
   program.rest = *rest;
+  program.drill = settings.drill;
   return program;
+}
+
+Result<CycleProgram> cycleProgramWithDrill(const CycleTask& task, ProgramDialect dialect, CycleSettings settings,
+                                           Progress progress) {
+  settings.drill = 0.0;
+  if (!hasBore(task.target)) return cycleProgram(task, dialect, settings, progress);
+  std::optional<Error> first;
+  for (const double drill : drillsFor(task.target, task.tools)) {
+    settings.drill = drill;
+    Result<CycleProgram> program = cycleProgram(task, dialect, settings, progress);
+    if (program || program.error().code == ErrorCode::Cancelled) return program;
+    if (!first) first = program.error();
+  }
+  return first ? *first : whyNoDrill(task.target, task.tools).value_or(Error{});
 }
 
 }  // namespace handwheel

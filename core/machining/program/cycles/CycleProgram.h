@@ -39,6 +39,7 @@ struct CycleProgram {
   std::string text;
   ProgramTools tools;
   CycleRest rest = {};
+  double drill = 0.0;  // mm, diameter of its drill; 0: none
 };
 
 // Returns a program that makes the target. It consists of faceCuts() if the part extends beyond the face of the target,
@@ -48,5 +49,10 @@ struct CycleProgram {
 // functions.
 Result<CycleProgram> cycleProgram(const CycleTask& task, ProgramDialect dialect, const CycleSettings& settings,
                                   Progress progress = {});
+
+// Returns the program with the largest drill of the lathe that makes the bore of the target, or without a drill if the
+// target has no bore. Errors: those of cycleProgram() with the largest drill that fits, whyNoDrill().
+Result<CycleProgram> cycleProgramWithDrill(const CycleTask& task, ProgramDialect dialect, CycleSettings settings,
+                                           Progress progress = {});
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
 #include "machining/target/TargetProfile.h"
 
@@ -21,6 +22,7 @@ struct CycleSettings {
   double overrun = 2.0;       // extra cut below the target, for parting off, if the room allows it
   double room = 1e9;          // length of the bar between the target and the chuck
   double drill = 0.0;         // diameter of the hole from which the bore is made; 0: no bore is made
+  ProgramPost post;           // decides between M3 and M4
   int roughTool = 1, finishTool = 2, drillTool = 3, boreTool = 4;
 };
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMostContour = 100'000;
 constexpr int kMostPecks = 1'000'000;
+constexpr double kDeepestLevel = 50.0, kLeastDepth = 0.01;  // mm, limits of a depth of cut that can be meant
+constexpr double kMostRelief = 200.0;                       // mm, limit of the first distance of G73
 
 double sign(double x) {
   return x < 0.0 ? -1.0 : 1.0;
@@ -26,6 +28,16 @@ void inSteps(double from, double to, double step, const auto& f) {
   const double count = step > 0.0 ? std::ceil(std::abs(to - from) / step - 1e-9) : 1.0;
   for (double i = 1.0; i < count; ++i) f(from + sign(to - from) * i * step);  // added up, tiny steps go nowhere
   f(to);
+}
+
+// Returns the length and the height of a contour, its approach included.
+PlanePoint extentOf(const std::vector<ContourSegment>& contour) {
+  PlanePoint least = contour.front().from, most = least;
+  for (const ContourSegment& segment : contour) {
+    least = {std::min(least.real(), segment.to.real()), std::min(least.imag(), segment.to.imag())};
+    most = {std::max(most.real(), segment.to.real()), std::max(most.imag(), segment.to.imag())};
+  }
+  return most - least;
 }
 
 }  // namespace
@@ -51,10 +63,14 @@ FanucRun::Contour FanucRun::contourOf(const ProgramWord& g) {
   m_contour = &contour.segments;
   m_contourEnd = planePoint(m_machine.at()) / m_machine.unit();
   m_contourCuts = 0;
+  m_corners.clear();
+  m_namesBoth.reset();
   runLines(contour.begin, contour.end + 1);
   m_contour = nullptr;
   m_machine.modal.motion = motion;
+  contour.namesBoth = m_namesBoth.value_or(false);
   contour.segments.resize(m_contourCuts);  // rapid moves at its end lead away from it
+  finishCorners(contour.segments);
   if (contour.segments.size() < 2)
     refuse(g.location, g.text(), "the contour has no cuts", "Write its moves between the lines P and Q.");
   return contour;
@@ -64,7 +80,9 @@ void FanucRun::collect(const ProgramBlock& block) {
   sortCodes(block);
   for (const ProgramWord& w : block.words) {
     const int n = static_cast<int>(std::lround(w.number));
-    if (w.letter == 'M' || (w.letter == 'G' && n > 3 && n != 40 && n != 41 && n != 42 && n != 18))
+    const bool isAmong = w.letter != 'M' && (w.letter != 'G' || n <= 3 || (n >= 40 && n <= 42) || n == 18);
+    if (!isAmong && m_cornerWord) refuseLonely(*m_cornerWord);
+    if (!isAmong)
       refuse(w.location, w.text(), "the contour of a cycle has no such code", "Put it before or after the contour.");
   }
   if (code(Motion)) m_machine.modal.motion = 10 * codeOf(Motion);
@@ -76,6 +94,7 @@ void FanucRun::collect(const ProgramBlock& block) {
   if (const ProgramWord* const u = word('U')) to.imag(to.imag() + half * u->number);
   if (const ProgramWord* const z = word('Z')) to.real(z->number);
   if (const ProgramWord* const w = word('W')) to.real(to.real() + w->number);
+  if (hasAxis() && !m_namesBoth) m_namesBoth = (has('X') || has('U')) && (has('Z') || has('W'));
   if (to != m_contourEnd) {
     if (motion > 3) refuse(block.location, "contour", "it has moves other than G0 to G3", "Write only these.");
     if (m_contour->size() >= kMostContour) refuse(block.location, "contour", "it has too many lines", "Divide it.");
@@ -86,6 +105,8 @@ void FanucRun::collect(const ProgramBlock& block) {
       segment.turn = motion == 3 ? 1 : -1;
       segment.centre = arcCentre(unit * segment.from, unit * to, segment.turn, false, block.location) / unit;
     }
+    const std::optional<Corner> corner = motion > 0 ? cornerOf(motion) : std::nullopt;
+    if (corner) m_corners.push_back({m_contour->size(), *corner, *corner->word});
     m_contour->push_back(segment);
     m_contourEnd = to;
     if (motion > 0) m_contourCuts = m_contour->size();
@@ -103,7 +124,13 @@ void FanucRun::goBehind(const Contour& contour) {
 // G70: the moves of the contour unchanged, then back.
 void FanucRun::finish(const ProgramWord& g) {
   const ProfilePoint start = m_machine.at();
+  const ProgramVariables variables = m_variables;
+  const Control control = m_control;
+  const std::size_t notes = m_path.notes.size();
   const Contour contour = contourOf(g);
+  m_variables = variables;  // the lines are run once more
+  m_control = control;
+  m_path.notes.resize(notes);
   runLines(contour.begin, contour.end + 1);
   if (m_machine.isCompensated()) m_machine.endCompensation();
   m_machine.rapid(start, g.location);
@@ -119,13 +146,22 @@ void FanucRun::rough(int number, const ProgramWord& g) {
     const ProgramWord* const depth = isFacing ? w : u;
     if (depth) m_cycle.depth = unit * std::abs(depth->number);
     if (r) m_cycle.retract = unit * std::abs(r->number);
+    if (depth) require(m_cycle.depth <= kDeepestLevel, *depth, "no tool cuts as deep as this");
+    if (r) require(m_cycle.retract <= kDeepestLevel, *r, "the retract is longer than any cut is deep");
     return;
   }
-  if (d) m_cycle.depth = unit * std::abs(d->number);
+  if (d) m_cycle.depth = std::abs(increment(*d));
+  if (d) require(m_cycle.depth <= kDeepestLevel, *d, "no tool cuts as deep as this");
+  if (d && !d->hasPoint && m_cycle.depth < kLeastDepth && m_cycle.depth > 0.0)
+    refuse(d->location, d->text(), "without a decimal point it is in 0.001 mm or 0.0001 inch, less than a chip",
+           "Write a decimal point.");
   if (!(m_cycle.depth > 0.0))
     refuse(g.location, g.text(), "the depth of cut is 0", "Write it as U in a line before (D).");
   Contour contour = contourOf(g);
   const PlanePoint allowance(w ? w->number : 0.0, u ? m_machine.radius(u->number) / unit : 0.0);
+  const PlanePoint extent = extentOf(contour.segments);
+  if (u) require(std::abs(allowance.imag()) <= extent.imag(), *u, "the allowance is larger than all that is cut");
+  if (w) require(std::abs(allowance.real()) <= extent.real(), *w, "the allowance is longer than the contour");
   for (std::size_t i = 0; i < contour.segments.size(); ++i) {
     ContourSegment& segment = contour.segments[i];
     const PlanePoint from = segment.from;
@@ -137,6 +173,8 @@ void FanucRun::rough(int number, const ProgramWord& g) {
   how.isFacing = isFacing;
   how.depth = m_cycle.depth / unit;
   how.retract = m_cycle.retract / unit;
+  how.mode = {.cutsStart = false, .followsWall = contour.namesBoth};
+  how.isMonotonic = !contour.namesBoth;
   const ProfilePoint start = m_machine.at();
   ContourCycle(contour.segments, g.location, m_cycleBudget).rough(how, cycleOutput(g.location, unit));
   m_machine.rapid(isFacing ? ProfilePoint(m_machine.at().x(), start.y()) : ProfilePoint(start.x(), m_machine.at().y()),
@@ -151,6 +189,8 @@ void FanucRun::repeatPattern(const ProgramWord& g) {
   const ProgramWord *const u = word('U'), *const w = word('W'), *const r = word('R');
   if (!has('P') && !has('Q')) {
     m_cycle.relief = {u ? unit * u->number : 0.0, w ? unit * w->number : 0.0};
+    if (u) require(std::abs(m_cycle.relief.x()) <= kMostRelief, *u, "no bar has as much to cut as this");
+    if (w) require(std::abs(m_cycle.relief.y()) <= kMostRelief, *w, "no bar has as much to cut as this");
     if (r) m_cycle.passes = whole(*r, 1, 1000);
     return;
   }
@@ -181,6 +221,7 @@ void FanucRun::peck(int number, const ProgramWord& g) {
                            *const k = word('K'), *const d = word('D');
   if (!hasAxis()) {
     if (r) m_cycle.peckRetract = m_machine.unit() * std::abs(r->number);
+    if (r) require(m_cycle.peckRetract <= kDeepestLevel, *r, "the retract is longer than any step");
     return;
   }
   const bool isAlongZ = number == 74;
@@ -224,7 +265,7 @@ void FanucRun::threadCycle(const ProgramWord& g) {
       m_cycle.threadAngle = digits % 100;
     }
     if (q) m_cycle.threadLeast = std::abs(increment(*q));
-    if (r) m_cycle.threadLast = unit * std::abs(r->number);
+    if (r) m_cycle.threadLast = std::abs(increment(*r));
     return;
   }
   const bool isHaas = k != nullptr;
@@ -234,13 +275,14 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   cycle.endZ = to.y();
   cycle.pitch = lead(g);
   cycle.depth = isHaas ? unit * std::abs(k->number) : p ? std::abs(increment(*p)) : 0.0;
-  cycle.firstDepth = isHaas ? (d ? unit * std::abs(d->number) : 0.0) : q ? std::abs(increment(*q)) : 0.0;
+  cycle.firstDepth = isHaas ? (d ? std::abs(increment(*d)) : 0.0) : q ? std::abs(increment(*q)) : 0.0;
   cycle.degression = 2.0;
   cycle.angle = 0.5 * (isHaas ? (a ? a->number : 0.0) : m_cycle.threadAngle);
   cycle.leastStep = isHaas ? 0.0 : m_cycle.threadLeast;
-  cycle.lastStep = isHaas ? 0.0 : std::min(m_cycle.threadLast, cycle.depth);
+  cycle.lastStep = isHaas ? 0.0 : m_cycle.threadLast;
   cycle.springPasses = isHaas ? 0 : m_cycle.threadPasses - 1;
-  cycle.taper = isHaas ? 0.0 : 0.1 * m_cycle.threadChamfer * cycle.pitch;
+  const int tenths = isHaas ? (m_chamfersThreads.value_or(false) ? 10 : 0) : m_cycle.threadChamfer;
+  cycle.taper = m_chamfersThreads.value_or(true) ? 0.1 * tenths * cycle.pitch : 0.0;
   cycle.hasExitTaper = cycle.taper > 0.0;
   const double taper = isHaas ? (i ? unit * i->number : 0.0) : (r ? unit * r->number : 0.0);
   const double length = to.y() - start.y();
@@ -249,15 +291,20 @@ void FanucRun::threadCycle(const ProgramWord& g) {
   cycle.peak = cycle.isInside ? peak - start.x() : start.x() - peak;
   cycle.slope = length != 0.0 ? -taper / length : 0.0;
   cycle.along = alongPath({-taper, length});
-  const auto require = [&](bool isRight, const char* what) {
+  const auto check = [&](bool isRight, const char* what) {
     if (!isRight) refuse(g.location, g.text(), what, "Correct the words of the cycle.");
   };
-  require(cycle.pitch > 0.0, "the lead F is not above 0");
-  require(length != 0.0, "the thread has no length: Z is where the tool is");
-  require(cycle.depth > 0.0, isHaas ? "the height K is 0" : "the height P is missing or 0");
-  require(cycle.firstDepth > 0.0, isHaas ? "the first depth D is missing or 0" : "the first depth Q is missing or 0");
-  require(cycle.peak > 0.0, "the tool does not begin beside the thread");
-  require(std::abs(cycle.angle) < 80.0, "the angle of the thread is not below 160 degrees");
+  check(cycle.pitch > 0.0, "the lead F is not above 0");
+  check(length != 0.0, "the thread has no length: Z is where the tool is");
+  check(cycle.depth > 0.0, isHaas ? "the height K is 0" : "the height P is missing or 0");
+  check(cycle.firstDepth > 0.0, isHaas ? "the first depth D is missing or 0" : "the first depth Q is missing or 0");
+  check(cycle.firstDepth <= cycle.depth, isHaas
+                                             ? "the first depth D is deeper than the thread, which has the height K"
+                                             : "the first depth Q is deeper than the thread, which has the height P");
+  check(cycle.leastStep <= cycle.depth, "the least depth Q of the line before is deeper than the thread");
+  check(cycle.lastStep < cycle.depth, "the finishing allowance R of the line before is as deep as the thread");
+  check(cycle.peak > 0.0, "the tool does not begin beside the thread");
+  check(std::abs(cycle.angle) < 80.0, "the angle of the thread is not below 160 degrees");
   cycle.run(m_machine, g.location);
   m_machine.rapid(start, g.location);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/dialects/FanucRun.h"
 
+#include <charconv>
 #include <cmath>
 
 namespace handwheel {
@@ -21,32 +22,38 @@ void FanucRun::readLine(std::uint32_t i, ProgramScanner& scanner) {
       runLoop(*statement, i);
       return;
     }
-    beginProgram({i + 1, 1});
+    beginProgram(*statement, {i + 1, 1});
     return;
   }
   m_hasProgram = true;
   if (runMacro(i, scanner)) return;
-  const ProgramBlock block = readBlock(scanner, m_variables, ProgramDialect::Fanuc);
+  ProgramBlock block = readBlock(scanner, m_variables, m_setup);
+  if (block.sequence && !m_contour) m_control.sequence = *block.sequence;
   if (block.words.empty()) return;
+  if (m_setup.hasIncrements) scaleIncrements(block);
   begin(block);
   m_contour ? collect(block) : execute(block);
 }
 
 // The O number of a program, which is the end of the one before it in the file.
-void FanucRun::beginProgram(const SourceLocation& location) {
+void FanucRun::beginProgram(const ProgramOutline::Statement& head, const SourceLocation& location) {
   if (!m_frames.empty()) refuseMissingReturn(location);
   if (m_hasProgram) m_isDone = true;
+  if (!m_isDone) std::from_chars(head.label.data(), head.label.data() + head.label.size(), m_control.program);
   m_hasProgram = true;
 }
 
 void FanucRun::runLoop(const ProgramOutline::Statement& statement, std::uint32_t i) {
   if (statement.keyword == ProgramOutline::Keyword::FanucEnd) {
+    ++m_control.jumps;
     m_next = statement.head;
     return;
   }
   ProgramScanner scanner(m_outline.line(i), i + 1);
-  scanner.takeIf('/');
+  while (scanner.takeSkip(true)) {
+  }
   if (scanner.takeIf('N')) scanner.number();
+  if (skipsRest(scanner, m_setup)) return;
   if (!scanner.takeIf(std::string_view("WHILE"))) return;  // DO without a condition
   if (valueIn(scanner).number == 0.0) m_next = statement.end + 1;
 }
@@ -56,6 +63,7 @@ void FanucRun::goTo(std::uint32_t i, ProgramScanner& scanner) {
   const double n = std::round(valueIn(scanner).number);
   const std::uint32_t line = n >= 1.0 && n <= 1e8 ? m_outline.numbered(static_cast<int>(n), i) : kNone;
   if (line == kNone) refuse(location, "GOTO", "there is no line with this number", "Correct the number after GOTO.");
+  if (line <= i) ++m_control.jumps;
   m_next = line;
 }
 
@@ -63,6 +71,7 @@ void FanucRun::goTo(std::uint32_t i, ProgramScanner& scanner) {
 bool FanucRun::runMacro(std::uint32_t i, ProgramScanner& scanner) {
   const std::size_t start = scanner.at();
   if (scanner.takeIf('N') && scanner.nextIsNumber()) scanner.number();
+  if (skipsRest(scanner, m_setup)) return true;
   if (scanner.takeIf(std::string_view("GOTO"))) {
     goTo(i, scanner);
     return true;
@@ -79,7 +88,7 @@ bool FanucRun::runMacro(std::uint32_t i, ProgramScanner& scanner) {
   if (!scanner.takeIf(std::string_view("THEN")))
     refuse(scanner.location(), scanner.token(), "GOTO or THEN is expected after the condition",
            "Write IF [...] GOTO n.");
-  if (isTrue && !readBlock(scanner, m_variables, ProgramDialect::Fanuc).words.empty())
+  if (isTrue && !readBlock(scanner, m_variables, m_setup).words.empty())
     refuse(scanner.location(), "THEN", "only a variable can be set after THEN", "Use GOTO for more.");
   return true;
 }
@@ -99,35 +108,12 @@ void FanucRun::callMacro(const ProgramBlock& block, const ProgramWord& g) {
       word('L');
       continue;
     }
-    const int number = kArgumentOf[w.letter - 'A'];
+    const int number = w.letter >= 'A' && w.letter <= 'Z' ? kArgumentOf[w.letter - 'A'] : 0;
     if (number == 0) refuse(w.location, w.text(), "this letter is no argument of a macro", "Use another letter.");
     arguments[static_cast<std::size_t>(number) - 1] = {w.number, false};
     word(w.letter);
   }
   call(sub + 1, arguments, repeats, true, g.location);
-}
-
-std::optional<ProgramValue> FanucRun::systemVariable(int n) const {
-  const auto length = [this](double mm, bool isAcross) {
-    return ProgramValue{mm / m_machine.unit() * (isAcross ? 2.0 : 1.0), false};
-  };
-  const ProfilePoint here = m_machine.at(), inMachine = m_machine.toMachine(here);
-  switch (n) {
-    case 5001:
-    case 5041:
-      return length(here.x(), true);
-    case 5002:
-    case 5042:
-      return length(here.y(), false);
-    case 5021:
-      return length(inMachine.x(), true);
-    case 5022:
-      return length(inMachine.y(), false);
-    case 4120:
-      return ProgramValue{static_cast<double>(m_machine.modal.tool), false};
-    default:
-      return {};
-  }
 }
 
 }  // namespace handwheel

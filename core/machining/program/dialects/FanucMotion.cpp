@@ -3,9 +3,9 @@
 #include "machining/program/dialects/FanucRun.h"
 
 #include "base/NumberText.h"
-#include "machining/program/ProgramArc.h"
 #include "machining/program/cycles/DrillCycle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -114,11 +114,9 @@ void FanucRun::runMotion(const ProgramBlock& block) {
       m_machine.rapid(target(), location);
       return;
     case 1:
-      m_machine.feed(target(), location);
-      return;
     case 2:
     case 3:
-      arc(motion == 3 ? 1 : -1, location);
+      cut(motion, location);
       return;
     case 32: {
       const ProfilePoint from = m_machine.at(), to = target();
@@ -135,12 +133,6 @@ void FanucRun::runMotion(const ProgramBlock& block) {
       drill(motion, location);
       return;
   }
-}
-
-void FanucRun::arc(int turn, const SourceLocation& location) {
-  const ProfilePoint to = target();
-  const PlanePoint centre = arcCentre(planePoint(m_machine.at()), planePoint(to), turn, false, location);
-  m_machine.arc(turn, to, profilePoint(centre), location);
 }
 
 // F is modal, and shared with feeds.
@@ -183,10 +175,28 @@ void FanucRun::boxCycle(int number, const SourceLocation& location) {
     m_machine.feed({start.x(), to.y()}, location);
   } else {
     const double measured = lead(code(Motion) ? *code(Motion) : ProgramWord{'G', 92.0, true, location});
-    m_machine.thread(to, measured * alongPath({-m_boxTaper, to.y() - start.y()}), location);
+    threadPass(to, measured, start, location);
     m_machine.rapid({start.x(), to.y()}, location);
   }
   m_machine.rapid(start, location);
+}
+
+// The pass of G92 to its end. After M23 it leaves the work at 45 degrees over the length of the chamfer.
+void FanucRun::threadPass(const ProfilePoint& to, double measured, const ProfilePoint& start,
+                          const SourceLocation& location) {
+  const ProfilePoint from = m_machine.at();
+  const double pitch = measured * alongPath(to - from), length = std::abs(to.y() - from.y());
+  const double wanted = 0.1 * (m_cycle.threadChamfer > 0 ? m_cycle.threadChamfer : 10) * measured;
+  const double chamfer = m_chamfersThreads.value_or(false) ? std::min(wanted, length) : 0.0;
+  if (!(chamfer > 0.0)) {
+    m_machine.thread(to, pitch, location);
+    return;
+  }
+  const ProfilePoint begin = to + (from - to) * (chamfer / length);
+  m_machine.thread(begin, pitch, location);
+  const double room = start.x() - begin.x();
+  const ProfilePoint end(begin.x() + std::copysign(std::min(chamfer, std::abs(room)), room), to.y());
+  m_machine.thread(end, measured * alongPath(end - begin), location);
 }
 
 // G81, G82, G83 on the face. R is the signed distance from the tool to the begin of the feed; W counts from there. All

@@ -48,6 +48,7 @@ const char* remedyForFanucCode(int number) {
 }
 
 constexpr int kConveyorOn = 31, kConveyorOff = 33;  // codes of Haas
+constexpr int kChamfers = 23, kNoChamfers = 24;     // codes of most machines for the end of a thread
 
 }  // namespace
 
@@ -55,6 +56,7 @@ FanucRun::FanucRun(std::string_view text, const ProgramSetup& setup, Progress pr
     : ProgramRun(text, setup, progress) {
   m_machine.modal.isDiameter = true;
   m_machine.modal.feedMode = FeedModes::PerRevolution;
+  m_control.begin = setup.begin != 0 ? setup.begin : std::time(nullptr);
 }
 
 int FanucRun::codeOf(int group) const {
@@ -64,6 +66,34 @@ int FanucRun::codeOf(int group) const {
 double FanucRun::increment(const ProgramWord& w) const {
   if (w.hasPoint) return m_machine.unit() * w.number;
   return w.number * (m_machine.modal.isInch ? 1e-4 * ProgramMachine::kInch : 1e-3);
+}
+
+// Turns lengths without a decimal point from least increments into the units of the program. P, Q and D are always such
+// numbers, and are read by increment().
+void FanucRun::scaleIncrements(ProgramBlock& block) const {
+  bool isInch = m_machine.modal.isInch, isDwell = false, isPattern = false;
+  for (const ProgramWord& w : block.words) {
+    if (w.letter != 'G') continue;
+    if (w.number == 20.0 || w.number == 21.0) isInch = w.number == 20.0;
+    isDwell = isDwell || w.number == 4.0;
+    isPattern = isPattern || w.number == 73.0;
+  }
+  for (ProgramWord& w : block.words) {
+    const bool isLength = std::string_view("XZUWIJKRCcr").find(w.letter) != std::string_view::npos;
+    if (w.hasPoint || !isLength || (isPattern && w.letter == 'R')) continue;
+    w.number *= isInch && !isDwell ? 1e-4 : 1e-3;
+    w.hasPoint = true;
+  }
+}
+
+// Refuses a length of a cycle that cannot be meant.
+void FanucRun::require(bool isRight, const ProgramWord& w, const char* what) const {
+  if (isRight) return;
+  const bool isPlain = !w.hasPoint && !m_setup.hasIncrements && w.letter != 'P' && w.letter != 'Q' && w.letter != 'D';
+  refuse(w.location, w.text(), what,
+         isPlain ? "Without a decimal point it is in mm or inch here: write one, or choose that such numbers are "
+                   "increments."
+                 : "Correct it.");
 }
 
 void FanucRun::sortCodes(const ProgramBlock& block) {
@@ -83,7 +113,7 @@ void FanucRun::sortCodes(const ProgramBlock& block) {
 }
 
 ProfilePoint FanucRun::target() {
-  ProfilePoint to = m_machine.at();
+  ProfilePoint to = m_corner.value_or(m_machine.at());
   const ProgramWord *const x = word('X'), *const u = word('U'), *const z = word('Z'), *const w = word('W');
   if (x && u) refuse(u->location, u->text(), "it contradicts " + x->text(), "Write X or U, not both.");
   if (z && w) refuse(w->location, w->text(), "it contradicts " + z->text(), "Write Z or W, not both.");
@@ -119,12 +149,18 @@ void FanucRun::runModes() {
   const int once = codeOf(Once);
   if (const ProgramWord* const f = word('F'); f && once != 65) {
     if (!(f->number >= 0.0)) refuse(f->location, f->text(), "a feed is not negative", "Correct it.");
+    const bool isPerTurn =
+        modal.feedMode == FeedModes::PerRevolution || once == 76 || codeOf(Motion) == 32 || codeOf(Motion) == 92;
+    if (m_setup.hasIncrements && isPerTurn && !f->hasPoint && f->number != 0.0)
+      refuse(f->location, f->text(), "a control counts this feed per revolution by its parameters",
+             "Write it with a decimal point.");
     modal.feed = m_machine.unit() * f->number;  // also the lead of a thread
   }
   if (const ProgramWord* const s = word('S'); s && once != 50 && once != 65) {
     if (!(s->number >= 0.0))
       refuse(s->location, s->text(), "a spindle speed is not negative", "Write M4 to turn back.");
     setSpindle(s->number);
+    m_control.speed = s->number;
     if (modal.isSurfaceSpeed) m_surfaceSpeed = modal.spindle;
   }
   if (codeOf(System) >= 0) {
@@ -133,7 +169,11 @@ void FanucRun::runModes() {
              "Write G40 before it.");
     m_machine.selectSystem(codeOf(System) - 54);
   }
-  if (code(Nose)) compensation(codeOf(Nose), *code(Nose));
+  if (code(Nose)) {
+    compensation(codeOf(Nose), *code(Nose));
+    m_control.nose = codeOf(Nose);
+  }
+  if (const int path = codeOf(Other); path == 61 || path == 64) m_control.path = path;
 }
 
 // G97 keeps the present speed of the spindle, G96 the last surface speed, unless S is given.
@@ -166,6 +206,7 @@ void FanucRun::setTool() {
     refuse(t->location, t->text(), "the tool and its offset have two digits each", "Write T0101.");
   if (m_machine.isCompensated())
     refuse(t->location, t->text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
+  m_control.tool = number;
   if (number >= 100) m_machine.changeTool(number / 100);
   m_machine.modal.selectedTool = number % 100;
   const int offset = number % 100;
@@ -188,10 +229,14 @@ void FanucRun::runM(const ProgramBlock& block, bool isAfterMotion) {
   for (const ProgramWord& m : block.words) {
     if (m.letter != 'M') continue;
     const int number = whole(m, 0, 999);
-    const bool isBefore = number == 3 || number == 4 || number == 7 || number == 8;
+    const bool isBefore =
+        number == 3 || number == 4 || number == 7 || number == 8 || number == kChamfers || number == kNoChamfers;
     if (isBefore == isAfterMotion) continue;
+    m_control.lastM = number;
     if (number == kConveyorOn || number == kConveyorOff) {
       note(m.location, "M" + std::to_string(number) + " (chip conveyor) has no effect here.");
+    } else if (number == kChamfers || number == kNoChamfers) {
+      m_chamfersThreads = number == kChamfers;
     } else if (number == 98) {
       // The last four digits are the program, those before them the number of runs.
       const int p = whole({'P', needed('P', m, "the number of the subprogram"), true, m.location}, 1, 99'999'999);

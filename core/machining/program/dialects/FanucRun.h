@@ -3,6 +3,9 @@
 #pragma once
 
 #include "machining/program/ProgramRun.h"
+#include "machining/program/cycles/CornerPiece.h"
+
+#include <ctime>
 
 namespace handwheel {
 
@@ -23,7 +26,8 @@ class FanucRun : public ProgramRun {
 
  protected:
   void readLine(std::uint32_t i, ProgramScanner& scanner) override;
-  std::optional<ProgramValue> systemVariable(int number) const override;
+  std::optional<ProgramValue> systemVariable(int number, const SourceLocation& location) const override;
+  bool setSystemVariable(const ProgramAssignment& set) override;
 
  private:
   // The values that the first line of a cycle of two lines sets. Lengths are in mm.
@@ -43,8 +47,30 @@ class FanucRun : public ProgramRun {
     double peck = 0.0, dwell = 0.0;
   };
 
+  // The state of the control that variables of the machine show, besides that of ProgramMachine.
+  struct Control {
+    std::time_t begin = 0;  // time at the beginning of the run
+    double jumps = 0.0;     // count of jumps back; each takes a millisecond of #3001, so that loops that wait end
+    double timerZero = 0.0, hoursZero = 0.0;  // values of the clocks at which #3001 and #3002 were 0
+    double singleBlock = 0.0, feedHold = 0.0;
+    double parts = 0.0, partsWanted = 0.0;
+    double speed = 0.0, tool = 0.0, lastM = 0.0, sequence = 0.0;  // last S, T, M and N
+    int nose = 40, path = 64;                                     // last G code of these groups
+    int program = 0;                                              // O number of the main program
+  };
+
+  // Functions for variables of the machine
+  std::optional<ProgramValue> offsetVariable(int number) const;
+  std::optional<ProgramValue> controlVariable(int number) const;
+  std::optional<ProgramValue> modalVariable(int number) const;
+  std::optional<ProgramValue> positionVariable(int number) const;
+  ProgramValue lengthValue(const ProfilePoint& p, int axis) const;
+  double timer() const;  // ms
+  double programNumber() const;
+  bool setZeroPoint(const ProgramAssignment& set);
+
   // Functions for Macro B
-  void beginProgram(const SourceLocation& location);
+  void beginProgram(const ProgramOutline::Statement& head, const SourceLocation& location);
   bool runMacro(std::uint32_t i, ProgramScanner& scanner);
   void runLoop(const ProgramOutline::Statement& statement, std::uint32_t i);
   void goTo(std::uint32_t i, ProgramScanner& scanner);
@@ -65,7 +91,7 @@ class FanucRun : public ProgramRun {
   void setCoordinates(const ProgramWord& g);
   void moveInMachine(const ProgramWord& g);
   void runMotion(const ProgramBlock& block);
-  void arc(int turn, const SourceLocation& location);
+  void threadPass(const ProfilePoint& to, double measured, const ProfilePoint& start, const SourceLocation& location);
   double lead(const ProgramWord& code);                       // mm, the lead that F gives for a thread
   static double alongPath(const ProfilePoint& displacement);  // mm of path for 1 mm along its longer axis
   void boxCycle(int number, const SourceLocation& location);
@@ -75,11 +101,33 @@ class FanucRun : public ProgramRun {
   // Returns the length (mm) that a word gives. A number without a decimal point is a multiple of the least increment,
   // 0.001 mm or 0.0001 inch.
   double increment(const ProgramWord& w) const;
+  void scaleIncrements(ProgramBlock& block) const;
+  void require(bool isRight, const ProgramWord& w, const char* what) const;
+
+  // A chamfer or rounding at the end of a cut.
+  static constexpr int kAnyAxis = -1;
+  struct Corner {
+    const ProgramWord* word = nullptr;
+    CornerSize size;      // mm
+    int axis = kAnyAxis;  // axis of the next cut, in the direction of the word's sign; 0: X, 1: Z
+  };
+  struct ContourCorner {
+    std::size_t segment;  // index of the segment before the corner
+    Corner corner;
+    ProgramWord word;
+  };
+  std::optional<Corner> cornerOf(int motion);
+  ContourSegment pieceOf(const Corner& corner, ContourSegment& before, ContourSegment& after) const;
+  ContourSegment moveAfter(const PlanePoint& corner, const ProgramWord& w);
+  [[noreturn]] static void refuseLonely(const ProgramWord& w);
+  void cut(int motion, const SourceLocation& location);
+  void finishCorners(std::vector<ContourSegment>& segments);
 
   // The contour of a cycle, which the lines between two line numbers give.
   struct Contour {
     std::uint32_t begin = 0, end = 0;  // first and last line
     std::vector<ContourSegment> segments;
+    bool namesBoth = false;  // the first line names X and Z, so roughing is of type II
   };
   Contour contourOf(const ProgramWord& g);
   void collect(const ProgramBlock& block);
@@ -91,6 +139,12 @@ class FanucRun : public ProgramRun {
   void goBehind(const Contour& contour);
 
   std::array<const ProgramWord*, kGroups> m_codes{};
+  Control m_control;
+  std::optional<ProfilePoint> m_corner;       // corner from which the next cut counts; the tool is beside it
+  const ProgramWord* m_cornerWord = nullptr;  // corner whose next cut is looked for; null: none
+  std::vector<ContourCorner> m_corners;       // corners of the contour that is collected
+  std::optional<bool> m_namesBoth;            // the first line of the contour that is collected names X and Z
+  std::optional<bool> m_chamfersThreads;      // M23 or M24
   CycleSettings m_cycle;
   DrillSettings m_drilling;
   std::optional<double> m_surfaceSpeed;  // S of the last G96

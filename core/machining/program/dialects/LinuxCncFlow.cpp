@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 
+#include <cctype>
 #include <cmath>
 
 namespace handwheel {
@@ -20,10 +21,24 @@ void LinuxCncRun::readLine(std::uint32_t i, ProgramScanner& scanner) {
     runStatement(i, *statement);
     return;
   }
-  const ProgramBlock block = readBlock(scanner, m_variables, ProgramDialect::LinuxCnc);
+  const ProgramBlock block = readBlock(scanner, m_variables, m_setup);
   if (block.words.empty()) return;
   begin(block);
   m_contour ? collect(block) : execute(block);
+}
+
+// Ends the program if the last comment of the line is (ABORT, message).
+void LinuxCncRun::obeyComment(std::uint32_t i, const ProgramScanner& scanner) {
+  constexpr std::string_view kAbort = "ABORT,";
+  const std::string comment = scanner.lastComment();
+  if (comment.empty()) return;
+  std::string word;
+  std::size_t at = 0;
+  for (; at < comment.size() && word.size() < kAbort.size(); ++at)
+    if (comment[at] != ' ' && comment[at] != '\t')
+      word += static_cast<char>(std::toupper(static_cast<unsigned char>(comment[at])));
+  if (word == kAbort)
+    alarm({i + 1, 1}, "ABORT", comment.substr(std::min(comment.find_first_not_of(' ', at), comment.size())));
 }
 
 double LinuxCncRun::condition(std::uint32_t i, const ProgramOutline::Statement& statement) {
@@ -153,7 +168,7 @@ void LinuxCncRun::leaveLoop(std::uint32_t i, const ProgramOutline::Statement& st
   m_next = isAgain ? loop.end : loop.end + 1;
 }
 
-std::optional<ProgramValue> LinuxCncRun::systemVariable(int n) const {
+std::optional<ProgramValue> LinuxCncRun::systemVariable(int n, const SourceLocation&) const {
   const double unit = m_machine.unit();
   const ProgramTool& tool = m_setup.tool(m_machine.modal.tool);
   const auto length = [unit](double mm) { return ProgramValue{mm / unit, false}; };
@@ -169,7 +184,7 @@ std::optional<ProgramValue> LinuxCncRun::systemVariable(int n) const {
     const int system = (n - 5221) / 20;
     if (system < ProgramMachine::kSystems) return pair(m_machine.systemOffset(system), (n - 5221) % 20);
   }
-  if (n >= 5420 && n <= 5428) return pair(m_machine.at(), n - 5420);
+  if (n >= 5420 && n <= 5428) return pair(position(), n - 5420);
   if (n == 5400) return ProgramValue{static_cast<double>(m_machine.modal.tool), false};
   if (n >= 5401 && n <= 5409) return pair(m_machine.toolOffset(), n - 5401);
   if (n == 5410) return length(2.0 * tool.noseRadius);
@@ -182,8 +197,8 @@ std::optional<double> LinuxCncRun::systemVariable(const std::string& name) const
   using FeedMode = ProgramMachine::FeedMode;
   const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
   const std::pair<const char*, double> values[] = {
-      {"_x", m_machine.at().x() / m_machine.unit()},
-      {"_z", m_machine.at().y() / m_machine.unit()},
+      {"_x", position().x() / m_machine.unit()},
+      {"_z", position().y() / m_machine.unit()},
       {"_y", 0.0},
       {"_vmajor", 2.9},
       {"_vminor", 0.0},

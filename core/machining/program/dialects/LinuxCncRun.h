@@ -38,7 +38,8 @@ class LinuxCncRun : public ProgramRun {
 
  protected:
   void readLine(std::uint32_t i, ProgramScanner& scanner) override;
-  std::optional<ProgramValue> systemVariable(int number) const override;
+  void obeyComment(std::uint32_t i, const ProgramScanner& scanner) override;
+  std::optional<ProgramValue> systemVariable(int number, const SourceLocation& location) const override;
   std::optional<double> systemVariable(const std::string& name) const override;
 
  private:

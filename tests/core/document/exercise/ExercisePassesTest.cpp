@@ -30,17 +30,18 @@ class ExercisePassesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // A program counts each of its collisions once, whether the passes show it, as they do a rapid move, or not (M4).
+  // A program counts each of its collisions once, whether the passes show it, as they do a rapid move, or not (a
+  // spindle at rest). The wrong sense of the spindle is a warning.
   void collisionsOfAProgram_data() {
     QTest::addColumn<QString>("program");
     QTest::addColumn<double>("points");  // out of four: two for each collision
     const QString begin = "G7 G21 G97 S600\n", end = "G0 X50\nM2\n";
     QTest::newRow("none") << begin + "M3\nG0 X36 Z2\nG1 Z-30 F120\n" + end << 4.0;
-    QTest::newRow("reversed") << begin + "M4\nG0 X36 Z2\nG1 Z-30 F120\n" + end << 2.0;
+    QTest::newRow("reversed") << begin + "M4\nG0 X36 Z2\nG1 Z-30 F120\n" + end << 4.0;
     QTest::newRow("rapid") << begin + "M3\nG0 X36 Z2\nG0 Z-30\n" + end << 2.0;
     QTest::newRow("at rest") << begin + "G0 X36 Z2\nG1 Z-30 F120\n" + end << 2.0;
     QTest::newRow("chuck") << begin + "M3\nG0 X36 Z2\nG1 Z-90 F120\n" + end << 2.0;
-    QTest::newRow("two") << begin + "M4\nG0 X36 Z2\nG1 Z-30 F120\nG0 Z-40\n" + end << 0.0;
+    QTest::newRow("two") << begin + "G0 X36 Z2\nG1 Z-30 F120\nM3\nG0 Z-40\n" + end << 0.0;
   }
   void collisionsOfAProgram() {
     QFETCH(QString, program);

@@ -243,6 +243,42 @@ class ShippedExercisesTest : public QObject {
     }
   }
 
+  // The dimensions of each target, by hand from the sizes in tools/exercises: each size once, and no size that follows
+  // from others. Z from the finished face, as the drawings have it.
+  void theirDimensions_data() {
+    QTest::addColumn<QStringList>("expected");
+    const QString rough = QStringLiteral("Ra 3.2");  // N8
+    // The ball ends in the finished face, which has its centre 18 behind it.
+    QTest::newRow("ball") << QStringList{"Ø40", "Ø12 ±0.2", "SR18 ±0.1", "2×R1.2", "44", "74", rough};
+    QTest::newRow("bush") << QStringList{"Ø50", "Ø44 h10", "Ø25 H10", "2×R1.2", "1×45°", "28 ±0.2", "30", "60", rough};
+    // Both heads are 20 wide: the lower one ends 20 + 34 + 20 = 74 behind the finished face.
+    QTest::newRow("dumb-bell") << QStringList{"Ø40", "Ø38 h11", "Ø38 h11", "Ø30", "Ø16 h11", "4×R1.2", "4× 2×45°",
+                                              "20",  "34 ±0.2", "74",      "79",  "104",     rough};
+    QTest::newRow("first-lesson") << QStringList{"Ø40", "Ø30 ±0.5", "R1.2", "30 ±1", "80", rough};
+    QTest::newRow("first-lesson-teacher") << QStringList{"Ø40", "Ø30 ±0.5", "R1.2", "30 ±1", "80", rough};
+    QTest::newRow("gourd") << QStringList{"Ø50", "Ø48",  "Ø24 ±0.2", "Ø34", "Ø8", "R20", "R10", "R15",
+                                          "R3",  "R1.2", "21",       "36",  "60", "72",  "100", rough};
+    QTest::newRow("shaft") << QStringList{"Ø40",     "Ø36 h10", "Ø28 h10", "Ø20 h10", "3×R1.2", "1×45°",
+                                          "30 ±0.1", "30 ±0.1", "85",      "120",     rough};
+    QTest::newRow("thread-m20") << QStringList{"Ø40", "Ø30 h11", "Ø16.4 ±0.2", "M20×2.5 – 6g", "3×R1.2", "2×45°",
+                                               "34",  "40 ±0.2", "65",         "100",          rough};
+    // Outside and inside the bowl has a ball and an arc of 65, which meet 16 below the rim.
+    QTest::newRow("wine-glass") << QStringList{"Ø56",   "Ø8 ±0.2", "R15", "R10", "SR25",    "SR23",
+                                               "2×R65", "16",      "76",  "78",  "39 ±0.5", rough};
+  }
+  void theirDimensions() {
+    QFETCH(QStringList, expected);
+    const QString path = test::sourcePath("resources/samples/exercises/%1.exercise.json").arg(QTest::currentDataTag());
+    const auto exercise = exerciseFrom(ExerciseKind(allSubjects()), descriptionIn(path));
+    const auto& task = static_cast<const TurningTask&>(*exercise->task);
+    const Sheet sheet = dimensionSheet(*task.target, drawingTitleOf(exercise->exercise, task), {});
+    QStringList texts;
+    for (const Sheet::Text& text : sheet.texts) texts << QString::fromStdString(text.text);
+    texts.sort();
+    expected.sort();
+    QCOMPARE(texts, expected);
+  }
+
   // The ball of radius 18 is found as one in its target, on its drawing, and in the model solution.
   void theBallIsABall() {
     const ExerciseKind kind(turningOnly());
@@ -291,7 +327,7 @@ class ShippedExercisesTest : public QObject {
     QVERIFY(glass.inner(at(55.0)) == 0.0 && glass.radius(at(55.0)) < 4.2);
     QVERIFY(glass.radius(at(31.0)) > 25.0);
     // Its foot ends at Z 30: there it is parted off, and the bar behind it does not belong to the target.
-    QCOMPARE(glass.pieces(), std::size_t{2});
+    QCOMPARE(glass.pieces().size(), std::size_t{2});
     QVERIFY(glass.hasMaterial(at(30.1)) && !glass.hasMaterial(at(29.0)) && glass.hasMaterial(at(28.0)));
     QCOMPARE(static_cast<const TurningTask&>(*exercise->task).target->lowerEnd(), 30.0);
   }

@@ -165,6 +165,46 @@ class StartedWorkTest : public QObject {
     QVERIFY(opened && subject.originOf(*opened->content) == WorkOrigin::Both);
   }
 
+  // A thread by the command is no work by hand: the file keeps it, the marks say it, unless the exercise allows it.
+  void madeByACommand() {
+    const auto exercise = exerciseFrom(kindOfStartedWork(), shoulderDescription());
+    const ExerciseSubject& subject = *exercise->subject;
+    TurningPass pass;
+    pass.path = {{12.0, 90.0}, {12.0, 70.0}};
+    pass.times = {0.0, 1.0};
+    pass.isOfCommand = true;
+    const auto threaded = [&](const SnapshotPointer& before) {
+      auto work = std::make_shared<WorkpieceSnapshot>(static_cast<const WorkpieceSnapshot&>(*before));
+      work->part = withPass(*work, pass, 0.05);
+      return work;
+    };
+    const auto byCommand = threaded(subject.start(*exercise->task));
+    const auto afterHand = threaded(workFrom(*exercise, shoulderWork()));
+    QVERIFY(subject.originOf(*byCommand) == WorkOrigin::Command);
+    QVERIFY(subject.originOf(*afterHand) == WorkOrigin::HandAndCommand);
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("thread.handwheel").toStdString();
+    const OpenedFile begun = startedWork();
+    QVERIFY(saveDocument(*begun.kind, begun.file, *afterHand, path).hasValue());
+    const Result<OpenedFile> opened = workpiecesOnly().open(path, {});
+    QVERIFY(opened && subject.originOf(*opened->content) == WorkOrigin::HandAndCommand);
+
+    const auto remarkOn = [&](const ExerciseSnapshot& scheme) {
+      const auto submission = handedIn(scheme, afterHand, kHalfDone);
+      const auto row = markSubmission(scheme, *submission, "x");
+      return row && !row->remarks.empty() ? row->remarks.front() : std::string();
+    };
+    QCOMPARE(remarkOn(*exercise), std::string("Part of it was made by a command, which this exercise does not allow."));
+    QVERIFY(!subject.areCommandsAllowed(*exercise->task) && !subject.toJson(*exercise->task).contains("commands"));
+    const auto changed = subject.withProperty(*exercise->task, "commands", true);
+    QVERIFY(changed && subject.areCommandsAllowed(**changed) && subject.toJson(**changed)["commands"] == true);
+    nlohmann::json description = shoulderDescription();
+    description["task"]["commands"] = true;
+    const auto open = exerciseFrom(kindOfStartedWork(), description);
+    QVERIFY(open->subject->areCommandsAllowed(*open->task) && remarkOn(*open).empty());
+    QCOMPARE(subject.conditions(*open->task).size(), subject.conditions(*exercise->task).size() + 1);
+  }
+
   // The marks say it of work that an exercise wants to be done by hand.
   void programsThatAreNotAllowed() {
     const auto open = exerciseFrom(kindOfStartedWork(), shoulderDescription());

@@ -3,6 +3,7 @@
 #include "TestClass.h"
 #include "TurningExercises.h"
 #include "document/exercise/ExerciseErrors.h"
+#include "document/exercise/ExerciseRows.h"
 #include "document/exercise/RoundTarget.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 
@@ -41,6 +42,25 @@ class TurningTargetsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // ⌀30 h10 and the length 40 were marked for the shoulder. Of a target of ⌀28, and of one whose shoulder is at 55 mm
+  // instead of 60, they are named; the target they were made for meets all.
+  void marksOfAnotherTarget() {
+    const auto off = [](double diameter, double shoulder) {
+      nlohmann::json description = shoulderDescription();
+      const double r = 0.5 * diameter;
+      description["task"]["target"] = {{"outer", {{20, 0}, {20, shoulder}, {r, shoulder}, {r, 100}}},
+                                       {"inner", nlohmann::json::array()}};
+      static const ExerciseKind kKind(turningOnly());
+      const auto exercise = exerciseFrom(kKind, description);
+      const auto note = offTargetNote(*exercise);
+      return note ? note->arguments.front() : std::string();
+    };
+    QCOMPARE(off(30.0, 60.0), std::string());
+    QCOMPARE(off(28.0, 60.0), std::string("“⌀30 h10”"));
+    QCOMPARE(off(30.0, 55.0), std::string("“40 ±0.2”"));
+    QCOMPARE(off(28.0, 55.0), std::string("“⌀30 h10”, “40 ±0.2”"));
+  }
+
   void init() { m_shoulder = shoulderIn({40.0, 100.0, 0.0}, 0.0); }
 
   void whatWasTurnedIsTheTarget() {

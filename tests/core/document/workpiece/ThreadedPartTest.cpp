@@ -94,13 +94,13 @@ class ThreadedPartTest : public QObject {
     QVERIFY(ofThread > 100.0);
     workpiece.part = std::make_shared<const TurnedPart>(TurnedPart::of(profile, whole->passes, 0.1));
     const TurnedPart& part = *workpiece.part;
-    const auto pieces = piecesOf(part.profile);
+    const auto pieces = part.section().pieces();
     QCOMPARE(pieces.size(), std::size_t(2));
-    const EndPiece first = pieceAlone(part.profile, pieces[0]), last = pieceAlone(part.profile, pieces[1]);
-    QVERIFY(std::abs(part.volumeOf(first) - first.profile.volume()) < 1e-9 * ofThread);
-    QVERIFY(std::abs(last.profile.volume() - part.volumeOf(last) - ofThread) < 1e-3 * ofThread);
+    const TurnedSection &first = pieces[0], &last = pieces[1];
+    QVERIFY(std::abs(part.volumeOf(first) - first.volume()) < 1e-9 * ofThread);
+    QVERIFY(std::abs(last.volume() - part.volumeOf(last) - ofThread) < 1e-3 * ofThread);
     QVERIFY(std::abs(part.volumeOf(first) + part.volumeOf(last) - part.volume()) < 1e-3 * ofThread);
-    const double volume = last.profile.volume() - ofThread;
+    const double volume = last.volume() - ofThread;
     const nlohmann::json described = m_kind.describe(workpiece);
     QVERIFY(std::abs(described["end_piece"]["volume"].get<double>() - volume) < 1e-3 * ofThread);
     const auto properties = workpieceProperties(workpiece);

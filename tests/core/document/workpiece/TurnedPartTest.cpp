@@ -9,7 +9,6 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "document/workpiece/WorkpieceProperties.h"
-#include "machining/EndPiece.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/StepWriter.h"
@@ -263,11 +262,9 @@ class TurnedPartTest : public QObject {
     pass.times = {0.0};
     workpiece.part = withPass(workpiece, pass, 0.1);
     const double r = 0.5 * workpiece.stock.diameter, length = workpiece.stock.length;
-    const auto piece = endPieceOf(workpiece.part->profile);
-    QVERIFY(piece.has_value());
-    QVERIFY(std::abs(piece->length() - (length - 51.0)) < 0.21);
-    const double volume = M_PI * r * r * (length - 51.0);
-    QVERIFY(std::abs(piece->profile.volume() - volume) < M_PI * r * r * 0.21);
+    const auto pieces = workpiece.part->section().pieces();
+    QCOMPARE(pieces.size(), std::size_t{2});
+    QVERIFY(std::abs(pieces.back().box().sizes().y() - (length - 51.0)) < 1e-9);
     const auto written = m_kind.exportTo(workpiece, path, {});
     QVERIFY(written.hasValue());
     QVERIFY(std::any_of(written->notes.begin(), written->notes.end(), [](const Note& note) { return note.isLoss; }));
@@ -277,11 +274,9 @@ class TurnedPartTest : public QObject {
       if (each.id == "volume") kept = std::get<double>(each.value);
       if (each.id == "parted_volume") parted = std::get<double>(each.value);
     }
-    QVERIFY(std::abs(parted - piece->profile.volume()) < 1e-6);
+    QVERIFY(std::abs(parted - M_PI * r * r * (length - 51.0)) < 1e-6);
     QVERIFY(std::abs(kept + parted - workpiece.part->volume()) < 1e-6);
-    QVERIFY(std::abs(kept - M_PI * r * r * 49.0) < M_PI * r * r * 0.21);
-    QVERIFY(!endPieceOf(TurnedProfile(workpiece.stock, 0.1)));
-    QVERIFY(!endPieceOf(TurnedProfile::fromRadii({0.0, 0.0, 0.0}, 4.0)));
+    QVERIFY(std::abs(kept - M_PI * r * r * 49.0) < 1e-6);
   }
 
   // A piece that has come off is shown by itself: a gap of 2 mm in the middle of a bar of 100 mm. Shown again, the
@@ -325,18 +320,17 @@ class TurnedPartTest : public QObject {
 
   // Two pieces parted off one after the other: the volumes of the pieces are those of their lengths.
   void piecesAreDistinguished() {
-    TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.1);
-    for (const double z : {70.0, 30.0}) part.cut({0.0, z}, {0.0, z}, 1.0);
-    const std::vector<TurnedProfile::Range> pieces = piecesOf(part);
+    WorkpieceSnapshot workpiece;
+    workpiece.stock = {40.0, 100.0, 0.0};
+    for (const double z : {70.0, 30.0}) workpiece.part = withPass(workpiece, {1.0, {{0.0, z}}, {0.0}}, 0.1);
+    const std::vector<TurnedSection> pieces = workpiece.part->section().pieces();
     QCOMPARE(pieces.size(), std::size_t{3});
+    QCOMPARE(workpiece.part->profile.pieces().size(), std::size_t{3});
     const double lengths[] = {29.0, 38.0, 29.0};
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const EndPiece piece = pieceAlone(part, pieces[i]);
-      QVERIFY(std::abs(piece.length() - lengths[i]) < 0.21);
-      QVERIFY(std::abs(piece.profile.volume() - M_PI * 400.0 * lengths[i]) < M_PI * 400.0 * 0.21);
-      QCOMPARE(piecesOf(piece.profile).size(), std::size_t{1});
+      QVERIFY(std::abs(pieces[i].box().sizes().y() - lengths[i]) < 1e-9);
+      QVERIFY(std::abs(pieces[i].volume() - M_PI * 400.0 * lengths[i]) < 1e-6);
     }
-    QVERIFY(endPieceOf(part)->profile == pieceAlone(part, pieces.back()).profile);
   }
 
   // A copy of a document shares the blocks of triangles that a pass did not touch.

@@ -221,7 +221,7 @@ class WorkpieceTargetTest : public QObject {
     pass.path = {{30.0, 50.0}, {0.0, 50.0}};
     pass.times = {0.0, 60.0};
     workpiece.part = withPass(workpiece, pass, 0.05);
-    QVERIFY(workpiece.part && workpiece.part->profile.pieces() == 2);
+    QVERIFY(workpiece.part && workpiece.part->profile.pieces().size() == 2);
     const auto section = sectionOf(workpiece);
     QVERIFY(section.hasValue());
     QVERIFY(section->lowerEnd() > 50.9 && section->lowerEnd() < 51.1);

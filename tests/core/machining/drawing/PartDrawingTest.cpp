@@ -6,6 +6,7 @@
 #include "TestClass.h"
 #include "machining/drawing/Dimensions.h"
 
+#include <QRegularExpression>
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,20 @@ QStringList overlaps(const Sheet& sheet) {
   return found;
 }
 
+// All texts of the dimensions of a part, in order.
+QStringList dimensionTexts(std::vector<ProfileSegment> segments) {
+  const TargetProfile drawn = TargetProfile::make(std::move(segments)).value();
+  QStringList texts;
+  for (const Sheet::Text& text : dimensionSheet(drawn, {}, {}).texts) texts << QString::fromStdString(text.text);
+  texts.sort();
+  return texts;
+}
+
+QStringList inOrder(QStringList texts) {
+  texts.sort();
+  return texts;
+}
+
 std::size_t countOf(const Sheet& sheet, const std::string& start) {
   return static_cast<std::size_t>(
       std::count_if(sheet.texts.begin(), sheet.texts.end(), [&](const auto& t) { return t.text.starts_with(start); }));
@@ -105,6 +120,71 @@ class PartDrawingTest : public QObject {
     for (const char* text : {"10", "30", "60", "90", "25"}) QVERIFY2(hasText(sheet, text), text);
   }
 
+  // Each size stands once (ISO 129-1), and none that follows from others. The expectations are the sizes that a person
+  // needs to draw the part again.
+  void eachSizeOnce() {
+    // Fillets of 5 mm, as of a cutter: the shoulders say where they are.
+    QCOMPARE(dimensionTexts({{{0, 0}, {20, 0}, 0.0},
+                             {{20, 0}, {20, 40}, 0.0},
+                             arcAround({20, 45}, 5, -M_PI / 2, -M_PI),
+                             {{15, 45}, {15, 56}, 0.0},
+                             arcAround({15, 61}, 5, -M_PI / 2, -M_PI),
+                             {{10, 61}, {10, 100}, 0.0}}),
+             inOrder({"Ø40", "Ø30", "Ø20", "2×R5", "44", "60", "100"}));
+    // A chamfer between two cylinders: its height at the larger one. At an edge of a face it needs none.
+    QCOMPARE(dimensionTexts({{{0, 0}, {18, 0}, 0.0},
+                             {{18, 0}, {18, 20}, 0.0},
+                             {{18, 20}, {15, 23}, 0.0},
+                             {{15, 23}, {15, 47}, 0.0},
+                             {{15, 47}, {12, 50}, 0.0}}),
+             inOrder({"Ø36", "Ø30", "2× 3×45°", "30", "50"}));
+    // A groove interrupts a cylinder. Behind a collar there is another cylinder.
+    QCOMPARE(dimensionTexts({{{0, 0}, {10, 0}, 0.0},
+                             {{10, 0}, {10, 20}, 0.0},
+                             {{10, 20}, {8, 20}, 0.0},
+                             {{8, 20}, {8, 24}, 0.0},
+                             {{8, 24}, {10, 24}, 0.0},
+                             {{10, 24}, {10, 40}, 0.0}}),
+             inOrder({"Ø20", "Ø16", "16", "20", "40"}));
+    QCOMPARE(dimensionTexts({{{0, 0}, {10, 0}, 0.0},
+                             {{10, 0}, {10, 20}, 0.0},
+                             {{10, 20}, {12, 20}, 0.0},
+                             {{12, 20}, {12, 24}, 0.0},
+                             {{12, 24}, {10, 24}, 0.0},
+                             {{10, 24}, {10, 40}, 0.0}}),
+             inOrder({"Ø20", "Ø20", "Ø24", "16", "20", "40"}));
+    // A ball of 10 mm between two necks: the height of its centre, and no other.
+    const double half = std::atan2(8.0, 6.0);
+    QCOMPARE(dimensionTexts({{{0, 0}, {6, 0}, 0.0},
+                             {{6, 0}, {6, 22}, 0.0},
+                             arcAround({0, 30}, 10, -half, half),
+                             {{6, 38}, {6, 50}, 0.0}}),
+             inOrder({"Ø12", "Ø12", "SR10", "20", "50"}));
+    // An arc that touches nothing: the heights and diameters of its ends, but for the cylinder's.
+    QCOMPARE(dimensionTexts({{{0, 0}, {10, 0}, 0.0},
+                             {{10, 0}, {10, 20}, 0.0},
+                             *arcThrough({10, 20}, {12.2, 29.5}, {14, 40}),
+                             {{14, 40}, {8, 40}, 0.0},
+                             {{8, 40}, {8, 50}, 0.0}})
+                 .filter(QRegularExpression("^[Ø0-9]")),
+             inOrder({"Ø20", "Ø28", "Ø16", "10", "30", "50"}));
+    // A bulge: its radius, its largest diameter and the height of that.
+    QCOMPARE(dimensionTexts({arcAround({-30, 20}, 50, -std::asin(0.4), std::asin(0.4))}),
+             inOrder({"20", "40", "R50", "Ø40"}));
+  }
+
+  // A material with a long name goes on in a second line; only what has no room there either is cut.
+  void longTextsOfTheTitle() {
+    const auto textsOf = [](const std::string& material) {
+      return drawingSheet(along({{20, 0}, {20, 50}}), {"Bolt", material, {}, 1e-3, {}, {}});
+    };
+    const Sheet two = textsOf("Unalloyed steel from 0.25 % carbon, annealed");
+    QVERIFY(hasText(two, "Unalloyed steel from 0.25 % carbon,") || hasText(two, "Unalloyed steel from 0.25 %"));
+    QVERIFY(hasText(two, "annealed") || hasText(two, "carbon, annealed"));
+    QVERIFY(overlaps(two).isEmpty() && countOf(two, "…") == 0);
+    QVERIFY(overlaps(textsOf(std::string(500, 'x'))).isEmpty());
+  }
+
   void tolerances() {
     const Sheet sheet = drawingSheet(part(), {"Bolt",
                                               "C45",
@@ -123,6 +203,14 @@ class PartDrawingTest : public QObject {
     };
     QCOMPARE(areas(drawingSheet(part(), {})), 1);
     QCOMPARE(areas(drawingSheet(along({{20, 0}, {20, 50}}), {})), 0);
+    // A ball whose centre is 0.3 µm off the axis has a dimple at its pole, which is no bore, nor a detail left out.
+    const ProfilePoint centre(3e-4, 28);
+    const ProfileSegment side = arcAround(centre, 14, -1.2, 0.5 * M_PI);
+    const ProfileSegment dimple = arcAround(centre, 14, 0.5 * M_PI, 0.5 * M_PI + std::asin(3e-4 / 14));
+    const TargetProfile handle = TargetProfile::make({{{side.from.x(), 0}, side.from, 0.0}, side, dimple}).value();
+    const Sheet ball = drawingSheet(handle, {});
+    QCOMPARE(areas(ball), 0);
+    QVERIFY(hasText(ball, "SR14") && countOf(ball, "Without") == 0);
   }
 
   // A part of any size is within the frame, at a scale of ISO 5455.

@@ -26,7 +26,7 @@ struct FollowedPart {
   std::uint32_t passes = 0;
 
   explicit FollowedPart(double usualSpeed = 0.0) : meter(profile, SurfaceFinish(profile.size()), usualSpeed) {}
-  void turn(const TurningPass& pass) { cut(profile, pass, passes++, meter); }
+  void turn(const TurningPass& pass) { cut(profile, std::make_shared<const TurningPass>(pass), passes++, meter); }
   std::size_t sampleAt(double z) const { return static_cast<std::size_t>(std::lround(z / profile.spacing())); }
   FinishMark at(double z, TurningSide side = kOutside) const { return meter.finish().at(side, sampleAt(z)); }
 };
@@ -233,8 +233,8 @@ class FinishMeterTest : public QObject {
     const TurnedProfile profile(kFinishBar, 0.05);
     FinishMeter meter(profile, SurfaceFinish());
     TurnedProfile cutPart = profile;
-    cut(cutPart, rubbedTo(19.9, 80.0, abrasive(0.4)), 0, meter);
-    cut(cutPart, along(18.0, 60.0, 40.0, 0.1), 1, meter);
+    cut(cutPart, std::make_shared<const TurningPass>(rubbedTo(19.9, 80.0, abrasive(0.4))), 0, meter);
+    cut(cutPart, std::make_shared<const TurningPass>(along(18.0, 60.0, 40.0, 0.1)), 1, meter);
     QVERIFY(!meter.finish().at(kOutside, 1600).isKnown());
     QVERIFY(meter.finish().at(kOutside, 1000).isKnown());
     QCOMPARE(meter.finish().at(kOutside, 100).roughness, FinishMark::kUnknown);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "machining/force/DrillForceModel.h"
 #include "machining/force/ForceFidelity.h"
 #include "machining/force/MaterialNames.h"
 #include "machining/force/WorkMaterials.h"
@@ -52,6 +53,29 @@ class ForceLawsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // A drill of 20 mm at 0.2 mm and 500 r/min in medium carbon steel. Each lip has a chip of 0.1 mm · sin 59° = 0.085717
+  // mm: kc = 1500 · 0.085717^-0.22 = 2575.2 N/mm². Sandvik: P = f v D kc / 240000 = 0.2 · 31.416 · 20 · 2575.2 / 240000
+  // = 1.3484 kW; M = P · 30000 / (pi 500) = 25.752 N·m; Ff = 0.5 kc (D / 2) f sin 59° = 2207.4 N, the resultant.
+  void drills() {
+    const auto law = kienzleModel(steel(), {});
+    const CutConditions cut{10.0, 0.2, surfaceSpeed(500.0, 10.0)};  // in the middle of the lips
+    const CutForces forces = law->onDrill(cut);
+    QVERIFY(std::abs(cuttingPower(forces, cut) - 1.3484) < 1e-4);
+    QVERIFY(std::abs(cuttingTorque(forces, 10.0) - 25.752) < 1e-3);
+    QVERIFY(std::abs(forces.feed - 2207.4) < 0.1 && forces.radial == 0.0);
+    QCOMPARE(forces.norm(), forces.feed);
+    // From 10 to 20 mm the lips have half the length, and their middle is at 7.5 mm: 3/4 of the torque.
+    const CutForces wider = law->onDrill({5.0, 0.2, surfaceSpeed(500.0, 15.0)});
+    QVERIFY(std::abs(cuttingTorque(wider, 15.0) - 0.75 * 25.752) < 1e-3);
+    for (const double odd : {0.0, -1.0, 1e300, std::numeric_limits<double>::quiet_NaN()})
+      QVERIFY(isSane(law->onDrill({odd, odd, odd})) && isSane(law->onDrill({1.0, odd, 100.0})));
+    // The law of a lip with this approach angle is the same.
+    CuttingEdge lip;
+    lip.approach = kDrillPoint;
+    const DrillForceModel drill(kienzleModel(steel(), lip));
+    QVERIFY(std::abs(2.0 * drill.turning().at({10.0, 0.1, cut.speed}).cutting / drill.at(cut).cutting - 1.0) < 1e-12);
+  }
+
   // The names that are translated are those of the table, in its order.
   void materialsHaveNamesForTranslators() {
     const std::vector<WorkMaterial>& all = WorkMaterials::standard().all();

@@ -48,7 +48,7 @@ class ForcePeaksTest : public QObject {
     QFETCH(int, moves);
     const auto law = steelLaw();
     const TurningPass pass = alongTheBar(2.0, 0.2, moves);
-    const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.013), {&pass, 1}, {kTurnsPerMinute, 0.0}, *law);
+    const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.013), {&pass, 1}, kTurnsPerMinute, *law);
     QVERIFY(peaks);
     const CutConditions cut{2.0, 0.2, M_PI * 40.0 * kTurnsPerMinute / 1000.0};
     const CutForces expected = law->at(cut);
@@ -61,23 +61,15 @@ class ForcePeaksTest : public QObject {
   void deepestPassCounts() {
     const auto law = steelLaw();
     const TurningPass passes[] = {alongTheBar(1.0, 0.2, 60), alongTheBar(4.0, 0.2, 60), alongTheBar(4.5, 0.2, 60)};
-    const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.013), passes, {kTurnsPerMinute, 0.0}, *law);
+    const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.013), passes, kTurnsPerMinute, *law);
     QVERIFY(peaks && std::abs(peaks->cut.depth - 3.0) < 0.25);  // the second takes 3 mm more
-  }
-
-  // Constant surface speed: the power is that of the speed asked for, until the clamp.
-  void constantSurfaceSpeed() {
-    const SpindleSetting setting{2000.0, 150.0};
-    QVERIFY(std::abs(setting.at(20.0) * M_PI * 40.0 / 1000.0 - 150.0) < 1e-9);
-    QCOMPARE(setting.at(0.001), 2000.0);
-    QCOMPARE((SpindleSetting{0.0, 150.0}.at(0.0)), 0.0);
   }
 
   void nothingCutsNothing() {
     const auto law = steelLaw();
     const TurningPass air = alongTheBar(-1.0, 0.2, 60);
     for (const std::vector<TurningPass>& passes : {std::vector<TurningPass>{}, {air}, {TurningPass{}}}) {
-      const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.1), passes, {kTurnsPerMinute, 0.0}, *law);
+      const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.1), passes, kTurnsPerMinute, *law);
       QVERIFY(peaks && peaks->force == 0.0 && peaks->power == 0.0);
     }
   }
@@ -87,12 +79,12 @@ class ForcePeaksTest : public QObject {
     const auto law = steelLaw();
     TurningPass rapid = alongTheBar(2.0, 0.2, 10);
     rapid.times.assign(rapid.times.size(), 0.0);
-    const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.1), {&rapid, 1}, {kTurnsPerMinute, 0.0}, *law);
+    const auto peaks = forcePeaks(TurnedProfile(kSteelBar, 0.1), {&rapid, 1}, kTurnsPerMinute, *law);
     QVERIFY(peaks && std::isfinite(peaks->force) && peaks->isOutsideModel);
     QVERIFY(peaks->force > law->at({2.0, 0.2, 120.0}).norm());
     const TurningPass pass = alongTheBar(2.0, 0.2, 10);
     for (const double speed : {0.0, -500.0, std::nan("")}) {
-      const auto odd = forcePeaks(TurnedProfile(kSteelBar, 0.1), {&pass, 1}, {speed, 0.0}, *law);
+      const auto odd = forcePeaks(TurnedProfile(kSteelBar, 0.1), {&pass, 1}, speed, *law);
       QVERIFY(odd && std::isfinite(odd->force) && std::isfinite(odd->power));
     }
   }
@@ -102,7 +94,7 @@ class ForcePeaksTest : public QObject {
     JobState state;
     state.cancelled = true;
     const TurningPass pass = alongTheBar(2.0, 0.2, 1000);
-    QVERIFY(!forcePeaks(TurnedProfile(kSteelBar, 0.1), {&pass, 1}, {kTurnsPerMinute, 0.0}, *law, Progress(state)));
+    QVERIFY(!forcePeaks(TurnedProfile(kSteelBar, 0.1), {&pass, 1}, kTurnsPerMinute, *law, Progress(state)));
   }
 };
 

@@ -1,82 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "LoadedLathe.h"
 #include "TestClass.h"
-#include "machining/lathe/LatheJson.h"
-#include "machining/lathe/LatheRun.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
 
 using namespace handwheel;
-
-namespace {
-
-using Lever = LatheCommand::Kind;
-using Rule = CutWarning::Rule;
-
-constexpr StockCylinder kLoadedShaft{40.0, 100.0, 0.0};
-constexpr double kTick = 0.001;  // s
-
-// 2000 N for each mm² of the chip, whatever its shape; no component across but the radial one.
-class AreaLaw : public CuttingForceModel {
- public:
-  explicit AreaLaw(double radial) : m_radial(radial) {}
-  CutForces at(const CutConditions& cut) const noexcept override {
-    const double area = cut.depth * cut.feed;
-    return {2000.0 * area, 0.0, m_radial * area};
-  }
-  bool covers(const CutConditions&) const noexcept override { return true; }
-
- private:
-  double m_radial;
-};
-
-LatheSetup setupWith(double power, double torque) {
-  LatheSetup setup = defaultLatheSetup(kLoadedShaft);
-  for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
-  setup.spindle.power = power;
-  setup.spindle.torque = torque;
-  return setup;
-}
-
-// A lathe that turns a depth off its shaft by the feed.
-struct LoadedLathe {
-  explicit LoadedLathe(const LatheSetup& setup, double radial = 0.0, const StockCylinder& bar = kLoadedShaft)
-      : run(setup, shippedLatheTools(), TurnedProfile(bar, 0.05), LatheMachine::initialState(setup, bar),
-            materialOf(radial)) {}
-
-  static std::shared_ptr<const LatheMaterial> materialOf(double radial) {
-    LatheMaterial material;
-    material.laws.assign(shippedLatheTools().size(), std::make_shared<AreaLaw>(radial));
-    return std::make_shared<const LatheMaterial>(std::move(material));
-  }
-  void send(LatheCommand command) { run.step(kTick, std::vector<LatheCommand>{command}); }
-  void pass(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / kTick)); ++i) run.step(kTick, {});
-  }
-  void turnDown(double r, double feed, double seconds) {
-    const double length = run.profile().length();
-    send({Lever::Spindle, LatheAxis::Carriage, 1.0});
-    send({Lever::MoveTip, LatheAxis::Carriage, r, length + 1.0});
-    pass(2.0);
-    send({Lever::Feed, LatheAxis::Carriage, -feed});
-    pass(seconds);
-  }
-  const LatheWarning* warningOf(Rule rule) const {
-    const auto& all = run.warnings().all();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& w) { return w.warning.rule == rule; });
-    return found == all.end() ? nullptr : &*found;
-  }
-  double radiusAt(double z) const {
-    return run.profile().radius(static_cast<std::size_t>(std::lround(z / run.profile().spacing())));
-  }
-  double speed() const { return run.machine().state().speed; }
-
-  LatheRun run;
-};
-
-}  // namespace
+using namespace handwheel::test;
 
 class LatheLoadTest : public QObject {
   Q_OBJECT
@@ -177,6 +109,39 @@ class LatheLoadTest : public QObject {
     QVERIFY(lathe.run.collisions().empty());
     QVERIFY(std::abs(lathe.run.profile().inner(lathe.run.profile().size() - 100) - 3.0) < 1e-9);
     for (const Rule rule : {Rule::Slenderness, Rule::Deflection, Rule::Chatter}) QVERIFY(!lathe.warningOf(rule));
+  }
+
+  // A drill of 20 mm by the formula of Sandvik's handbook, at the feed that the hand gives it: kc = 1500 (f/2 · sin
+  // 59°)^-0.22 for medium carbon steel, M = kc D² f / 8, Ff = kc D f sin 59° / 4, P = M 2 pi n, of which 80 % reach it.
+  void aDrillHasTheForcesOfADrill() {
+    LatheSetup setup = setupWith(0.0, 0.0);
+    setup.tailstock.fitting = LatheFitting::Drill;
+    setup.tailstock.drill = "drill-20";
+    setup.tailstock.position = 103.0;
+    const LatheTools tools = shippedLatheTools();
+    const auto material = std::make_shared<const LatheMaterial>(
+        latheMaterial(WorkMaterials::standard().called("medium-carbon-steel"), ForceLaw::Kienzle, tools));
+    LoadedLathe lathe(setup);
+    lathe.run = LatheRun(setup, tools, TurnedProfile(kLoadedShaft, 0.05),
+                         LatheMachine::initialState(setup, kLoadedShaft), material);
+    lathe.send({Lever::MoveTip, LatheAxis::Carriage, 60.0, 140.0});
+    lathe.pass(2.0);
+    lathe.send({Lever::Spindle, LatheAxis::Carriage, 1.0});
+    lathe.pass(1.0);
+    lathe.send({Lever::Turn, LatheAxis::Quill, 20.0});
+    bool isSeen = false;
+    for (int i = 0; i < 400 && !isSeen; ++i) {
+      lathe.pass(0.05);
+      isSeen = lathe.run.load().isCutting && lathe.run.profile().inner(lathe.run.profile().size() - 200) > 9.9;
+    }
+    QVERIFY(isSeen);
+    const LatheLoad& load = lathe.run.load();
+    const double feed = load.cut.feed, sine = std::sin(59.0 * M_PI / 180.0);
+    const double specific = 1500.0 * std::pow(0.5 * feed * sine, -0.22), torque = specific * 0.4 * feed / 8.0;
+    QVERIFY2(std::abs(load.torque / torque - 1.0) < 0.02, qPrintable(QString("%1 %2").arg(load.torque).arg(torque)));
+    QVERIFY(std::abs(load.power / (torque * lathe.speed() * M_PI / 30.0 / 800.0) - 1.0) < 0.02);
+    QVERIFY(std::abs(load.forces.feed / (specific * 20.0 * feed * sine / 4.0) - 1.0) < 0.02);
+    QCOMPARE(load.forces.norm(), load.forces.feed);
   }
 
   // A shaft of one diameter is its own beam; a thick foot takes no part in the bending near the end.

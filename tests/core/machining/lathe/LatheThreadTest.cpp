@@ -31,17 +31,38 @@ double sectionOfGroove(double depth, double nose) {
   return (depth + nose) * (depth + nose) / root - nose * nose * (root - M_PI / 3.0);
 }
 
+// A law with a force across the work, too, so that the work yields to the tool.
+class BendingLaw : public ChipLaw {
+ public:
+  CutForces at(const CutConditions& cut) const noexcept override {
+    return {2000.0 * cut.depth * cut.feed, 0.0, 2000.0 * cut.depth * cut.feed};
+  }
+};
+
 // A lathe with the threading tool in the post.
 struct ThreadLathe {
-  explicit ThreadLathe(double depthLimit = 0.0) {
+  explicit ThreadLathe(double depthLimit = 0.0, std::shared_ptr<CuttingForceModel> law = std::make_shared<ChipLaw>()) {
     LatheSetup setup = defaultLatheSetup(kThreadStock);
     for (LatheSlot& slot : setup.stations) slot.position = slot.offset = {0.0, 0.0};
     setup.stations[0].tool = "threading-60";
     setup.depthLimit = depthLimit;
     LatheMaterial material;
-    material.laws.assign(shippedLatheTools().size(), std::make_shared<ChipLaw>());
+    material.laws.assign(shippedLatheTools().size(), std::move(law));
     run.emplace(setup, shippedLatheTools(), TurnedProfile(kThreadStock, 0.05),
                 LatheMachine::initialState(setup, kThreadStock), std::make_shared<const LatheMaterial>(material));
+  }
+  // Goes on as after a pass was written into the document: with the same part and slides, and no memory.
+  void goOnAnew() {
+    run =
+        LatheRun(run->machine().setup(), shippedLatheTools(), run->profile(), run->machine().state(), run->material());
+  }
+  // Draws the tool straight out across the bed by 4 mm by the power traverse.
+  bool isDrawnOutRapidly() {
+    const double r = tip().x();
+    once({{ThreadDo::Rapid, LatheAxis::Cross, 1.0}});
+    pass(0.08);
+    once({{ThreadDo::Rapid, LatheAxis::Cross, 0.0}});
+    return tip().x() > r + 3.9 && run->collisions().empty();
   }
   LatheStep once(std::initializer_list<LatheCommand> commands = {}) {
     const LatheStep step = run->step(kThreadTick, std::vector<LatheCommand>(commands));
@@ -175,6 +196,53 @@ class LatheThreadTest : public QObject {
       for (std::size_t i = 0; i < lathe.run->profile().size(); ++i)
         least = std::min(least, lathe.run->profile().radius(i));
       QVERIFY(std::abs(least - r) < 2e-3);
+    }
+  }
+
+  // The nut is opened and the tool stays in the groove for as long as the turner likes: the pass is written meanwhile.
+  // The work has turned on against the edge, so the groove ends in a ring, and drawing the tool out is no crash.
+  void outOfTheGrooveLater() {
+    for (const bool isBending : {false, true}) {
+      std::shared_ptr<CuttingForceModel> law = std::make_shared<ChipLaw>();
+      if (isBending) law = std::make_shared<BendingLaw>();
+      ThreadLathe lathe(0.0, std::move(law));
+      lathe.spin(200.0);
+      lathe.threadTo(0.8, 85.0);
+      QVERIFY(lathe.isUncut());
+      lathe.once({{ThreadDo::HalfNut}});
+      lathe.pass(1.0);
+      const ProfilePoint tip = lathe.tip();
+      double least = kRadius;
+      for (std::size_t i = 0; i < lathe.run->profile().size(); ++i)
+        least = std::min(least, lathe.run->profile().radius(i));
+      QVERIFY2(std::abs(least - tip.x()) < 2e-3, qPrintable(QString::number(least - tip.x())));
+      lathe.goOnAnew();
+      QVERIFY(lathe.run->isClear());
+      QVERIFY(lathe.isDrawnOutRapidly());
+    }
+  }
+
+  // The work springs back against a tool whose feed has stopped. A turner draws it straight out, also rapidly, also
+  // after a rest; along the work it is a crash.
+  void outOfASprungCut() {
+    for (const bool isAnew : {false, true}) {
+      for (const LatheAxis axis : {LatheAxis::Cross, LatheAxis::Carriage}) {
+        ThreadLathe lathe(0.0, std::make_shared<BendingLaw>());
+        lathe.spin(200.0);
+        lathe.go(kRadius + 5.0, 60.0);
+        lathe.once({{ThreadDo::Feed, LatheAxis::Cross, -0.2}});
+        for (int i = 0; i < 60'000 && lathe.tip().x() > kRadius - 2.0; ++i) lathe.once();
+        lathe.once({{ThreadDo::Feed, LatheAxis::Cross, 0.0}});
+        if (isAnew) lathe.goOnAnew();
+        if (axis == LatheAxis::Cross) {
+          QVERIFY(lathe.isDrawnOutRapidly());
+          continue;
+        }
+        lathe.once({{ThreadDo::Rapid, axis, 1.0}});
+        lathe.pass(0.08);
+        QCOMPARE(lathe.run->collisions().size(), std::size_t{1});
+        QVERIFY(lathe.run->collisions().front().cause == CrashCause::Rapid);
+      }
     }
   }
 

@@ -108,7 +108,7 @@ class LatheToolTest : public QObject {
     TurnedProfile part(kRod, 0.05);
     const auto blade = toolNamed(shippedLatheTools(), "parting-3");
     cutWithTool(part, *blade, {22.0, 50.0}, {-0.3, 50.0});
-    QCOMPARE(part.pieces(), std::size_t{2});
+    QCOMPARE(part.pieces().size(), std::size_t{2});
     QVERIFY(std::abs(blade->width() - 3.0) < 1e-9);
   }
 

@@ -30,12 +30,17 @@ NoseStep noseArc(int turn, const PlanePoint& to, const PlanePoint& centre) {
   return step;
 }
 
+struct NoseControl {
+  ProgramDialect dialect = ProgramDialect::LinuxCnc;
+  bool isInch = false;
+};
+
 // Returns the moves of the tip. tip: from the centre of the nose, (r, z) in radii.
 std::vector<NoseStep> noseMoves(int side, const PlanePoint& at, const std::vector<NoseStep>& contour,
-                                const ProfilePoint& tip = {0, 0}) {
+                                const ProfilePoint& tip = {0, 0}, NoseControl control = {}) {
   std::vector<NoseStep> emitted;
-  NoseCompensation nose(ProgramDialect::LinuxCnc, [&](const NoseStep& step) { emitted.push_back(step); });
-  nose.begin(side, kNose, tip, at);
+  NoseCompensation nose(control.dialect, [&](const NoseStep& step) { emitted.push_back(step); });
+  nose.begin(side, kNose, tip, at, control.isInch);
   for (const NoseStep& step : contour) nose.move(step);
   const PlanePoint end = nose.end();
   if (!contour.empty() && end != contour.back().to) {
@@ -45,9 +50,10 @@ std::vector<NoseStep> noseMoves(int side, const PlanePoint& at, const std::vecto
   return emitted;
 }
 
-std::string noseRefusal(int side, const PlanePoint& at, const std::vector<NoseStep>& contour) {
+std::string noseRefusal(int side, const PlanePoint& at, const std::vector<NoseStep>& contour,
+                        NoseControl control = {}) {
   try {
-    noseMoves(side, at, contour);
+    noseMoves(side, at, contour, {0, 0}, control);
   } catch (const ProgramRefusal& refusal) {
     return refusal.error.position.value == 7 ? refusal.error.arguments.at(2) : "another line";
   }
@@ -158,6 +164,36 @@ class NoseCompensationTest : public QObject {
     QVERIFY(std::abs(corner) < 2.0 * kNose);
     QVERIFY(std::abs(std::abs(corner - before) - (10.0 - first * kNose)) < 1e-9);
     QVERIFY(std::abs(std::abs(corner - after) - (10.0 - second * kNose)) < 1e-9);
+  }
+
+  // A line that points away from +z by an angle, then an arc of 2 mm along +z, the nose inside. The corner is convex
+  // and flatter than 0.05 rad, so the arc of the nose, of 1 mm, begins at the end of the line. It grows by 1 mm times
+  // the angle, over its radius of 1 mm. LinuxCNC 2.9 takes 0.0254 rad of that in mm and 0.001 rad in inches (rs274).
+  void nearlyTangentArcs_data() {
+    QTest::addColumn<double>("angle");
+    QTest::addColumn<bool>("isTaken");
+    QTest::addColumn<bool>("isTakenInInches");
+    QTest::newRow("tangent") << 0.0 << true << true;
+    QTest::newRow("0.0009") << 0.0009 << true << true;
+    QTest::newRow("0.002") << 0.002 << true << false;
+    QTest::newRow("0.025") << 0.025 << true << false;
+    QTest::newRow("0.026") << 0.026 << false << false;
+    QTest::newRow("0.049") << 0.049 << false << false;
+  }
+  void nearlyTangentArcs() {
+    QFETCH(double, angle);
+    QFETCH(bool, isTaken);
+    QFETCH(bool, isTakenInInches);
+    const PlanePoint along = std::polar(5.0, angle), corner = PlanePoint(0, 0), centre(0, 2);
+    const std::vector<NoseStep> contour = {noseLine(corner - along), noseLine(corner),
+                                           noseArc(1, centre + PlanePoint(2, 0), centre)};
+    const PlanePoint at = corner - 3.0 * along;
+    QCOMPARE(noseRefusal(1, at, contour).empty(), isTaken);
+    QCOMPARE(noseRefusal(1, at, contour, {ProgramDialect::LinuxCnc, true}).empty(), isTakenInInches);
+    const auto moves = noseMoves(1, at, contour, {0, 0}, {ProgramDialect::Fanuc, false});
+    QCOMPARE(moves.size(), std::size_t{3});
+    QVERIFY(isSameNosePosition(moves[1].to, std::polar(kNose, M_PI_2 + angle)));
+    QVERIFY(isSameNosePosition(moves[2].to, {1, 2}) && isSameNosePosition(moves[2].centre, centre));
   }
 };
 

@@ -50,21 +50,23 @@ class ProgramObstaclesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // The holder of the finishing tool begins 8 mm behind its tip: a plunge may be as deep, and no deeper.
+  // A plunge makes room as wide as the insert, whose trailing edge goes from (0.15, 0.72) beyond the tip 0.781 mm along
+  // for each mm outward. The side of the holder, from (8, 4.5) to (20, 23), leaves that room 11.07 mm behind the tip.
   void theHolderMeetsTheWork() {
     const BodyTrial trial(40.0, "right-finishing");
-    QVERIFY(trial.run("G0 X44 Z-50\nG1 X24.2 F60\nG0 X44").empty());  // 7.9 mm deep
-    QVERIFY(isContact(trial.run("G0 X44 Z-50\nG1 X23.6 F60\nG0 X44"), LathePart::Holder, LathePart::Work, 4));
+    QVERIFY(trial.run("G0 X44 Z-50\nG1 X18.4 F60\nG0 X44").empty());  // 10.8 mm deep
+    QVERIFY(isContact(trial.run("G0 X44 Z-50\nG1 X17.2 F60\nG0 X44"), LathePart::Holder, LathePart::Work, 4));
     BodyTrial bare(40.0, "right-finishing");
     bare.setup.tools[1].body = nullptr;
-    QVERIFY(bare.run("G0 X44 Z-50\nG1 X23.6 F60\nG0 X44").empty());
+    QVERIFY(bare.run("G0 X44 Z-50\nG1 X17.2 F60\nG0 X44").empty());
   }
 
-  // Turning along the bar the holder follows where the nose has made room; back again it would come first.
+  // Turning along the bar the holder follows where the insert has made room. A plunge as deep makes room for the
+  // insert only, which ends 13 mm beyond its tip: the holder has a corner 8 mm out and 15 mm beyond it.
   void theHolderFollowsTheNose() {
-    const BodyTrial trial(40.0, "right-roughing");                  // its holder begins 6 mm behind the tip
-    QVERIFY(trial.run("G0 X26 Z2\nG1 Z-60 F120\nG0 X44").empty());  // 7 mm deep
-    const auto back = trial.run("G0 X44 Z-60\nG1 X26 F60\nG1 Z2 F120");
+    const BodyTrial trial(40.0, "right-roughing");
+    QVERIFY(trial.run("G0 X22 Z2\nG1 Z-60 F120\nG0 X44").empty());  // 9 mm deep
+    const auto back = trial.run("G0 X44 Z-60\nG1 X22 F60\nG1 Z2 F120");
     QVERIFY(isContact(back, LathePart::Holder, LathePart::Work, 4));
   }
 
@@ -107,12 +109,14 @@ class ProgramObstaclesTest : public QObject {
       int number = 0;
       for (const auto& tool : shipped()) tools[++number] = programToolOf(tool, dialect);
       tools[99] = {0.8, 2, {1.5, -2.0}};
+      tools[2].isTurnedOver = tools[99].isTurnedOver = true;
       const auto read = readToolTable(toolTableText(tools), shipped(), dialect);
       QVERIFY(read.hasValue() && read->size() == tools.size());
       for (const auto& [name, tool] : tools) {
         const ProgramTool& again = read->at(name);
         QVERIFY(again.body == tool.body && again.noseRadius == tool.noseRadius);
         QVERIFY(again.orientation == tool.orientation && again.offset == tool.offset);
+        QCOMPARE(again.isTurnedOver, tool.isTurnedOver);
       }
       const auto bare = readToolTable("T5 ; boring-12 of mine\nT6 D20 ;drill-20\nT7 ;spoon\n", shipped(), dialect);
       QVERIFY(bare.hasValue() && bare->at(5).body->id == "boring-12" && bare->at(5).noseRadius == 0.4);

@@ -7,11 +7,14 @@
 
 #include <QDirIterator>
 #include <QProcess>
+#include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <complex>
 
 using namespace handwheel;
 
@@ -32,6 +35,8 @@ struct Oracle {
 };
 
 // The tools of all programs here: for rs274 in inches, as it has no machine; for us in mm.
+constexpr int kContours = 100;  // contours with random joints
+
 const char* const kInchTools =
     "T1 P1 D0 X0 Z0 Q2\nT2 P2 D0.03 X0 Z0 Q2\nT3 P3 D0.03 X0 Z0 Q3\nT4 P4 D0 X0 Z0 Q2\nT5 P5 D0.03 X0.1 Z0.2 Q2\n"
     "T6 P6 D0.03 X0 Z0 Q2\nT7 P7 D0.03 X0 Z0 Q6\nT8 P8 D0 X0 Z0 Q2\nT9 P9 D0 X0 Z0 Q7\nT10 P10 D0.03 X0 Z0 Q2\n";
@@ -103,10 +108,22 @@ std::vector<ToolMove> longMoves(const ToolPath& path, double unit) {
   return moves;
 }
 
+ProgramSetup toolsOf(ProgramDialect dialect) {
+  ProgramSetup setup;
+  setup.dialect = dialect;
+  setup.tools = inDialect(readToolTable(kTools).value(), ProgramDialect::LinuxCnc, dialect);
+  return setup;
+}
+
+bool isSamePath(const ToolPath& a, const ToolPath& b) {
+  return std::ranges::equal(longMoves(a, 1.0), longMoves(b, 1.0), [](const ToolMove& p, const ToolMove& q) {
+    return p.turn == q.turn && (p.to - q.to).norm() < 1e-4 && (p.turn == 0 || (p.centre - q.centre).norm() < 1e-4);
+  });
+}
+
 // Returns the difference, or nothing.
 QString difference(const QByteArray& program) {
-  ProgramSetup setup;
-  setup.tools = readToolTable(kTools).value();
+  const ProgramSetup setup = toolsOf(ProgramDialect::LinuxCnc);
   const Result<ToolPath> path = runProgram(std::string_view(program.data(), program.size()), setup);
   const Oracle oracle = askOracle(program);
   if (!path) {
@@ -136,6 +153,80 @@ QByteArray fileContent(const QString& path) {
 const QByteArray kContour =
     "O1 sub\nG0 X4 Z0\nG1 X8 Z-4 A0.3\nZ-8\nX5.5 Z-11\nG2 X5.5 Z-14 R4\nG1 X9 Z-16\nG3 X12 Z-19 R3\nG1 Z-24 C0.4\nX15 "
     "Z-25\nO1 endsub\n";
+
+// A contour of lines and arcs with joints that are nearly tangent, as a program for either dialect. Fanuc's X is a
+// diameter.
+class JointedContour {
+ public:
+  // seed: the number of the contour. isRound: lengths and angles of a drawing, not random ones.
+  JointedContour(int seed, bool isRound) : m_random(seed), m_isRound(isRound) {
+    m_side = m_random.bounded(2) == 0 ? 42 : 41;
+    m_heading = m_isRound ? 90.0 * m_random.bounded(4) * M_PI / 180.0 : m_random.bounded(2.0 * M_PI);
+    m_entry = m_at - std::polar(12.0, m_heading);
+    const int count = 2 + m_random.bounded(5);
+    for (int i = 0; i < count; ++i) {
+      if (i > 0) m_heading += joint();
+      m_random.bounded(5) < 3 ? addLine() : addArc();
+    }
+  }
+
+  QByteArray linuxCnc(const QByteArray& units = "G21") const {
+    return "G18 G8 " + units + " F100 S200 M3\nT2 M6 G43\nG0" + words(m_entry, 1.0) + "\nG" + number(m_side) + " G1" +
+           text(1.0) + "G40 G1" + words(m_at + std::polar(5.0, m_heading), 1.0) + "\nM2\n";
+  }
+  QByteArray fanuc() const {
+    return "G98 F100 G97 S200 M3\nT0202\nG0" + words(m_entry, 2.0) + "\nG" + number(m_side) + " G1" + text(2.0) +
+           "G40 G1" + words(m_at + std::polar(5.0, m_heading), 2.0) + "\nM30\n";
+  }
+
+ private:
+  struct Move {
+    int turn = 0;
+    PlanePoint to, centre;  // centre: from the start of the arc
+  };
+
+  static QByteArray number(double value) { return QByteArray::number(value, 'f', value == std::round(value) ? 0 : 5); }
+  static QByteArray words(const PlanePoint& p, double scale) {
+    return " X" + number(scale * p.imag()) + " Z" + number(p.real());
+  }
+  QByteArray text(double scale) const {
+    QByteArray all = words(m_begin, scale) + "\n";
+    for (const Move& move : m_moves) {
+      all += move.turn == 0 ? "G1" : move.turn > 0 ? "G3" : "G2";
+      all += words(move.to, scale);
+      if (move.turn != 0) all += " I" + number(move.centre.imag()) + " K" + number(move.centre.real());
+      all += "\n";
+    }
+    return all;
+  }
+
+  double joint() {
+    constexpr double kJoints[] = {0.0, 0.002, 0.0095, 0.02, 0.049, 0.051, 0.7};
+    const double angle = m_random.bounded(3) == 0 ? m_random.bounded(0.1) : kJoints[m_random.bounded(7)];
+    return m_random.bounded(2) == 0 ? angle : -angle;
+  }
+  double length() { return m_isRound ? 0.5 * (2 + m_random.bounded(12)) : 0.2 + m_random.bounded(6.0); }
+  void addLine() {
+    m_at += std::polar(length(), m_heading);
+    m_moves.push_back({0, m_at, {}});
+  }
+  void addArc() {
+    const int turn = m_random.bounded(2) == 0 ? 1 : -1;
+    const double radius = 0.4 + length();
+    const double sweep = m_isRound ? M_PI_2 * (1 + m_random.bounded(2)) : 0.05 + m_random.bounded(3.0);
+    const PlanePoint centre = std::polar(radius, m_heading + turn * M_PI_2);
+    m_at += centre - centre * std::polar(1.0, turn * sweep);
+    m_heading += turn * sweep;
+    m_moves.push_back({turn, m_at, centre});
+  }
+
+  QRandomGenerator m_random;
+  bool m_isRound;
+  int m_side = 0;
+  double m_heading = 0.0;
+  PlanePoint m_begin{-50.0, 100.0}, m_at = m_begin, m_entry;
+  std::vector<Move> m_moves;
+};
 
 }  // namespace
 
@@ -191,6 +282,17 @@ class ProgramOracleTest : public QObject {
                "I0.8 R0.3\n";
     QTest::newRow("finishing") << begin + kContour + "G0 X20 Z5\nG70 Q1 X16 Z2 D0.6 E0.1 P3\nG0 X30\n";
     QTest::newRow("diameter roughing") << "G18 G21 G7 F100\n" + kContour + "G0 X40 Z5\nG71 Q1 X34 Z2 D0.3 I1 R0.4\n";
+    // In the contour of a cycle the position is that of the contour, before and after it that of the tool.
+    QTest::newRow("contour by its position") << QByteArray(
+        "G18 G21 G8 G90 G94 F100 S500 M3\no5 sub\nG0 X5 Z0\nG1 Z[#<_z>-6]\nG1 X[#<_x>+4]\nG1 Z[#<_z>-6]\nG1 "
+        "X[#<_x>+4]\no5 endsub\nG0 X18 Z3\nG71 Q5 X16 Z1 D0.2 I1 R0.4\n");
+    QTest::newRow("contour by its position, diameters") << QByteArray(
+        "G18 G21 G7 F100\nT5 M6 G43\nG10 L2 P1 X3 Z-2\no5 sub\nG0 X[#5420*2-22] Z[#5422-1+#5421+#<_y>]\nG1 "
+        "Z[#<_z>-6]\nX[2*#<_x>+8] Z[#5422-3]\nG3 X[2*#<_x>+4] Z[#<_z>-2] R2\no5 endsub\nG0 X36 Z3\nG71 Q5 X32 "
+        "Z1 D0.2 I1 R0.4\nG0 X[2*#<_x>+4] Z[#5422+5]\nG70 Q5 X32 Z1\nG0 X[2*#5420+4] Z[#<_z>+5]\n");
+    QTest::newRow("face by its position, inches") << QByteArray(
+        "G18 G20 G8 F5\nG92 X1 Z1\no5 sub\nG0 Z-.5 X[#<_x>]\nG1 X[#5420-.2]\nZ[#<_z>+.2]\nX[#<_x>-.2] "
+        "Z[#5422+.1]\no5 endsub\nG0 X.8 Z.1\nG72 Q5 X.7 Z.05 D0.01 I.04 R.02\nG0 X[#<_x>+.1]\n");
     QTest::newRow("compensation")
         << begin +
                "T2 M6 G43\nG0 X20 Z10\nG42 G0 X8 Z3\nG1 Z-2\nX10 Z-4\nZ-8\nG2 X12 Z-10 R2\nG1 "
@@ -200,6 +302,9 @@ class ProgramOracleTest : public QObject {
                                  "Z-2\nG40 G0 Z20\n";
     QTest::newRow("thread") << begin + "G0 X20 Z5\nG76 P1.5 Z-20 I-1 J0.2 K0.92 R2 Q29.5 H2 E1 L3\n";
     QTest::newRow("inside thread") << begin + "G7\nG0 X20 Z5\nG76 P1 Z-20 I2 J0.2 K1 R1.4 Q15\n";
+    QTest::newRow("comment before another") << begin + "G1 X5 (abort, not the last one)(of this line)\nG1 X9\n";
+    QTest::newRow("comment behind a semicolon")
+        << begin + "G1 X5 ; (abort, no)\no1 if [0]\n(abort, no)\no1 endif\nG1 X9\n";
     QTest::newRow("loops") << begin +
                                   "o<r> sub\n#1=[#1+0]\no1 repeat [3]\nG0 X#1\n#1=[#1-1]\no2 if [#1 lt 18.5]\nG1 "
                                   "Z[-#1]\no2 else\nG1 Z#2\no2 endif\no1 endrepeat\no<r> endsub\no<r> call [20] [-4]\n";
@@ -208,6 +313,24 @@ class ProgramOracleTest : public QObject {
     QFETCH(QByteArray, program);
     const QString problem = difference(program + "M2\n");
     QVERIFY2(problem.isEmpty(), qPrintable(problem));
+  }
+
+  // Contours with joints from tangent to 0.1 rad, some sharp, convex and concave. Where the nose does not fit for
+  // rs274, it does not for us. A Fanuc takes the same path, as these entries are square to the contour, too.
+  void nearlyTangentJoints() {
+    std::size_t accepted = 0;
+    for (int seed = 0; seed < kContours; ++seed) {
+      const JointedContour contour(seed, seed % 2 == 0);
+      const QByteArray program = contour.linuxCnc(seed % 5 == 0 ? "G20" : "G21");
+      const QString problem = difference(program);
+      QVERIFY2(problem.isEmpty(), qPrintable(problem + "\n" + program));
+      const auto path = runProgram(contour.linuxCnc("G21").toStdString(), toolsOf(ProgramDialect::LinuxCnc));
+      const auto fanuc = runProgram(contour.fanuc().toStdString(), toolsOf(ProgramDialect::Fanuc));
+      if (!path) continue;
+      ++accepted;
+      QVERIFY2(fanuc && isSamePath(*path, *fanuc), contour.fanuc().constData());
+    }
+    QVERIFY(accepted > kContours * 9 / 10);
   }
 
   // Written programs of recorded passes, of bores, too.
@@ -230,11 +353,13 @@ class ProgramOracleTest : public QObject {
         << QByteArray("#1=0\no1 while [#1 lt 2]\n#1=[#1+1]\no1 endwhile G0 X3\nM2\n");
     QTest::newRow("backwards contour") << QByteArray(
         "G18 F9\nO1 sub\nG0 X5\nG1 Z-5\nX7 Z-2\nX9\nO1 endsub\nG71 Q1 X10 Z2\nM2\n");
+    QTest::newRow("abort") << QByteArray("G18 F9\nG1 X5\n(Abort, too large)\nG1 X9\nM2\n");
+    QTest::newRow("abort behind words") << QByteArray("G18 F9\nG1 X5 (first) ( abort,too large)\nG1 X9\nM2\n");
   }
   void bothRefuse() {
     QFETCH(QByteArray, program);
     QVERIFY(askOracle(program).isRefused);
-    QVERIFY(!runProgram(program.toStdString(), {.tools = readToolTable(kTools).value(), .standard = {}}));
+    QVERIFY(!runProgram(program.toStdString(), toolsOf(ProgramDialect::LinuxCnc)));
   }
 
   void realPrograms_data() {

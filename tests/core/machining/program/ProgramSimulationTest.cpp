@@ -3,6 +3,7 @@
 #include "machining/program/ProgramSimulation.h"
 
 #include "TestClass.h"
+#include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramInterpreter.h"
 
@@ -47,6 +48,26 @@ Simulated simulate(const std::string& text, double nose = 0.0) {
   return simulate(text, setup, TurnedProfile(kSimulatedBar, kFineSpacing));
 }
 
+std::unique_ptr<KienzleModel> kienzleOfSteel() {
+  return kienzleModel(WorkMaterials::standard().called("medium-carbon-steel"), {});
+}
+
+// Returns the peaks of a program with a nose of 0.8 mm. Tools 2 and 3 are drills of 20 and 10 mm, as bodies or noses.
+ForcePeaks peaksOf(const std::string& text, bool hasBody = false) {
+  ProgramSetup setup;
+  setup.standard = {0.8, outsideOrientation(setup.dialect), {0, 0}};
+  setup.reference = {120.0, 100.0};
+  const LatheTools tools = shippedLatheTools();
+  for (const auto& [number, id] : {std::pair(2, "drill-20"), std::pair(3, "drill-10")}) {
+    setup.tools[number] = programToolOf(toolNamed(tools, id), setup.dialect);
+    if (!hasBody) setup.tools[number].body = nullptr;
+  }
+  const ToolPath path = runProgram(text, setup).value();
+  const auto law = kienzleOfSteel();
+  ProgramSimulation simulation(TurnedProfile(kSimulatedBar, kFineSpacing), path, setup, law.get());
+  return simulation.run({}) ? simulation.peaks() : ForcePeaks();
+}
+
 double removedBy(const Simulated& simulated) {
   return kSimulatedBar.volume() - simulated.part.volume();
 }
@@ -80,7 +101,7 @@ class ProgramSimulationTest : public QObject {
       add("stopped", begin + "G0 X44 Z2\nX36\nM5\nG1 Z-20\n", atRest);
       add("plunge at rest", still + "G0 X44 Z-20\nG1 X30\n", atRest);
       add("without speed", "G21 G18 G7\nF100 M3\nG0 X44 Z2\nX36\nG1 Z-20\n", atRest);
-      add("reversed", begin + "M4\nG0 X44 Z2\nX36\nG1 Z-20\n", int(CollisionKind::SpindleReversed));
+      add("reversed", begin + "M4\nG0 X44 Z2\nX36\nG1 Z-20\n", -1);
       add("at rest in the air", still + "G0 X44 Z2\nG1 Z-20\n", -1);
       // Out of a thread, but not on through the part.
       const QString thread = begin + "G0 X44 Z5\nX38.5\nG33 Z-20 K1.5\n";
@@ -255,6 +276,135 @@ class ProgramSimulationTest : public QObject {
     QVERIFY(std::abs(one[0].path.back().y() - 70.0) < 1e-9 && std::abs(one[0].thread->pitch - 1.5) < 1e-9);
     QVERIFY(std::abs(one[0].times.back() - 35.0 / 1.5 / 500.0 * 60.0) < 1e-6);
     QCOMPARE(threadsOf(simulate(begin + "G33 Z-30 K2\nG0 X44\n")).size(), std::size_t{2});
+  }
+
+  // The control holds the speed at the tip, 18 mm over the axis: 150000 / (36 pi) r/min. A cut of 2 mm at 0.2 mm needs
+  // the same force, power and torque at that spindle speed without G96, and all its pieces have the feed of the
+  // program.
+  void surfaceSpeedIsThatOfTheTip() {
+    const std::string speed = std::to_string(150000.0 / (36.0 * M_PI));
+    const auto held = peaksOf("G7 G95 F0.2 G96 S150 D3000 M3\nG0 X36 Z3\nG1 Z-30\nG0 X50\nM2\n");
+    const auto fixed = peaksOf("G7 G95 F0.2 G97 S" + speed + " M3\nG0 X36 Z3\nG1 Z-30\nG0 X50\nM2\n");
+    for (const ForcePeaks& peaks : {held, fixed}) {
+      const CutForces forces = kienzleOfSteel()->at({2.0, 0.2, 150.0});
+      QVERIFY(std::abs(peaks.force / forces.norm() - 1.0) < 2e-3 && std::abs(peaks.cut.feed - 0.2) < 1e-9);
+      QVERIFY(std::abs(peaks.cut.speed - 150.0) < 1e-3);
+      QVERIFY(std::abs(peaks.power / (forces.cutting * 150.0 / 60000.0) - 1.0) < 2e-3);
+      QVERIFY(std::abs(peaks.torque / (forces.cutting * 0.018) - 1.0) < 2e-3);
+    }
+    // A face, whose speed changes all along.
+    const Simulated face = simulate("G7 G95 F0.2 G96 S150 D6000 M3\nG0 X44 Z-0.5\nG1 X-1.6\nG0 Z3\nM2\n", 0.8);
+    for (const TurningPass& pass : face.passes)
+      for (std::size_t i = 1; i < pass.path.size(); ++i) {
+        const double turns = (pass.times[i] - pass.times[i - 1]) * pass.speeds[i] / 60.0;
+        QVERIFY(std::abs((pass.path[i] - pass.path[i - 1]).norm() / turns - 0.2) < 1e-9);
+      }
+    QVERIFY(!face.passes.empty());
+  }
+
+  // The same drill as in ForceLawsTest, 30 mm deep: 25.752 N·m, 1.3484 kW and 2207.4 N, of which the nose of a tool or
+  // the body of a drill makes no difference. In a hole of 10 mm three quarters of the torque remain.
+  void aDrillHasTheForcesOfADrill() {
+    const std::string drill = "G7 G95 F0.2 G97 S500 M3\nT2 M6 M3\nG0 X0 Z3\nG1 Z-30\nG0 Z5\n";
+    const auto check = [](const ForcePeaks& peaks, double share) {
+      const DrillPeaks& drilling = peaks.drilling;
+      return drilling.diameter == 20.0 && std::abs(drilling.torque / (share * 25.752) - 1.0) < 0.02 &&
+             std::abs(drilling.power / (share * 1.3484) - 1.0) < 0.02 && drilling.power == peaks.power &&
+             drilling.torque == peaks.torque && drilling.thrust == peaks.force;
+    };
+    for (const bool hasBody : {false, true}) {
+      const ForcePeaks peaks = peaksOf(drill + "M2\n", hasBody);
+      QVERIFY2(check(peaks, 1.0), qPrintable(QString::number(peaks.drilling.torque)));
+      QVERIFY(std::abs(peaks.drilling.thrust / 2207.4 - 1.0) < 0.02);
+      const std::string small = "G7 G95 F0.2 G97 S500 M3\nT3 M6 M3\nG0 X0 Z3\nG1 Z-40\nG0 Z5\n";
+      const ForcePeaks pilot = peaksOf(small + "M2\n", hasBody), both = peaksOf(small + drill + "M2\n", hasBody);
+      QVERIFY(pilot.drilling.diameter == 10.0 && pilot.drilling.torque < 0.3 * 25.752);
+      QVERIFY2(check(both, 0.75), qPrintable(QString::number(both.drilling.torque)));
+    }
+    QCOMPARE(peaksOf("G7 G95 F0.2 G97 S500 M3\nG0 X36 Z3\nG1 Z-30\nM2\n").drilling.diameter, 0.0);
+  }
+
+  // M3 is clockwise, seen from the spindle: the work comes down in front of the axis and up behind it, so an insert
+  // that faces up cuts in front with M3 and behind with M4. A tool beyond the axis stands on the other side. A twist
+  // drill cuts clockwise.
+  void theSpindleTurnsToTheEdge_data() {
+    QTest::addColumn<bool>("isInFront");
+    QTest::addColumn<bool>("isInsertUp");
+    QTest::addColumn<bool>("isM3");
+    QTest::newRow("in front, up") << true << true << true;
+    QTest::newRow("in front, down") << true << false << false;
+    QTest::newRow("behind, up") << false << true << false;
+    QTest::newRow("behind, down") << false << false << true;
+  }
+  void theSpindleTurnsToTheEdge() {
+    QFETCH(bool, isInFront);
+    QFETCH(bool, isInsertUp);
+    QFETCH(bool, isM3);
+    ProgramSetup setup;
+    setup.reference = {120.0, 100.0};
+    setup.standard = {0.4, outsideOrientation(setup.dialect), {0, 0}};
+    setup.post = {isInFront, isInsertUp};
+    setup.tools[2] = {5.0, 7, {0, 0}};
+    setup.tools[3] = setup.standard;
+    setup.tools[3].isTurnedOver = true;
+    const auto notesOf = [&](const std::string& cuts, bool withM3) {
+      const std::string text = std::string("G7 F100 S500 ") + (withM3 ? "M3\n" : "M4\n") + cuts + "M2\n";
+      const Simulated simulated = simulate(text, setup, TurnedProfile(kSimulatedBar, kFineSpacing));
+      if (!simulated.collisions.empty()) qWarning("collision in line %d", int(simulated.collisions.front().line));
+      return simulated.collisions.empty() ? simulated.notes : std::vector<ToolPath::Note>(9);
+    };
+    const std::string cut = "G0 X36 Z2\nG1 Z-20\nG0 X44\nZ2\nX34\nG1 Z-20\nX44\nG0 Z2\n";
+    const std::string beyond = "G0 X-32 Z2\nG1 Z-20\nX-44\nG0 Z2\n", drill = "M61 Q2\nG0 X0\nG1 Z-9\nG0 Z2\n";
+    QCOMPARE(notesOf(cut, isM3).size(), std::size_t{0});
+    const auto notes = notesOf(cut, !isM3);
+    QCOMPARE(notes.size(), std::size_t{1});  // one, at the first feed
+    QCOMPARE(notes.front().line, std::uint32_t{3});
+    QVERIFY(notes.front().text.find(isM3 ? "cuts with M3" : "cuts with M4") != std::string::npos);
+    QVERIFY(notes.front().text.find(isInFront ? "in front of the axis" : "behind the axis") != std::string::npos);
+    QCOMPARE(notesOf(beyond, !isM3).size(), std::size_t{0});
+    QCOMPARE(notesOf(beyond, isM3).size(), std::size_t{1});
+    QCOMPARE(notesOf("M61 Q3\n" + cut, !isM3).size(), std::size_t{0});
+    QCOMPARE(notesOf("M61 Q3\n" + cut, isM3).size(), std::size_t{1});
+    QCOMPARE(notesOf(drill, true).size(), std::size_t{0});
+    QCOMPARE(notesOf(drill, false).size(), std::size_t{1});
+  }
+
+  // A tool at negative X is the mirror image of one at positive X: cylinders, arcs, faces and the fillet of the nose.
+  void beyondTheAxis_data() {
+    QTest::addColumn<QString>("program");
+    QTest::newRow("cylinder") << "G0 X~30 Z2\nG1 Z-10\nX~44\nG0 Z2\n";
+    QTest::newRow("arc") << "G0 X~20 Z2\nG1 Z0\n@ X~40 Z-10 R10\nG1 X~44\nG0 Z2\n";
+    QTest::newRow("face") << "G0 X~44 Z-1\nG1 X0\nG0 Z2\n";
+    QTest::newRow("groove") << "G0 X~44 Z-20\nG1 X~30\nZ-22\nG0 X~44\n";
+    QTest::newRow("thread") << "G0 X~44 Z5\nX~38\nG33 Z-20 K1.5\nG0 X~44\n";
+    QTest::newRow("rapid") << "G0 X~44 Z-20\nG0 X~30 Z-22\n";
+  }
+  void beyondTheAxis() {
+    QFETCH(QString, program);
+    // The orientations 2 and 3 of LinuxCNC point to the chuck, inwards and outwards.
+    for (const double nose : {0.0, 0.4}) {
+      ProgramSetup setup;
+      setup.reference = {120.0, 100.0};
+      setup.standard = {nose, 2, {0, 0}};
+      setup.tools[3] = {nose, 3, {0, 0}};
+      const auto part = [&](const char* sign, const char* arc, const char* tool) {
+        const QString text = "G7 F100 S500 M3\n" + QString(tool) + "G0 X" + sign + "80 Z5\n" +
+                             QString(program).replace("~", sign).replace("@", arc) + "M2\n";
+        return simulate(text.toStdString(), setup, TurnedProfile(kSimulatedBar, kFineSpacing));
+      };
+      const Simulated usual = part("", "G3", ""), same = part("-", "G2", ""), mirror = part("-", "G2", "M61 Q3\n");
+      QVERIFY(usual.isRun && !usual.passes.empty());
+      QVERIFY(same.part == usual.part && mirror.part == usual.part);
+      QCOMPARE(same.collisions.size(), usual.collisions.size());
+      QCOMPARE(same.passes.size(), usual.passes.size());
+    }
+  }
+
+  // A face that goes over the axis by its nose is not a tool beyond it, and takes the middle away.
+  void overTheAxis() {
+    const Simulated face = simulate("G7 F100 S500 M3\nG0 X44 Z-1\nG1 X-1.6\nG0 Z5\nX44\n", 0.8);
+    QVERIFY(face.isRun && face.collisions.empty());
+    QVERIFY(face.notes.empty());
   }
 
   void timesOfAPassBeginWithIt() {

@@ -5,6 +5,7 @@
 #include "machining/program/ProgramErrors.h"
 #include "machining/program/ProgramInterpreter.h"
 
+#include <QDebug>
 #include <cmath>
 
 namespace handwheel::test {
@@ -15,7 +16,7 @@ struct ProgramTrial {
 
   std::vector<ToolMove> movesOf(const std::string& text) const {
     const Result<ToolPath> path = runProgram(text, setup);
-    if (!path) qWarning("line %d: %s", int(path.error().position.value), path.error().arguments.at(2).c_str());
+    if (!path) qWarning("line %d: %s", int(path.error().position.value), path.error().arguments.back().c_str());
     return path ? path->moves : std::vector<ToolMove>();
   }
   // Returns true if the last move of the program ends at this radius and height, mm.

@@ -14,8 +14,8 @@ using namespace handwheel;
 
 namespace {
 
-Result<ToolPath> run(const std::string& text, ProgramDialect dialect = ProgramDialect::LinuxCnc) {
-  ProgramSetup setup;
+Result<ToolPath> run(const std::string& text, ProgramDialect dialect = ProgramDialect::LinuxCnc,
+                     ProgramSetup setup = {}) {
   setup.dialect = dialect;
   setup.mostBlocks = 20'000;
   setup.mostMoves = 20'000;
@@ -233,9 +233,13 @@ class ProgramWordsTest : public QObject {
         "O1\nT0101\nG50 S2000\nG96 S150 M3\nG0 X40. Z2.\nG71 U1. R.5\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X10.\nG1 Z0 "
         "F.1\nG3 X20. Z-5. R5.\nN20 G1 X40.\nG70 P10 Q20\nG76 P020060 Q100 R.1\nG76 X18. Z-20. P1200 Q400 F2.\nG92 "
         "X19. Z-10. F1.5\nX18.5\n#1=1\nWHILE[#1 LT 3]DO1\n#1=#1+1\nEND1\nM98 P2\nM30\nO2\nG1 U1. W-1. F.1\nM99\n"};
+    const std::string corners =
+        "O3(T)\nG98 F99 S9 M3\n/2 M23\nG0 X40. Z2. /3 X9.\nG71 U2. R.5\nG71 P1 Q2 U.4\nN1 G0 X10. W0\nG1 Z-5. "
+        ",C1.\nX20. ,R2.\nG2 X20. Z-20. R9. ,R1.\nN2 G1 X44.\nG70 P1 Q2\nG1 W-9. I1.\nU9.\n#3001=#5041\nIF[#4001 EQ 0] "
+        "THEN #3000=2(A)\nG92 X19. Z-10. F1.5\nN3 /4 #100=[#3012/2]/3\n#3006=1(B)\nG0 X#2003\n";
     rc::check([&] {
       const bool isFanuc = *rc::gen::arbitrary<bool>();
-      std::string text = seeds[isFanuc ? 1 : 0];
+      std::string text = isFanuc && *rc::gen::arbitrary<bool>() ? corners : seeds[isFanuc ? 1 : 0];
       const int changes = *rc::gen::inRange(1, 6);
       for (int i = 0; i < changes; ++i) {
         const auto at = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(text.size())));
@@ -251,7 +255,10 @@ class ProgramWordsTest : public QObject {
             break;
         }
       }
-      const Result<ToolPath> path = run(text, isFanuc ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc);
+      ProgramSetup setup;
+      setup.skips = *rc::gen::arbitrary<std::uint16_t>();
+      setup.hasIncrements = *rc::gen::arbitrary<bool>();
+      const Result<ToolPath> path = run(text, isFanuc ? ProgramDialect::Fanuc : ProgramDialect::LinuxCnc, setup);
       if (!path) return;
       RC_ASSERT(std::isfinite(path->time) && path->time >= 0.0);
       for (const ToolMove& move : path->moves) RC_ASSERT(move.to.allFinite() && move.from.allFinite());

@@ -45,7 +45,7 @@ class ProgramWriterTest : public QObject {
     const TurnedProfile bar(kBushBar, 0.05);
     TurnedProfile expected = bar;
     for (const TurningPass& pass : passes) {
-      QVERIFY(isProgrammable(pass));
+      QVERIFY(!refusalToProgram(pass));
       cut(expected, pass);
     }
     const ProgramSetup setup = bushSetup(passes, dialect);

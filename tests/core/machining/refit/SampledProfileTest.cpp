@@ -165,27 +165,6 @@ class SampledProfileTest : public QObject {
     QVERIFY(std::abs(shaft->volume() - M_PI * (25.0 * 20.0 + 10.0 / 3.0 * (25.0 + 15.0 + 9.0))) < 1e-9);
   }
 
-  // ⌀20 from Z 30 on, parted off from a bar of ⌀40: the end piece alone, and a part in one piece as a whole.
-  void theEndPiece() {
-    TurnedProfile part(StockCylinder{40.0, 100.0, 0.0}, 0.02);
-    for (std::size_t i = 0; i < part.size(); ++i)
-      if (part.z(i) > 30.01) part.limitOuter(i, 10.0);
-    const auto whole = sectionOfEndPiece(part, 1e-3);
-    QVERIFY(whole.hasValue() && std::abs(whole->lowerEnd()) < 1e-9);
-    for (std::size_t i = 0; i < part.size(); ++i)
-      if (part.z(i) > 28.01 && part.z(i) < 29.99) part.limitOuter(i, 0.0);
-    for (std::size_t i = 0; i < part.size(); ++i)
-      if (part.z(i) > 29.99 && part.z(i) < 30.01) part.limitOuter(i, 10.0);
-    QCOMPARE(part.pieces(), std::size_t{2});
-    const auto end = sectionOfEndPiece(part, 1e-3);
-    QVERIFY(end.hasValue());
-    QVERIFY(std::abs(end->lowerEnd() - 30.0) < 1e-9 && std::abs(end->upperEnd() - 100.0) < 1e-9);
-    QVERIFY(std::abs(end->largestRadius() - 10.0) < 1e-9);
-    QVERIFY(std::abs(end->volume() - M_PI * 100.0 * 70.0) < 1e-6);
-    // Nothing at all has no section.
-    QVERIFY(!sectionOfEndPiece(TurnedProfile::fromRadii({0, 0, 0}, 4.0), 1e-3).hasValue());
-  }
-
   void partedMaterialIsRefused() {
     QVERIFY(!sectionOf(TurnedProfile::fromRadii({5, 5, 0, 5, 5}, 4.0), 1e-3).hasValue());
     QVERIFY(!sectionOf(TurnedProfile::fromRadii({0, 0, 0}, 4.0), 1e-3).hasValue());

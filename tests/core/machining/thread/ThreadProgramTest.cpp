@@ -95,6 +95,63 @@ class ThreadProgramTest : public QObject {
     }
   }
 
+  // Threads in a bore, threads of several starts and left-hand threads are the same again: each groove where it was.
+  void othersWrittenAsPrograms_data() {
+    QTest::addColumn<bool>("isBore");
+    QTest::addColumn<int>("starts");
+    QTest::addColumn<bool>("isLeft");
+    QTest::newRow("inner") << true << 1 << false;
+    QTest::newRow("inner, left-hand") << true << 1 << true;
+    QTest::newRow("inner, two starts") << true << 2 << false;
+    QTest::newRow("outer, three starts") << false << 3 << false;
+    QTest::newRow("outer, two starts, left-hand") << false << 2 << true;
+  }
+  void othersWrittenAsPrograms() {
+    QFETCH(bool, isBore);
+    QFETCH(int, starts);
+    QFETCH(bool, isLeft);
+    constexpr double kHole = 6.0;
+    TurnedProfile part(kThreadedBar, 0.02);
+    if (isBore) part.cutBore({kHole - 1.0, 70.0}, {kHole - 1.0, -5.0}, 1.0);
+    // Left-hand threads begin in a relief.
+    if (isBore)
+      part.cutBore({6.2, 22.0}, {6.2, 16.0}, 1.0);
+    else
+      part.cut({9.9, 22.0}, {9.9, 16.0}, 1.0);
+    TurningPass pass;
+    pass.noseRadius = 0.1;
+    pass.side = isBore ? TurningSide::Bore : TurningSide::Outside;
+    const double centre = isBore ? kHole + 0.7 : 9.3;  // 0.8 mm deep
+    pass.path = {{centre, 65.0}, {centre, 20.0}};
+    pass.times = {0.0, 10.0};
+    pass.thread = ThreadCut();
+    pass.thread->pitch = 1.5;
+    pass.thread->starts = starts;
+    pass.thread->isLeft = isLeft;
+    pass.thread->offset = 0.4;
+    QVERIFY(!refusalToProgram(pass));
+    const auto before = threadsIn({pass});
+    for (const ProgramDialect dialect : {ProgramDialect::LinuxCnc, ProgramDialect::Fanuc}) {
+      ProgramSetup setup = usualSetup(dialect, kThreadedBar, 10.0, 0.0);
+      for (const PassTool& tool : toolsOf({&pass, 1}))
+        setup.tools[tool.number] = {tool.noseRadius, tool.orientationIn(dialect), {0, 0}, tool.tool};
+      const std::string text = programText(movesOf({&pass, 1}, kThreadedBar, 60.0, {}), dialect, "thread");
+      const auto path = runProgram(text, setup);
+      QVERIFY2(bool(path), text.c_str());
+      ProgramSimulation simulation(part, *path, setup);
+      QVERIFY(simulation.run({}));
+      QVERIFY2(simulation.collisionCount() == 0 && simulation.part() == part, text.c_str());
+      const auto again = threadsIn(simulation.takePasses());
+      QVERIFY2(again, text.c_str());
+      const double surface = isBore ? kHole : 10.0, beyond = isBore ? 10.0 : 0.0;
+      for (double z = 25.0; z < 55.0; z += 0.37) {
+        const double was = before->radius(pass.side, surface, beyond, z, 1.0);
+        const double is = again->radius(pass.side, surface, beyond, z, 1.0);
+        QVERIFY2(std::abs(was - is) < 1e-3, qPrintable(QString("%1: %2 %3").arg(z).arg(was).arg(is)));
+      }
+    }
+  }
+
   // Kienzle's law, Fc = kc1.1 b h^(1 - mc), for the chip of a pass: a sharp tool with flanks of 30° that was fed from
   // the depth t0 straight in to t cuts on b = 2 t / cos 30° and takes (t² - t0²) tan 30°.
   void theChipOfAThread_data() {

@@ -136,6 +136,7 @@ class ManualLatheHandTest : public QObject {
     QCOMPARE(handAt(lathe, Kind::Press, 26.0, 101.0), ToolReply::Used);
     QVERIFY(lathe.tool->isLive());
     QCOMPARE(mouseAt(lathe, Kind::Press, 60.0, 80.0), ToolReply::Ignored);  // one hand at a time
+    tickOfHand(lathe, 26.0, 101.0, true);
     tickOfHand(lathe, 23.0, 101.0, true);
     QVERIFY(comesTo(lathe, {23.0, 101.0}));
     tickOfHand(lathe, 23.0, 96.0, true);
@@ -153,6 +154,7 @@ class ManualLatheHandTest : public QObject {
     HandLathe lathe;
     tickOfHand(lathe, 45.0, 120.0, false);
     QCOMPARE(handAt(lathe, Kind::Press, 45.0, 120.0), ToolReply::Used);
+    tickOfHand(lathe, 45.0, 120.0, true);
     tickOfHand(lathe, 40.0, 130.0, true);
     QVERIFY(comesTo(lathe, {40.0, 130.0}));
     tickOfHand(lathe, 40.0, 130.0, false);
@@ -160,6 +162,33 @@ class ManualLatheHandTest : public QObject {
     QVERIFY(comesTo(lathe, {40.0, 130.0}));
     QVERIFY(!lathe.tool->isLive());
     QCOMPARE(lathe.document.history()->count(), 0);
+  }
+
+  // The button is pressed on the far side of the bar, 70 mm from the tool: this stays where it is, and follows the hand
+  // by as much as it moves. It is not drawn through the bar to the hand.
+  void aDeviceTakesTheToolWhereItIs() {
+    HandLathe lathe;
+    QVERIFY(lathe.spin() && lathe.wind(LatheAxis::Carriage, 60.0) && lathe.wind(LatheAxis::Cross, 26.0));
+    const ProfilePoint from = lathe.tool->moment()->tip;
+    tickOfHand(lathe, -30.0, 20.0, false);
+    QCOMPARE(handAt(lathe, Kind::Press, -30.0, 20.0), ToolReply::Used);
+    tickOfHand(lathe, -30.0, 20.0, true);
+    QVERIFY(QTest::qWaitFor([&] { return lathe.tool->channel()->patch.read().gesture != 0; }));
+    QVERIFY((lathe.tool->moment()->tip - from).norm() < 1e-9);
+    tickOfHand(lathe, -31.5, 22.0, true);
+    QVERIFY(comesTo(lathe, from + ProfilePoint(-1.5, 2.0)));
+    tickOfHand(lathe, -31.5, 22.0, false);
+    QCOMPARE(handAt(lathe, Kind::Release, -31.5, 22.0), ToolReply::Used);
+    QVERIFY(lathe.tool->collisions().empty());
+    // The next press begins anew, from anywhere.
+    const ProfilePoint there = lathe.tool->moment()->tip;
+    tickOfHand(lathe, 80.0, 150.0, false);
+    QCOMPARE(handAt(lathe, Kind::Press, 80.0, 150.0), ToolReply::Used);
+    tickOfHand(lathe, 80.0, 150.0, true);
+    tickOfHand(lathe, 85.0, 150.0, true);
+    QVERIFY(comesTo(lathe, there + ProfilePoint(5.0, 0.0)));
+    tickOfHand(lathe, 85.0, 150.0, false);
+    QCOMPARE(handAt(lathe, Kind::Release, 85.0, 150.0), ToolReply::Used);
   }
 
   // A turner who has measured ⌀49.5 enters it where the tool touches: from there on the read-out shows diameters, and Z

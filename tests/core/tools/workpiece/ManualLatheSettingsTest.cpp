@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -52,6 +53,32 @@ class ManualLatheSettingsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // In work on an exercise the machine is the teacher's: its motor, its jaws, its wear. How the student reads it, and
+  // sets its slides, is free. A drill may be mounted only if it is one of the tools of the exercise.
+  void theMachineOfAnExercise() {
+    HandLathe lathe;
+    const auto nothing = std::make_shared<const nlohmann::json>(nlohmann::json::object());
+    lathe.document.assign(AssignedExercise{nothing, nothing}, false);
+    const LatheSetup before = lathe.tool->setup();
+    for (const char* const id : {"power", "torque", "wear", "backlash", "grip"}) lathe.runner.setSetting(id, 0.7);
+    lathe.runner.setSetting("grips_inside", true);
+    QVERIFY(lathe.tool->setup() == before);
+    int fixed = 0;
+    for (const Property& property : lathe.tool->settings()) fixed += property.editable ? 0 : 1;
+    QCOMPARE(fixed, 6);
+    lathe.runner.setSetting("compound_angle", 5.0);
+    QCOMPARE(lathe.tool->setup().compoundAngle, 5.0);
+    LatheSetup few = lathe.tool->setup();
+    few.allowed = {"right-roughing"};
+    QVERIFY(lathe.tool->setUp(few, "Set up"));
+    lathe.runner.setSetting("fitting", 2.0);
+    QVERIFY(lathe.tool->setup().tailstock.fitting == LatheFitting::None);
+    few.allowed.push_back("drill-6");
+    QVERIFY(lathe.tool->setUp(few, "Set up"));
+    lathe.runner.setSetting("fitting", 2.0);
+    QCOMPARE(lathe.tool->setup().tailstock.drill, std::string("drill-6"));
+  }
+
   void numbersAreBroughtIntoTheirLimits() {
     for (const LatheSettingRow& row : numbersOfTheLathe()) {
       HandLathe lathe;

@@ -125,6 +125,8 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(lathe.tool->touchGap(true) < ManualLatheTool::kTouching);
     QVERIFY(lathe.wind(LatheAxis::Carriage, 110.0));  // away along the bed, to measure
     QVERIFY(lathe.tool->touchGap(true) < ManualLatheTool::kTouching);
+    // The size to be entered is that of the cut, not of the bar: ⌀46, and a little more as the work bends.
+    QVERIFY(std::abs(*lathe.tool->touchedSize() - 46.0) < 0.04);
     QVERIFY(lathe.tool->touchGap(false) > 5.0);
     QVERIFY(lathe.wind(LatheAxis::Cross, 24.0));  // between the two diameters
     QVERIFY(std::abs(lathe.tool->touchGap(true) - 1.0) < 0.03);
@@ -284,7 +286,7 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(std::abs(kept->part->profile.radius(static_cast<std::size_t>(std::lround(97.0 / 0.05))) - 23.0) < 0.02);
     TurnedProfile again(kept->stock, 0.05);
     FinishMeter meter(again, SurfaceFinish(again.size()));
-    cut(again, *kept->part->passes.front(), 0, meter);
+    cut(again, kept->part->passes.front(), 0, meter);
     QVERIFY(again == kept->part->profile && meter.finish() == kept->part->finish);
     // Nothing was committed, and the pass is one step when it ends.
     QVERIFY(!lathe.document.workpiece().part && lathe.document.history()->count() == 0);

@@ -65,7 +65,7 @@ class ThreadOperationTest : public QObject {
   void anOuterMetricThread() {
     const auto pass = threadPass(barToThread(), askedValues({}));
     QVERIFY(pass.hasValue());
-    QVERIFY(pass->side == TurningSide::Outside && !pass->isOfProgram && !pass->tool);
+    QVERIFY(pass->side == TurningSide::Outside && !pass->isOfProgram && pass->isOfCommand && !pass->tool);
     const std::vector<ThreadGroove> grooves = ThreadGroove::of(*pass);
     QCOMPARE(grooves.size(), std::size_t{1});
     QVERIFY(std::abs(2.0 * grooves.front().deepest() - (40.0 - 1.22687 * 1.5)) < 1e-4);

@@ -261,7 +261,7 @@ class TurnToolTest : public QObject {
     QCOMPARE(fixture.document.history()->text(0),
              QStringLiteral("Turning pass 1: −%1 mm³").arg(QLocale().toString(removed, 'f', 0)));
     fixture.pass(0.5, 80.0, 82.0);
-    QCOMPARE(fixture.document.workpiece().part->profile.pieces(), std::size_t{2});
+    QCOMPARE(fixture.document.workpiece().part->profile.pieces().size(), std::size_t{2});
     QVERIFY(fixture.document.history()->text(1).startsWith("Turning pass 2: −"));
     QVERIFY(fixture.document.history()->text(1).contains("2 piece"));
   }

@@ -368,6 +368,13 @@ class ExerciseEditorTest : public QObject {
     QVERIFY(!driver.window().findChild<QDialog*>("cyclesDialog"));
     const SnapshotPointer work = tabs->current()->document.snapshot();
     QVERIFY(!static_cast<const WorkpieceSnapshot&>(*work).part);
+    // Nor is a thread made by a command, unless the teacher allows it.
+    auto* const thread = driver.find<QAction>("thread");
+    QVERIFY(!thread->isEnabled() && thread->property("disabledReason").toString().contains("half-nut"));
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(tabs->current()->document.setProperty("commands", true));
+    driver.choose("beginExercise");
+    QVERIFY(driver.settle() && thread->isEnabled());
   }
 };
 

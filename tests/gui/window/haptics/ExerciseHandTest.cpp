@@ -170,7 +170,7 @@ class ExerciseHandTest : public QObject {
     QFile file(report);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray html = file.readAll();
-    QVERIFY(html.contains("Ada") && html.contains("work0-picture-0") && html.contains("Largest cutting force: "));
+    QVERIFY(html.contains("Ada") && html.contains("work0-picture-0") && html.contains("Largest resultant force: "));
   }
 };
 

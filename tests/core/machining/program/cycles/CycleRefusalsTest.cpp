@@ -3,6 +3,7 @@
 #include "../ProgramTrial.h"
 #include "TestClass.h"
 #include "machining/lathe/LatheJson.h"
+#include "machining/program/ProgramSimulation.h"
 #include "machining/program/cycles/BoreCuts.h"
 #include "machining/program/cycles/CycleProgram.h"
 
@@ -19,6 +20,15 @@ TargetProfile withBore(const std::vector<ProfilePoint>& wall) {
   std::vector<ProfileSegment> all = {{{0, -50}, {18, -50}, 0.0}, {{18, -50}, {18, 0}, 0.0}};
   for (const ProfilePoint& p : wall) all.push_back({all.back().to, p, 0.0});
   return TargetProfile::make(std::move(all)).value();
+}
+
+// A bush of 36 mm by 50 mm with a hole of this radius.
+TargetProfile withHole(double radius) {
+  return TargetProfile::make({{{18, -50}, {18, 0}, 0.0},
+                              {{18, 0}, {radius, 0}, 0.0},
+                              {{radius, 0}, {radius, -50}, 0.0},
+                              {{radius, -50}, {18, -50}, 0.0}})
+      .value();
 }
 
 // Returns the reason of an error, "word: reason".
@@ -54,6 +64,55 @@ class CycleRefusalsTest : public QObject {
     const auto why = whyNoDrill(narrow, tools);
     QVERIFY(why && refusedBecause(*why) == "drill: it is too large for the bore");
     QVERIFY(why->arguments.at(3).find("at most") != std::string::npos);
+  }
+
+  // A bore of 10 mm through the part is what the drill of 10 mm leaves, with its point behind the part.
+  void aDrillAloneMakesItsBore() {
+    const LatheTools tools = shippedLatheTools();
+    const TargetProfile target = withHole(5.0);
+    QCOMPARE(drillFor(target, tools), 10.0);
+    QVERIFY(!boreTools(target, 10.0, tools)->bar);
+    const StockCylinder stock{40.0, 80.0, 0.0};
+    const TurnedProfile bar(stock, 0.05);
+    const CycleTask task{target, stock, bar, -80.0, 20.0, tools};
+    const auto program = cycleProgramWithDrill(task, ProgramDialect::LinuxCnc, {});
+    QVERIFY(program && program->drill == 10.0);
+    ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, stock, 20.0, 0.4);
+    setup.tools = program->tools;
+    const auto path = runProgram(program->text, setup);
+    QVERIFY(bool(path));
+    ProgramSimulation simulation(bar, *path, setup);
+    QVERIFY(simulation.run({}));
+    for (const double z : {31.0, 55.0, 79.0})
+      QCOMPARE(simulation.part().inner(static_cast<std::size_t>(std::lround(z / 0.05))), 5.0);
+  }
+
+  // If the largest drill that goes into the bore does not do, the next smaller one is taken: behind the part there are
+  // 13 mm of bar, but a drill of 20 mm needs 3 mm for the boring bar, 0.5 mm, its radius and 0.5 mm: 14 mm. One of 16
+  // mm needs 12 mm.
+  void theNextSmallerDrill() {
+    const LatheTools tools = shippedLatheTools();
+    const TargetProfile target = withHole(14.0);
+    QCOMPARE(drillsFor(target, tools), (std::vector<double>{20.0, 16.0, 12.0, 10.0}));
+    const StockCylinder stock{40.0, 63.0, 0.0};
+    const TurnedProfile bar(stock, 0.05);
+    const CycleTask task{target, stock, bar, -63.0, 5.0, tools};
+    CycleSettings settings;
+    settings.drill = 20.0;
+    QVERIFY(!cycleProgram(task, ProgramDialect::LinuxCnc, settings));
+    const auto program = cycleProgramWithDrill(task, ProgramDialect::LinuxCnc, settings);
+    QVERIFY(bool(program));
+    QCOMPARE(program->drill, 16.0);
+  }
+
+  // A shaft needs no drill.
+  void nothingToDrill() {
+    const TargetProfile shaft = withBore({{0, 0}});
+    const StockCylinder stock{40.0, 80.0, 0.0};
+    const TurnedProfile bar(stock, 0.05);
+    const auto program =
+        cycleProgramWithDrill({shaft, stock, bar, -80.0, 20.0, shippedLatheTools()}, ProgramDialect::Fanuc, {});
+    QVERIFY(program && program->drill == 0.0 && program->tools.size() == 2);
   }
 
   // A wall that goes back towards the end it is reached from.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/PassBlobs.h"
+#include "document/workpiece/blobs/PassBlobs.h"
 
 #include "base/JsonFields.h"
 #include "base/JsonText.h"
@@ -17,11 +17,13 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char* kPath = "workpiece/path";           // all passes
-constexpr const char* kSpeeds = "workpiece/speeds";       // passes with "speeds"
-constexpr const char* kAsked = "workpiece/asked";         // passes with "asked_speeds"
-constexpr const char* kBore = "bore";                     // value of "side"
-constexpr const char* kOfProgram = "program";             // key of passes
+constexpr const char* kPath = "workpiece/path";      // all passes
+constexpr const char* kSpeeds = "workpiece/speeds";  // passes with "speeds"
+constexpr const char* kAsked = "workpiece/asked";    // passes with "asked_speeds"
+constexpr const char* kBore = "bore";                // value of "side"
+constexpr const char* kOfProgram = "program";        // key of passes
+constexpr const char *kExact = "exact", *kEdges = "edges", *kArcs = "arcs";
+constexpr const char* kOfCommand = "command";             // key of passes
 constexpr const char* kPoles = "poles";                   // value of "method"
 constexpr const char *kRight = "right", *kLeft = "left";  // values of "hand"
 // Keys of passes and of their threads.
@@ -104,6 +106,40 @@ void visitThread(Thread& thread, const auto& visit) {
   visit("offset", thread.offset);
 }
 
+// The arcs of a pass with this number of points. Nothing if they are malformed.
+std::optional<std::vector<TurningPass::Arc>> arcsIn(const nlohmann::json& entry, std::uint64_t points) {
+  std::vector<TurningPass::Arc> arcs;
+  const auto listed = entry.find(kArcs);
+  if (listed == entry.end()) return arcs;
+  if (!listed->is_array()) return std::nullopt;
+  std::uint64_t before = 0;
+  for (const nlohmann::json& each : *listed) {
+    const bool isTriple =
+        each.is_array() && each.size() == 3 && each[0].is_number_unsigned() && each[1].is_number_unsigned();
+    if (!isTriple || !each[2].is_number()) return std::nullopt;
+    const auto first = each[0].get<std::uint64_t>(), last = each[1].get<std::uint64_t>();
+    const double bulge = each[2].get<double>();
+    if (first < before || last <= first || last >= points || !std::isfinite(bulge)) return std::nullopt;
+    arcs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), bulge});
+    before = last;
+  }
+  return arcs;
+}
+
+// The directions of the edges of a nose. Nothing if they are malformed.
+std::optional<ProfilePoint> edgesIn(const nlohmann::json& entry) {
+  const auto edges = entry.find(kEdges);
+  if (edges == entry.end()) return ProfilePoint(0, 0);
+  if (!edges->is_array() || edges->size() != 2) return std::nullopt;
+  ProfilePoint direction(0, 0);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const nlohmann::json& each = (*edges)[i];
+    if (!each.is_number_integer() || std::abs(each.get<double>()) > 1.0) return std::nullopt;
+    direction[static_cast<Eigen::Index>(i)] = each.get<double>();
+  }
+  return direction;
+}
+
 nlohmann::json threadJson(const ThreadCut& thread) {
   nlohmann::json json = {{kHand, thread.isLeft ? kLeft : kRight}};
   visitThread(thread, JsonFieldWriter(json));
@@ -128,7 +164,14 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const PassArray
   if (!entry.is_object()) return std::nullopt;
   pass.noseRadius = numberIn(entry, kNose);
   pass.isOfProgram = isTrueIn(entry, kOfProgram);
+  pass.isExact = isTrueIn(entry, kExact);
+  pass.isOfCommand = isTrueIn(entry, kOfCommand);
   const std::uint64_t count = pointsIn(entry);
+  auto arcs = arcsIn(entry, count);
+  const auto edges = edgesIn(entry);
+  if (!arcs || !edges) return std::nullopt;
+  pass.arcs = std::move(*arcs);
+  pass.edges = *edges;
   if (const auto side = entry.find(kSide); side != entry.end()) {
     if (*side != kBore) return std::nullopt;
     pass.side = TurningSide::Bore;
@@ -197,6 +240,10 @@ nlohmann::json writePasses(const TurningPasses& passes, Container& container) {
     if (pass.thread) entry[kThread] = threadJson(*pass.thread);
     if (pass.side == TurningSide::Bore) entry[kSide] = kBore;
     if (pass.isOfProgram) entry[kOfProgram] = true;
+    if (pass.isExact) entry[kExact] = true;
+    if (!pass.edges.isZero()) entry[kEdges] = {static_cast<int>(pass.edges.x()), static_cast<int>(pass.edges.y())};
+    for (const TurningPass::Arc& arc : pass.arcs) entry[kArcs].push_back({arc.first, arc.last, arc.bulge});
+    if (pass.isOfCommand) entry[kOfCommand] = true;
     if (pass.method == TurningMethod::Poles) {
       entry[kMethod] = kPoles;
       entry[kResolutionKey] = pass.resolution;

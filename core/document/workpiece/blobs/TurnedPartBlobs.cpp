@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/TurnedPartBlobs.h"
+#include "document/workpiece/blobs/TurnedPartBlobs.h"
 
 #include "base/JsonText.h"
 #include "document/container/Blobs.h"
-#include "document/workpiece/FinishBlobs.h"
-#include "document/workpiece/PassBlobs.h"
+#include "document/workpiece/blobs/FinishBlobs.h"
+#include "document/workpiece/blobs/PassBlobs.h"
+#include "document/workpiece/blobs/SectionBlobs.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -19,7 +20,7 @@ constexpr const char* kRadii = "workpiece/radii";
 constexpr const char* kInnerBlob = "workpiece/inner";
 // Keys of a turned part.
 constexpr const char *kTurned = "turned", *kSamples = "samples", *kBored = "bored", *kPasses = "passes",
-                     *kFinish = "finish";
+                     *kFinish = "finish", *kSection = "section";
 Error lost(const char* what, std::uint64_t expected, std::uint64_t found) {
   return {ErrorCode::DataTruncated, {what, std::to_string(expected), std::to_string(found)}, {}, {}};
 }
@@ -49,8 +50,21 @@ std::optional<TurnedProfile> cutOnceMore(const TurningPasses& passes, const Stoc
   std::uint64_t work = 0;
   for (const auto& pass : passes) work += samplesUnder(profile, *pass);
   if (work > kMostCutAgain) return std::nullopt;
-  for (const auto& pass : passes) cut(profile, *pass, progress);
+  std::uint32_t number = 0;
+  for (const auto& pass : passes) cut(profile, pass, number++, progress);
   return profile;
+}
+
+// Returns the source of the section that the passes cut from the bar.
+SectionSource::Pointer sectionOfPasses(const TurningPasses& passes, const StockCylinder& stock,
+                                       const TurnedProfile& samples) {
+  SectionSource::Pointer source = SectionSource::of(TurnedSection(stock));
+  std::uint32_t number = 0;
+  for (const auto& pass : passes) {
+    if (!pass->thread) source = SectionSource::after(source, pass, number, samples);
+    ++number;
+  }
+  return source;
 }
 
 }  // namespace
@@ -69,6 +83,7 @@ void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container) {
   }
   turned = {{kSamples, profile.size()}, {kPasses, writePasses(workpiece.part->passes, container)}};
   if (profile.isBored()) turned[kBored] = true;
+  turned[kSection] = writeSection(workpiece.part->section(), container);
   if (workpiece.part->finish.size() == profile.size()) {
     writeFinish(workpiece.part->finish, profile, container);
     turned[kFinish] = true;
@@ -111,6 +126,11 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
       return std::shared_ptr<const TurnedPart>();
     }
   }
+  // Early versions of the program wrote no section.
+  if (auto section = readSection(container, countAt(*turned, kSection), stock))
+    profile->setSection(SectionSource::of(std::move(*section)));
+  else if (hasAllPasses)
+    profile->setSection(sectionOfPasses(passes, stock, *profile));
   auto part = TurnedPart::of(std::move(*profile), std::move(passes), workpiece.chord);
   // If passes are lost, the others have other numbers.
   if (turned->value(kFinish, nlohmann::json()) == true && hasAllPasses)

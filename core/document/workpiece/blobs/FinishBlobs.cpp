@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/workpiece/FinishBlobs.h"
+#include "document/workpiece/blobs/FinishBlobs.h"
 
 #include "document/container/Blobs.h"
 

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/section/SectionDifference.h"
+
+#include "machining/section/PlaneVectors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSnap = SectionDifference::kSnap;
+constexpr double kOn = 2.0 * kSnap;  // mm; a piece whose middle is nearer than this to the other boundary lies on it
+
+// The vertices of a difference. A point within kSnap of a vertex is that vertex.
+class Vertices {
+ public:
+  std::size_t idOf(const ProfilePoint& p) {
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if ((m_points[i] - p).squaredNorm() <= kSnap * kSnap) return i;
+    m_points.push_back(p);
+    // A cutter that ends on the axis leaves no vertex below it.
+    if (p.x() < 0.0 && p.x() >= -kSnap) m_points.back().x() = 0.0;
+    return m_points.size() - 1;
+  }
+  const ProfilePoint& operator[](std::size_t id) const { return m_points[id]; }
+  std::size_t size() const { return m_points.size(); }
+
+ private:
+  std::vector<ProfilePoint> m_points;
+};
+
+struct Split {
+  double length = 0.0;  // mm from the start of the segment
+  std::size_t vertex = 0;
+};
+
+// A piece of a boundary between two vertices.
+struct BoundaryPiece {
+  SectionSegment segment;
+  std::size_t from = 0, to = 0;           // vertices
+  std::vector<SectionSegment> more = {};  // further segments, which the cutter does not meet
+  const SectionSegment& last() const { return more.empty() ? segment : more.back(); }
+};
+
+void addSplit(std::vector<Split>& splits, const SectionSegment& segment, const ProfilePoint& p, Vertices& vertices) {
+  splits.push_back({std::clamp(segment.lengthTo(p), 0.0, segment.length()), vertices.idOf(p)});
+}
+
+// Splits two segments where they meet. An end that lies on the other segment is such a point; a crossing is none if the
+// segments stay together from there to such an end.
+void splitBoth(const SectionSegment& a, std::vector<Split>& ofA, const SectionSegment& b, std::vector<Split>& ofB,
+               Vertices& vertices) {
+  std::array<double, 4> ends{};  // mm along a
+  std::size_t endCount = 0;
+  const auto take = [&](const ProfilePoint& p) {
+    addSplit(ofA, a, p, vertices);
+    addSplit(ofB, b, p, vertices);
+  };
+  for (const ProfilePoint& end : {a.from, a.to, b.from, b.to}) {
+    if (!a.isOn(end, kSnap) || !b.isOn(end, kSnap)) continue;
+    take(end);
+    ends[endCount++] = a.lengthTo(end);
+  }
+  const CarrierMeetings found = meetings(a.carrier, b.carrier, kSnap);
+  for (std::size_t i = 0; i < found.count; ++i) {
+    const ProfilePoint& p = found.points[i];
+    if (!a.isOn(p, kSnap) || !b.isOn(p, kSnap)) continue;
+    const double here = a.lengthTo(p);
+    const bool isTogether = std::any_of(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(endCount),
+                                        [&](double end) { return b.isOn(a.at(0.5 * (end + here)), kSnap); });
+    if (!isTogether) take(p);
+  }
+}
+
+// Appends the pieces of a segment between its splits.
+void appendPieces(const SectionSegment& segment, std::vector<Split>& splits, Vertices& vertices,
+                  std::vector<BoundaryPiece>& pieces) {
+  const std::size_t first = vertices.idOf(segment.from), last = vertices.idOf(segment.to);
+  std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) { return a.length < b.length; });
+  std::size_t before = first;
+  const auto add = [&](std::size_t vertex) {
+    if (vertex == before) return;
+    SectionSegment piece = segment;
+    piece.from = vertices[before];
+    piece.to = vertices[vertex];
+    pieces.push_back({piece, before, vertex});
+    before = vertex;
+  };
+  for (const Split& split : splits) {
+    if (split.vertex != first && split.vertex != last) add(split.vertex);
+  }
+  add(last);
+}
+
+// Appends the segments of a loop between two others, exclusive, as one piece.
+void appendRun(const SectionLoop& loop, std::size_t after, std::size_t before, Vertices& vertices,
+               std::vector<BoundaryPiece>& pieces) {
+  const std::size_t first = (after + 1) % loop.size();
+  if (first == before) return;
+  BoundaryPiece run;
+  run.segment = loop[first];
+  for (std::size_t i = (first + 1) % loop.size(); i != before; i = (i + 1) % loop.size()) run.more.push_back(loop[i]);
+  run.from = vertices.idOf(run.segment.from);
+  run.to = vertices.idOf(run.last().to);
+  pieces.push_back(std::move(run));
+}
+
+// Returns the number of crossings of a ray from a point, or nothing if the ray passes an end too closely to tell.
+std::optional<int> crossings(const SectionSegment& segment, const ProfilePoint& p, const ProfilePoint& ahead) {
+  constexpr double kClose = 1e-9;  // mm
+  const double from = crossProduct(ahead, segment.from - p), to = crossProduct(ahead, segment.to - p);
+  if (!segment.carrier.isCircle()) {
+    if (std::max(from, to) < -kClose || std::min(from, to) > kClose) return 0;
+    const bool isAhead = (segment.from - p).dot(ahead) > -kClose || (segment.to - p).dot(ahead) > -kClose;
+    if (!isAhead) return 0;
+    if (std::abs(from) <= kClose || std::abs(to) <= kClose) return std::nullopt;
+    const ProfilePoint at = segment.from + from / (from - to) * (segment.to - segment.from);
+    return (at - p).dot(ahead) > 0.0 ? 1 : 0;
+  }
+  const double radius = std::abs(segment.carrier.radius);
+  const ProfilePoint toCentre = segment.carrier.point - p;
+  const double off = crossProduct(ahead, toCentre), foot = toCentre.dot(ahead);
+  if (std::abs(off) > radius + kClose || foot < -radius - kClose) return 0;
+  const double square = (radius - off) * (radius + off);
+  const double whole = segment.length();
+  if (square < 1e-12 * radius * radius) {
+    // The ray touches the circle. That matters only if the arc is there.
+    const double at = segment.lengthTo(p + foot * ahead);
+    constexpr double kNear = 1e-4;
+    return at > -kNear * radius && at < whole + kNear * radius ? std::nullopt : std::optional(0);
+  }
+  int count = 0;
+  for (const double side : {-1.0, 1.0}) {
+    const double distance = foot + side * std::sqrt(square);
+    if (distance < 0.0) continue;
+    const ProfilePoint at = p + distance * ahead;
+    if ((at - segment.from).norm() <= kClose || (at - segment.to).norm() <= kClose) return std::nullopt;
+    const double here = segment.lengthTo(at);
+    if (here > 0.0 && here < whole) ++count;
+  }
+  return count;
+}
+
+std::optional<bool> isInsideAlong(const std::vector<SectionLoop>& loops, const ProfilePoint& p,
+                                  const ProfilePoint& ahead) {
+  int count = 0;
+  for (const SectionLoop& loop : loops) {
+    for (const SectionSegment& segment : loop) {
+      const std::optional<int> here = crossings(segment, p, ahead);
+      if (!here) return std::nullopt;
+      count += *here;
+    }
+  }
+  return count % 2 == 1;
+}
+
+enum class PieceSide { Inside, Outside, OnSame, OnOpposite };
+
+// Returns the largest distance of a segment from the ends and the middle of a piece, or infinity if the piece does not
+// run along the segment.
+double distanceAlong(const BoundaryPiece& piece, const ProfilePoint& middle, const SectionSegment& other) {
+  double largest = 0.0;
+  for (const ProfilePoint& p : {middle, piece.segment.from, piece.segment.to}) {
+    largest = std::max(largest, (other.nearest(p) - p).norm());
+    if (largest > kOn) return std::numeric_limits<double>::infinity();
+  }
+  return largest;
+}
+
+// Returns the side of a boundary on which a piece lies. beside: the segments of the boundary near it. Of several
+// segments within kOn, as in a slender wedge, the nearest one counts.
+PieceSide sideOf(const BoundaryPiece& piece, std::span<const SectionSegment* const> beside,
+                 const std::vector<SectionLoop>& loops) {
+  const ProfilePoint middle = piece.segment.at(0.5 * piece.segment.length());
+  double least = std::numeric_limits<double>::infinity(), cosine = 0.0;
+  for (const SectionSegment* other : beside) {
+    const double here = distanceAlong(piece, middle, *other);
+    if (here >= least) continue;
+    const double turn = piece.segment.carrier.direction(middle).dot(other->carrier.direction(middle));
+    constexpr double kAlong = 0.9;  // other curves only cross here
+    if (std::abs(turn) < kAlong) continue;
+    least = here;
+    cosine = turn;
+  }
+  if (cosine != 0.0) return cosine > 0.0 ? PieceSide::OnSame : PieceSide::OnOpposite;
+  return isInside(loops, middle) ? PieceSide::Inside : PieceSide::Outside;
+}
+
+// Chains directed pieces to closed loops. Of several pieces that leave a vertex, the one that turns most to the left is
+// next, so that loops which touch in a vertex stay apart.
+std::optional<std::vector<SectionLoop>> chained(const std::vector<BoundaryPiece>& pieces, std::size_t vertexCount) {
+  std::vector<std::vector<std::size_t>> leaving(vertexCount);
+  std::vector<int> balance(vertexCount, 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    leaving[pieces[i].from].push_back(i);
+    ++balance[pieces[i].from];
+    --balance[pieces[i].to];
+  }
+  if (std::any_of(balance.begin(), balance.end(), [](int count) { return count != 0; })) return std::nullopt;
+  std::vector<bool> isUsed(pieces.size(), false);
+  std::vector<SectionLoop> loops;
+  for (std::size_t start = 0; start < pieces.size(); ++start) {
+    if (isUsed[start]) continue;
+    SectionLoop loop;
+    std::size_t now = start;
+    while (true) {
+      isUsed[now] = true;
+      loop.push_back(pieces[now].segment);
+      loop.insert(loop.end(), pieces[now].more.begin(), pieces[now].more.end());
+      if (pieces[now].to == pieces[start].from && leaving[pieces[start].from].size() == 1) break;
+      const SectionSegment& arriving = pieces[now].last();
+      const ProfilePoint back = -arriving.carrier.direction(arriving.to);
+      std::size_t next = pieces.size();
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::size_t other : leaving[pieces[now].to]) {
+        if (isUsed[other] && other != start) continue;
+        const ProfilePoint out = pieces[other].segment.carrier.direction(pieces[other].segment.from);
+        // The angle from the way back, clockwise: the least one turns most to the left.
+        double angle = std::atan2(-crossProduct(back, out), back.dot(out));
+        if (angle <= 1e-9) angle += 2.0 * M_PI;
+        if (angle < least) {
+          least = angle;
+          next = other;
+        }
+      }
+      if (next == pieces.size()) return std::nullopt;
+      if (next == start) break;
+      now = next;
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+bool isOnCarrier(const SectionSegment& segment, const SectionCarrier& carrier) {
+  constexpr double kSame = 1e-9;  // mm
+  const double whole = segment.length();
+  return carrier.distance(segment.from) <= kSnap && carrier.distance(segment.to) <= kSnap &&
+         carrier.distance(segment.at(0.5 * whole)) <= kSnap &&
+         (!carrier.isCircle() || (std::abs(carrier.radius - segment.carrier.radius) <= kSame &&
+                                  (carrier.point - segment.carrier.point).norm() <= kSnap));
+}
+
+// Joins a segment to the one before it if both are of one pass and on one carrier.
+bool isJoined(SectionSegment& before, const SectionSegment& next) {
+  if (before.pass != next.pass || before.isOfTrailingEdge != next.isOfTrailingEdge) return false;
+  if (before.carrier.isCircle() != next.carrier.isCircle()) return false;
+  if (before.carrier.direction(before.to).dot(next.carrier.direction(next.from)) < 1.0 - 1e-9) return false;
+  const bool isLonger = next.length() > before.length();
+  const SectionCarrier& kept = isLonger ? next.carrier : before.carrier;
+  if (!isOnCarrier(isLonger ? before : next, kept)) return false;
+  constexpr double kMostAngle = 1.75 * M_PI;  // an arc stays less than a full circle
+  if (kept.isCircle() && before.length() + next.length() > kMostAngle * std::abs(kept.radius)) return false;
+  before.carrier = kept;
+  before.to = next.to;
+  return true;
+}
+
+// Returns true if the sides of a loop coincide: it encloses nothing.
+bool isSliver(const SectionLoop& loop) {
+  double length = 0.0;
+  for (const SectionSegment& segment : loop) length += segment.length();
+  return areaOf(loop) <= 0.5 * length * kOn;
+}
+
+bool meets(const ProfileBox& a, const ProfileBox& b) {
+  return (a.min().array() <= b.max().array() + kOn).all() && (b.min().array() <= a.max().array() + kOn).all();
+}
+
+}  // namespace
+
+void tidyLoop(SectionLoop& loop) {
+  SectionLoop joined;
+  for (const SectionSegment& segment : loop) {
+    if (joined.empty() || !isJoined(joined.back(), segment)) joined.push_back(segment);
+  }
+  if (joined.size() > 2 && isJoined(joined.back(), joined.front())) {
+    joined.front() = joined.back();
+    joined.pop_back();
+  }
+  loop = std::move(joined);
+}
+
+bool isInside(const std::vector<SectionLoop>& loops, const ProfilePoint& p) {
+  static const std::array<ProfilePoint, 5> kDirections{ProfilePoint(1.0, 0.0), ProfilePoint(0.8, 0.6),
+                                                       ProfilePoint(0.28, -0.96), ProfilePoint(-0.352, 0.936),
+                                                       ProfilePoint(0.5376, 0.8432)};
+  for (const ProfilePoint& ahead : kDirections) {
+    if (const std::optional<bool> known = isInsideAlong(loops, p, ahead.normalized())) return *known;
+  }
+  return false;
+}
+
+std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& loops, const SectionLoop& cutter) {
+  SectionDifference result;
+  if (isSliver(cutter)) return result;
+  const ProfileBox box = boxOf(cutter);
+  std::vector<ProfileBox> cutterBoxes;
+  for (const SectionSegment& segment : cutter) cutterBoxes.push_back(segment.box());
+
+  // The segments that may meet the cutter.
+  struct Near {
+    std::size_t loop, index;
+    std::vector<Split> splits = {};
+  };
+  std::vector<Near> near;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    for (std::size_t i = 0; i < loops[k].size(); ++i)
+      if (meets(loops[k][i].looseBox(), box)) near.push_back({k, i});
+  }
+  Vertices vertices;
+  std::vector<std::vector<Split>> cutterSplits(cutter.size());
+  std::vector<const SectionSegment*> beside, cutterSegments;
+  for (const SectionSegment& segment : cutter) cutterSegments.push_back(&segment);
+  for (Near& each : near) {
+    const SectionSegment& segment = loops[each.loop][each.index];
+    const ProfileBox own = segment.box();
+    beside.push_back(&segment);
+    for (std::size_t b = 0; b < cutter.size(); ++b)
+      if (meets(own, cutterBoxes[b])) splitBoth(segment, each.splits, cutter[b], cutterSplits[b], vertices);
+  }
+
+  const bool isApart = near.empty() && !isInside(loops, cutter.front().at(0.5 * cutter.front().length()));
+  if (isApart) return result;
+  std::vector<BoundaryPiece> kept;
+  const std::vector<SectionLoop> cutterLoops{cutter};
+  bool isAnyDropped = false;
+  // Counts a piece of the boundary of what is removed.
+  const auto drop = [&](const SectionSegment& segment) {
+    isAnyDropped = true;
+    result.removal.area += segment.moment();
+    result.removal.volume += M_PI * segment.squareMoment();
+    result.removal.box.extend(segment.box());
+  };
+  for (Near& each : near) {
+    std::vector<BoundaryPiece> pieces;
+    appendPieces(loops[each.loop][each.index], each.splits, vertices, pieces);
+    for (const BoundaryPiece& piece : pieces) {
+      const PieceSide side = sideOf(piece, cutterSegments, cutterLoops);
+      if (side == PieceSide::Outside || side == PieceSide::OnOpposite) {
+        kept.push_back(piece);
+      } else {
+        drop(piece.segment);
+      }
+    }
+  }
+  std::vector<BoundaryPiece> added;
+  for (std::size_t b = 0; b < cutter.size(); ++b) {
+    std::vector<BoundaryPiece> pieces;
+    appendPieces(cutter[b], cutterSplits[b], vertices, pieces);
+    for (BoundaryPiece& piece : pieces) {
+      if (sideOf(piece, beside, loops) != PieceSide::Inside) continue;
+      drop(piece.segment);
+      piece.segment = piece.segment.reversed();
+      std::swap(piece.from, piece.to);
+      added.push_back(piece);
+    }
+  }
+  if (!isAnyDropped) return result;
+
+  // Loops that the cutter meets are chained anew with the added pieces; the others stay.
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const std::size_t first = next;
+    while (next < near.size() && near[next].loop == k) ++next;
+    if (next == first) {
+      result.loops.push_back(loops[k]);
+      continue;
+    }
+    for (std::size_t n = first; n < next; ++n)
+      appendRun(loops[k], near[n].index, near[n + 1 < next ? n + 1 : first].index, vertices, kept);
+  }
+  result.unchanged = result.loops.size();
+  kept.insert(kept.end(), added.begin(), added.end());
+  std::optional<std::vector<SectionLoop>> all = chained(kept, vertices.size());
+  if (!all) return std::nullopt;
+  constexpr double kLeastArea = 1e-10;  // mm², slivers of the snapping
+  for (SectionLoop& loop : *all) {
+    tidyLoop(loop);
+    if (std::abs(areaOf(loop)) > kLeastArea) result.loops.push_back(std::move(loop));
+  }
+  return result;
+}
+
+}  // namespace handwheel
