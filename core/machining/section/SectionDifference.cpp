@@ -122,6 +122,11 @@ std::optional<int> crossings(const SectionSegment& segment, const ProfilePoint& 
     const ProfilePoint at = segment.from + from / (from - to) * (segment.to - segment.from);
     return (at - p).dot(ahead) > 0.0 ? 1 : 0;
   }
+  // An arc of less than half a circle stays within half of its chord from that.
+  const ProfilePoint begin = segment.from - segment.carrier.point, end = segment.to - segment.carrier.point;
+  const bool isMinor = segment.carrier.radius * crossProduct(begin, end) > 0.0;
+  const double half = 0.5 * (segment.to - segment.from).norm() + kClose;
+  if (isMinor && (std::max(from, to) < -half || std::min(from, to) > half)) return 0;
   const double radius = std::abs(segment.carrier.radius);
   const ProfilePoint toCentre = segment.carrier.point - p;
   const double off = crossProduct(ahead, toCentre), foot = toCentre.dot(ahead);
@@ -250,6 +255,8 @@ bool isOnCarrier(const SectionSegment& segment, const SectionCarrier& carrier) {
 bool isJoined(SectionSegment& before, const SectionSegment& next) {
   if (before.pass != next.pass || before.isOfTrailingEdge != next.isOfTrailingEdge) return false;
   if (before.carrier.isCircle() != next.carrier.isCircle()) return false;
+  // Most neighbours are on circles that differ; that is seen without their angles.
+  if (before.carrier.isCircle() && (before.carrier.point - next.carrier.point).norm() > kSnap) return false;
   if (before.carrier.direction(before.to).dot(next.carrier.direction(next.from)) < 1.0 - 1e-9) return false;
   const bool isLonger = next.length() > before.length();
   const SectionCarrier& kept = isLonger ? next.carrier : before.carrier;
@@ -349,12 +356,19 @@ std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& lo
       }
     }
   }
+  // The side changes only where the cutter meets the loops, so most pieces are on that of the piece before.
+  std::vector<bool> isMeeting(vertices.size(), false);
+  for (const std::vector<Split>& splits : cutterSplits)
+    for (const Split& split : splits) isMeeting[split.vertex] = true;
   std::vector<BoundaryPiece> added;
+  std::optional<PieceSide> before;
   for (std::size_t b = 0; b < cutter.size(); ++b) {
     std::vector<BoundaryPiece> pieces;
     appendPieces(cutter[b], cutterSplits[b], vertices, pieces);
     for (BoundaryPiece& piece : pieces) {
-      if (sideOf(piece, beside, loops) != PieceSide::Inside) continue;
+      const bool goesOn = before && (piece.from >= isMeeting.size() || !isMeeting[piece.from]);
+      before = goesOn ? before : std::optional(sideOf(piece, beside, loops));
+      if (before != PieceSide::Inside) continue;
       drop(piece.segment);
       piece.segment = piece.segment.reversed();
       std::swap(piece.from, piece.to);
@@ -382,7 +396,8 @@ std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& lo
   constexpr double kLeastArea = 1e-10;  // mm², slivers of the snapping
   for (SectionLoop& loop : *all) {
     tidyLoop(loop);
-    if (std::abs(areaOf(loop)) > kLeastArea) result.loops.push_back(std::move(loop));
+    constexpr std::size_t kMostOfSliver = 16;  // segments
+    if (loop.size() > kMostOfSliver || std::abs(areaOf(loop)) > kLeastArea) result.loops.push_back(std::move(loop));
   }
   return result;
 }

@@ -195,7 +195,8 @@ double volumeOf(std::span<const SectionSegment> loop) {
 
 ProfileBox boxOf(std::span<const SectionSegment> loop) {
   ProfileBox box;
-  for (const SectionSegment& segment : loop) box.extend(segment.box());
+  for (const SectionSegment& segment : loop)
+    if (!box.contains(segment.looseBox())) box.extend(segment.box());
   return box;
 }
 

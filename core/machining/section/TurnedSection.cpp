@@ -204,7 +204,7 @@ TurnedProfile::Range TurnedSection::sample(TurnedProfile& profile, const TurnedP
   const double spacing = profile.spacing();
   for (const SectionLoop& loop : m_loops) {
     for (const SectionSegment& segment : loop) {
-      const ProfileBox box = segment.box();
+      const ProfileBox box = segment.looseBox();
       const double low = std::ceil((box.min().y() - kBeside) / spacing), high = (box.max().y() + kBeside) / spacing;
       for (double i = std::max(low, static_cast<double>(range.first)); i <= high && i < static_cast<double>(range.last);
            ++i) {
