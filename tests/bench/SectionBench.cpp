@@ -80,7 +80,10 @@ class OwnSection {
   double volume() const { return m_section.volume(); }
   std::vector<SectionSegment> boundary() const {
     std::vector<SectionSegment> all;
-    for (const SectionLoop& loop : m_section.loops()) all.insert(all.end(), loop.begin(), loop.end());
+    for (const SharedLoop& loop : m_section.loops()) {
+      const SectionLoop segments = loop.segments();
+      all.insert(all.end(), segments.begin(), segments.end());
+    }
     return all;
   }
   int failures() const { return m_failures; }

@@ -46,8 +46,9 @@ inline bool isCrossing(const SectionSegment& a, const SectionSegment& b) {
 // Returns the first fault of boundary loops, or an empty text if they are sound: each segment begins where the one
 // before ends, its carrier passes through both ends, no two segments cross, nothing lies below the axis, and each
 // segment that is not beside another has the material on its left and none on its right. O(segments²).
-inline std::string faultOf(const std::vector<SectionLoop>& loops) {
-  const TurnedSection section(loops);
+inline std::string faultOf(const TurnedSection& section) {
+  std::vector<SectionLoop> loops;
+  for (const SharedLoop& loop : section.loops()) loops.push_back(loop.segments());
   std::vector<const SectionSegment*> all;
   for (const SectionLoop& loop : loops) {
     if (loop.size() < 2) return "a loop of one segment";

@@ -14,8 +14,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kVersions = 400;  // kept of a path
-constexpr std::size_t kLook = 16;       // moves between two looks at the cancel flag
+constexpr std::size_t kVersions = 400;    // kept of a path
+constexpr std::size_t kLook = 16;         // moves between two looks at the cancel flag
+constexpr double kSimulationShare = 0.5;  // share of the progress; passes and finish are the rest
 
 // Returns the collision in the form that the manual lathe records.
 LatheCollision crashOf(const ProgramCollision& collision) {
@@ -79,7 +80,7 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
     if (done % stride == 0) m_versions.push_back({done, simulation.part(), simulation.state()});
     if (done % kLook != 0) continue;
     if (progress.cancelled()) return false;
-    progress.set(static_cast<double>(done) / static_cast<double>(moves));
+    progress.set(kSimulationShare * static_cast<double>(done) / static_cast<double>(moves));
   }
   if (progress.cancelled()) return false;
   m_peaks = simulation.peaks();
@@ -91,10 +92,12 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
   const double volumeBefore = before.volume();
   TurningPasses all = before.passes;
   FinishMeter meter(before.profile, before.finish);
-  for (TurningPass& pass : passes) {
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const auto shared = std::make_shared<const TurningPass>(std::move(passes[i]));
+    const double each = (1.0 - kSimulationShare) / static_cast<double>(passes.size());
+    const double start = kSimulationShare + each * static_cast<double>(i);
+    cut(before.profile, shared, static_cast<std::uint32_t>(all.size()), meter, progress.part(start, start + each));
     if (progress.cancelled()) return false;
-    const auto shared = std::make_shared<const TurningPass>(std::move(pass));
-    cut(before.profile, shared, static_cast<std::uint32_t>(all.size()), meter);
     all.push_back(shared);
   }
   TurnedPart part = TurnedPart::of(before.profile, std::move(all), workpiece.chord);
@@ -117,18 +120,11 @@ std::optional<ProgramTrial::Moment> ProgramTrial::at(const ProgramPosition& posi
   const auto later = std::upper_bound(m_versions.begin(), m_versions.end(), position.done,
                                       [](std::size_t done, const Version& version) { return done < version.done; });
   const Version& version = *std::prev(later);
-  ToolPath rest;
-  const auto from = m_path.moves.begin() + static_cast<std::ptrdiff_t>(version.done);
-  const auto to = m_path.moves.begin() + static_cast<std::ptrdiff_t>(std::min(position.done, m_path.moves.size()));
-  rest.moves.assign(from, to);
-  if (position.fraction > 0.0 && position.done < m_path.moves.size()) {
-    rest.moves.push_back(m_path.moves[position.done]);
-    rest.moves.back().to = pointOn(rest.moves.back(), position.fraction);
-  }
-  ProgramSimulation simulation(version.profile, rest, m_setup, nullptr, version.state);
-  while (simulation.step()) {
+  ProgramSimulation simulation(version.profile, m_path, m_setup, nullptr, version.state, version.done);
+  while (simulation.done() < position.done && simulation.step()) {
     if (progress.cancelled()) return std::nullopt;
   }
+  if (position.fraction > 0.0) simulation.step(position.fraction);
   return Moment{simulation.part(), simulation.state().threads};
 }
 

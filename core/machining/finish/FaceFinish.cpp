@@ -43,8 +43,8 @@ std::optional<double> feedAlong(const TurningPass& pass, const SectionSegment& f
 
 std::vector<FaceFinish> faceFinish(const TurnedSection& section, const TurningPasses& passes) {
   std::vector<FaceFinish> faces;
-  for (const SectionLoop& loop : section.loops()) {
-    for (const SectionSegment& segment : loop) {
+  for (const SharedLoop& loop : section.loops()) {
+    for (const SectionSegment& segment : loop.segments()) {
       if (!isFace(segment) || segment.pass >= passes.size()) continue;
       const TurningPass& pass = *passes[segment.pass];
       const std::optional<double> feed = feedAlong(pass, segment);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramSimulation.h"
 
+#include "machining/section/SectionCut.h"
 #include "machining/section/SectionSource.h"
 
 #include <algorithm>
@@ -81,16 +82,23 @@ ToolMove mirrored(const ToolMove& move) {
 }
 
 ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
-                                     const CuttingForceModel* model, const ProgramState& before)
+                                     const CuttingForceModel* model, const ProgramState& before, std::size_t done)
     : m_part(std::move(part)),
       m_path(path),
       m_setup(setup),
       m_largest(0.0),
+      m_next(done),
       m_state(before),
       m_passesBefore(before.passes),
       m_obstacles(setup, m_part) {
   for (std::size_t i = 0; i < m_part.size(); ++i) m_largest = std::max(m_largest, m_part.radius(i));
   if (model) m_meter.emplace(*model, m_part.spacing());
+}
+
+ProgramState ProgramSimulation::state() const {
+  ProgramState state = m_state;
+  state.passes = m_passesBefore + m_passes.size() - (m_isPassOpen ? 1 : 0);
+  return state;
 }
 
 // A tool with a known body cuts by its body. Any other tool is its nose with two edges; a drill is as round as its
@@ -269,19 +277,23 @@ void ProgramSimulation::append(const RecordedPiece& piece) {
   }
   if (!piece.move.isArc()) return;
   const auto last = static_cast<std::uint32_t>(pass.path.size() - 1);
-  if (piece.isOfSameArc && !pass.arcs.empty() && pass.arcs.back().last == first)
-    pass.arcs.back() = {pass.arcs.back().first, last,
-                        std::tan(std::atan(pass.arcs.back().bulge) + std::atan(piece.move.bulge))};
+  const bool goesOn = piece.isOfSameArc && !pass.arcs.empty() && pass.arcs.back().last == first;
+  const double quarter = std::atan(piece.move.bulge) + (goesOn ? std::atan(pass.arcs.back().bulge) : 0.0);
+  constexpr double kMostQuarter = 0.25 * 1.75 * M_PI;  // the ends of a full circle do not define it
+  if (goesOn && std::abs(quarter) < kMostQuarter)
+    pass.arcs.back() = {pass.arcs.back().first, last, std::tan(quarter)};
   else
     pass.arcs.push_back({first, last, piece.move.bulge});
 }
 
-bool ProgramSimulation::step() {
+bool ProgramSimulation::step(double share) {
   if (m_next >= m_path.moves.size()) return false;
   const ToolMove& written = m_path.moves[m_next++];
   m_state.isBeyond =
       isBeyondAxis(written, m_setup.toolOf(written).noseRadius, m_state.isBeyond && m_state.drill == written.tool);
-  const ToolMove move = m_state.isBeyond ? mirrored(written) : written;
+  const ToolMove whole = m_state.isBeyond ? mirrored(written) : written;
+  ToolMove move = whole;
+  if (share < 1.0) move.to = pointOn(whole, share);
   m_time += move.time;
   if (move.kind == ToolMove::Kind::Dwell) return true;
   followDrill(move);
@@ -293,7 +305,7 @@ bool ProgramSimulation::step() {
   const bool isLeaving = leavesThread(move);
   m_state.lead.reset();
   const TurningPass shape = shapeOf(move);
-  const Taken taken = isLeaving ? Taken{0.0, move.to + ProfilePoint(0.0, zeroHeight())} : cutMove(move, shape);
+  const Taken taken = isLeaving ? Taken{0.0, move.to + ProfilePoint(0.0, zeroHeight())} : cutMove(move, whole, shape);
   if (isLeaving) followBody(move);
   meetChuck(move, shape.noseRadius, shape.side, taken.position);
   judge(move, taken, shape.noseRadius);
@@ -346,17 +358,34 @@ bool ProgramSimulation::isDrawnBack(const ToolMove& move, const TurningPass& sha
   return false;
 }
 
-ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const TurningPass& shape) {
+// Returns how far the moves after this one go straight on with the same tool, mm.
+ProfilePoint ProgramSimulation::straightOn(const ToolMove& move) {
+  const ProfilePoint by = move.to - move.from;
+  if (move.kind != ToolMove::Kind::Feed || move.turn != 0 || std::abs(by.y()) > std::abs(by.x())) return {0.0, 0.0};
+  const auto goesOn = [&](const ToolMove& next) {
+    return next.kind == ToolMove::Kind::Feed && next.turn == 0 && next.tool == move.tool && !isThread(next) &&
+           isStraightOn(m_path.moves[m_next - 1].to - m_path.moves[m_next - 1].from, next.to - next.from);
+  };
+  // The end of a run of many moves is looked up once.
+  m_straightEnd = std::max(m_straightEnd, m_next);
+  while (m_straightEnd < m_path.moves.size() && goesOn(m_path.moves[m_straightEnd])) ++m_straightEnd;
+  const ProfilePoint on = m_path.moves[m_straightEnd - 1].to - m_path.moves[m_next - 1].to;
+  return {m_state.isBeyond ? -on.x() : on.x(), on.y()};
+}
+
+ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const ToolMove& whole,
+                                                    const TurningPass& shape) {
   const ProfilePoint toPart = toCentre(move, shape.noseRadius) + ProfilePoint(0.0, zeroHeight());
   // The path of a tool is that of its tip.
   const ProfilePoint toTip =
       shape.tool ? bodyTipFrom(*shape.tool, ProfilePoint(0.0, 0.0), shape.noseRadius) : ProfilePoint(0.0, 0.0);
   const int pieces = piecesOf(move);
-  const ProfileSegment whole = pathOf(move, toPart + toTip);
+  const ProfileSegment path = pathOf(move, toPart + toTip), written = pathOf(whole, toPart + toTip);
+  const ProfileSegment run{written.from, written.to + straightOn(whole), written.bulge};
   const bool isRapid = move.kind == ToolMove::Kind::Rapid;
   if (isRapid || m_wasRapid) endPass();
   m_wasRapid = isRapid;
-  if (isDrawnBack(move, shape, whole)) {
+  if (isDrawnBack(move, shape, path)) {
     followBody(move);
     return {0.0, move.to + toPart};
   }
@@ -367,13 +396,13 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
   for (int i = 0; i < pieces; ++i) {
     const MovePiece share{static_cast<double>(i) / pieces, static_cast<double>(i + 1) / pieces};
     const ProfilePoint a = pointOn(move, share.from) + toPart, b = pointOn(move, share.to) + toPart;
-    const ProfileSegment piece = pieceOf(whole, move, i, pieces);
+    const ProfileSegment piece = pieceOf(path, move, i, pieces);
     const double seconds = timeOf(move, share), spindle = spindleOf(move, share);
     end += seconds;
     taken.deepest = std::max(taken.deepest, deepestOf(a, b, shape));
     const bool goesOn = continuesPass(shape, piece.from);
     const std::size_t number = m_passesBefore + m_passes.size() - (goesOn ? 1 : 0);
-    const Removal removal = cutPiece(shape, piece, whole, static_cast<std::uint32_t>(number));
+    const Removal removal = cutPiece(shape, piece, run, static_cast<std::uint32_t>(number));
     const bool isCut = removal.area > 0.0;
     record(shape, {piece, end - seconds, end, spindle, i > 0}, isCut);
     if (isCut && !first) first = b;

@@ -49,7 +49,7 @@ struct ProgramState {
   bool isBeyond = false;                       // true if that tool is beyond the axis
   std::optional<ThreadLead> lead;              // set if the last move was a thread
   std::shared_ptr<const PartThreads> threads;  // threads of the part; null: none
-  std::size_t passes = 0;                      // number of passes that the part had before the program
+  std::size_t passes = 0;                      // number of passes that the part has, without one that may go on
 };
 
 // Returns true if a move is made beyond the axis, at negative radii. A tool may go over the axis by its nose, to take
@@ -75,20 +75,20 @@ class ProgramSimulation {
   static constexpr std::size_t kMostCollisions = 1000;  // limit of stored collisions; collisionCount() counts all
   static constexpr double kChord = 1e-4;                // mm, chord tolerance of an arc
 
-  // setup: the machine and its tools. model: the force law; may be null. before: the state after the moves that precede
-  // the path. Path, setup and model must outlive the simulation.
+  // setup: the machine and its tools. model: the force law; may be null. before: the state of the part. done: number of
+  // moves of the path that were made already. Path, setup and model must outlive the simulation.
   ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
-                    const CuttingForceModel* model = nullptr, const ProgramState& before = {});
+                    const CuttingForceModel* model = nullptr, const ProgramState& before = {}, std::size_t done = 0);
 
-  // Makes the next move. Returns false after the last move. The changed samples are added to the range that
-  // takeChanged() returns.
-  bool step();
+  // Makes the next move, or the first part of it. Returns false after the last move. The changed samples are added to
+  // the range that takeChanged() returns. share: part of the move, 0 < share ≤ 1; less than 1: no further move follows.
+  bool step(double share = 1.0);
   // Makes all remaining moves. Returns false if it was cancelled.
   bool run(Progress progress);
 
   std::size_t done() const { return m_next; }  // number of moves made
   const TurnedProfile& part() const { return m_part; }
-  const ProgramState& state() const { return m_state; }
+  ProgramState state() const;
   TurnedProfile::Range takeChanged() { return std::exchange(m_changed, {}); }
   double time() const { return m_time; }  // s, program time
 
@@ -113,7 +113,9 @@ class ProgramSimulation {
     double deepest = 0.0;
     ProfilePoint position{0, 0};
   };
-  Taken cutMove(const ToolMove& move, const TurningPass& shape);
+  // whole: the move as it is written.
+  Taken cutMove(const ToolMove& move, const ToolMove& whole, const TurningPass& shape);
+  ProfilePoint straightOn(const ToolMove& move);
   void judge(const ToolMove& move, const Taken& taken, double nose);
   void judgeSpin(const ToolMove& move);
   // Returns the vector from the centre of the nose to the tip in radii, (r, z), of the tool of a move or its mirror
@@ -153,7 +155,8 @@ class ProgramSimulation {
   const ToolPath& m_path;
   const ProgramSetup& m_setup;
   double m_largest;  // mm, initial radius of the part
-  std::size_t m_next = 0;
+  std::size_t m_next;
+  std::size_t m_straightEnd = 0;  // the moves before it go straight on from the last one
   double m_time = 0.0;
   TurnedProfile::Range m_changed;
   std::vector<ProgramCollision> m_collisions;

@@ -2,126 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/section/SectionCut.h"
 
+#include "machining/section/BareNose.h"
 #include "machining/section/PlaneVectors.h"
 #include "machining/section/ToolSweep.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace handwheel {
 
 namespace {
 
-constexpr double kTiny = 1e-6;  // mm
+constexpr double kMirrored = 1e-6;  // mm; an edge that goes farther beyond the axis cuts there
 
-// A nose without a body, and the directions of its edges.
-class BareNose {
- public:
-  BareNose(const TurningPass& how, const ProfileSegment& move, const ProfileSegment& whole)
-      : m_move(move),
-        m_travel(whole.to - whole.from),
-        m_radius(how.noseRadius),
-        m_outward(how.side == TurningSide::Outside ? 1.0 : -1.0),
-        m_trailing(-how.edges.y()),
-        m_hasEdges(how.edges.x() * m_outward < 0.0 && how.edges.y() != 0.0) {}
-
-  // Returns true if the nose moves beside the material: around the part with a boring tool, or in a bore with an
-  // outside tool, whose shank then does not reach through the wall.
-  bool isBeside(const TurnedSection& section) const {
-    bool isAny = false;
-    for (const ProfilePoint& p : {m_move.from, m_move.at(0.5), m_move.to}) {
-      const auto radii = section.radiiAt(p.y());
-      if (!radii) continue;
-      const bool isHere = m_outward > 0.0 ? radii->inner > 0.0 && p.x() + m_radius <= radii->inner + kTiny
-                                          : p.x() - m_radius >= radii->outer - kTiny;
-      if (!isHere) return false;
-      isAny = true;
-    }
-    return isAny;
-  }
-
-  // Returns the extensions of the nose to the side of its shank and, when it faces, along its trailing edge.
-  std::vector<ProfilePoint> shadows(const TurnedSection& section, std::uint32_t pass) const {
-    const ProfileBox box = section.box();
-    const double reach = 2.0 * (box.max().x() + std::abs(m_move.from.x()) + std::abs(m_move.to.x()) + m_radius) + 1.0;
-    const ProfilePoint outward(m_outward * reach, 0.0);
-    const double facing = facingLength(section, pass);
-    if (!(facing > 0.0)) return {outward};
-    const ProfilePoint along(0.0, m_trailing * facing);
-    return {outward, along, outward + along};
-  }
-
- private:
-  bool isFacing() const {
-    const ProfilePoint by = m_move.to - m_move.from;
-    return m_hasEdges && -m_outward * by.x() > 0.0 && std::abs(by.x()) >= std::abs(by.y());
-  }
-
-  // Returns the length from the path to the first plane without material on the trailing side; 0 if the trailing edge
-  // does not cut.
-  double facingLength(const TurnedSection& section, std::uint32_t pass) const {
-    if (!isFacing()) return 0.0;
-    const double edge = m_outward * m_move.to.x() - m_radius;  // outward coordinate of the tip
-    const double behind = std::max(m_trailing * m_move.from.y(), m_trailing * m_move.to.y());
-    const double beside = m_radius, longest = std::min(kTrailingEdge, std::abs(m_travel.x()));
-    const double farthest = behind + beside + longest;
-    std::vector<double> ends{behind + beside};
-    for (const SectionLoop& loop : section.loops()) {
-      for (const SectionSegment& segment : loop) {
-        const ProfileBox box = segment.box();
-        const double low = std::min(m_trailing * box.min().y(), m_trailing * box.max().y());
-        const double high = std::max(m_trailing * box.min().y(), m_trailing * box.max().y());
-        const double outer = std::max(m_outward * box.min().x(), m_outward * box.max().x());
-        if (high < ends.front() || low > farthest || !(outer > edge + kTiny)) continue;
-        for (const double end : {low, high})
-          if (end > ends.front() && end <= farthest) ends.push_back(end);
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    // The nose itself reaches as far as the first of them.
-    constexpr double kPastFace = 1e-4;  // mm
-    const auto free = std::find_if(ends.begin(), ends.end(),
-                                   [&](double end) { return isFree(section, m_trailing * (end + kPastFace), edge); });
-    const bool isFacing =
-        free != ends.end() && free != ends.begin() && !hasOwnSurface(section, pass, ends.front(), *free, edge);
-    return isFacing ? *free + kPastFace - ends.front() : 0.0;
-  }
-
-  // Returns true if there is no material outward of a coordinate at a height.
-  bool isFree(const TurnedSection& section, double z, double edge) const {
-    const auto radii = section.radiiAt(z);
-    if (!radii) return true;
-    return m_outward > 0.0 ? radii->outer <= edge + kTiny
-                           : -radii->inner <= edge + kTiny || radii->inner >= -edge - kTiny;
-  }
-
-  // Returns true if the pass has left a surface between two heights, on the trailing side.
-  bool hasOwnSurface(const TurnedSection& section, std::uint32_t pass, double from, double to, double edge) const {
-    for (const SectionLoop& loop : section.loops()) {
-      for (const SectionSegment& segment : loop) {
-        if (segment.pass != pass || segment.isOfTrailingEdge) continue;
-        const ProfileBox box = segment.box();
-        const double low = std::min(m_trailing * box.min().y(), m_trailing * box.max().y());
-        const double high = std::max(m_trailing * box.min().y(), m_trailing * box.max().y());
-        const double outer = std::max(m_outward * box.min().x(), m_outward * box.max().x());
-        if (outer > edge + kTiny && high > from + kTiny && low < to - kTiny) return true;
-      }
-    }
-    return false;
-  }
-
-  ProfileSegment m_move;
-  ProfilePoint m_travel;  // mm, of the whole move
-  double m_radius, m_outward, m_trailing;
-  bool m_hasEdges;
-};
-
-bool subtractAll(TurnedSection& section, const SweptShape& shape, const ProfileSegment& move,
-                 std::span<const ProfilePoint> shadows, std::uint32_t pass, SectionRemoval& removal) {
-  const bool isFacing = shadows.size() > 1;
-  for (const SectionCutter& cutter : cuttersOf(shape, move, shadows)) {
-    const std::optional<SectionRemoval> cut = section.subtract(cutter, pass, isFacing);
+bool subtractAll(TurnedSection& section, const std::vector<SectionCutter>& cutters, std::uint32_t pass,
+                 bool isOfTrailingEdge, SectionRemoval& removal) {
+  for (const SectionCutter& cutter : cutters) {
+    const std::optional<SectionRemoval> cut = section.subtract(cutter, pass, isOfTrailingEdge);
     if (!cut) return false;
     removal.add(*cut);
   }
@@ -169,10 +69,52 @@ class Sleeve {
   double m_low = 0.0, m_high = 0.0, m_reach = 0.0;
 };
 
-}  // namespace
+// Returns the fractions of a move at which its direction passes a diagonal, then 1: an arc may begin along the axis and
+// end across it.
+std::vector<double> diagonalsOf(const ProfileSegment& move) {
+  std::vector<double> fractions;
+  const double angle = move.angle();
+  if (angle != 0.0) {
+    const ProfilePoint along = move.direction(0.0);
+    const double start = std::atan2(along.y(), along.x()), turn = std::copysign(1.0, angle);
+    // The direction turns to odd multiples of 45°.
+    for (double k = std::ceil(turn * start / (0.5 * M_PI) - 0.5);; k += 1.0) {
+      const double at = (turn * (k + 0.5) * 0.5 * M_PI - start) / angle;
+      if (at >= 1.0) break;
+      if (at > 0.0) fractions.push_back(at);
+    }
+  }
+  fractions.push_back(1.0);
+  return fractions;
+}
 
-bool mayCut(const TurnedSection& section, const TurningPass& how, const ProfileSegment& move) {
-  if (section.empty() || how.thread) return false;
+// Returns the end of the piece of a whole move, between two diagonals, on which a point lies.
+ProfilePoint endAfter(const ProfileSegment& whole, const ProfilePoint& p) {
+  if (!whole.isArc()) return whole.to;
+  const ProfilePoint centre = whole.centre(), a = whole.from - centre, b = p - centre;
+  double at = std::atan2(crossProduct(a, b), a.dot(b)) / whole.angle();
+  if (at < 0.0) at += 2.0 * M_PI / std::abs(whole.angle());
+  const std::vector<double> ends = diagonalsOf(whole);
+  const auto end = std::find_if(ends.begin(), ends.end(), [&](double each) { return each > at; });
+  return end == ends.end() ? whole.to : whole.at(*end);
+}
+
+bool cutByNose(TurnedSection& section, const TurningPass& how, const ProfileSegment& move, const ProfileSegment& whole,
+               std::uint32_t pass, SectionRemoval& removal) {
+  double from = 0.0;
+  for (const double to : how.edges.isZero() ? std::vector<double>{1.0} : diagonalsOf(move)) {
+    const ProfileSegment piece = move.piece(std::exchange(from, to), to);
+    const BareNose nose(how, piece, endAfter(whole, piece.at(0.5)));
+    if (nose.isBeside(section)) continue;
+    const std::vector<SectionCutter> ofTrailingEdge = nose.trailingEdge(section, pass);
+    if (!subtractAll(section, nose.nose(section), pass, !ofTrailingEdge.empty(), removal)) return false;
+    if (!subtractAll(section, ofTrailingEdge, pass, true, removal)) return false;
+  }
+  return true;
+}
+
+// Returns the bounds of what the edges of a tool reach on a move.
+ProfileBox reachOf(const TurningPass& how, const ProfileSegment& move) {
   ProfileBox tool(ProfilePoint(-how.noseRadius, -how.noseRadius), ProfilePoint(how.noseRadius, how.noseRadius));
   for (const RoundedPolygon& polygon : how.tool ? how.tool->cutting : std::vector<RoundedPolygon>()) {
     const ProfilePoint out(polygon.radius(), polygon.radius());
@@ -181,10 +123,17 @@ bool mayCut(const TurnedSection& section, const TurningPass& how, const ProfileS
       tool.extend(ProfilePoint(p + out));
     }
   }
-  const ProfileBox path = move.box(), &part = section.box();
-  const ProfilePoint low = path.min() + tool.min(), high = path.max() + tool.max();
-  const bool isBesideEnds = low.y() > part.max().y() || high.y() < part.min().y();
-  const bool isOutside = how.side == TurningSide::Outside && low.x() > part.max().x();
+  const ProfileBox path = move.box();
+  return {ProfilePoint(path.min() + tool.min()), ProfilePoint(path.max() + tool.max())};
+}
+
+}  // namespace
+
+bool mayCut(const TurnedSection& section, const TurningPass& how, const ProfileSegment& move) {
+  if (section.empty() || how.thread) return false;
+  const ProfileBox tool = reachOf(how, move), &part = section.box();
+  const bool isBesideEnds = tool.min().y() > part.max().y() || tool.max().y() < part.min().y();
+  const bool isOutside = how.side == TurningSide::Outside && tool.min().x() > part.max().x();
   return !isBesideEnds && !isOutside;
 }
 
@@ -193,35 +142,33 @@ std::optional<SectionRemoval> cutMove(TurnedSection& section, const TurningPass&
   SectionRemoval removal;
   const bool isSound = move.from.allFinite() && move.to.allFinite() && std::isfinite(move.bulge);
   if (!isSound || how.method == TurningMethod::Poles || !mayCut(section, how, move)) return removal;
-  if (!how.tool) {
-    const BareNose nose(how, move, whole);
-    if (nose.isBeside(section)) return removal;
-    const SweptShape shape{{ProfilePoint(0, 0)}, how.noseRadius};
-    return subtractAll(section, shape, move, nose.shadows(section, pass), pass, removal) ? std::optional(removal)
-                                                                                         : std::nullopt;
-  }
+  if (!how.tool) return cutByNose(section, how, move, whole, pass, removal) ? std::optional(removal) : std::nullopt;
   for (const RoundedPolygon& polygon : how.tool->cutting) {
     if (polygon.empty()) continue;
     const SweptShape shape = SweptShape::of(polygon);
-    if (!subtractAll(section, shape, move, {}, pass, removal)) return std::nullopt;
+    if (!subtractAll(section, cuttersOf(shape, move), pass, false, removal)) return std::nullopt;
     // The part turns: an edge beyond the axis cuts on the other side.
-    if (leastRadius(shape, move) < -kTiny && !subtractAll(section, shape.mirrored(), mirrored(move), {}, pass, removal))
+    if (leastRadius(shape, move) < -kMirrored &&
+        !subtractAll(section, cuttersOf(shape.mirrored(), mirrored(move)), pass, false, removal))
       return std::nullopt;
   }
   return removal;
 }
 
-ProfileSegment straightRun(const TurningPass& pass, std::size_t i) {
+bool isStraightOn(const ProfilePoint& along, const ProfilePoint& by) {
   constexpr double kStraightRun = 1e-6;  // sine of the largest angle between two moves of a run
+  const double length = along.norm() * by.norm();
+  return by.dot(along) > 0.0 && std::abs(crossProduct(by, along)) <= kStraightRun * length;
+}
+
+ProfileSegment straightRun(const TurningPass& pass, std::size_t i) {
   if (i == 0) return {pass.path[0], pass.path[0], 0.0};
   std::size_t first = i - 1, last = i;
-  const ProfilePoint along = (pass.path[i] - pass.path[i - 1]).normalized();
-  const auto goesOn = [&](const ProfilePoint& a, const ProfilePoint& b) {
-    const ProfilePoint move = b - a;
-    return move.dot(along) > 0.0 && std::abs(crossProduct(move, along)) <= kStraightRun * move.norm();
-  };
-  while (first > 0 && goesOn(pass.path[first - 1], pass.path[first])) --first;
-  while (last + 1 < pass.path.size() && goesOn(pass.path[last], pass.path[last + 1])) ++last;
+  const ProfilePoint by = pass.path[i] - pass.path[i - 1];
+  // The others do not face (cutMove()).
+  if (pass.edges.isZero() || std::abs(by.y()) > std::abs(by.x())) return {pass.path[first], pass.path[last], 0.0};
+  while (first > 0 && isStraightOn(by, pass.path[first] - pass.path[first - 1])) --first;
+  while (last + 1 < pass.path.size() && isStraightOn(by, pass.path[last + 1] - pass.path[last])) ++last;
   return {pass.path[first], pass.path[last], 0.0};
 }
 
@@ -253,7 +200,7 @@ std::vector<ProfileSegment> movesOf(const TurningPass& pass, double tolerance) {
 
 std::optional<SectionRemoval> cutPass(TurnedSection& section, const TurningPass& pass, std::uint32_t number,
                                       Progress progress) {
-  constexpr std::uint64_t kMostWork = 5'000'000;  // segments that all moves visit; less than a second
+  constexpr std::uint64_t kMostWork = 2'000'000;                      // segments that all moves visit; about a second
   constexpr double kLeastTolerance = 3e-7, kLargestTolerance = 1e-3;  // mm
   SectionRemoval removal;
   std::uint64_t work = 0;
@@ -261,20 +208,12 @@ std::optional<SectionRemoval> cutPass(TurnedSection& section, const TurningPass&
   for (double tolerance = 1e-6; moves.size() > kManyMoves && tolerance <= kLargestTolerance; tolerance *= 10.0)
     moves = movesOf(pass, tolerance);
   for (const ProfileSegment& move : moves) {
-    // An arc may begin along the axis and end across it.
-    constexpr double kFacedAngle = 0.1;  // rad
-    const int pieces =
-        pass.edges.isZero() ? 1 : std::max(1, static_cast<int>(std::ceil(std::abs(move.angle()) / kFacedAngle)));
-    for (int k = 0; k < pieces; ++k) {
-      if (progress.cancelled()) return std::nullopt;
-      work += section.size();
-      if (work > kMostWork) return std::nullopt;
-      const ProfileSegment piece =
-          pieces == 1 ? move : move.piece(static_cast<double>(k) / pieces, static_cast<double>(k + 1) / pieces);
-      const std::optional<SectionRemoval> cut = cutMove(section, pass, piece, move, number);
-      if (!cut) return std::nullopt;
-      removal.add(*cut);
-    }
+    if (progress.cancelled()) return std::nullopt;
+    section.eachSegment(reachOf(pass, move), [&](const SectionSegment&) { ++work; });
+    if (work > kMostWork) return std::nullopt;
+    const std::optional<SectionRemoval> cut = cutMove(section, pass, move, move, number);
+    if (!cut) return std::nullopt;
+    removal.add(*cut);
   }
   return removal;
 }

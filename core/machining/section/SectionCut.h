@@ -14,10 +14,10 @@ namespace handwheel {
 // A lathe tool removes its own area. A nose without a body removes also what lies outward of it or, in a bore, between
 // it and the axis, because its shank comes from there. If it has edges (TurningPass::edges) and moves inward more
 // steeply than 45°, it removes what its trailing edge sweeps as well, as in facing: all as far as the next plane
-// without material, which is at most kTrailingEdge away, and not further than the move goes inward. If material fills
-// that length, the tool plunges, and the nose alone cuts. The edge does not cut into a surface that the same pass has
-// left, so that the far side of a ball or of a recess has the programmed shape. whole: the move that `move` is a piece
-// of.
+// without material. The plane is at most kTrailingEdge away and, unless the tool goes through the material, not farther
+// than the tool goes into it. Otherwise the tool plunges, and the nose alone cuts. The edge does not cut into a surface
+// that the same pass has left, so that the far side of a ball or of a recess has the programmed shape. whole: the move
+// that `move` is a piece of, or the straight run of moves. Its end decides for all pieces.
 std::optional<SectionRemoval> cutMove(TurnedSection& section, const TurningPass& how, const ProfileSegment& move,
                                       const ProfileSegment& whole, std::uint32_t pass);
 
@@ -33,7 +33,10 @@ inline constexpr std::size_t kManyMoves = 2'000;
 std::optional<SectionRemoval> cutPass(TurnedSection& section, const TurningPass& pass, std::uint32_t number,
                                       Progress progress = {});
 
-// Returns the straight run of points of a pass to which the move to point i belongs, or that move if it is on an arc.
+// Returns true if a move continues another one, straight on.
+bool isStraightOn(const ProfilePoint& along, const ProfilePoint& by);
+// Returns the straight run of points of a pass to which the move to point i belongs, if that may face; otherwise, or on
+// an arc, the move.
 ProfileSegment straightRun(const TurningPass& pass, std::size_t i);
 
 // Returns the moves of a pass: its arcs, and lines within `tolerance` (mm) of the other points. The first is the

@@ -42,9 +42,16 @@ struct Split {
 // A piece of a boundary between two vertices.
 struct BoundaryPiece {
   SectionSegment segment;
-  std::size_t from = 0, to = 0;           // vertices
-  std::vector<SectionSegment> more = {};  // further segments, which the cutter does not meet
-  const SectionSegment& last() const { return more.empty() ? segment : more.back(); }
+  std::size_t from = 0, to = 0;     // vertices
+  std::vector<RunPart> parts = {};  // if not empty, the piece is these segments, which the cutter does not meet
+  const SectionSegment& first() const { return parts.empty() ? segment : parts.front().front(); }
+  const SectionSegment& last() const { return parts.empty() ? segment : parts.back().back(); }
+};
+
+// A segment of a loop that may meet the cutter.
+struct NearSegment {
+  std::size_t loop, run, index;
+  std::vector<Split> splits = {};
 };
 
 void addSplit(std::vector<Split>& splits, const SectionSegment& segment, const ProfilePoint& p, Vertices& vertices) {
@@ -98,16 +105,25 @@ void appendPieces(const SectionSegment& segment, std::vector<Split>& splits, Ver
 }
 
 // Appends the segments of a loop between two others, exclusive, as one piece.
-void appendRun(const SectionLoop& loop, std::size_t after, std::size_t before, Vertices& vertices,
-               std::vector<BoundaryPiece>& pieces) {
-  const std::size_t first = (after + 1) % loop.size();
-  if (first == before) return;
-  BoundaryPiece run;
-  run.segment = loop[first];
-  for (std::size_t i = (first + 1) % loop.size(); i != before; i = (i + 1) % loop.size()) run.more.push_back(loop[i]);
-  run.from = vertices.idOf(run.segment.from);
-  run.to = vertices.idOf(run.last().to);
-  pieces.push_back(std::move(run));
+void appendBetween(const SharedLoop& loop, const NearSegment& after, const NearSegment& before, Vertices& vertices,
+                   std::vector<BoundaryPiece>& pieces) {
+  const std::vector<SectionRun::Pointer>& runs = loop.runs();
+  BoundaryPiece piece;
+  const auto take = [&](std::size_t run, std::size_t first, std::size_t last) {
+    if (first < last) piece.parts.push_back({runs[run], first, last});
+  };
+  if (after.run == before.run && after.index < before.index) {
+    take(after.run, after.index + 1, before.index);
+  } else {
+    take(after.run, after.index + 1, runs[after.run]->segments.size());
+    for (std::size_t r = (after.run + 1) % runs.size(); r != before.run; r = (r + 1) % runs.size())
+      take(r, 0, runs[r]->segments.size());
+    take(before.run, 0, before.index);
+  }
+  if (piece.parts.empty()) return;
+  piece.from = vertices.idOf(piece.first().from);
+  piece.to = vertices.idOf(piece.last().to);
+  pieces.push_back(std::move(piece));
 }
 
 // Returns the number of crossings of a ray from a point, or nothing if the ray passes an end too closely to tell.
@@ -151,14 +167,24 @@ std::optional<int> crossings(const SectionSegment& segment, const ProfilePoint& 
   return count;
 }
 
-std::optional<bool> isInsideAlong(const std::vector<SectionLoop>& loops, const ProfilePoint& p,
-                                  const ProfilePoint& ahead) {
+// Returns true if a ray from a point may meet a box.
+bool mayMeet(const ProfileBox& box, const ProfilePoint& p, const ProfilePoint& ahead) {
+  const ProfilePoint centre = box.center() - p, half = 0.5 * box.sizes();
+  const double beside = half.x() * std::abs(ahead.y()) + half.y() * std::abs(ahead.x()) + kOn;
+  const double behind = half.x() * std::abs(ahead.x()) + half.y() * std::abs(ahead.y()) + kOn;
+  return std::abs(crossProduct(ahead, centre)) <= beside && centre.dot(ahead) >= -behind;
+}
+
+std::optional<bool> isInsideAlong(std::span<const SharedLoop> loops, const ProfilePoint& p, const ProfilePoint& ahead) {
   int count = 0;
-  for (const SectionLoop& loop : loops) {
-    for (const SectionSegment& segment : loop) {
-      const std::optional<int> here = crossings(segment, p, ahead);
-      if (!here) return std::nullopt;
-      count += *here;
+  for (const SharedLoop& loop : loops) {
+    for (const SectionRun::Pointer& run : loop.runs()) {
+      if (!mayMeet(run->box, p, ahead)) continue;
+      for (const SectionSegment& segment : run->segments) {
+        const std::optional<int> here = crossings(segment, p, ahead);
+        if (!here) return std::nullopt;
+        count += *here;
+      }
     }
   }
   return count % 2 == 1;
@@ -180,7 +206,7 @@ double distanceAlong(const BoundaryPiece& piece, const ProfilePoint& middle, con
 // Returns the side of a boundary on which a piece lies. beside: the segments of the boundary near it. Of several
 // segments within kOn, as in a slender wedge, the nearest one counts.
 PieceSide sideOf(const BoundaryPiece& piece, std::span<const SectionSegment* const> beside,
-                 const std::vector<SectionLoop>& loops) {
+                 std::span<const SharedLoop> loops) {
   const ProfilePoint middle = piece.segment.at(0.5 * piece.segment.length());
   double least = std::numeric_limits<double>::infinity(), cosine = 0.0;
   for (const SectionSegment* other : beside) {
@@ -198,7 +224,7 @@ PieceSide sideOf(const BoundaryPiece& piece, std::span<const SectionSegment* con
 
 // Chains directed pieces to closed loops. Of several pieces that leave a vertex, the one that turns most to the left is
 // next, so that loops which touch in a vertex stay apart.
-std::optional<std::vector<SectionLoop>> chained(const std::vector<BoundaryPiece>& pieces, std::size_t vertexCount) {
+std::optional<std::vector<SharedLoop>> chained(const std::vector<BoundaryPiece>& pieces, std::size_t vertexCount) {
   std::vector<std::vector<std::size_t>> leaving(vertexCount);
   std::vector<int> balance(vertexCount, 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -208,15 +234,15 @@ std::optional<std::vector<SectionLoop>> chained(const std::vector<BoundaryPiece>
   }
   if (std::any_of(balance.begin(), balance.end(), [](int count) { return count != 0; })) return std::nullopt;
   std::vector<bool> isUsed(pieces.size(), false);
-  std::vector<SectionLoop> loops;
+  std::vector<SharedLoop> loops;
   for (std::size_t start = 0; start < pieces.size(); ++start) {
     if (isUsed[start]) continue;
-    SectionLoop loop;
+    SharedLoopBuilder loop;
     std::size_t now = start;
     while (true) {
       isUsed[now] = true;
-      loop.push_back(pieces[now].segment);
-      loop.insert(loop.end(), pieces[now].more.begin(), pieces[now].more.end());
+      for (const RunPart& part : pieces[now].parts) loop.add(part);
+      if (pieces[now].parts.empty()) loop.add(pieces[now].segment);
       if (pieces[now].to == pieces[start].from && leaving[pieces[start].from].size() == 1) break;
       const SectionSegment& arriving = pieces[now].last();
       const ProfilePoint back = -arriving.carrier.direction(arriving.to);
@@ -224,7 +250,7 @@ std::optional<std::vector<SectionLoop>> chained(const std::vector<BoundaryPiece>
       double least = std::numeric_limits<double>::infinity();
       for (const std::size_t other : leaving[pieces[now].to]) {
         if (isUsed[other] && other != start) continue;
-        const ProfilePoint out = pieces[other].segment.carrier.direction(pieces[other].segment.from);
+        const ProfilePoint out = pieces[other].first().carrier.direction(pieces[other].first().from);
         // The angle from the way back, clockwise: the least one turns most to the left.
         double angle = std::atan2(-crossProduct(back, out), back.dot(out));
         if (angle <= 1e-9) angle += 2.0 * M_PI;
@@ -237,35 +263,9 @@ std::optional<std::vector<SectionLoop>> chained(const std::vector<BoundaryPiece>
       if (next == start) break;
       now = next;
     }
-    loops.push_back(std::move(loop));
+    loops.push_back(loop.finish());
   }
   return loops;
-}
-
-bool isOnCarrier(const SectionSegment& segment, const SectionCarrier& carrier) {
-  constexpr double kSame = 1e-9;  // mm
-  const double whole = segment.length();
-  return carrier.distance(segment.from) <= kSnap && carrier.distance(segment.to) <= kSnap &&
-         carrier.distance(segment.at(0.5 * whole)) <= kSnap &&
-         (!carrier.isCircle() || (std::abs(carrier.radius - segment.carrier.radius) <= kSame &&
-                                  (carrier.point - segment.carrier.point).norm() <= kSnap));
-}
-
-// Joins a segment to the one before it if both are of one pass and on one carrier.
-bool isJoined(SectionSegment& before, const SectionSegment& next) {
-  if (before.pass != next.pass || before.isOfTrailingEdge != next.isOfTrailingEdge) return false;
-  if (before.carrier.isCircle() != next.carrier.isCircle()) return false;
-  // Most neighbours are on circles that differ; that is seen without their angles.
-  if (before.carrier.isCircle() && (before.carrier.point - next.carrier.point).norm() > kSnap) return false;
-  if (before.carrier.direction(before.to).dot(next.carrier.direction(next.from)) < 1.0 - 1e-9) return false;
-  const bool isLonger = next.length() > before.length();
-  const SectionCarrier& kept = isLonger ? next.carrier : before.carrier;
-  if (!isOnCarrier(isLonger ? before : next, kept)) return false;
-  constexpr double kMostAngle = 1.75 * M_PI;  // an arc stays less than a full circle
-  if (kept.isCircle() && before.length() + next.length() > kMostAngle * std::abs(kept.radius)) return false;
-  before.carrier = kept;
-  before.to = next.to;
-  return true;
 }
 
 // Returns true if the sides of a loop coincide: it encloses nothing.
@@ -281,19 +281,7 @@ bool meets(const ProfileBox& a, const ProfileBox& b) {
 
 }  // namespace
 
-void tidyLoop(SectionLoop& loop) {
-  SectionLoop joined;
-  for (const SectionSegment& segment : loop) {
-    if (joined.empty() || !isJoined(joined.back(), segment)) joined.push_back(segment);
-  }
-  if (joined.size() > 2 && isJoined(joined.back(), joined.front())) {
-    joined.front() = joined.back();
-    joined.pop_back();
-  }
-  loop = std::move(joined);
-}
-
-bool isInside(const std::vector<SectionLoop>& loops, const ProfilePoint& p) {
+bool isInside(std::span<const SharedLoop> loops, const ProfilePoint& p) {
   static const std::array<ProfilePoint, 5> kDirections{ProfilePoint(1.0, 0.0), ProfilePoint(0.8, 0.6),
                                                        ProfilePoint(0.28, -0.96), ProfilePoint(-0.352, 0.936),
                                                        ProfilePoint(0.5376, 0.8432)};
@@ -303,29 +291,31 @@ bool isInside(const std::vector<SectionLoop>& loops, const ProfilePoint& p) {
   return false;
 }
 
-std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& loops, const SectionLoop& cutter) {
+std::optional<SectionDifference> differenceOf(const std::vector<SharedLoop>& loops, const SectionLoop& cutter) {
   SectionDifference result;
   if (isSliver(cutter)) return result;
   const ProfileBox box = boxOf(cutter);
   std::vector<ProfileBox> cutterBoxes;
   for (const SectionSegment& segment : cutter) cutterBoxes.push_back(segment.box());
 
-  // The segments that may meet the cutter.
-  struct Near {
-    std::size_t loop, index;
-    std::vector<Split> splits = {};
-  };
-  std::vector<Near> near;
+  std::vector<NearSegment> near;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    for (std::size_t i = 0; i < loops[k].size(); ++i)
-      if (meets(loops[k][i].looseBox(), box)) near.push_back({k, i});
+    for (std::size_t r = 0; r < loops[k].runs().size(); ++r) {
+      const SectionRun& run = *loops[k].runs()[r];
+      if (!meets(run.box, box)) continue;
+      for (std::size_t i = 0; i < run.segments.size(); ++i)
+        if (meets(run.segments[i].looseBox(), box)) near.push_back({k, r, i});
+    }
   }
+  const auto segmentOf = [&](const NearSegment& each) -> const SectionSegment& {
+    return loops[each.loop].runs()[each.run]->segments[each.index];
+  };
   Vertices vertices;
   std::vector<std::vector<Split>> cutterSplits(cutter.size());
   std::vector<const SectionSegment*> beside, cutterSegments;
   for (const SectionSegment& segment : cutter) cutterSegments.push_back(&segment);
-  for (Near& each : near) {
-    const SectionSegment& segment = loops[each.loop][each.index];
+  for (NearSegment& each : near) {
+    const SectionSegment& segment = segmentOf(each);
     const ProfileBox own = segment.box();
     beside.push_back(&segment);
     for (std::size_t b = 0; b < cutter.size(); ++b)
@@ -335,7 +325,7 @@ std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& lo
   const bool isApart = near.empty() && !isInside(loops, cutter.front().at(0.5 * cutter.front().length()));
   if (isApart) return result;
   std::vector<BoundaryPiece> kept;
-  const std::vector<SectionLoop> cutterLoops{cutter};
+  const std::array<SharedLoop, 1> cutterLoops{SharedLoop({SectionRun::of(cutter)})};
   bool isAnyDropped = false;
   // Counts a piece of the boundary of what is removed.
   const auto drop = [&](const SectionSegment& segment) {
@@ -344,9 +334,9 @@ std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& lo
     result.removal.volume += M_PI * segment.squareMoment();
     result.removal.box.extend(segment.box());
   };
-  for (Near& each : near) {
+  for (NearSegment& each : near) {
     std::vector<BoundaryPiece> pieces;
-    appendPieces(loops[each.loop][each.index], each.splits, vertices, pieces);
+    appendPieces(segmentOf(each), each.splits, vertices, pieces);
     for (const BoundaryPiece& piece : pieces) {
       const PieceSide side = sideOf(piece, cutterSegments, cutterLoops);
       if (side == PieceSide::Outside || side == PieceSide::OnOpposite) {
@@ -387,17 +377,16 @@ std::optional<SectionDifference> differenceOf(const std::vector<SectionLoop>& lo
       continue;
     }
     for (std::size_t n = first; n < next; ++n)
-      appendRun(loops[k], near[n].index, near[n + 1 < next ? n + 1 : first].index, vertices, kept);
+      appendBetween(loops[k], near[n], near[n + 1 < next ? n + 1 : first], vertices, kept);
   }
   result.unchanged = result.loops.size();
   kept.insert(kept.end(), added.begin(), added.end());
-  std::optional<std::vector<SectionLoop>> all = chained(kept, vertices.size());
+  std::optional<std::vector<SharedLoop>> all = chained(kept, vertices.size());
   if (!all) return std::nullopt;
   constexpr double kLeastArea = 1e-10;  // mm², slivers of the snapping
-  for (SectionLoop& loop : *all) {
-    tidyLoop(loop);
+  for (SharedLoop& loop : *all) {
     constexpr std::size_t kMostOfSliver = 16;  // segments
-    if (loop.size() > kMostOfSliver || std::abs(areaOf(loop)) > kLeastArea) result.loops.push_back(std::move(loop));
+    if (loop.size() > kMostOfSliver || std::abs(loop.area()) > kLeastArea) result.loops.push_back(std::move(loop));
   }
   return result;
 }

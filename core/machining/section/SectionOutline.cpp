@@ -3,7 +3,6 @@
 #include "machining/section/SectionOutline.h"
 
 #include "machining/refit/ArcNurbs.h"
-#include "machining/section/SectionDifference.h"
 #include "machining/target/CurveFit.h"
 
 #include <algorithm>
@@ -56,12 +55,13 @@ Chain joined(const Chain& chain, double tolerance) {
 
 // Returns the curves of a loop without those on the axis, which part it into chains. The outside, or what is closed, is
 // the first chain; hollows on the axis follow.
-std::vector<Chain> chainsOf(SectionLoop loop, double tolerance, double base) {
+std::vector<Chain> chainsOf(const SharedLoop& boundary, double tolerance, double base) {
+  SectionLoop loop = boundary.segments();
   for (SectionSegment& segment : loop) {
     segment.pass = SectionSegment::kBar;
     segment.isOfTrailingEdge = false;
   }
-  tidyLoop(loop);
+  loop = SharedLoop::of(loop).segments();
   const auto axis = std::find_if(loop.begin(), loop.end(), isOnAxis);
   if (axis != loop.end()) {
     std::rotate(loop.begin(), axis + 1, loop.end());
@@ -101,7 +101,7 @@ Chain reversedChain(Chain chain) {
 
 Result<TargetProfile> outlineOf(const TurnedSection& piece, double tolerance, double base) {
   Chain all;
-  for (const SectionLoop& loop : piece.loops()) {
+  for (const SharedLoop& loop : piece.loops()) {
     for (const Chain& chain : chainsOf(loop, tolerance, base)) all.insert(all.end(), chain.begin(), chain.end());
   }
   return TargetProfile::make(std::move(all));
@@ -110,8 +110,8 @@ Result<TargetProfile> outlineOf(const TurnedSection& piece, double tolerance, do
 Result<TurnedCurves> curvesOf(const TurnedSection& piece, double tolerance, double base) {
   std::optional<ProfileCurve> outside;
   std::vector<ProfileCurve> cavities;
-  for (const SectionLoop& loop : piece.loops()) {
-    const bool isHollow = areaOf(loop) < 0.0;
+  for (const SharedLoop& loop : piece.loops()) {
+    const bool isHollow = loop.area() < 0.0;
     for (Chain& chain : chainsOf(loop, tolerance, base)) {
       const bool isOutside = !isHollow && !outside;
       Result<ProfileCurve> curve = ProfileCurve::make(nurbsOf(isOutside ? chain : reversedChain(std::move(chain))));

@@ -55,7 +55,7 @@ TurnedProfile::Range take(TurnedProfile& profile, TurnedSection section, const S
   }
   const double beside = profile.spacing();
   const TurnedProfile::Range near =
-      samplesWithin(profile, removal.box.min().y() - beside, removal.box.max().y() + beside);
+      samplesWithin(profile, removal.gone.min().y() - beside, removal.gone.max().y() + beside);
   changed = section.sample(profile, near);
   profile.setSection(SectionSource::of(std::move(section)));
   return changed;
@@ -80,7 +80,7 @@ TurnedSection fittedSection(const TurnedProfile& samples, double tolerance) {
       loops.push_back(std::move(loop));
     }
   }
-  return TurnedSection(std::move(loops));
+  return TurnedSection(loops);
 }
 
 std::optional<ExactStep> cutExactly(TurnedProfile& profile, const TurningPass& how, const ProfileSegment& move,

@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kFarAway = std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Calls take(r) with the radii at which a segment crosses a height. O(1).
 template <class Take>
@@ -38,7 +38,7 @@ void eachRadiusAt(const SectionSegment& segment, double z, Take take) {
 
 // The least and the largest radius that were seen at a height.
 struct RadiusRange {
-  double least = kFarAway, largest = -kFarAway;
+  double least = kInfinity, largest = -kInfinity;
   void take(double r) {
     least = std::min(least, r);
     largest = std::max(largest, r);
@@ -54,6 +54,7 @@ void SectionRemoval::add(const SectionRemoval& other) {
   area += other.area;
   volume += other.volume;
   box.extend(other.box);
+  gone.extend(other.gone);
 }
 
 TurnedSection::TurnedSection(const StockCylinder& stock) {
@@ -64,44 +65,55 @@ TurnedSection::TurnedSection(const StockCylinder& stock) {
   for (std::size_t i = 0; i < corners.size(); ++i)
     loop.push_back(SectionSegment::line(corners[i], corners[(i + 1) % corners.size()]));
   m_box = boxOf(loop);
-  m_loops.push_back(std::move(loop));
+  m_loops.push_back(SharedLoop::of(loop));
 }
 
 std::size_t TurnedSection::size() const {
   std::size_t sum = 0;
-  for (const SectionLoop& loop : m_loops) sum += loop.size();
+  for (const SharedLoop& loop : m_loops) sum += loop.size();
   return sum;
 }
 
 double TurnedSection::area() const {
   double sum = 0.0;
-  for (const SectionLoop& loop : m_loops) sum += areaOf(loop);
+  for (const SharedLoop& loop : m_loops) sum += loop.area();
   return sum;
 }
 
 double TurnedSection::volume() const {
   double sum = 0.0;
-  for (const SectionLoop& loop : m_loops) sum += volumeOf(loop);
+  for (const SharedLoop& loop : m_loops) sum += loop.volume();
   return sum;
 }
 
-TurnedSection::TurnedSection(std::vector<SectionLoop> loops) : m_loops(std::move(loops)) {
-  for (const SectionLoop& loop : m_loops) m_box.extend(boxOf(loop));
+TurnedSection::TurnedSection(const std::vector<SectionLoop>& loops) {
+  for (const SectionLoop& loop : loops)
+    if (!loop.empty()) m_loops.push_back(SharedLoop::of(loop));
+  findBox();
+}
+
+TurnedSection::TurnedSection(std::vector<SharedLoop> loops) : m_loops(std::move(loops)) {
+  findBox();
+}
+
+void TurnedSection::findBox() {
+  m_box = ProfileBox();
+  for (const SharedLoop& loop : m_loops) m_box.extend(loop.box());
 }
 
 std::vector<TurnedSection> TurnedSection::pieces() const {
-  std::vector<std::vector<SectionLoop>> pieces;
-  for (const SectionLoop& loop : m_loops)
-    if (areaOf(loop) > 0.0) pieces.push_back({loop});
-  for (const SectionLoop& loop : m_loops) {
-    if (areaOf(loop) > 0.0) continue;
-    const auto owner = std::find_if(pieces.begin(), pieces.end(), [&](const std::vector<SectionLoop>& piece) {
-      return isInside({piece.front()}, loop.front().at(0.5 * loop.front().length()));
+  std::vector<std::vector<SharedLoop>> pieces;
+  for (const SharedLoop& loop : m_loops)
+    if (loop.area() > 0.0) pieces.push_back({loop});
+  for (const SharedLoop& loop : m_loops) {
+    if (loop.area() > 0.0) continue;
+    const auto owner = std::find_if(pieces.begin(), pieces.end(), [&](const std::vector<SharedLoop>& piece) {
+      return isInside(std::span(&piece.front(), 1), loop.pointOnBoundary());
     });
     if (owner != pieces.end()) owner->push_back(loop);
   }
   std::vector<TurnedSection> all;
-  for (std::vector<SectionLoop>& piece : pieces) all.emplace_back(std::move(piece));
+  for (std::vector<SharedLoop>& piece : pieces) all.push_back(TurnedSection(std::move(piece)));
   std::sort(all.begin(), all.end(),
             [](const TurnedSection& a, const TurnedSection& b) { return a.box().min().y() < b.box().min().y(); });
   return all;
@@ -130,38 +142,36 @@ bool TurnedSection::subtractOnce(const SectionLoop& cutter, SectionRemoval& remo
   removal = difference->removal;
   if (removal.isEmpty()) return true;
   m_loops = std::move(difference->loops);
-  if (m_loops.size() > 1) dropChips(difference->unchanged, boxOf(cutter));
+  removal.gone = removal.box;
+  if (m_loops.size() > 1) removal.gone.extend(dropChips(difference->unchanged, boxOf(cutter)));
   constexpr double kSlack = 1e-6;  // mm
-  const bool isWithin = (removal.box.min().array() > m_box.min().array() + kSlack).all() &&
-                        (removal.box.max().array() < m_box.max().array() - kSlack).all();
-  if (!isWithin || m_loops.empty()) {
-    m_box = ProfileBox();
-    for (const SectionLoop& loop : m_loops) m_box.extend(boxOf(loop));
-  }
+  const bool isWithin = (removal.gone.min().array() > m_box.min().array() + kSlack).all() &&
+                        (removal.gone.max().array() < m_box.max().array() - kSlack).all();
+  if (!isWithin || m_loops.empty()) findBox();
   return size() <= kMostSegments;
 }
 
 // The piece in the chuck is the one that reaches lowest. Pieces that the cut did not change stay.
-void TurnedSection::dropChips(std::size_t unchanged, const ProfileBox& cutter) {
+ProfileBox TurnedSection::dropChips(std::size_t unchanged, const ProfileBox& cutter) {
   constexpr double kSlack = 1e-6;  // mm
-  std::vector<ProfileBox> boxes;
-  std::size_t lowest = m_loops.size();
-  for (std::size_t k = 0; k < m_loops.size(); ++k) {
-    boxes.push_back(boxOf(m_loops[k]));
-    if (lowest == m_loops.size() || boxes[k].min().y() < boxes[lowest].min().y()) lowest = k;
-  }
-  std::vector<SectionLoop> left, chips;
-  for (std::size_t k = 0; k < m_loops.size(); ++k) {
-    const bool isWithin =
-        boxes[k].min().y() >= cutter.min().y() - kSlack && boxes[k].max().y() <= cutter.max().y() + kSlack;
-    const bool isChip = k >= unchanged && k != lowest && isWithin && areaOf(m_loops[k]) > 0.0;
-    (isChip ? chips : left).push_back(std::move(m_loops[k]));
+  const auto lowest = std::min_element(m_loops.begin(), m_loops.end(), [](const SharedLoop& a, const SharedLoop& b) {
+    return a.box().min().y() < b.box().min().y();
+  });
+  std::vector<SharedLoop> left, chips;
+  for (auto loop = m_loops.begin(); loop != m_loops.end(); ++loop) {
+    const ProfileBox& box = loop->box();
+    const bool isWithin = box.min().y() >= cutter.min().y() - kSlack && box.max().y() <= cutter.max().y() + kSlack;
+    const bool isOld = loop - m_loops.begin() < static_cast<std::ptrdiff_t>(unchanged);
+    const bool isChip = !isOld && loop != lowest && isWithin && loop->area() > 0.0;
+    (isChip ? chips : left).push_back(*loop);
   }
   // A hollow falls off with the chip that it is in.
-  std::erase_if(left, [&](const SectionLoop& loop) {
-    return areaOf(loop) < 0.0 && isInside(chips, loop.front().at(0.5 * loop.front().length()));
-  });
+  std::erase_if(left,
+                [&](const SharedLoop& loop) { return loop.area() < 0.0 && isInside(chips, loop.pointOnBoundary()); });
   m_loops = std::move(left);
+  ProfileBox gone;
+  for (const SharedLoop& chip : chips) gone.extend(chip.box());
+  return gone;
 }
 
 bool TurnedSection::contains(const ProfilePoint& p) const {
@@ -170,12 +180,11 @@ bool TurnedSection::contains(const ProfilePoint& p) const {
 
 std::optional<TurnedSection::Radii> TurnedSection::radiiAt(double z) const {
   std::array<RadiusRange, 2> sides;
-  for (const SectionLoop& loop : m_loops) {
-    for (const SectionSegment& segment : loop) {
-      for (std::size_t side = 0; side < 2; ++side)
-        eachRadiusAt(segment, z + (side == 0 ? -kBeside : kBeside), [&](double r) { sides[side].take(r); });
-    }
-  }
+  eachSegment(ProfileBox(ProfilePoint(-kInfinity, z - kBeside), ProfilePoint(kInfinity, z + kBeside)),
+              [&](const SectionSegment& segment) {
+                for (std::size_t side = 0; side < 2; ++side)
+                  eachRadiusAt(segment, z + (side == 0 ? -kBeside : kBeside), [&](double r) { sides[side].take(r); });
+              });
   if (sides[0].isEmpty() && sides[1].isEmpty()) return std::nullopt;
   const RadiusRange& below = sides[0].isEmpty() ? sides[1] : sides[0];
   const RadiusRange& above = sides[1].isEmpty() ? sides[0] : sides[1];
@@ -187,13 +196,12 @@ std::vector<double> TurnedSection::heightsAt(double radius) const {
   const SectionCarrier across{{radius, 0.0}, {0.0, 1.0}, 0.0};
   constexpr double kSlack = 1e-7;  // mm
   std::vector<double> heights;
-  for (const SectionLoop& loop : m_loops) {
-    for (const SectionSegment& segment : loop) {
-      const CarrierMeetings found = meetings(segment.carrier, across, kSlack);
-      for (std::size_t i = 0; i < found.count; ++i)
-        if (segment.isOn(found.points[i], kSlack)) heights.push_back(found.points[i].y());
-    }
-  }
+  const ProfileBox there(ProfilePoint(radius - kSlack, -kInfinity), ProfilePoint(radius + kSlack, kInfinity));
+  eachSegment(there, [&](const SectionSegment& segment) {
+    const CarrierMeetings found = meetings(segment.carrier, across, kSlack);
+    for (std::size_t i = 0; i < found.count; ++i)
+      if (segment.isOn(found.points[i], kSlack)) heights.push_back(found.points[i].y());
+  });
   return heights;
 }
 
@@ -202,19 +210,18 @@ TurnedProfile::Range TurnedSection::sample(TurnedProfile& profile, const TurnedP
   if (range.isEmpty()) return changed;
   std::vector<std::array<RadiusRange, 2>> seen(range.size());
   const double spacing = profile.spacing();
-  for (const SectionLoop& loop : m_loops) {
-    for (const SectionSegment& segment : loop) {
-      const ProfileBox box = segment.looseBox();
-      const double low = std::ceil((box.min().y() - kBeside) / spacing), high = (box.max().y() + kBeside) / spacing;
-      for (double i = std::max(low, static_cast<double>(range.first)); i <= high && i < static_cast<double>(range.last);
-           ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        for (std::size_t side = 0; side < 2; ++side)
-          eachRadiusAt(segment, profile.z(at) + (side == 0 ? -kBeside : kBeside),
-                       [&](double r) { seen[at - range.first][side].take(r); });
-      }
+  const double first = static_cast<double>(range.first), last = static_cast<double>(range.last);
+  const ProfileBox there(ProfilePoint(-kInfinity, (first - 1.0) * spacing), ProfilePoint(kInfinity, last * spacing));
+  eachSegment(there, [&](const SectionSegment& segment) {
+    const ProfileBox box = segment.looseBox();
+    const double low = std::ceil((box.min().y() - kBeside) / spacing), high = (box.max().y() + kBeside) / spacing;
+    for (double i = std::max(low, first); i <= high && i < last; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      for (std::size_t side = 0; side < 2; ++side)
+        eachRadiusAt(segment, profile.z(at) + (side == 0 ? -kBeside : kBeside),
+                     [&](double r) { seen[at - range.first][side].take(r); });
     }
-  }
+  });
   for (std::size_t i = range.first; i < range.last; ++i) {
     const auto& [below, above] = seen[i - range.first];
     // The ends of the bar have material on one side only.

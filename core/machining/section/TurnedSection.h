@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machining/TurnedProfile.h"
-#include "machining/section/SectionSegment.h"
+#include "machining/section/SharedLoop.h"
 
 #include <functional>
 
@@ -18,6 +18,7 @@ struct SectionRemoval {
   double area = 0.0;    // mm²
   double volume = 0.0;  // mm³
   ProfileBox box;       // bounds of the removed area; empty if nothing was removed
+  ProfileBox gone;      // bounds of it and of the chips that fell off
 
   bool isEmpty() const { return box.isEmpty(); }
   void add(const SectionRemoval& other);
@@ -36,13 +37,23 @@ class TurnedSection {
   // Creates the section of an uncut bar, whose lower end is at z = 0.
   explicit TurnedSection(const StockCylinder& stock);
   // Creates a section with these boundary loops, which must be as described above.
-  explicit TurnedSection(std::vector<SectionLoop> loops);
+  explicit TurnedSection(const std::vector<SectionLoop>& loops);
 
-  const std::vector<SectionLoop>& loops() const { return m_loops; }
+  const std::vector<SharedLoop>& loops() const { return m_loops; }
   bool empty() const { return m_loops.empty(); }
   std::size_t size() const;  // number of segments
-  double area() const;       // mm²
-  double volume() const;     // mm³
+  // Calls visit(segment) with each segment whose run meets a box, and others of these runs.
+  template <class Visit>
+  void eachSegment(const ProfileBox& box, Visit visit) const {
+    for (const SharedLoop& loop : m_loops) {
+      for (const SectionRun::Pointer& run : loop.runs()) {
+        if (!run->box.intersects(box)) continue;
+        for (const SectionSegment& segment : run->segments) visit(segment);
+      }
+    }
+  }
+  double area() const;    // mm²
+  double volume() const;  // mm³
   const ProfileBox& box() const { return m_box; }
 
   // Returns the pieces of a part that was parted off, each with its hollows, from the one in the chuck to the free end.
@@ -52,14 +63,14 @@ class TurnedSection {
   // the cut separates from the rest fall off if they lie within the heights of the cutter, as chips do. Returns
   // nothing, and leaves the section as it was, if the result is not sound for any small offset of the cutter.
   // isOfTrailingEdge: marks the new boundary, as in SectionSegment.
-  // O(segments) for the boxes, and O(k m) for the k segments that meet the box of a cutter with m segments.
+  // O(runs + k m) for the k segments that meet the box of a cutter with m segments.
   std::optional<SectionRemoval> subtract(const SectionCutter& cutter, std::uint32_t pass,
                                          bool isOfTrailingEdge = false);
 
-  bool contains(const ProfilePoint& p) const;  // O(segments)
+  bool contains(const ProfilePoint& p) const;
 
   // The outer and inner radii at a height. If the height is that of a face, the material on both sides counts only as
-  // far as both have it. Nothing if there is no material.
+  // far as both have it. Nothing if there is no material. O(runs + segments of the runs at the height).
   struct Radii {
     double inner = 0.0, outer = 0.0;  // mm
   };
@@ -73,10 +84,13 @@ class TurnedSection {
   TurnedProfile::Range sample(TurnedProfile& profile, const TurnedProfile::Range& range) const;
 
  private:
+  explicit TurnedSection(std::vector<SharedLoop> loops);
+  void findBox();
   bool subtractOnce(const SectionLoop& cutter, SectionRemoval& removal);
-  void dropChips(std::size_t unchanged, const ProfileBox& cutter);
+  // Returns the bounds of the chips.
+  ProfileBox dropChips(std::size_t unchanged, const ProfileBox& cutter);
 
-  std::vector<SectionLoop> m_loops;
+  std::vector<SharedLoop> m_loops;
   ProfileBox m_box;
 };
 

@@ -32,13 +32,14 @@ bool isSound(const SectionLoop& loop, const StockCylinder& stock) {
 
 std::uint64_t writeSection(const TurnedSection& section, Container& container) {
   std::vector<double> values;
-  for (const SectionLoop& loop : section.loops()) {
-    for (const SectionSegment& segment : loop) {
+  for (const SharedLoop& loop : section.loops()) {
+    bool isFirst = true;
+    for (const SectionSegment& segment : loop.segments()) {
       const SectionCarrier& carrier = segment.carrier;
       const double pass = segment.pass == SectionSegment::kBar ? -1.0 : segment.pass;
-      values.insert(values.end(),
-                    {carrier.point.x(), carrier.point.y(), carrier.along.x(), carrier.along.y(), carrier.radius,
-                     segment.from.x(), segment.from.y(), pass, &segment == &loop.front() ? 1.0 : 0.0});
+      values.insert(values.end(), {carrier.point.x(), carrier.point.y(), carrier.along.x(), carrier.along.y(),
+                                   carrier.radius, segment.from.x(), segment.from.y(), pass, isFirst ? 1.0 : 0.0});
+      isFirst = false;
     }
   }
   writeArray<double>(container, kSectionBlob, values, kNumbersOfSegment);
@@ -69,7 +70,7 @@ std::optional<TurnedSection> readSection(const Container& container, std::uint64
     for (std::size_t i = 0; i < loop.size(); ++i) loop[i].to = loop[(i + 1) % loop.size()].from;
     if (!isSound(loop, stock)) return std::nullopt;
   }
-  return TurnedSection(std::move(loops));
+  return TurnedSection(loops);
 }
 
 }  // namespace handwheel

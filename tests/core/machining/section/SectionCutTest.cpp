@@ -74,6 +74,19 @@ class SectionCutTest : public QObject {
     QVERIFY(radii && std::abs(radii->outer - 10.0) < 1e-9);
   }
 
+  // A nose leaves its radius in the corner at the shoulder, and nothing at the end of the boss.
+  void facingToABossWithANose() {
+    for (const double nose : {0.4, 1.2}) {
+      TurnedSection section(kBar);
+      // By Pappus: a square without a quarter of a disc.
+      const double square = nose * nose, quarter = 0.25 * M_PI * square;
+      const double moment = square * 0.5 * nose - quarter * nose * (1.0 - 4.0 / (3.0 * M_PI));
+      const double corner = 2.0 * M_PI * (10.0 * (square - quarter) + moment);
+      QVERIFY(std::abs(removedBy(section, noseOf(nose), {{23, 97}, {10, 97}, {10, 102}}) -
+                       (volumeOfCylinder(20, 3) - volumeOfCylinder(10, 3) - corner)) < 1e-6);
+    }
+  }
+
   // A tool with its tip away from the chuck faces a collar on the chuck's side: 1 mm of a collar between Z 50 and 60.
   void facingAtTheChucksSide() {
     TurnedSection section(kBar);
@@ -108,6 +121,46 @@ class SectionCutTest : public QObject {
     const double half = 0.5 * M_PI * nose * nose * 2.0 * M_PI * (15.0 + nose - 4.0 * nose / (3.0 * M_PI));
     const double expected = half + 2.0 * nose * M_PI * (400.0 - (15.0 + nose) * (15.0 + nose));
     QVERIFY(std::abs(groove - expected) < 1e-6 * expected);
+  }
+
+  // A way through air is no depth: 1 mm into a bar whose end is 7 mm away, from 12 mm above it, a point leaves nothing.
+  void aShallowPlungeFromFarAway() {
+    for (const double start : {21.0, 31.0}) {
+      TurnedSection section(kBar);
+      QVERIFY(std::abs(removedBy(section, noseOf(0.0), {{start, 93}, {19, 93}, {start, 93}})) < 1e-9);
+    }
+  }
+
+  // A tube of 2 mm is faced by 5 mm, although it is thinner than that: the tool goes through it.
+  void facingATube() {
+    TurnedSection section(kBar);
+    removedBy(section, noseOf(0.0, {1, -1}, TurningSide::Bore), {{18, 105}, {18, 50}, {0, 50}});
+    const double wall = volumeOfCylinder(20, 5) - volumeOfCylinder(18, 5);
+    QVERIFY(std::abs(removedBy(section, noseOf(0.0), {{22, 95}, {10, 95}, {10, 105}}, 1) - wall) < 1e-6);
+  }
+
+  // A move faces the same in one, and in pieces: along a line, and along a quarter of a circle that begins radially.
+  void facingInPieces_data() {
+    QTest::addColumn<double>("bulge");
+    QTest::newRow("line") << 0.0;
+    QTest::newRow("concave") << std::tan(M_PI / 8.0);
+    QTest::newRow("convex") << -std::tan(M_PI / 8.0);
+  }
+  void facingInPieces() {
+    QFETCH(double, bulge);
+    const ProfileSegment move{{21, 97.3}, bulge == 0.0 ? ProfilePoint(11.5, 97.3) : ProfilePoint(13, 89.3), bulge};
+    for (const double nose : {0.0, 0.4}) {
+      TurnedSection whole(kBar);
+      QVERIFY(cutMove(whole, noseOf(nose), move, move, 0).has_value());
+      for (const int count : {2, 3, 7, 16, 40}) {
+        TurnedSection section(kBar);
+        for (int i = 0; i < count; ++i) {
+          const ProfileSegment piece = move.piece(static_cast<double>(i) / count, (i + 1.0) / count);
+          QVERIFY(cutMove(section, noseOf(nose), piece, move, 0).has_value());
+        }
+        QVERIFY(std::abs(section.volume() - whole.volume()) < 1e-6);
+      }
+    }
   }
 
   // A ball of 20 mm at the end of a bar of Ø24: its far side has the programmed shape, and one arc is one segment.

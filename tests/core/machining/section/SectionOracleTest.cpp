@@ -55,7 +55,7 @@ class TwiceCutBar {
       if (!one) return "not subtracted";
       removal.add(*one);
     }
-    if (std::string fault = test::faultOf(m_section.loops()); !fault.empty()) return fault;
+    if (std::string fault = test::faultOf(m_section); !fault.empty()) return fault;
     m_exact.cut(cut.shape, cut.move);
     m_isOver = before - removal.area - m_section.area() > 1e-7;
     if (!m_isOver) return difference();
@@ -67,8 +67,8 @@ class TwiceCutBar {
  private:
   std::string difference() const {
     double length = 0.0;
-    for (const SectionLoop& loop : m_section.loops())
-      for (const SectionSegment& segment : loop) length += segment.length();
+    for (const SharedLoop& loop : m_section.loops())
+      for (const SectionSegment& segment : loop.segments()) length += segment.length();
     const double area = m_exact.area(), volume = m_exact.volume();
     char text[120] = "";
     if (std::abs(m_section.area() - area) > 1e-6 * length)

@@ -45,9 +45,9 @@ class ProgramPlaybackTest : public QObject {
     QTest::addColumn<double>("inner");
     QTest::addColumn<double>("outer");
     QString turning = "G7 G21 G97 S800 M3\nG0 X46 Z1\n";
-    for (int i = 0; i < 5'000; ++i)
-      turning += QString("G1 X%1 Z%2 F100\n").arg(i % 2 ? 46.0 : 46.001).arg(1.0 - 0.014 * i);
-    QTest::newRow("5,000 moves") << turning + "M2\n" << 20.0 << 24.0;
+    for (int i = 0; i < 20'000; ++i)
+      turning += QString("G1 X%1 Z%2 F100\n").arg(i % 2 ? 46.0 : 46.001).arg(1.0 - 0.0035 * i);
+    QTest::newRow("20,000 moves") << turning + "M2\n" << 20.0 << 24.0;
     QTest::newRow("a thread") << "G7 G21 G97 S60 M3\nG0 X47 Z4\nG33 Z-60 K1.5\nG0 X54\nM2\n" << 23.0 << 24.0;
   }
   void thePartFollowsTheTool() {

@@ -34,12 +34,12 @@ ProgramTrial::Pointer playedTrial(const std::string& text) {
   return trial ? *trial : nullptr;
 }
 
-// A contour of 5,000 short moves.
+// A contour of 20,000 short moves.
 std::string longProgram() {
   std::string text = "G7 G21 G97 S800 M3\nG0 X44 Z1\n";
-  for (int i = 0; i < 5'000; ++i)
+  for (int i = 0; i < 20'000; ++i)
     text +=
-        "G1 X" + std::to_string(36.0 + 2.0 * std::sin(0.04 * i)) + " Z" + std::to_string(1.0 - 0.012 * i) + " F160\n";
+        "G1 X" + std::to_string(36.0 + 2.0 * std::sin(0.01 * i)) + " Z" + std::to_string(1.0 - 0.003 * i) + " F160\n";
   return text + "M2\n";
 }
 
@@ -90,7 +90,7 @@ class PlayedPartTest : public QObject {
   // processor, the mean of them all and each single one, threads too.
   void aStepIsQuick_data() {
     QTest::addColumn<QString>("program");
-    QTest::newRow("5,000 moves") << QString::fromStdString(longProgram());
+    QTest::newRow("20,000 moves") << QString::fromStdString(longProgram());
     QTest::newRow("threads") << QString(kPlayedThreads);
   }
   void aStepIsQuick() {
