@@ -18631,5 +18631,9 @@
         <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are still those of the piece at the free end, which came off before.</source>
         <translation>Sein Volumen ist %1 mm³; %2 mm³ bleiben im Futter. Maße und exportierte Zeichnungen und STEP-Dateien sind weiter die des Stücks am freien Ende, das vorher abgefallen ist.</translation>
     </message>
+    <message>
+        <source>Measuring the part</source>
+        <translation>Das Werkstück wird vermessen</translation>
+    </message>
 </context>
 </TS>

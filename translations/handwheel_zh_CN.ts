@@ -18510,5 +18510,9 @@
         <source>Its volume is %1 mm³; %2 mm³ stay in the chuck. Dimensions and exported drawings and STEP files are still those of the piece at the free end, which came off before.</source>
         <translation>其体积为 %1 mm³；卡盘中留有 %2 mm³。尺寸以及导出的图纸和 STEP 文件仍是先前从自由端切下的那一段的。</translation>
     </message>
+    <message>
+        <source>Measuring the part</source>
+        <translation>正在测量零件</translation>
+    </message>
 </context>
 </TS>

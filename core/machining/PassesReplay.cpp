@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/PassesReplay.h"
 
+#include "machining/PassSteps.h"
 #include "machining/section/SectionSource.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ double durationOf(const TurningPass& pass) {
 // Continues a pass from some of its points to more of them. before: the part at the begin of the pass.
 void cutOn(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
            const TurnedProfile& before, std::size_t from, std::size_t to) {
-  for (std::size_t i = from; i < to; ++i) cutTo(profile, *pass, i, number);
+  const PassSteps steps(*pass, number);
+  for (std::size_t i = from; i < to; ++i) steps.cut(profile, i);
   if (to == pass->path.size()) settlePass(profile, before, pass, number);
 }
 
@@ -86,9 +88,9 @@ PassesReplay::Moment PassesReplay::at(double seconds) const {
   moment.position = pass.path[points == 0 ? 0 : points - 1];
   if (points > 0 && points < pass.path.size()) {
     const double before = pass.times[points - 1], interval = pass.times[points] - before;
-    const ProfilePoint begin = moment.position;
-    if (interval > 0.0) moment.position += (since - before) / interval * (pass.path[points] - begin);
-    cut(moment.profile, pass, begin, moment.position);
+    const double share = interval > 0.0 ? (since - before) / interval : 0.0;
+    moment.position += share * (pass.path[points] - moment.position);
+    PassSteps(pass, static_cast<std::uint32_t>(number)).cut(moment.profile, points, 0.0, share);
   }
   moment.threads = threadsAt(number, points, moment.position);
   return moment;

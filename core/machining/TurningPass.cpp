@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/TurningPass.h"
 
+#include "machining/PassSteps.h"
 #include "machining/section/SectionCut.h"
 #include "machining/section/SectionSource.h"
 
@@ -11,10 +12,6 @@
 namespace handwheel {
 
 namespace {
-
-const ProfilePoint& pointBefore(const TurningPass& pass, std::size_t i) {
-  return pass.path[i == 0 ? 0 : i - 1];
-}
 
 // Cuts with a point that moves straight from a to b: removes all material outside of its path, or all between the path
 // and the axis. A motion straight out or in removes nothing.
@@ -71,16 +68,6 @@ double deepestIn(const Wall& wall, double r0, double r1) {
   return std::min(wall.outer - r, r - wall.inner);
 }
 
-TurnedProfile::Range cutSamples(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a,
-                                const ProfilePoint& b) {
-  if (how.thread) return {};
-  if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
-  if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
-  if (how.method == TurningMethod::Poles)
-    return ControlPointCut(profile, how.resolution, how.isInParts).cut(profile, how.side, a, b, how.noseRadius);
-  return how.side == TurningSide::Bore ? profile.cutBore(a, b, how.noseRadius) : profile.cut(a, b, how.noseRadius);
-}
-
 }  // namespace
 
 double pointDepth(const TurnedProfile& profile, const ProfilePoint& a, const ProfilePoint& b) {
@@ -108,24 +95,28 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const P
   return cutSamples(profile, how, a, b);
 }
 
-TurnedProfile::Range cutTo(TurnedProfile& profile, const TurningPass& pass, std::size_t i, std::uint32_t number) {
-  const ProfilePoint &a = pointBefore(pass, i), &b = pass.path[i];
-  if (!pass.isExact) return cut(profile, pass, a, b);
-  const auto step = cutExactly(profile, pass, {a, b, 0.0}, straightRun(pass, i), number);
-  return step ? step->changed : cutSamples(profile, pass, a, b);
+TurnedProfile::Range cutSamples(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a,
+                                const ProfilePoint& b) {
+  if (how.thread) return {};
+  if (how.tool) return cutWithTool(profile, *how.tool, a, b).changed;
+  if (how.noseRadius == 0.0) return cutByPoint(profile, how.side, a, b);
+  if (how.method == TurningMethod::Poles)
+    return ControlPointCut(profile, how.resolution, how.isInParts).cut(profile, how.side, a, b, how.noseRadius);
+  return how.side == TurningSide::Bore ? profile.cutBore(a, b, how.noseRadius) : profile.cut(a, b, how.noseRadius);
 }
 
 TurnedProfile::Range cut(TurnedProfile& profile, const std::shared_ptr<const TurningPass>& pass, std::uint32_t number,
                          Progress progress) {
   constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
   const TurnedProfile before = profile;
+  const PassSteps steps(*pass, number);
   TurnedProfile::Range changed;
   for (std::size_t i = 0; i < pass->path.size() && !pass->isExact; ++i) {
     if (i % kLook == 0) {
       if (progress.cancelled()) return changed;
       progress.set(static_cast<double>(i) / static_cast<double>(pass->path.size()));
     }
-    changed.extend(cutTo(profile, *pass, i, number));
+    changed.extend(steps.cut(profile, i));
   }
   if (pass->isExact || !changed.isEmpty()) changed.extend(settlePass(profile, before, pass, number, progress));
   return changed;
@@ -141,7 +132,7 @@ std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass
   const ControlPointCut poles(profile, pass.resolution, pass.isInParts);
   double sum = 0.0;
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
-    const ProfilePoint &a = pointBefore(pass, i), &b = pass.path[i];
+    const ProfilePoint &a = pass.path[i == 0 ? 0 : i - 1], &b = pass.path[i];
     sum += pass.tool ? static_cast<double>(samplesUnderTool(profile, *pass.tool, a, b))
            : pass.method == TurningMethod::Poles
                ? poles.work(profile, a, b, pass.noseRadius, i > 0)

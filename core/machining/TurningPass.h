@@ -61,8 +61,9 @@ struct TurningPass {
 // to b. Returns the samples that changed.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a, const ProfilePoint& b);
 
-// Cuts the move of a pass to its point i. number: the index of the pass in the part. Returns the samples that changed.
-TurnedProfile::Range cutTo(TurnedProfile& profile, const TurningPass& pass, std::size_t i, std::uint32_t number);
+// Cuts the samples only, as `cut` does if a pass is not exact.
+TurnedProfile::Range cutSamples(TurnedProfile& profile, const TurningPass& how, const ProfilePoint& a,
+                                const ProfilePoint& b);
 
 // Returns the largest depth (mm) in the material of a point that moves straight from a to b, at most the radius of the
 // work. The depth is 0 outside of the material, and where only one of two neighbouring samples has material. O(samples

@@ -71,7 +71,8 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
       m_program(window, this),
       m_replay(window, this),
       m_panel(makePanel()),
-      m_loads(JobRunner::Policy::Latest, window.pool) {
+      m_loads(JobRunner::Policy::Latest, window.pool),
+      m_sections(JobRunner::Policy::Latest, window.pool) {
   layer().setFaintGroup(kPartedGroup);
   connect(&m_target, &TargetActions::message, this, &KindUi::message);
   connect(&m_target, &TargetActions::shownChanged, this, [this] {
@@ -88,6 +89,7 @@ WorkpieceUi::WorkpieceUi(const WindowContext& window)
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::tellParted, Qt::QueuedConnection);
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::explainLocks, Qt::QueuedConnection);
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::watchLoads, Qt::QueuedConnection);
+  connect(this, &KindUi::stateChanged, this, &WorkpieceUi::prepareSection, Qt::QueuedConnection);
 }
 
 // The properties of the stock, and below them the target and the measured dimensions.
@@ -120,6 +122,7 @@ void WorkpieceUi::refreshVisibility() {
 void WorkpieceUi::forget(DocumentTab* document) {
   parts().jobs.cancelOf(document);
   m_loads.cancelOf(document);
+  m_sections.cancelOf(document);
   if (m_loaded == document) {
     m_loaded = nullptr;
     m_loadedPart.reset();
@@ -244,6 +247,21 @@ void WorkpieceUi::watchLoads() {
     };
   };
   m_loads.start(std::move(job));
+}
+
+// The properties show the volume of the section as soon as it is known.
+void WorkpieceUi::prepareSection() {
+  if (!document()) return;
+  const auto part = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part;
+  if (!part || part->profile.section()->isKnown()) return;
+  Job job;
+  job.name = tr("Measuring the part");
+  job.owner = document();
+  job.work = [this, source = part->profile.section()](Progress progress) -> Job::Finish {
+    if (!source->prepare(progress)) return {};
+    return [this] { emit stateChanged(); };
+  };
+  m_sections.start(std::move(job));
 }
 
 // Once for each pass; it goes with the next one, or when it is undone.

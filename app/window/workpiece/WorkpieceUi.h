@@ -36,7 +36,7 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   }
   bool isSettled() const override {
     return RigidPartsUi::isSettled() && m_target.isSettled() && m_dimensions.isSettled() && m_program.isSettled() &&
-           m_replay.isSettled() && m_loads.isIdle();
+           m_replay.isSettled() && m_loads.isIdle() && m_sections.isIdle();
   }
   void refreshVisibility() override;
   bool take(const QString& path) override { return m_program.take(path); }
@@ -66,6 +66,7 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   void followTool();
   void warnOfFeed(const TurnTool& tool);
   void watchLoads();
+  void prepareSection();
   void warnOfLoads(DocumentTab* loaded, const TurningTask& task, double force, double power);
   void followSize();
   void tellParted();
@@ -78,7 +79,8 @@ class WorkpieceUi : public RigidPartsUi, public CompanionFiles {
   ProgramDock m_program;
   ReplayDock m_replay;
   QPointer<QWidget> m_panel;
-  JobRunner m_loads;  // computes the loads of an exercise's passes on its lathe
+  JobRunner m_loads;     // computes the loads of an exercise's passes on its lathe
+  JobRunner m_sections;  // computes the exact sections of passes by hand
   const DocumentTab* m_loaded = nullptr;
   const DocumentTab* m_parted = nullptr;           // the document of m_partedPart
   std::shared_ptr<const TurnedPart> m_partedPart;  // the part when its pieces were last counted

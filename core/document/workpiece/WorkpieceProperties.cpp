@@ -159,9 +159,13 @@ std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
   if (workpiece.target)
     for (Property& each : positionProperties(workpiece.target->profile, workpiece.stock))
       all.push_back(std::move(each));
-  const double volume = workpiece.part ? workpiece.part->volume() : workpiece.stock.volume();
+  // The window does not wait for the section of a pass by hand.
+  const bool isKnown = workpiece.part && workpiece.part->profile.section()->isKnown();
+  const double volume = isKnown          ? workpiece.part->volume()
+                        : workpiece.part ? workpiece.part->volumeOfSamples()
+                                         : workpiece.stock.volume();
   const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
-  const auto pieces = workpiece.part ? workpiece.part->section().pieces() : std::vector<TurnedSection>();
+  const auto pieces = isKnown ? workpiece.part->section().pieces() : std::vector<TurnedSection>();
   if (pieces.size() > 1) {
     const TurnedPart& part = *workpiece.part;
     all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume that stays in the chuck (mm³)"),

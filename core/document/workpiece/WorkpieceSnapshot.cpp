@@ -19,6 +19,10 @@ double TurnedPart::volume() const {
   return volumeOf(section());
 }
 
+double TurnedPart::volumeOfSamples() const {
+  return profile.volume() - (threads() ? threads()->volume(profile, 0.0, profile.length()) : 0.0);
+}
+
 double TurnedPart::volumeOf(const TurnedSection& piece) const {
   return piece.volume() - (threads() ? threads()->volume(profile, piece.box().min().y(), piece.box().max().y()) : 0.0);
 }

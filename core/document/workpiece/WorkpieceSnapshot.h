@@ -33,6 +33,8 @@ struct TurnedPart {
   // Returns the exact half section, without the grooves of threads. The first call after a pass by hand computes it.
   const TurnedSection& section() const { return profile.section()->section(); }
   double volume() const;  // mm³, with the grooves of threads
+  // Returns the volume between the samples of the profile, without waiting for the section; mm³.
+  double volumeOfSamples() const;
   // Returns the volume of one piece of section().pieces(), with the grooves of threads; mm³.
   double volumeOf(const TurnedSection& piece) const;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/finish/FinishMeter.h"
 
+#include "machining/PassSteps.h"
 #include "machining/measure/RoughnessGrade.h"
 #include "machining/section/SectionSource.h"
 
@@ -132,17 +133,19 @@ TurnedProfile::Range cut(TurnedProfile& profile, const std::shared_ptr<const Tur
                          FinishMeter& meter, Progress progress) {
   constexpr std::size_t kLook = 64;  // points between two checks of the cancel flag
   const TurnedProfile before = profile;
+  const PassSteps steps(*pass, number);
   TurnedProfile::Range changed;
   for (std::size_t i = 0; i < pass->path.size(); ++i) {
     if (i % kLook == 0) {
       if (progress.cancelled()) return changed;
       progress.set(static_cast<double>(i) / static_cast<double>(pass->path.size()));
     }
-    const TurnedProfile::Range now = cutTo(profile, *pass, i, number);
+    const TurnedProfile::Range now = steps.cut(profile, i);
     meter.add(*pass, i, number, profile, now);
     changed.extend(now);
   }
-  if (changed.isEmpty()) {
+  // The section also has what lies between two samples.
+  if (changed.isEmpty() && !pass->isExact) {
     profile.setSection(before.section());
     return changed;
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/force/ForcePeaks.h"
 
+#include "machining/PassSteps.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,15 +19,17 @@ struct RemovedSection {
   double radius = 0.0;  // mm
 };
 
-// Returns the material removed by the nose of a pass, on its side. before: a buffer for the radii of that side.
+// Returns the material removed by the nose of a pass, on its side, in a cut from a to b. before: a buffer for the radii
+// of that side.
+template <class Cut>
 RemovedSection removedBy(TurnedProfile& profile, const TurningPass& pass, const ProfilePoint& a, const ProfilePoint& b,
-                         std::vector<double>& before) {
+                         std::vector<double>& before, Cut cut) {
   const bool isBore = pass.side == TurningSide::Bore;
   const auto radiusOf = [&](std::size_t i) { return isBore ? profile.inner(i) : profile.radius(i); };
   const TurnedProfile::Range under = profile.samplesUnder(a, b, pass.noseRadius);
   before.clear();
   for (std::size_t i = under.first; i < under.last; ++i) before.push_back(radiusOf(i));
-  cut(profile, pass, a, b);
+  cut();
   RemovedSection removed;
   for (std::size_t i = under.first; i < under.last; ++i) {
     const double was = before[i - under.first], is = radiusOf(i), gone = std::abs(was - is);
@@ -120,17 +124,20 @@ std::optional<ForcePeaks> forcePeaks(TurnedProfile profile, std::span<const Turn
   constexpr double kMostParts = 10'000;  // largest number of parts of a move
   ForcePeakMeter meter(model, profile.spacing());
   std::vector<double> before;
+  std::uint32_t number = 0;
   for (const TurningPass& pass : passes) {
-    if (!pass.path.empty()) cut(profile, pass, pass.path[0], pass.path[0]);
+    const PassSteps steps(pass, number++);
+    if (!pass.path.empty()) steps.cut(profile, 0);
     for (std::size_t i = 1; i < pass.path.size(); ++i) {
       if (i % kLook == 0 && progress.cancelled()) return std::nullopt;
       const ProfilePoint from = pass.path[i - 1], displacement = pass.path[i] - from;
       const double seconds = pass.times[i] - pass.times[i - 1], length = displacement.norm();
       const int parts = static_cast<int>(std::clamp(std::ceil(length / kLongestMove), 1.0, kMostParts));
       for (int k = 0; k < parts; ++k) {
-        const ProfilePoint a = from + displacement * (static_cast<double>(k) / parts);
-        const ProfilePoint b = from + displacement * (static_cast<double>(k + 1) / parts);
-        const RemovedSection removed = removedBy(profile, pass, a, b, before);
+        const double first = static_cast<double>(k) / parts, last = static_cast<double>(k + 1) / parts;
+        const ProfilePoint a = from + displacement * first, b = from + displacement * last;
+        const RemovedSection removed =
+            removedBy(profile, pass, a, b, before, [&] { steps.cut(profile, i, first, last); });
         const double drill = drillRadius(pass, a, b), radius = drill > 0.0 ? drill : removed.radius;
         meter.add({length / parts, seconds / parts, removed.area, radius, spindle, surfaceSpeed(spindle, 2.0 * radius),
                    drill > 0.0});

@@ -7,6 +7,7 @@
 #include "machining/force/ForcePeaks.h"
 #include "machining/lathe/LatheTool.h"
 
+#include "machining/PassSteps.h"
 #include "machining/section/SectionSource.h"
 
 #include <algorithm>
@@ -105,6 +106,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
   };
   // A thread is cut at its pitch.
   const bool isThreading = pass.tool && pass.tool->kind == LatheToolKind::Threading;
+  const PassSteps steps(pass, static_cast<std::uint32_t>(number));
   for (std::size_t i = 0; i < pass.path.size(); ++i) {
     if (i % kLook == 0 && progress.cancelled()) return;
     const ProfilePoint &from = pass.path[i == 0 ? 0 : i - 1], &to = pass.path[i];
@@ -119,7 +121,7 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     if (inChuck && inJaws < m_crashes.size()) m_crashes[inJaws].last = i;
     wasInChuck = inChuck;
 
-    const TurnedProfile::Range changed = cutTo(m_profile, pass, i, static_cast<std::uint32_t>(number));
+    const TurnedProfile::Range changed = steps.cut(m_profile, i);
     const double speed = speedAt(pass, i, lathe), turns = seconds * speed / 60.0;
     meter.add(pass, i, static_cast<std::uint32_t>(number), m_profile, changed);
     const bool isFast = !isThreading && meter.feed() > (1.0 + kFeedSlack) * lathe.largestFeed;

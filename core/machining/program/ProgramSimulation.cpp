@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/program/ProgramSimulation.h"
 
-#include "machining/section/SectionCut.h"
 #include "machining/section/SectionSource.h"
 
 #include <algorithm>
@@ -19,6 +18,7 @@ constexpr double kPieceAngle = 0.1;   // rad; piece of an arc
 constexpr int kMostPieces = 16;       // limit for a straight move
 constexpr int kMostArcPieces = 4096;  // limit for an arc
 constexpr std::size_t kPassPoints = 100'000;
+constexpr std::size_t kMostUncut = 10'000;  // pieces through air within a pass
 constexpr std::size_t kMostRemarks = 100;
 
 int cutsOf(const ToolMove& move) {
@@ -68,12 +68,6 @@ double speedAt(const ToolMove& move, double radius) {
 
 }  // namespace
 
-bool isBeyondAxis(const ToolMove& move, double nose, bool was) {
-  const ProfileBox box = pathOf(move, ProfilePoint(0.0, 0.0)).box();
-  const double least = box.min().x(), most = box.max().x();
-  return std::max(-least, most) <= nose + kOnAxis ? was : -least > most;
-}
-
 ToolMove mirrored(const ToolMove& move) {
   ToolMove image = move;
   for (ProfilePoint* p : {&image.from, &image.to, &image.centre}) p->x() = -p->x();
@@ -118,15 +112,53 @@ TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
   return shape;
 }
 
+// Returns the move that comes n moves after this one, if it is of the same tool.
+const ToolMove* ProgramSimulation::moveAfter(const ToolMove& move, std::size_t n) const {
+  const std::size_t i = m_next - 1 + n;
+  return i < m_path.moves.size() && m_path.moves[i].tool == move.tool ? &m_path.moves[i] : nullptr;
+}
+
+// A tool may go over the axis by its nose, to take the middle of a face away; it stays on its side. Moves without a
+// rapid move among them are on one side: a tool that begins to face beyond the axis is not beyond it.
+void ProgramSimulation::followSide(const ToolMove& move) {
+  const bool was = m_state.isBeyond && m_state.drill == move.tool;
+  if (m_next <= m_sideMoves) return;
+  const ProfilePoint none(0.0, 0.0);
+  ProfileBox box = pathOf(move, none).box();
+  std::size_t count = 1;
+  for (const ToolMove* next = moveAfter(move, 1); move.kind != ToolMove::Kind::Rapid && next;) {
+    if (next->kind == ToolMove::Kind::Rapid) break;
+    if (next->kind != ToolMove::Kind::Dwell) box.extend(pathOf(*next, none).box());
+    next = moveAfter(move, ++count);
+  }
+  m_sideMoves = m_next - 1 + count;
+  const double least = box.min().x(), most = box.max().x(), nose = m_setup.toolOf(move).noseRadius;
+  m_state.isBeyond = std::max(-least, most) <= nose + kOnAxis ? was : -least > most;
+}
+
 // A tool that feeds along the axis towards the chuck is a drill until it leaves the axis, so that it also returns
-// through the hole as a drill; a tool that has faced to the axis is not.
+// through the hole as a drill. A tool that has faced to the axis is none, and one that leaves the axis by a feed, at
+// the bottom, begins to face outward there.
 void ProgramSimulation::followDrill(const ToolMove& move) {
+  const auto isOnAxis = [](const ToolMove& each) {
+    return each.kind == ToolMove::Kind::Dwell ||
+           (each.turn == 0 && std::abs(each.from.x()) <= kOnAxis && std::abs(each.to.x()) <= kOnAxis);
+  };
   const auto& body = m_setup.toolOf(move).body;
-  const bool isOnAxis = move.turn == 0 && std::abs(move.from.x()) <= kOnAxis && std::abs(move.to.x()) <= kOnAxis;
-  const bool begins = move.kind != ToolMove::Kind::Rapid && move.to.y() < move.from.y();
   const bool mayDrill = !body || body->kind == LatheToolKind::Drill;
-  m_state.isDrilling = mayDrill && isOnAxis && (begins || (m_state.isDrilling && m_state.drill == move.tool));
+  const bool goesOn = m_state.isDrilling && m_state.drill == move.tool;
+  const bool begins = !goesOn && move.kind != ToolMove::Kind::Rapid && move.to.y() < move.from.y();
   m_state.drill = move.tool;
+  m_state.isDrilling = mayDrill && isOnAxis(move) && (goesOn || begins);
+  if (!m_state.isDrilling || goesOn) return;
+  if (m_next > m_axisMoves) {
+    std::size_t count = 1;
+    const ToolMove* next = moveAfter(move, count);
+    while (next && isOnAxis(*next)) next = moveAfter(move, ++count);
+    m_axisMoves = m_next - 1 + count;
+    m_isFacingFromAxis = next && next->kind == ToolMove::Kind::Feed && next->from.y() < move.from.y();
+  }
+  m_state.isDrilling = !m_isFacingFromAxis;
 }
 
 // Returns the depth of a piece of a move in the material, mm, on the radius: for a point, which removes nothing if it
@@ -210,7 +242,7 @@ bool ProgramSimulation::collide(ProgramCollision::Kind kind, const ToolMove& mov
 }
 
 ProgramSimulation::Removal ProgramSimulation::cutPiece(const TurningPass& shape, const ProfileSegment& piece,
-                                                       const ProfileSegment& whole, std::uint32_t number) {
+                                                       const WholeMove& whole, std::uint32_t number) {
   if (const std::optional<ExactStep> step = cutExactly(m_part, shape, piece, whole, number)) {
     m_changed.extend(step->changed);
     if (step->removal.isEmpty()) return {};
@@ -261,7 +293,10 @@ void ProgramSimulation::record(const TurningPass& shape, const RecordedPiece& pi
     m_isPassOpen = true;
   }
   m_uncut.push_back(piece);
-  if (!isCut) return;
+  if (!isCut) {
+    if (m_uncut.size() > kMostUncut) endPass();
+    return;
+  }
   for (const RecordedPiece& each : std::exchange(m_uncut, {})) append(each);
 }
 
@@ -289,8 +324,7 @@ void ProgramSimulation::append(const RecordedPiece& piece) {
 bool ProgramSimulation::step(double share) {
   if (m_next >= m_path.moves.size()) return false;
   const ToolMove& written = m_path.moves[m_next++];
-  m_state.isBeyond =
-      isBeyondAxis(written, m_setup.toolOf(written).noseRadius, m_state.isBeyond && m_state.drill == written.tool);
+  followSide(written);
   const ToolMove whole = m_state.isBeyond ? mirrored(written) : written;
   ToolMove move = whole;
   if (share < 1.0) move.to = pointOn(whole, share);
@@ -358,19 +392,23 @@ bool ProgramSimulation::isDrawnBack(const ToolMove& move, const TurningPass& sha
   return false;
 }
 
-// Returns how far the moves after this one go straight on with the same tool, mm.
-ProfilePoint ProgramSimulation::straightOn(const ToolMove& move) {
-  const ProfilePoint by = move.to - move.from;
-  if (move.kind != ToolMove::Kind::Feed || move.turn != 0 || std::abs(by.y()) > std::abs(by.x())) return {0.0, 0.0};
-  const auto goesOn = [&](const ToolMove& next) {
-    return next.kind == ToolMove::Kind::Feed && next.turn == 0 && next.tool == move.tool && !isThread(next) &&
-           isStraightOn(m_path.moves[m_next - 1].to - m_path.moves[m_next - 1].from, next.to - next.from);
-  };
-  // The end of a run of many moves is looked up once.
-  m_straightEnd = std::max(m_straightEnd, m_next);
-  while (m_straightEnd < m_path.moves.size() && goesOn(m_path.moves[m_straightEnd])) ++m_straightEnd;
-  const ProfilePoint on = m_path.moves[m_straightEnd - 1].to - m_path.moves[m_next - 1].to;
-  return {m_state.isBeyond ? -on.x() : on.x(), on.y()};
+// Returns WholeMove::end of the last move, in the program: as seen on the side of the axis where the tool is.
+ProfilePoint ProgramSimulation::inwardEndOf(const ToolMove& whole, const TurningPass& shape) {
+  const ProfilePoint none(0.0, 0.0);
+  const auto image = [&](const ToolMove& move) { return pathOf(m_state.isBeyond ? mirrored(move) : move, none); };
+  if (whole.kind != ToolMove::Kind::Feed || !goesInward(shape, pathOf(whole, none).direction(1.0))) return whole.to;
+  if (m_next <= m_inwardMoves) return m_inwardEnd;
+  m_inwardEnd = whole.to;
+  for (m_inwardMoves = m_next; m_inwardMoves < m_path.moves.size(); ++m_inwardMoves) {
+    const ToolMove& next = m_path.moves[m_inwardMoves];
+    if (next.kind == ToolMove::Kind::Dwell || (next.turn == 0 && next.from == next.to)) continue;
+    if (next.kind != ToolMove::Kind::Feed || next.tool != whole.tool || isThread(next)) break;
+    const ProfileSegment path = image(next);
+    const std::optional<ProfilePoint> end = inwardEnd(shape, path);
+    m_inwardEnd = end.value_or(m_inwardEnd);
+    if (!end || *end != path.to) break;
+  }
+  return m_inwardEnd;
 }
 
 ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const ToolMove& whole,
@@ -380,8 +418,9 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
   const ProfilePoint toTip =
       shape.tool ? bodyTipFrom(*shape.tool, ProfilePoint(0.0, 0.0), shape.noseRadius) : ProfilePoint(0.0, 0.0);
   const int pieces = piecesOf(move);
-  const ProfileSegment path = pathOf(move, toPart + toTip), written = pathOf(whole, toPart + toTip);
-  const ProfileSegment run{written.from, written.to + straightOn(whole), written.bulge};
+  const ProfilePoint shift = toPart + toTip;
+  const ProfileSegment path = pathOf(move, shift), written = pathOf(whole, shift);
+  const WholeMove run(written, inwardEndOf(whole, shape) + shift);
   const bool isRapid = move.kind == ToolMove::Kind::Rapid;
   if (isRapid || m_wasRapid) endPass();
   m_wasRapid = isRapid;
@@ -400,9 +439,11 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
     const double seconds = timeOf(move, share), spindle = spindleOf(move, share);
     end += seconds;
     taken.deepest = std::max(taken.deepest, deepestOf(a, b, shape));
+    const bool isBeside = m_part.section() && isBesideMaterial(m_part.section()->section(), shape, piece);
+    if (isBeside) endPass();
     const bool goesOn = continuesPass(shape, piece.from);
     const std::size_t number = m_passesBefore + m_passes.size() - (goesOn ? 1 : 0);
-    const Removal removal = cutPiece(shape, piece, run, static_cast<std::uint32_t>(number));
+    const Removal removal = isBeside ? Removal() : cutPiece(shape, piece, run, static_cast<std::uint32_t>(number));
     const bool isCut = removal.area > 0.0;
     record(shape, {piece, end - seconds, end, spindle, i > 0}, isCut);
     if (isCut && !first) first = b;

@@ -7,6 +7,7 @@
 #include "machining/program/ProgramObstacles.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
+#include "machining/section/SectionCut.h"
 #include "machining/target/ProfileSegment.h"
 #include "machining/thread/PartThreads.h"
 
@@ -52,9 +53,6 @@ struct ProgramState {
   std::size_t passes = 0;                      // number of passes that the part has, without one that may go on
 };
 
-// Returns true if a move is made beyond the axis, at negative radii. A tool may go over the axis by its nose, to take
-// the middle of a face away; it stays on its side. nose: its radius, mm. was: the side of the move before.
-bool isBeyondAxis(const ToolMove& move, double nose, bool was);
 // Returns the mirror image of a move at the axis.
 ToolMove mirrored(const ToolMove& move);
 
@@ -105,6 +103,8 @@ class ProgramSimulation {
   struct Removal {
     double area = 0.0, depth = 0.0;  // mm², mm
   };
+  const ToolMove* moveAfter(const ToolMove& move, std::size_t n) const;
+  void followSide(const ToolMove& move);
   void followDrill(const ToolMove& move);
   TurningPass shapeOf(const ToolMove& move) const;
   double deepestOf(const ProfilePoint& a, const ProfilePoint& b, const TurningPass& shape) const;
@@ -115,7 +115,7 @@ class ProgramSimulation {
   };
   // whole: the move as it is written.
   Taken cutMove(const ToolMove& move, const ToolMove& whole, const TurningPass& shape);
-  ProfilePoint straightOn(const ToolMove& move);
+  ProfilePoint inwardEndOf(const ToolMove& whole, const TurningPass& shape);
   void judge(const ToolMove& move, const Taken& taken, double nose);
   void judgeSpin(const ToolMove& move);
   // Returns the vector from the centre of the nose to the tip in radii, (r, z), of the tool of a move or its mirror
@@ -128,8 +128,7 @@ class ProgramSimulation {
     double speed = 0.0;             // r/min
     bool isOfSameArc = false;       // the piece before is of the same move
   };
-  Removal cutPiece(const TurningPass& shape, const ProfileSegment& piece, const ProfileSegment& whole,
-                   std::uint32_t number);
+  Removal cutPiece(const TurningPass& shape, const ProfileSegment& piece, const WholeMove& whole, std::uint32_t number);
   bool isDrawnBack(const ToolMove& move, const TurningPass& shape, const ProfileSegment& path) const;
   Removal cutSamples(const TurningPass& shape, const ProfilePoint& a, const ProfilePoint& b);
   bool continuesPass(const TurningPass& shape, const ProfilePoint& a) const;
@@ -156,7 +155,11 @@ class ProgramSimulation {
   const ProgramSetup& m_setup;
   double m_largest;  // mm, initial radius of the part
   std::size_t m_next;
-  std::size_t m_straightEnd = 0;  // the moves before it go straight on from the last one
+  std::size_t m_inwardMoves = 0;  // the moves before it go on inward from the last one, to m_inwardEnd
+  ProfilePoint m_inwardEnd{0, 0};
+  std::size_t m_sideMoves = 0;      // the moves before it are on the side of the axis where the tool is
+  std::size_t m_axisMoves = 0;      // the moves before it are on the axis
+  bool m_isFacingFromAxis = false;  // the tool then faces outward
   double m_time = 0.0;
   TurnedProfile::Range m_changed;
   std::vector<ProgramCollision> m_collisions;

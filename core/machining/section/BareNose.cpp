@@ -52,38 +52,24 @@ BareNose::BareNose(const TurningPass& how, const ProfileSegment& move, const Pro
       m_radius(how.noseRadius),
       m_outward(how.side == TurningSide::Outside ? 1.0 : -1.0),
       m_trailing(-how.edges.y()),
-      m_hasEdges(how.edges.x() * m_outward < 0.0 && how.edges.y() != 0.0) {}
-
-bool BareNose::isBeside(const TurnedSection& section) const {
-  bool isAny = false;
-  for (const ProfilePoint& p : {m_move.from, m_move.at(0.5), m_move.to}) {
-    const auto radii = section.radiiAt(p.y());
-    if (!radii) continue;
-    const bool isHere = m_outward > 0.0 ? radii->inner > 0.0 && p.x() + m_radius <= radii->inner + kTiny
-                                        : p.x() - m_radius >= radii->outer - kTiny;
-    if (!isHere) return false;
-    isAny = true;
-  }
-  return isAny;
-}
+      m_isFacing(goesInward(how, move.direction(0.5))) {}
 
 std::vector<SectionCutter> BareNose::nose(const TurnedSection& section) const {
   const std::array<ProfilePoint, 1> shadows{toShank(section)};
   return cuttersOf({{ProfilePoint(0, 0)}, m_radius}, m_move, shadows);
 }
 
-std::vector<SectionCutter> BareNose::trailingEdge(const TurnedSection& section, std::uint32_t pass) const {
-  const std::optional<double> face = faceBehind(section, pass);
-  if (!face) return {};
-  // All of the move is extended beyond the face, and ends there.
+std::vector<SectionCutter> BareNose::trailingEdge(const TurnedSection& section, double face) const {
   const double least = std::min(m_trailing * m_move.from.y(), m_trailing * m_move.to.y());
-  const double length = *face - least + 2.0 * m_radius + 1.0;
+  if (m_trailing * face <= least) return {};
+  // All of the move is extended beyond the face, and ends there.
+  const double length = m_trailing * face - least + 2.0 * m_radius + 1.0;
   const ProfilePoint outward = toShank(section), along(0.0, m_trailing * length);
   const std::array<ProfilePoint, 3> shadows{outward, along, outward + along};
   std::vector<SectionCutter> cutters;
   for (SectionCutter& cutter : cuttersOf({{ProfilePoint(0, 0)}, m_radius}, m_move, shadows))
     for (const std::size_t index : {0, 1})
-      if (index == 0 || m_move.isArc()) cutters.push_back(clipped(cutter, m_trailing * *face, m_trailing > 0.0, index));
+      if (index == 0 || m_move.isArc()) cutters.push_back(clipped(cutter, face, m_trailing > 0.0, index));
   return cutters;
 }
 
@@ -93,45 +79,47 @@ ProfilePoint BareNose::toShank(const TurnedSection& section) const {
   return {m_outward * (2.0 * widest + 1.0), 0.0};
 }
 
-bool BareNose::isFacing() const {
-  const ProfilePoint by = m_move.direction(0.5);
-  return m_hasEdges && -m_outward * by.x() > 0.0 && std::abs(by.x()) >= std::abs(by.y());
-}
-
-// Returns the coordinate of the first plane without material on the trailing side, or nothing if the trailing edge does
-// not cut. It is the same for all pieces of a move.
+// The face is the first plane without material on the trailing side.
 std::optional<double> BareNose::faceBehind(const TurnedSection& section, std::uint32_t pass) const {
-  if (!isFacing()) return std::nullopt;
-  const double edge = tipAt(m_end), beside = m_trailing * m_end.y() + m_radius, farthest = beside + kTrailingEdge;
-  if (!mayFace(section, pass, beside, beside + kPastFace)) return std::nullopt;
-  std::vector<double> ends{beside};
-  eachOutward(section, edge, beside, farthest, [&](const SectionSegment&, const ProfileBox& box) {
+  if (!m_isFacing) return std::nullopt;
+  // The trailing edge begins beside the centre of the nose.
+  const double edge = tipAt(m_end), last = m_trailing * m_end.y(), farthest = last + m_radius + kTrailingEdge;
+  const double beside = std::min(m_trailing * m_move.from.y(), m_trailing * m_move.to.y());
+  // Most moves of a contour have the contour itself behind them.
+  if (hasOwnSurface(section, pass, beside, beside + kPastFace)) return std::nullopt;
+  std::vector<double> ends{last};
+  eachOutward(section, edge, last, farthest, [&](const SectionSegment&, const ProfileBox& box) {
     for (const double end : {box.min().y(), box.max().y()})
-      if (end > beside && end <= farthest) ends.push_back(end);
+      if (end > last && end <= farthest) ends.push_back(end);
   });
   std::sort(ends.begin(), ends.end());
-  // The nose itself reaches as far as the first of them.
   const auto free = std::find_if(ends.begin(), ends.end(),
                                  [&](double end) { return isFree(section, m_trailing * (end + kPastFace), edge); });
-  if (free == ends.end() || free == ends.begin() || !mayFace(section, pass, beside, *free)) return std::nullopt;
-  return *free + kPastFace;
+  if (free == ends.end() || hasOwnSurface(section, pass, beside, *free)) return std::nullopt;
+  if (!isDeepEnough(section, pass, last, *free)) return std::nullopt;
+  return m_trailing * (*free + kPastFace);
 }
 
-// Returns true if the trailing edge may cut between two heights. It does not cut a surface that the pass has left.
-bool BareNose::mayFace(const TurnedSection& section, std::uint32_t pass, double from, double to) const {
+// Returns true if the pass has left a surface between two heights, other than by its trailing edge.
+bool BareNose::hasOwnSurface(const TurnedSection& section, std::uint32_t pass, double from, double to) const {
+  bool isThere = false;
+  eachOutward(section, tipAt(m_end), from, to, [&](const SectionSegment& segment, const ProfileBox& box) {
+    const bool isBetween = box.max().y() > from + kTiny && box.min().y() < to - kTiny;
+    isThere = isThere || (isBetween && segment.pass == pass && !segment.isOfTrailingEdge);
+  });
+  return isThere;
+}
+
+// Returns true if the tool goes into the material as far as the heights are apart, goes through it, or has begun to
+// face.
+bool BareNose::isDeepEnough(const TurnedSection& section, std::uint32_t pass, double from, double to) const {
   const double edge = tipAt(m_end), start = tipAt(m_move.from);
   double outermost = edge;
-  bool hasOwn = false, goesOn = false;
+  bool goesOn = false;
   eachOutward(section, edge, from, to, [&](const SectionSegment& segment, const ProfileBox& box) {
     outermost = std::max(outermost, box.max().x());
-    if (segment.pass != pass) return;
-    const bool isBetween = box.max().y() > from + kTiny && box.min().y() < to - kTiny;
-    if (!segment.isOfTrailingEdge)
-      hasOwn = hasOwn || isBetween;
-    else if (std::abs(box.max().x() - start) <= kTiny)
-      goesOn = true;
+    goesOn = goesOn || (segment.pass == pass && segment.isOfTrailingEdge && std::abs(box.max().x() - start) <= kTiny);
   });
-  if (hasOwn) return false;
   return goesOn || outermost - edge >= to - from - kTiny || isThrough(section, m_trailing * (from + kTiny), edge);
 }
 

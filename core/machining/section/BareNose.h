@@ -11,24 +11,22 @@ namespace handwheel {
 // TurningPass::edges says so.
 class BareNose {
  public:
-  // end: where the tool goes in the direction of the move; it may be farther than the end of the move.
+  // end: where the tool no longer goes inward (WholeMove).
   BareNose(const TurningPass& how, const ProfileSegment& move, const ProfilePoint& end);
 
-  // Returns true if the nose moves beside the material: around the part with a boring tool, or in a bore with an
-  // outside tool, whose shank then does not reach through the wall.
-  bool isBeside(const TurnedSection& section) const;
   // Returns cutters for what the nose sweeps, and for what is between it and the side of its shank.
   std::vector<SectionCutter> nose(const TurnedSection& section) const;
-  // Returns cutters for what its trailing edge sweeps, as described at cutMove(); none unless the tool faces. pass: the
-  // number of the pass.
-  std::vector<SectionCutter> trailingEdge(const TurnedSection& section, std::uint32_t pass) const;
+  // Returns the height at which the trailing edge ends to cut, or nothing if the tool does not face (cutMove()). It is
+  // the same for all pieces of a move. pass: the number of the pass.
+  std::optional<double> faceBehind(const TurnedSection& section, std::uint32_t pass) const;
+  // Returns cutters for what the trailing edge sweeps up to that height.
+  std::vector<SectionCutter> trailingEdge(const TurnedSection& section, double face) const;
 
  private:
-  bool isFacing() const;
   double tipAt(const ProfilePoint& p) const { return m_outward * p.x() - m_radius; }
   ProfilePoint toShank(const TurnedSection& section) const;
-  std::optional<double> faceBehind(const TurnedSection& section, std::uint32_t pass) const;
-  bool mayFace(const TurnedSection& section, std::uint32_t pass, double from, double to) const;
+  bool isDeepEnough(const TurnedSection& section, std::uint32_t pass, double from, double to) const;
+  bool hasOwnSurface(const TurnedSection& section, std::uint32_t pass, double from, double to) const;
   bool isFree(const TurnedSection& section, double z, double edge) const;
   bool isThrough(const TurnedSection& section, double z, double edge) const;
   template <class Visit>
@@ -38,7 +36,7 @@ class BareNose {
   ProfilePoint m_end;
   // Coordinates to the side of the shank, and to the side of the trailing edge, are r and z times these signs.
   double m_radius, m_outward, m_trailing;
-  bool m_hasEdges;
+  bool m_isFacing;
 };
 
 }  // namespace handwheel

@@ -19,13 +19,19 @@ namespace {
 constexpr double kMirrored = 1e-6;  // mm; an edge that goes farther beyond the axis cuts there
 
 bool subtractAll(TurnedSection& section, const std::vector<SectionCutter>& cutters, std::uint32_t pass,
-                 bool isOfTrailingEdge, SectionRemoval& removal) {
+                 bool isOfTrailingEdge, double toolHeight, SectionRemoval& removal) {
   for (const SectionCutter& cutter : cutters) {
-    const std::optional<SectionRemoval> cut = section.subtract(cutter, pass, isOfTrailingEdge);
+    const std::optional<SectionRemoval> cut = section.subtract(cutter, pass, isOfTrailingEdge, toolHeight);
     if (!cut) return false;
     removal.add(*cut);
   }
   return true;
+}
+
+double heightOf(const SweptShape& shape) {
+  ProfileBox box;
+  for (const ProfilePoint& corner : shape.corners) box.extend(corner);
+  return box.sizes().y() + 2.0 * shape.radius;
 }
 
 ProfileSegment mirrored(const ProfileSegment& move) {
@@ -88,27 +94,29 @@ std::vector<double> diagonalsOf(const ProfileSegment& move) {
   return fractions;
 }
 
-// Returns the end of the piece of a whole move, between two diagonals, on which a point lies.
-ProfilePoint endAfter(const ProfileSegment& whole, const ProfilePoint& p) {
-  if (!whole.isArc()) return whole.to;
+// Returns where the tool ends to go inward after a point of a move.
+ProfilePoint endAfter(const WholeMove& move, const ProfilePoint& p) {
+  const ProfileSegment& whole = move.path;
+  if (!whole.isArc()) return move.end;
   const ProfilePoint centre = whole.centre(), a = whole.from - centre, b = p - centre;
   double at = std::atan2(crossProduct(a, b), a.dot(b)) / whole.angle();
   if (at < 0.0) at += 2.0 * M_PI / std::abs(whole.angle());
   const std::vector<double> ends = diagonalsOf(whole);
   const auto end = std::find_if(ends.begin(), ends.end(), [&](double each) { return each > at; });
-  return end == ends.end() ? whole.to : whole.at(*end);
+  return end == ends.end() || *end >= 1.0 ? move.end : whole.at(*end);
 }
 
-bool cutByNose(TurnedSection& section, const TurningPass& how, const ProfileSegment& move, const ProfileSegment& whole,
+bool cutByNose(TurnedSection& section, const TurningPass& how, const ProfileSegment& move, const WholeMove& whole,
                std::uint32_t pass, SectionRemoval& removal) {
   double from = 0.0;
   for (const double to : how.edges.isZero() ? std::vector<double>{1.0} : diagonalsOf(move)) {
     const ProfileSegment piece = move.piece(std::exchange(from, to), to);
     const BareNose nose(how, piece, endAfter(whole, piece.at(0.5)));
-    if (nose.isBeside(section)) continue;
-    const std::vector<SectionCutter> ofTrailingEdge = nose.trailingEdge(section, pass);
-    if (!subtractAll(section, nose.nose(section), pass, !ofTrailingEdge.empty(), removal)) return false;
-    if (!subtractAll(section, ofTrailingEdge, pass, true, removal)) return false;
+    const std::optional<double> face = nose.faceBehind(section, pass);
+    if (!subtractAll(section, nose.nose(section), pass, face.has_value(), 2.0 * how.noseRadius, removal)) return false;
+    if (!face) continue;
+    constexpr double kAnyHeight = std::numeric_limits<double>::infinity();
+    if (!subtractAll(section, nose.trailingEdge(section, *face), pass, true, kAnyHeight, removal)) return false;
   }
   return true;
 }
@@ -129,6 +137,31 @@ ProfileBox reachOf(const TurningPass& how, const ProfileSegment& move) {
 
 }  // namespace
 
+bool goesInward(const TurningPass& how, const ProfilePoint& direction) {
+  const double outward = how.side == TurningSide::Outside ? 1.0 : -1.0;
+  const bool hasEdges = how.edges.x() * outward < 0.0 && how.edges.y() != 0.0;
+  return hasEdges && -outward * direction.x() > 0.0 && std::abs(direction.x()) >= std::abs(direction.y());
+}
+
+std::optional<ProfilePoint> inwardEnd(const TurningPass& how, const ProfileSegment& move) {
+  if (!goesInward(how, move.direction(0.0))) return std::nullopt;
+  const double first = diagonalsOf(move).front();
+  return first >= 1.0 ? move.to : move.at(first);
+}
+
+std::vector<ProfilePoint> inwardEnds(const TurningPass& how, std::span<const ProfileSegment> moves) {
+  std::vector<ProfilePoint> ends(moves.size());
+  std::optional<ProfilePoint> next;  // the point at which the next move ends to go inward, if it does
+  for (std::size_t i = moves.size(); i-- > 0;) {
+    const ProfileSegment& move = moves[i];
+    ends[i] = next && goesInward(how, move.direction(1.0)) ? *next : move.to;
+    if (move.from == move.to && !move.isArc()) continue;
+    const std::optional<ProfilePoint> own = inwardEnd(how, move);
+    next = own && *own == move.to ? ends[i] : own;
+  }
+  return ends;
+}
+
 bool mayCut(const TurnedSection& section, const TurningPass& how, const ProfileSegment& move) {
   if (section.empty() || how.thread) return false;
   const ProfileBox tool = reachOf(how, move), &part = section.box();
@@ -138,7 +171,7 @@ bool mayCut(const TurnedSection& section, const TurningPass& how, const ProfileS
 }
 
 std::optional<SectionRemoval> cutMove(TurnedSection& section, const TurningPass& how, const ProfileSegment& move,
-                                      const ProfileSegment& whole, std::uint32_t pass) {
+                                      const WholeMove& whole, std::uint32_t pass) {
   SectionRemoval removal;
   const bool isSound = move.from.allFinite() && move.to.allFinite() && std::isfinite(move.bulge);
   if (!isSound || how.method == TurningMethod::Poles || !mayCut(section, how, move)) return removal;
@@ -146,30 +179,31 @@ std::optional<SectionRemoval> cutMove(TurnedSection& section, const TurningPass&
   for (const RoundedPolygon& polygon : how.tool->cutting) {
     if (polygon.empty()) continue;
     const SweptShape shape = SweptShape::of(polygon);
-    if (!subtractAll(section, cuttersOf(shape, move), pass, false, removal)) return std::nullopt;
+    if (!subtractAll(section, cuttersOf(shape, move), pass, false, heightOf(shape), removal)) return std::nullopt;
     // The part turns: an edge beyond the axis cuts on the other side.
     if (leastRadius(shape, move) < -kMirrored &&
-        !subtractAll(section, cuttersOf(shape.mirrored(), mirrored(move)), pass, false, removal))
+        !subtractAll(section, cuttersOf(shape.mirrored(), mirrored(move)), pass, false, heightOf(shape), removal))
       return std::nullopt;
   }
   return removal;
 }
 
-bool isStraightOn(const ProfilePoint& along, const ProfilePoint& by) {
-  constexpr double kStraightRun = 1e-6;  // sine of the largest angle between two moves of a run
-  const double length = along.norm() * by.norm();
-  return by.dot(along) > 0.0 && std::abs(crossProduct(by, along)) <= kStraightRun * length;
-}
-
-ProfileSegment straightRun(const TurningPass& pass, std::size_t i) {
-  if (i == 0) return {pass.path[0], pass.path[0], 0.0};
-  std::size_t first = i - 1, last = i;
-  const ProfilePoint by = pass.path[i] - pass.path[i - 1];
-  // The others do not face (cutMove()).
-  if (pass.edges.isZero() || std::abs(by.y()) > std::abs(by.x())) return {pass.path[first], pass.path[last], 0.0};
-  while (first > 0 && isStraightOn(by, pass.path[first] - pass.path[first - 1])) --first;
-  while (last + 1 < pass.path.size() && isStraightOn(by, pass.path[last + 1] - pass.path[last])) ++last;
-  return {pass.path[first], pass.path[last], 0.0};
+bool isBesideMaterial(const TurnedSection& section, const TurningPass& how, const ProfileSegment& move) {
+  if (how.tool || section.empty()) return false;
+  constexpr double kSlack = 1e-6;  // mm
+  const double nose = how.noseRadius;
+  bool isAny = false;
+  for (const ProfilePoint& p : {move.from, move.at(0.5), move.to}) {
+    for (const double height : {p.y() - nose, p.y(), p.y() + nose}) {
+      const auto radii = section.radiiAt(height);
+      if (!radii) continue;
+      const bool isHere = how.side == TurningSide::Outside ? radii->inner > 0.0 && p.x() + nose <= radii->inner + kSlack
+                                                           : p.x() - nose >= radii->outer - kSlack;
+      if (!isHere) return false;
+      isAny = true;
+    }
+  }
+  return isAny;
 }
 
 std::vector<ProfileSegment> movesOf(const TurningPass& pass, double tolerance) {
@@ -199,19 +233,23 @@ std::vector<ProfileSegment> movesOf(const TurningPass& pass, double tolerance) {
 }
 
 std::optional<SectionRemoval> cutPass(TurnedSection& section, const TurningPass& pass, std::uint32_t number,
-                                      Progress progress) {
-  constexpr std::uint64_t kMostWork = 2'000'000;                      // segments that all moves visit; about a second
+                                      std::uint64_t& work, Progress progress) {
   constexpr double kLeastTolerance = 3e-7, kLargestTolerance = 1e-3;  // mm
   SectionRemoval removal;
-  std::uint64_t work = 0;
   std::vector<ProfileSegment> moves = movesOf(pass, kLeastTolerance);
   for (double tolerance = 1e-6; moves.size() > kManyMoves && tolerance <= kLargestTolerance; tolerance *= 10.0)
     moves = movesOf(pass, tolerance);
-  for (const ProfileSegment& move : moves) {
+  const std::vector<ProfilePoint> ends = inwardEnds(pass, moves);
+  // A move sweeps its start, too.
+  for (std::size_t i = moves.size() > 1 ? 1 : 0; i < moves.size(); ++i) {
+    const ProfileSegment& move = moves[i];
     if (progress.cancelled()) return std::nullopt;
-    section.eachSegment(reachOf(pass, move), [&](const SectionSegment&) { ++work; });
-    if (work > kMostWork) return std::nullopt;
-    const std::optional<SectionRemoval> cut = cutMove(section, pass, move, move, number);
+    std::uint64_t visited = 0;
+    section.eachSegment(reachOf(pass, move), [&](const SectionSegment&) { ++visited; });
+    if (visited >= work) return std::nullopt;
+    work -= visited;
+    if (!pass.isOfProgram && isBesideMaterial(section, pass, move)) continue;
+    const std::optional<SectionRemoval> cut = cutMove(section, pass, move, WholeMove(move, ends[i]), number);
     if (!cut) return std::nullopt;
     removal.add(*cut);
   }

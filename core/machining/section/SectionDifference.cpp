@@ -48,8 +48,8 @@ struct BoundaryPiece {
   const SectionSegment& last() const { return parts.empty() ? segment : parts.back().back(); }
 };
 
-// A segment of a loop that may meet the cutter.
-struct NearSegment {
+// A segment of a loop that meets the cutter.
+struct MetSegment {
   std::size_t loop, run, index;
   std::vector<Split> splits = {};
 };
@@ -104,26 +104,22 @@ void appendPieces(const SectionSegment& segment, std::vector<Split>& splits, Ver
   add(last);
 }
 
-// Appends the segments of a loop between two others, exclusive, as one piece.
-void appendBetween(const SharedLoop& loop, const NearSegment& after, const NearSegment& before, Vertices& vertices,
-                   std::vector<BoundaryPiece>& pieces) {
+// Returns the segments of a loop between two others, exclusive.
+std::vector<RunPart> partsBetween(const SharedLoop& loop, const MetSegment& after, const MetSegment& before) {
   const std::vector<SectionRun::Pointer>& runs = loop.runs();
-  BoundaryPiece piece;
+  std::vector<RunPart> parts;
   const auto take = [&](std::size_t run, std::size_t first, std::size_t last) {
-    if (first < last) piece.parts.push_back({runs[run], first, last});
+    if (first < last) parts.push_back({runs[run], first, last});
   };
   if (after.run == before.run && after.index < before.index) {
     take(after.run, after.index + 1, before.index);
-  } else {
-    take(after.run, after.index + 1, runs[after.run]->segments.size());
-    for (std::size_t r = (after.run + 1) % runs.size(); r != before.run; r = (r + 1) % runs.size())
-      take(r, 0, runs[r]->segments.size());
-    take(before.run, 0, before.index);
+    return parts;
   }
-  if (piece.parts.empty()) return;
-  piece.from = vertices.idOf(piece.first().from);
-  piece.to = vertices.idOf(piece.last().to);
-  pieces.push_back(std::move(piece));
+  take(after.run, after.index + 1, runs[after.run]->segments.size());
+  for (std::size_t r = (after.run + 1) % runs.size(); r != before.run; r = (r + 1) % runs.size())
+    take(r, 0, runs[r]->segments.size());
+  take(before.run, 0, before.index);
+  return parts;
 }
 
 // Returns the number of crossings of a ray from a point, or nothing if the ray passes an end too closely to tell.
@@ -222,6 +218,35 @@ PieceSide sideOf(const BoundaryPiece& piece, std::span<const SectionSegment* con
   return isInside(loops, middle) ? PieceSide::Inside : PieceSide::Outside;
 }
 
+// Returns the angle from one direction to another, clockwise, in (0, 2π].
+double clockwise(const ProfilePoint& from, const ProfilePoint& to) {
+  const double angle = std::atan2(-crossProduct(from, to), from.dot(to));
+  return angle > 0.0 ? angle : angle + 2.0 * M_PI;
+}
+
+// Returns which of several segments that leave the end of another one turns most to the left. Where curves touch, what
+// they do next decides.
+std::size_t leftmost(const SectionSegment& arriving, std::span<const SectionSegment* const> leaving) {
+  const ProfilePoint back = -arriving.carrier.direction(arriving.to);
+  std::vector<double> angles;
+  for (const SectionSegment* out : leaving) angles.push_back(clockwise(back, out->carrier.direction(out->from)));
+  constexpr double kTied = 1e-5;  // rad
+  bool isTied = false;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    isTied = isTied || angles[i] < kTied || angles[i] > 2.0 * M_PI - kTied;
+    for (std::size_t k = 0; k < i; ++k) isTied = isTied || std::abs(angles[i] - angles[k]) < kTied;
+  }
+  if (isTied) {
+    double reach = arriving.length();
+    for (const SectionSegment* out : leaving) reach = std::min(reach, out->length());
+    const ProfilePoint& vertex = arriving.to;
+    const ProfilePoint backward = arriving.at(arriving.length() - 0.5 * reach) - vertex;
+    for (std::size_t i = 0; i < leaving.size(); ++i)
+      angles[i] = clockwise(backward, leaving[i]->at(0.5 * reach) - vertex);
+  }
+  return static_cast<std::size_t>(std::min_element(angles.begin(), angles.end()) - angles.begin());
+}
+
 // Chains directed pieces to closed loops. Of several pieces that leave a vertex, the one that turns most to the left is
 // next, so that loops which touch in a vertex stay apart.
 std::optional<std::vector<SharedLoop>> chained(const std::vector<BoundaryPiece>& pieces, std::size_t vertexCount) {
@@ -244,28 +269,30 @@ std::optional<std::vector<SharedLoop>> chained(const std::vector<BoundaryPiece>&
       for (const RunPart& part : pieces[now].parts) loop.add(part);
       if (pieces[now].parts.empty()) loop.add(pieces[now].segment);
       if (pieces[now].to == pieces[start].from && leaving[pieces[start].from].size() == 1) break;
-      const SectionSegment& arriving = pieces[now].last();
-      const ProfilePoint back = -arriving.carrier.direction(arriving.to);
-      std::size_t next = pieces.size();
-      double least = std::numeric_limits<double>::infinity();
+      std::vector<std::size_t> others;
+      std::vector<const SectionSegment*> out;
       for (const std::size_t other : leaving[pieces[now].to]) {
         if (isUsed[other] && other != start) continue;
-        const ProfilePoint out = pieces[other].first().carrier.direction(pieces[other].first().from);
-        // The angle from the way back, clockwise: the least one turns most to the left.
-        double angle = std::atan2(-crossProduct(back, out), back.dot(out));
-        if (angle <= 1e-9) angle += 2.0 * M_PI;
-        if (angle < least) {
-          least = angle;
-          next = other;
-        }
+        others.push_back(other);
+        out.push_back(&pieces[other].first());
       }
-      if (next == pieces.size()) return std::nullopt;
+      if (others.empty()) return std::nullopt;
+      const std::size_t next = others.size() == 1 ? others.front() : others[leftmost(pieces[now].last(), out)];
       if (next == start) break;
       now = next;
     }
     loops.push_back(loop.finish());
   }
   return loops;
+}
+
+// Calls visit(segment) with the segments of parts, until it returns false. Returns false if it did.
+template <class Visit>
+bool eachSegmentOf(std::span<const RunPart> parts, Visit visit) {
+  for (const RunPart& part : parts)
+    for (std::size_t i = part.first; i < part.last; ++i)
+      if (!visit(part.run->segments[i])) return false;
+  return true;
 }
 
 // Returns true if the sides of a loop coincide: it encloses nothing.
@@ -291,104 +318,160 @@ bool isInside(std::span<const SharedLoop> loops, const ProfilePoint& p) {
   return false;
 }
 
-std::optional<SectionDifference> differenceOf(const std::vector<SharedLoop>& loops, const SectionLoop& cutter) {
-  SectionDifference result;
-  if (isSliver(cutter)) return result;
-  const ProfileBox box = boxOf(cutter);
-  std::vector<ProfileBox> cutterBoxes;
-  for (const SectionSegment& segment : cutter) cutterBoxes.push_back(segment.box());
+namespace {
 
-  std::vector<NearSegment> near;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    for (std::size_t r = 0; r < loops[k].runs().size(); ++r) {
-      const SectionRun& run = *loops[k].runs()[r];
-      if (!meets(run.box, box)) continue;
-      for (std::size_t i = 0; i < run.segments.size(); ++i)
-        if (meets(run.segments[i].looseBox(), box)) near.push_back({k, r, i});
+// A subtraction of a cutter from loops.
+class Subtraction {
+ public:
+  Subtraction(const std::vector<SharedLoop>& loops, const SectionLoop& cutter)
+      : m_loops(loops), m_cutter(cutter), m_box(boxOf(cutter)), m_area{SharedLoop({SectionRun::of(cutter)})} {}
+
+  std::optional<SectionDifference> run() {
+    if (isSliver(m_cutter)) return SectionDifference();
+    findMeetings();
+    cutLoops();
+    addCutter();
+    if (!m_isAnyDropped) return SectionDifference();
+    m_result.unchanged = m_result.loops.size();
+    m_kept.insert(m_kept.end(), m_added.begin(), m_added.end());
+    std::optional<std::vector<SharedLoop>> all = chained(m_kept, m_vertices.size());
+    if (!all) return std::nullopt;
+    constexpr double kLeastArea = 1e-10;  // mm², slivers of the snapping
+    for (SharedLoop& loop : *all) {
+      constexpr std::size_t kMostOfSliver = 16;  // segments
+      if (loop.size() > kMostOfSliver || std::abs(loop.area()) > kLeastArea) m_result.loops.push_back(std::move(loop));
     }
-  }
-  const auto segmentOf = [&](const NearSegment& each) -> const SectionSegment& {
-    return loops[each.loop].runs()[each.run]->segments[each.index];
-  };
-  Vertices vertices;
-  std::vector<std::vector<Split>> cutterSplits(cutter.size());
-  std::vector<const SectionSegment*> beside, cutterSegments;
-  for (const SectionSegment& segment : cutter) cutterSegments.push_back(&segment);
-  for (NearSegment& each : near) {
-    const SectionSegment& segment = segmentOf(each);
-    const ProfileBox own = segment.box();
-    beside.push_back(&segment);
-    for (std::size_t b = 0; b < cutter.size(); ++b)
-      if (meets(own, cutterBoxes[b])) splitBoth(segment, each.splits, cutter[b], cutterSplits[b], vertices);
+    return std::move(m_result);
   }
 
-  const bool isApart = near.empty() && !isInside(loops, cutter.front().at(0.5 * cutter.front().length()));
-  if (isApart) return result;
-  std::vector<BoundaryPiece> kept;
-  const std::array<SharedLoop, 1> cutterLoops{SharedLoop({SectionRun::of(cutter)})};
-  bool isAnyDropped = false;
+ private:
+  const SectionSegment& segmentOf(const MetSegment& met) const {
+    return m_loops[met.loop].runs()[met.run]->segments[met.index];
+  }
+
   // Counts a piece of the boundary of what is removed.
-  const auto drop = [&](const SectionSegment& segment) {
-    isAnyDropped = true;
-    result.removal.area += segment.moment();
-    result.removal.volume += M_PI * segment.squareMoment();
-    result.removal.box.extend(segment.box());
-  };
-  for (NearSegment& each : near) {
-    std::vector<BoundaryPiece> pieces;
-    appendPieces(segmentOf(each), each.splits, vertices, pieces);
-    for (const BoundaryPiece& piece : pieces) {
-      const PieceSide side = sideOf(piece, cutterSegments, cutterLoops);
-      if (side == PieceSide::Outside || side == PieceSide::OnOpposite) {
-        kept.push_back(piece);
-      } else {
-        drop(piece.segment);
+  void drop(const SectionSegment& segment) {
+    m_isAnyDropped = true;
+    m_result.removal.area += segment.moment();
+    m_result.removal.volume += M_PI * segment.squareMoment();
+    m_result.removal.box.extend(segment.box());
+  }
+
+  void findMeetings() {
+    m_cutterSplits.resize(m_cutter.size());
+    std::vector<ProfileBox> boxes;
+    for (const SectionSegment& segment : m_cutter) boxes.push_back(segment.box());
+    for (std::size_t k = 0; k < m_loops.size(); ++k) {
+      for (std::size_t r = 0; r < m_loops[k].runs().size(); ++r) {
+        const SectionRun& run = *m_loops[k].runs()[r];
+        for (std::size_t i = 0; i < run.segments.size() && meets(run.box, m_box); ++i) {
+          const SectionSegment& segment = run.segments[i];
+          if (!meets(segment.looseBox(), m_box)) continue;
+          MetSegment met{k, r, i};
+          const ProfileBox own = segment.box();
+          for (std::size_t b = 0; b < m_cutter.size(); ++b)
+            if (meets(own, boxes[b])) splitBoth(segment, met.splits, m_cutter[b], m_cutterSplits[b], m_vertices);
+          if (!met.splits.empty()) m_met.push_back(std::move(met));
+        }
+      }
+    }
+    m_isMeeting.assign(m_vertices.size(), false);
+    for (const std::vector<Split>& splits : m_cutterSplits)
+      for (const Split& split : splits) m_isMeeting[split.vertex] = true;
+  }
+
+  // Keeps or drops the pieces of the loops. A loop that the cutter does not meet stays as it is, or lies in the cutter.
+  void cutLoops() {
+    std::vector<const SectionSegment*> cutter;
+    for (const SectionSegment& segment : m_cutter) cutter.push_back(&segment);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < m_loops.size(); ++k) {
+      const std::size_t first = next;
+      while (next < m_met.size() && m_met[next].loop == k) ++next;
+      if (next == first) {
+        std::vector<RunPart> all;
+        for (const SectionRun::Pointer& run : m_loops[k].runs()) all.push_back({run, 0, run->segments.size()});
+        if (!isDropped(all)) m_result.loops.push_back(m_loops[k]);
+        continue;
+      }
+      for (std::size_t n = first; n < next; ++n) {
+        std::vector<BoundaryPiece> pieces;
+        appendPieces(segmentOf(m_met[n]), m_met[n].splits, m_vertices, pieces);
+        for (const BoundaryPiece& piece : pieces) {
+          const PieceSide side = sideOf(piece, cutter, m_area);
+          if (side == PieceSide::Outside || side == PieceSide::OnOpposite)
+            m_kept.push_back(piece);
+          else
+            drop(piece.segment);
+        }
+        BoundaryPiece rest;
+        rest.parts = partsBetween(m_loops[k], m_met[n], m_met[n + 1 < next ? n + 1 : first]);
+        if (rest.parts.empty() || isDropped(rest.parts)) continue;
+        rest.from = m_vertices.idOf(rest.first().from);
+        rest.to = m_vertices.idOf(rest.last().to);
+        m_kept.push_back(std::move(rest));
       }
     }
   }
-  // The side changes only where the cutter meets the loops, so most pieces are on that of the piece before.
-  std::vector<bool> isMeeting(vertices.size(), false);
-  for (const std::vector<Split>& splits : cutterSplits)
-    for (const Split& split : splits) isMeeting[split.vertex] = true;
-  std::vector<BoundaryPiece> added;
-  std::optional<PieceSide> before;
-  for (std::size_t b = 0; b < cutter.size(); ++b) {
-    std::vector<BoundaryPiece> pieces;
-    appendPieces(cutter[b], cutterSplits[b], vertices, pieces);
-    for (BoundaryPiece& piece : pieces) {
-      const bool goesOn = before && (piece.from >= isMeeting.size() || !isMeeting[piece.from]);
-      before = goesOn ? before : std::optional(sideOf(piece, beside, loops));
-      if (before != PieceSide::Inside) continue;
-      drop(piece.segment);
-      piece.segment = piece.segment.reversed();
-      std::swap(piece.from, piece.to);
-      added.push_back(piece);
-    }
-  }
-  if (!isAnyDropped) return result;
 
-  // Loops that the cutter meets are chained anew with the added pieces; the others stay.
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const std::size_t first = next;
-    while (next < near.size() && near[next].loop == k) ++next;
-    if (next == first) {
-      result.loops.push_back(loops[k]);
-      continue;
+  // Drops segments that the cutter does not meet if it contains them. Returns true if it does.
+  bool isDropped(std::span<const RunPart> parts) {
+    for (const RunPart& part : parts)
+      if (!meets(part.run->box, m_box)) return false;
+    ProfilePoint middle(0.0, 0.0);
+    double longest = -1.0;
+    const bool isNear = eachSegmentOf(parts, [&](const SectionSegment& segment) {
+      const double length = (segment.to - segment.from).norm();
+      if (length > longest) middle = segment.at(0.5 * segment.length());
+      longest = std::max(longest, length);
+      return meets(segment.looseBox(), m_box);
+    });
+    if (!isNear || !isInside(m_area, middle)) return false;
+    eachSegmentOf(parts, [&](const SectionSegment& segment) {
+      drop(segment);
+      return true;
+    });
+    return true;
+  }
+
+  // Adds the pieces of the cutter that are in the material. The side changes only where the cutter meets the loops, so
+  // most pieces are on that of the piece before.
+  void addCutter() {
+    std::vector<const SectionSegment*> beside;
+    for (const MetSegment& met : m_met) beside.push_back(&segmentOf(met));
+    std::optional<PieceSide> before;
+    for (std::size_t b = 0; b < m_cutter.size(); ++b) {
+      std::vector<BoundaryPiece> pieces;
+      appendPieces(m_cutter[b], m_cutterSplits[b], m_vertices, pieces);
+      for (BoundaryPiece& piece : pieces) {
+        const bool goesOn = before && (piece.from >= m_isMeeting.size() || !m_isMeeting[piece.from]);
+        before = goesOn ? before : std::optional(sideOf(piece, beside, m_loops));
+        if (before != PieceSide::Inside) continue;
+        drop(piece.segment);
+        piece.segment = piece.segment.reversed();
+        std::swap(piece.from, piece.to);
+        m_added.push_back(piece);
+      }
     }
-    for (std::size_t n = first; n < next; ++n)
-      appendBetween(loops[k], near[n], near[n + 1 < next ? n + 1 : first], vertices, kept);
   }
-  result.unchanged = result.loops.size();
-  kept.insert(kept.end(), added.begin(), added.end());
-  std::optional<std::vector<SharedLoop>> all = chained(kept, vertices.size());
-  if (!all) return std::nullopt;
-  constexpr double kLeastArea = 1e-10;  // mm², slivers of the snapping
-  for (SharedLoop& loop : *all) {
-    constexpr std::size_t kMostOfSliver = 16;  // segments
-    if (loop.size() > kMostOfSliver || std::abs(loop.area()) > kLeastArea) result.loops.push_back(std::move(loop));
-  }
-  return result;
+
+  const std::vector<SharedLoop>& m_loops;
+  const SectionLoop& m_cutter;
+  ProfileBox m_box;
+  std::array<SharedLoop, 1> m_area;  // the cutter
+  Vertices m_vertices;
+  std::vector<MetSegment> m_met;  // in the order of the loops
+  std::vector<std::vector<Split>> m_cutterSplits;
+  std::vector<bool> m_isMeeting;  // true for vertices at which the cutter meets a loop
+  std::vector<BoundaryPiece> m_kept, m_added;
+  bool m_isAnyDropped = false;
+  SectionDifference m_result;
+};
+
+}  // namespace
+
+std::optional<SectionDifference> differenceOf(const std::vector<SharedLoop>& loops, const SectionLoop& cutter) {
+  return Subtraction(loops, cutter).run();
 }
 
 }  // namespace handwheel

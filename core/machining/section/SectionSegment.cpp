@@ -92,7 +92,10 @@ SectionSegment SectionSegment::arc(const ProfilePoint& centre, const ProfilePoin
 }
 
 SectionSegment SectionSegment::of(const ProfileSegment& curve) {
-  if (!std::isfinite(curve.radius())) return line(curve.from, curve.to);
+  // An arc that rises less than two points are apart is a line.
+  constexpr double kFlat = 2e-8;  // mm
+  const double rise = 0.5 * std::abs(curve.bulge) * (curve.to - curve.from).norm();
+  if (!std::isfinite(curve.radius()) || rise < kFlat) return line(curve.from, curve.to);
   SectionSegment segment = arc(curve.centre(), curve.from, curve.to, curve.bulge > 0.0 ? 1 : -1);
   segment.carrier.radius = std::copysign(curve.radius(), curve.bulge);
   return segment;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machining/section/SectionSource.h"
 
+#include "machining/PassSteps.h"
 #include "machining/TurnedOutline.h"
 #include "machining/refit/Refit.h"
-#include "machining/section/SectionCut.h"
 
 #include <algorithm>
 #include <utility>
@@ -84,9 +84,10 @@ TurnedSection fittedSection(const TurnedProfile& samples, double tolerance) {
 }
 
 std::optional<ExactStep> cutExactly(TurnedProfile& profile, const TurningPass& how, const ProfileSegment& move,
-                                    const ProfileSegment& whole, std::uint32_t number) {
+                                    const WholeMove& whole, std::uint32_t number) {
   SectionSource::Pointer source = sourceOf(profile);
-  if (!mayCut(source->section(), how, move)) {
+  const bool isBeside = !how.isOfProgram && isBesideMaterial(source->section(), how, move);
+  if (isBeside || !mayCut(source->section(), how, move)) {
     profile.setSection(source);
     return ExactStep();
   }
@@ -108,11 +109,12 @@ TurnedProfile::Range settlePass(TurnedProfile& after, const TurnedProfile& befor
   if (pass->isExact) {
     TurnedSection section = source->section();
     after = before;
-    if (const auto removal = cutPass(section, *pass, number, progress))
+    std::uint64_t work = kWorkOfAPass;
+    if (const auto removal = cutPass(section, *pass, number, work, progress))
       return take(after, std::move(section), *removal);
     TurnedProfile::Range changed;
-    for (std::size_t i = 0; i < pass->path.size() && !progress.cancelled(); ++i)
-      changed.extend(cutTo(after, *pass, i, number));
+    const PassSteps steps(*pass, number);
+    for (std::size_t i = 0; i < pass->path.size() && !progress.cancelled(); ++i) changed.extend(steps.cut(after, i));
     return changed;
   }
   after.setSection(SectionSource::after(source, pass, number, after));
@@ -122,6 +124,7 @@ TurnedProfile::Range settlePass(TurnedProfile& after, const TurnedProfile& befor
 SectionSource::Pointer SectionSource::of(TurnedSection section) {
   const std::shared_ptr<SectionSource> source(new SectionSource);
   source->m_section = std::move(section);
+  source->m_isKnown = true;
   return source;
 }
 
@@ -157,12 +160,16 @@ TurnedSection SectionSource::taken(Pointer source) {
 }
 
 const TurnedSection& SectionSource::section() const {
-  const std::lock_guard lock(m_mutex);
-  if (!m_section) compute();
+  prepare({});
   return *m_section;
 }
 
-void SectionSource::compute() const {
+bool SectionSource::prepare(Progress progress) const {
+  const std::lock_guard lock(m_mutex);
+  return m_section || compute(progress);
+}
+
+bool SectionSource::compute(Progress progress) const {
   std::vector<Pointer> chain;  // sources whose section is not known yet, the latest first
   std::optional<TurnedSection> section;
   for (Pointer at = m_before; at && !section;) {
@@ -172,14 +179,24 @@ void SectionSource::compute() const {
     at = Pointer(chain.back()->m_before);
   }
   if (section) chain.pop_back();
+  std::uint64_t work = 10 * kWorkOfAPass;  // the limit for all passes together
   const auto cut = [&](const SectionSource& source) {
-    const bool isCut = section && source.m_pass && cutPass(*section, *source.m_pass, source.m_number);
-    if (!isCut) section = fittedSection(*source.m_samples, kFitTolerance);
+    std::uint64_t ofPass = std::min(work, kWorkOfAPass);
+    work -= ofPass;
+    const bool isCut = section && source.m_pass && cutPass(*section, *source.m_pass, source.m_number, ofPass, progress);
+    work += ofPass;
+    if (!isCut && !progress.cancelled()) section = fittedSection(*source.m_samples, kFitTolerance);
   };
-  std::for_each(chain.rbegin(), chain.rend(), [&](const Pointer& source) { cut(*source); });
+  // If there is too much work, only the samples of the last pass count.
+  for (auto source = chain.rbegin(); source != chain.rend() && work > 0 && !progress.cancelled(); ++source)
+    cut(**source);
+  if (work == 0) section.reset();
   cut(*this);
+  if (progress.cancelled()) return false;
   m_section = std::move(section);
   m_before.reset();
+  m_isKnown = true;
+  return true;
 }
 
 }  // namespace handwheel

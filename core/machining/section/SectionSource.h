@@ -3,8 +3,9 @@
 #pragma once
 
 #include "machining/TurningPass.h"
-#include "machining/section/TurnedSection.h"
+#include "machining/section/SectionCut.h"
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -30,17 +31,21 @@ class SectionSource {
   SectionSource(const SectionSource&) = delete;
   SectionSource& operator=(const SectionSource&) = delete;
 
-  const TurnedSection& section() const;  // blocks until it is computed
+  const TurnedSection& section() const;       // blocks until it is computed
+  bool isKnown() const { return m_isKnown; }  // section() returns at once
+  // Computes the section. Returns false if it was cancelled.
+  bool prepare(Progress progress) const;
   // Returns the section of a source that may be given up. It is copied only if the source has other owners.
   static TurnedSection taken(Pointer source);
 
  private:
   SectionSource() = default;
-  void compute() const;
+  bool compute(Progress progress) const;
 
   mutable std::mutex m_mutex;
   mutable std::optional<TurnedSection> m_section;
-  mutable Pointer m_before;  // null once the section is known
+  mutable std::atomic<bool> m_isKnown = false;  // may be asked while another thread computes
+  mutable Pointer m_before;                     // null once the section is known
   Pass m_pass;
   std::uint32_t m_number = 0;
   std::shared_ptr<const TurnedProfile> m_samples;
@@ -56,7 +61,7 @@ struct ExactStep {
 // gets one that is fitted to its samples.
 // whole: the move that `move` is a piece of (cutMove()).
 std::optional<ExactStep> cutExactly(TurnedProfile& profile, const TurningPass& how, const ProfileSegment& move,
-                                    const ProfileSegment& whole, std::uint32_t number);
+                                    const WholeMove& whole, std::uint32_t number);
 
 // Gives a part its section after a pass that has cut it step by step. before: the part before the pass. The samples of
 // an exact pass (TurningPass::isExact) are taken from the section. Returns the samples that changed since `before`, if

@@ -108,7 +108,8 @@ std::vector<TurnedSection> TurnedSection::pieces() const {
   for (const SharedLoop& loop : m_loops) {
     if (loop.area() > 0.0) continue;
     const auto owner = std::find_if(pieces.begin(), pieces.end(), [&](const std::vector<SharedLoop>& piece) {
-      return isInside(std::span(&piece.front(), 1), loop.pointOnBoundary());
+      const ProfilePoint p = loop.pointOnBoundary();
+      return piece.front().box().contains(p) && isInside(std::span(&piece.front(), 1), p);
     });
     if (owner != pieces.end()) owner->push_back(loop);
   }
@@ -120,7 +121,7 @@ std::vector<TurnedSection> TurnedSection::pieces() const {
 }
 
 std::optional<SectionRemoval> TurnedSection::subtract(const SectionCutter& cutter, std::uint32_t pass,
-                                                      bool isOfTrailingEdge) {
+                                                      bool isOfTrailingEdge, double toolHeight) {
   // A larger cutter leaves the positions in which boundaries nearly coincide.
   static constexpr std::array<double, 6> kGrown{0.0, 6e-8, 1.7e-7, 3.1e-7, 5.3e-7, 8.9e-7};
   for (const double grown : kGrown) {
@@ -131,28 +132,31 @@ std::optional<SectionRemoval> TurnedSection::subtract(const SectionCutter& cutte
       segment.pass = pass;
       segment.isOfTrailingEdge = isOfTrailingEdge;
     }
-    if (subtractOnce(area, removal)) return removal;
+    if (subtractOnce(area, toolHeight, removal)) return removal;
   }
   return std::nullopt;
 }
 
-bool TurnedSection::subtractOnce(const SectionLoop& cutter, SectionRemoval& removal) {
+bool TurnedSection::subtractOnce(const SectionLoop& cutter, double toolHeight, SectionRemoval& removal) {
   std::optional<SectionDifference> difference = differenceOf(m_loops, cutter);
   if (!difference) return false;
   removal = difference->removal;
   if (removal.isEmpty()) return true;
+  std::size_t segments = 0;
+  for (const SharedLoop& loop : difference->loops) segments += loop.size();
+  if (segments > kMostSegments) return false;
   m_loops = std::move(difference->loops);
   removal.gone = removal.box;
-  if (m_loops.size() > 1) removal.gone.extend(dropChips(difference->unchanged, boxOf(cutter)));
+  if (m_loops.size() > 1) removal.gone.extend(dropChips(difference->unchanged, boxOf(cutter), toolHeight));
   constexpr double kSlack = 1e-6;  // mm
   const bool isWithin = (removal.gone.min().array() > m_box.min().array() + kSlack).all() &&
                         (removal.gone.max().array() < m_box.max().array() - kSlack).all();
   if (!isWithin || m_loops.empty()) findBox();
-  return size() <= kMostSegments;
+  return true;
 }
 
 // The piece in the chuck is the one that reaches lowest. Pieces that the cut did not change stay.
-ProfileBox TurnedSection::dropChips(std::size_t unchanged, const ProfileBox& cutter) {
+ProfileBox TurnedSection::dropChips(std::size_t unchanged, const ProfileBox& cutter, double toolHeight) {
   constexpr double kSlack = 1e-6;  // mm
   const auto lowest = std::min_element(m_loops.begin(), m_loops.end(), [](const SharedLoop& a, const SharedLoop& b) {
     return a.box().min().y() < b.box().min().y();
@@ -160,7 +164,8 @@ ProfileBox TurnedSection::dropChips(std::size_t unchanged, const ProfileBox& cut
   std::vector<SharedLoop> left, chips;
   for (auto loop = m_loops.begin(); loop != m_loops.end(); ++loop) {
     const ProfileBox& box = loop->box();
-    const bool isWithin = box.min().y() >= cutter.min().y() - kSlack && box.max().y() <= cutter.max().y() + kSlack;
+    const bool isWithin = box.min().y() >= cutter.min().y() - kSlack && box.max().y() <= cutter.max().y() + kSlack &&
+                          box.sizes().y() <= toolHeight + kSlack;
     const bool isOld = loop - m_loops.begin() < static_cast<std::ptrdiff_t>(unchanged);
     const bool isChip = !isOld && loop != lowest && isWithin && loop->area() > 0.0;
     (isChip ? chips : left).push_back(*loop);

@@ -6,6 +6,7 @@
 #include "machining/section/SharedLoop.h"
 
 #include <functional>
+#include <limits>
 
 namespace handwheel {
 
@@ -60,12 +61,12 @@ class TurnedSection {
   std::vector<TurnedSection> pieces() const;
 
   // Subtracts the area of a cutter and marks the new boundary with the number of the pass. Pieces of the section that
-  // the cut separates from the rest fall off if they lie within the heights of the cutter, as chips do. Returns
-  // nothing, and leaves the section as it was, if the result is not sound for any small offset of the cutter.
-  // isOfTrailingEdge: marks the new boundary, as in SectionSegment.
-  // O(runs + k m) for the k segments that meet the box of a cutter with m segments.
-  std::optional<SectionRemoval> subtract(const SectionCutter& cutter, std::uint32_t pass,
-                                         bool isOfTrailingEdge = false);
+  // the cut separates from the rest fall off, as chips do, if they lie within the heights of the cutter and are not
+  // higher than the tool. Returns nothing, and leaves the section as it was, if the result is not sound for any small
+  // offset of the cutter. isOfTrailingEdge: marks the new boundary, as in SectionSegment. toolHeight: mm. O(runs + k m)
+  // for the k segments that meet the box of a cutter with m segments.
+  std::optional<SectionRemoval> subtract(const SectionCutter& cutter, std::uint32_t pass, bool isOfTrailingEdge = false,
+                                         double toolHeight = std::numeric_limits<double>::infinity());
 
   bool contains(const ProfilePoint& p) const;
 
@@ -86,9 +87,9 @@ class TurnedSection {
  private:
   explicit TurnedSection(std::vector<SharedLoop> loops);
   void findBox();
-  bool subtractOnce(const SectionLoop& cutter, SectionRemoval& removal);
+  bool subtractOnce(const SectionLoop& cutter, double toolHeight, SectionRemoval& removal);
   // Returns the bounds of the chips.
-  ProfileBox dropChips(std::size_t unchanged, const ProfileBox& cutter);
+  ProfileBox dropChips(std::size_t unchanged, const ProfileBox& cutter, double toolHeight);
 
   std::vector<SharedLoop> m_loops;
   ProfileBox m_box;

@@ -126,6 +126,16 @@ std::optional<std::vector<TurningPass::Arc>> arcsIn(const nlohmann::json& entry,
   return arcs;
 }
 
+// Returns true if the points of a pass lie on its arcs.
+bool areOnPath(const TurningPass& pass) {
+  constexpr double kSlack = 1e-3;  // mm
+  return std::all_of(pass.arcs.begin(), pass.arcs.end(), [&](const TurningPass::Arc& arc) {
+    const ProfileSegment curve{pass.path[arc.first], pass.path[arc.last], arc.bulge};
+    return std::all_of(pass.path.begin() + arc.first, pass.path.begin() + arc.last + 1,
+                       [&](const ProfilePoint& p) { return (curve.nearest(p) - p).norm() <= kSlack; });
+  });
+}
+
 // The directions of the edges of a nose. Nothing if they are malformed.
 std::optional<ProfilePoint> edgesIn(const nlohmann::json& entry) {
   const auto edges = entry.find(kEdges);
@@ -204,6 +214,7 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const PassArray
     pass.times.push_back(std::max(point[0], i == 0 ? 0.0 : pass.times.back()));
     pass.path.emplace_back(point[1], point[2]);
   }
+  if (!areOnPath(pass)) return std::nullopt;
   auto ofSpindle = speedsOf(entry, arrays, count);
   if (!ofSpindle) return std::nullopt;
   pass.speeds = std::move(*ofSpindle);

@@ -15,7 +15,8 @@ constexpr const char* kSectionBlob = "workpiece/section";
 // The numbers of a segment: point, direction and radius of its carrier, its start, its pass (-1: the bar), and 1 if it
 // is the first of a loop.
 constexpr std::size_t kNumbersOfSegment = 9;
-constexpr double kSectionSlack = 1e-6;  // mm
+constexpr double kSectionSlack = 1e-6;     // mm
+constexpr std::size_t kMostLoops = 1'000;  // a part has one for each of its pieces and hollows
 
 bool isSound(const SectionLoop& loop, const StockCylinder& stock) {
   if (loop.size() < 2) return false;
@@ -63,6 +64,7 @@ std::optional<TurnedSection> readSection(const Container& container, std::uint64
     if (v[7] > kMostPassNumber || std::abs(segment.carrier.along.norm() - 1.0) > kSectionSlack) return std::nullopt;
     segment.pass = v[7] < 0.0 ? SectionSegment::kBar : static_cast<std::uint32_t>(v[7]);
     if (v[8] != 0.0) loops.emplace_back();
+    if (loops.size() > kMostLoops) return std::nullopt;
     if (loops.empty()) return std::nullopt;
     loops.back().push_back(segment);
   }

@@ -55,6 +55,38 @@ std::optional<TurnedProfile> cutOnceMore(const TurningPasses& passes, const Stoc
   return profile;
 }
 
+// Returns true if a section has the samples of a part. After passes by hand the two may differ by a sample beside a
+// face, and by a little where the path of the hand was unsteady.
+bool isSectionOf(const TurnedSection& section, const TurnedProfile& samples) {
+  constexpr std::size_t kBeside = 2;  // samples
+  constexpr double kSlack = 0.02;     // mm
+  double largest = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) largest = std::max(largest, samples.radius(i));
+  TurnedProfile sampled = TurnedProfile::barOf({2.0 * largest, samples.length(), 0.0}, samples.size());
+  section.sample(sampled, {0, sampled.size()});
+  const auto isWithin = [&](std::size_t i, auto radiusOf) {
+    const std::size_t last = std::min(i + kBeside, samples.size() - 1);
+    double least = radiusOf(samples, i), most = least;
+    for (std::size_t k = i - std::min(i, kBeside); k <= last; ++k) {
+      least = std::min(least, radiusOf(samples, k));
+      most = std::max(most, radiusOf(samples, k));
+    }
+    const double r = radiusOf(sampled, i);
+    return r >= least - kSlack && r <= most + kSlack;
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const bool isEmpty = !samples.hasMaterial(i) && !sampled.hasMaterial(i);
+    const auto outer = [](const TurnedProfile& part, std::size_t k) {
+      return part.hasMaterial(k) ? part.radius(k) : 0.0;
+    };
+    const auto inner = [](const TurnedProfile& part, std::size_t k) {
+      return part.hasMaterial(k) ? part.inner(k) : 0.0;
+    };
+    if (!isEmpty && !(isWithin(i, outer) && isWithin(i, inner))) return false;
+  }
+  return true;
+}
+
 // Returns the source of the section that the passes cut from the bar.
 SectionSource::Pointer sectionOfPasses(const TurningPasses& passes, const StockCylinder& stock,
                                        const TurnedProfile& samples) {
@@ -127,10 +159,14 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
     }
   }
   // Early versions of the program wrote no section.
-  if (auto section = readSection(container, countAt(*turned, kSection), stock))
+  auto section = readSection(container, countAt(*turned, kSection), stock);
+  if (section && isSectionOf(*section, *profile))
     profile->setSection(SectionSource::of(std::move(*section)));
   else if (hasAllPasses)
     profile->setSection(sectionOfPasses(passes, stock, *profile));
+  else
+    profile->setSection(SectionSource::fitted(*profile));
+  if (!profile->section()->prepare(progress)) return Error{ErrorCode::Cancelled, {}, {}, {}};
   auto part = TurnedPart::of(std::move(*profile), std::move(passes), workpiece.chord);
   // If passes are lost, the others have other numbers.
   if (turned->value(kFinish, nlohmann::json()) == true && hasAllPasses)

@@ -349,6 +349,8 @@ MeasuredPart::MeasuredPart(const TurningTask& task, const WorkpieceSnapshot& wor
       TurningReview::make(TurnedProfile::barOf(workpiece.stock, m_profile.size()), m_passes, task.lathe, progress);
   if (m_review) m_finish = withOlderMarksAsRepeated(std::move(m_finish), m_review->finish());
   m_isOfItsPasses = m_review && m_review->profile() == m_profile && isRepeated(m_finish, m_review->finish());
+  // The section in the file may be another one.
+  if (m_isOfItsPasses) m_profile.setSection(m_review->profile().section());
 }
 
 std::optional<FinishReading> MeasuredPart::finish(TurningSide side, AxisRange range) const {

@@ -113,7 +113,8 @@ std::optional<ProgramValue> FanucRun::controlVariable(int n) const {
       return known(1e4 * (1900 + now.tm_year) + 100.0 * (1 + now.tm_mon) + now.tm_mday);
     }
     case 3012: {
-      const std::tm now = localTime(m_control.begin + static_cast<std::time_t>(m_path.time));
+      constexpr double kMostTime = 1e9;  // s
+      const std::tm now = localTime(m_control.begin + static_cast<std::time_t>(std::min(m_path.time, kMostTime)));
       return known(1e4 * now.tm_hour + 100.0 * now.tm_min + now.tm_sec);
     }
     case 3901:

@@ -45,6 +45,8 @@ double volumeOfCylinder(double radius, double length) {
 class SectionCutTest : public QObject {
   Q_OBJECT
 
+  std::uint64_t work = 10 * kWorkOfAPass;
+
  private slots:
   // A face of 1 mm: π 20² 1 = 1256.637 mm³, with a point and with noses, inwards and outwards, past the axis or to it.
   void facing_data() {
@@ -169,7 +171,8 @@ class SectionCutTest : public QObject {
     const TurningPass point = noseOf(0.0);
     removedBy(section, point, {{12, 105}, {12, 60}, {22, 60}});
     const ProfileSegment ball = arcAround({0, 90}, 10, 0.5 * M_PI, -std::atan2(8.0, 6.0));
-    QVERIFY(cutMove(section, point, {{0, 103}, {0, 100}, 0.0}, {{0, 103}, {0, 100}, 0.0}, 1).has_value());
+    const ProfileSegment toTheBall{{0, 103}, {0, 100}, 0.0};
+    QVERIFY(cutMove(section, point, toTheBall, toTheBall, 1).has_value());
     for (int i = 0; i < 40; ++i) {
       const ProfileSegment piece = ball.piece(i / 40.0, (i + 1) / 40.0);
       QVERIFY(cutMove(section, point, piece, ball, 1).has_value());
@@ -197,7 +200,7 @@ class SectionCutTest : public QObject {
     pass.path = {{22, 80}, {15, 80}, {22, 80}};
     pass.times = {0, 1, 2};
     TurnedSection section(kBar);
-    const auto removal = cutPass(section, pass, 0);
+    const auto removal = cutPass(section, pass, 0, work);
     QVERIFY(removal.has_value());
     // The centroid of what a corner leaves is 0.2234 R above the bottom.
     const double corners = 2.0 * 0.04 * (1.0 - 0.25 * M_PI) * 2.0 * M_PI * 15.0447;
@@ -215,7 +218,7 @@ class SectionCutTest : public QObject {
     pass.path = {{22, 60}, {-1, 60}};
     pass.times = {0, 1};
     TurnedSection section(kBar);
-    QVERIFY(cutPass(section, pass, 0).has_value());
+    QVERIFY(cutPass(section, pass, 0, work).has_value());
     const std::vector<TurnedSection> pieces = section.pieces();
     QCOMPARE(pieces.size(), std::size_t{2});
     QVERIFY(std::abs(pieces[0].box().max().y() - 60.0) < 1e-9);
@@ -232,7 +235,7 @@ class SectionCutTest : public QObject {
     for (const bool isFacedFirst : {true, false}) {
       TurnedSection section(kBar);
       if (isFacedFirst) removedBy(section, noseOf(0.4), {{22, 99}, {-0.8, 99}, {-0.8, 102}});
-      QVERIFY(cutPass(section, drill, 1).has_value());
+      QVERIFY(cutPass(section, drill, 1, work).has_value());
       if (!isFacedFirst) removedBy(section, noseOf(0.4), {{22, 99}, {-0.8, 99}, {-0.8, 102}}, 2);
       QCOMPARE(section.loops().size(), std::size_t{1});
       // The point of 118° is 3.6052 mm high.
@@ -256,7 +259,7 @@ class SectionCutTest : public QObject {
     // Along the end face inwards beside the bar, then into it along the axis.
     pass.path = {{10, 101}, {10, 96}};
     pass.times = {0, 1};
-    QVERIFY(cutPass(section, pass, 0).has_value());
+    QVERIFY(cutPass(section, pass, 0, work).has_value());
     QVERIFY(!section.contains({11.0, 97.0}));
     QVERIFY(section.contains({14.0, 97.0}));
     QVERIFY(section.contains({9.0, 97.0}));
