@@ -102,10 +102,13 @@ std::optional<double> measureFace(const TurnedProfile& profile, TurningSide side
                                   double reach) {
   const SectionSource::Pointer source = profile.section() ? profile.section() : SectionSource::fitted(profile);
   const TurnedSection& section = source->section();
-  // Returns true if the side is there at a height, and reaches the radius. A bore begins and ends with the part.
+  // Returns true if the side is there at a height, and reaches the radius. A bore begins and ends with the part. A
+  // shoulder may lean over, so that there is material farther out at its height.
   const auto reaches = [&](double z) {
     const auto radii = section.radiiAt(z);
-    return radii && (side == TurningSide::Outside ? radii->outer : radii->inner) >= radius;
+    if (!radii) return false;
+    const bool isMaterial = section.contains({radius, z});
+    return side == TurningSide::Outside ? isMaterial : !isMaterial && radius < radii->outer;
   };
   std::optional<double> face;
   const auto offer = [&](double z) {

@@ -84,7 +84,7 @@ std::optional<double> BareNose::faceBehind(const TurnedSection& section, std::ui
   if (!m_isFacing) return std::nullopt;
   // The trailing edge begins beside the centre of the nose.
   const double edge = tipAt(m_end), last = m_trailing * m_end.y(), farthest = last + m_radius + kTrailingEdge;
-  const double beside = std::min(m_trailing * m_move.from.y(), m_trailing * m_move.to.y());
+  const double beside = std::min({m_trailing * m_move.from.y(), m_trailing * m_move.to.y(), last});
   // Most moves of a contour have the contour itself behind them.
   if (hasOwnSurface(section, pass, beside, beside + kPastFace)) return std::nullopt;
   std::vector<double> ends{last};

@@ -3,6 +3,7 @@
 #include "machining/section/SectionOutline.h"
 
 #include "machining/refit/ArcNurbs.h"
+#include "machining/section/PlaneVectors.h"
 #include "machining/target/CurveFit.h"
 
 #include <algorithm>
@@ -32,6 +33,53 @@ std::vector<ProfilePoint> pointsOf(std::span<const ProfileSegment> run) {
     points.push_back(segment.to);
   }
   return points;
+}
+
+// Leaves out segments that are shorter than a slack (mm). The longer neighbour keeps its ends.
+Chain withoutSpecks(const Chain& chain, double slack) {
+  Chain all;
+  for (const ProfileSegment& segment : chain) {
+    ProfileSegment next = segment;
+    if (!all.empty() && all.back().to != next.from) {
+      if (all.back().length() < next.length())
+        all.back().to = next.from;
+      else
+        next.from = all.back().to;
+    }
+    if (next.length() >= slack)
+      all.push_back(next);
+    else if (!all.empty() && &segment == &chain.back())
+      all.back().to = segment.to;
+  }
+  return all.size() > 1 ? all : chain;
+}
+
+// Returns true if the ends of lines are within a slack of the line from the first to the last.
+bool isStraight(std::span<const ProfileSegment> lines, double slack) {
+  const ProfileSegment whole{lines.front().from, lines.back().to, 0.0};
+  return std::all_of(lines.begin(), lines.end(), [&](const ProfileSegment& line) {
+    return !line.isArc() && (line.to - line.from).dot(whole.to - whole.from) > 0.0 &&
+           (whole.nearest(line.from) - line.from).norm() <= slack && (whole.nearest(line.to) - line.to).norm() <= slack;
+  });
+}
+
+// Joins lines that are nearly one, such as those of a tool that a hand or a bending bar leads. Corners that were
+// programmed stay.
+Chain straightened(const Chain& chain, double slack) {
+  constexpr double kMostTurn = 1e-3;  // sine of the largest angle between neighbours
+  const auto goesOn = [&](const ProfileSegment& a, const ProfileSegment& b) {
+    return !a.isArc() && !b.isArc() && std::abs(crossProduct(a.direction(0.5), b.direction(0.5))) <= kMostTurn;
+  };
+  Chain all;
+  for (std::size_t i = 0; i < chain.size();) {
+    std::size_t end = i + 1;
+    while (end < chain.size() && goesOn(chain[end - 1], chain[end]) &&
+           isStraight(std::span(chain).subspan(i, end + 1 - i), slack))
+      ++end;
+    all.push_back(end == i + 1 ? chain[i] : ProfileSegment{chain[i].from, chain[end - 1].to, 0.0});
+    i = end;
+  }
+  return all;
 }
 
 // Joins the runs of short segments.
@@ -82,7 +130,9 @@ std::vector<Chain> chainsOf(const SharedLoop& boundary, double tolerance, double
     chains.back().push_back(curve);
   }
   std::erase_if(chains, [](const Chain& chain) { return chain.empty(); });
-  for (Chain& chain : chains) chain = joined(chain, tolerance);
+  constexpr double kShare = 0.2;  // share of the tolerance for other than runs of short segments
+  for (Chain& chain : chains)
+    chain = joined(straightened(withoutSpecks(chain, kShare * tolerance), kShare * tolerance), tolerance);
   // The outside is the one that runs upwards.
   const auto outside = std::find_if(chains.begin(), chains.end(),
                                     [](const Chain& chain) { return chain.back().to.y() > chain.front().from.y(); });

@@ -10,7 +10,8 @@ namespace handwheel {
 
 // Returns the half section of one piece of a part as lines and arcs. They are moved by `base` (mm) along z. Segments of
 // several passes on one line or circle are one. Runs of short segments, which are the marks of a hand, are joined to
-// lines and arcs within `tolerance` (mm, > 0); all others are exact. The piece must have no hollows. Errors: the errors
+// lines and arcs within `tolerance` (mm, > 0). Within a fifth of it, specks are left out and lines that are nearly one
+// are joined; all others are exact. The piece must have no hollows. Errors: the errors
 // of TargetProfile::make().
 Result<TargetProfile> outlineOf(const TurnedSection& piece, double tolerance, double base);
 

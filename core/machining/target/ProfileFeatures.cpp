@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -33,7 +34,7 @@ ProfileFeature featureOf(const ProfileSegment& s, double tolerance) {
   feature.low = isUp ? s.from : s.to;
   feature.high = isUp ? s.to : s.from;
   feature.isDownwards = !isUp;
-  // Material is on the left: the outside runs up, a bore down.
+  // Material is on the left: what runs down faces the axis.
   feature.isInner = !isFace && s.direction(0.5).y() < 0.0;
   if (s.isArc()) {
     feature.kind = ProfileFeature::Kind::Arc;
@@ -52,6 +53,27 @@ ProfileFeature featureOf(const ProfileSegment& s, double tolerance) {
   return feature;
 }
 
+// A shoulder on the outside that leans over, as an insert leaves it, is no bore, although it faces the axis. The
+// outside goes from the lowest point of the outline to its highest point.
+void keepShouldersOutside(std::vector<ProfileFeature>& features, double tolerance) {
+  constexpr double kShoulder = 75.0 * M_PI / 180.0;  // least angle to the axis
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const ProfileFeature& f : features) {
+    lowest = std::min(lowest, f.low.y());
+    highest = std::max(highest, f.high.y());
+  }
+  bool isOutside = false;
+  // A closed outline may begin on its outside: the second round knows.
+  for (int round = 0; round < 2; ++round) {
+    for (ProfileFeature& f : features) {
+      if (f.start().y() <= lowest + tolerance) isOutside = true;
+      if (f.start().y() >= highest - tolerance) isOutside = false;
+      const bool isShoulder = f.kind == ProfileFeature::Kind::Taper && f.value > kShoulder;
+      if (isOutside && isShoulder) f.isInner = false;
+    }
+  }
+}
+
 constexpr std::size_t kLeastPieces = 5;   // pieces of a curve
 constexpr double kLongestPiece = 10.0;    // mm, along the axis
 constexpr double kMostTurn = M_PI / 6.0;  // rad, between two pieces
@@ -66,7 +88,7 @@ bool isPiece(const ProfileFeature& f) {
 // bore.
 bool turnsOn(const ProfileFeature& a, const ProfileFeature& b) {
   if (!isPiece(a) || !isPiece(b) || a.isInner != b.isInner) return false;
-  const ProfilePoint gap = a.isInner ? a.low - b.high : a.high - b.low;
+  const ProfilePoint gap = a.end() - b.start();
   const auto slope = [](const ProfileFeature& f) { return std::atan2(f.high.x() - f.low.x(), f.length()); };
   return gap.norm() <= kJoined && std::abs(slope(a) - slope(b)) <= kMostTurn;
 }
@@ -92,6 +114,7 @@ std::vector<ProfileFeature> featuresOf(const TargetProfile& profile, double tole
   std::vector<ProfileFeature> features;
   features.reserve(merged.size());
   for (const ProfileSegment& s : merged) features.push_back(featureOf(s, tolerance));
+  keepShouldersOutside(features, tolerance);
   return features;
 }
 
@@ -111,7 +134,7 @@ std::vector<ProfileFeature> withCurves(const std::vector<ProfileFeature>& featur
     ProfileFeature curve = features[first];
     curve.kind = ProfileFeature::Kind::Curve;
     curve.value = 0.0;
-    (curve.isInner ? curve.low : curve.high) = curve.isInner ? features[end - 1].low : features[end - 1].high;
+    (curve.isDownwards ? curve.low : curve.high) = features[end - 1].end();
     listed.push_back(curve);
     first = end;
   }

@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "machining/lathe/LatheJson.h"
+#include "machining/measure/ProfileMeasure.h"
 #include "machining/section/SectionOutline.h"
 #include "machining/section/SectionSource.h"
 
@@ -275,6 +276,43 @@ class SectionCutTest : public QObject {
     QVERIFY(part.section());
     QVERIFY(std::abs(part.section()->section().volume() - volumeOfCylinder(20, 60.0051) -
                      volumeOfCylinder(15, 39.9949)) < 1e-6);
+  }
+
+  // A roughing insert leaves a shoulder that leans by 5°, tangent to its nose of 0.8 mm. It is a face that can be
+  // measured at each radius.
+  void aLeaningShoulder() {
+    TurnedProfile part(kBar, 0.013);
+    TurningPass pass;
+    pass.isExact = true;
+    pass.tool = toolNamed(shippedLatheTools(), "right-roughing");
+    pass.path = {{16, 102}, {16, 50}};
+    pass.times = {0, 1};
+    cut(part, std::make_shared<const TurningPass>(pass), 0);
+    const double five = M_PI / 36;
+    for (const double radius : {17.5, 18.5, 19.9}) {
+      const double height = 50.8 - (0.8 - std::sin(five) * (radius - 16.8)) / std::cos(five);
+      const auto face = measureFace(part, TurningSide::Outside, radius, 50.0, 1.0);
+      QVERIFY(face && std::abs(*face - height) < 1e-4);
+    }
+  }
+
+  // A bar that bends lets the tool leave lines whose slopes differ by millionths, with specks of the nose between them:
+  // one cylinder for a drawing, and a sound outline.
+  void aBentBarHasASoundOutline() {
+    TurnedSection section(kBar);
+    TurningPass pass;
+    pass.noseRadius = 0.8;
+    for (int i = 0; i <= 20; ++i) {
+      pass.path.emplace_back(14.8 + 1e-6 * i * i, 102.0 - 2.0 * i);
+      pass.times.push_back(i);
+    }
+    QVERIFY(cutPass(section, pass, 0, work).has_value());
+    QVERIFY(section.size() > 20);
+    const auto outline = outlineOf(section, 1e-3, 0.0);
+    QVERIFY(bool(outline));
+    QVERIFY(outline->segments().size() <= 7);
+    const double moved = std::abs(outline->volume() - section.volume());
+    QVERIFY(moved < 2.0 * M_PI * 14.0 * 40.0 * 2e-4);
   }
 
  private:

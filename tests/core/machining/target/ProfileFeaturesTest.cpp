@@ -125,6 +125,24 @@ class ProfileFeaturesTest : public QObject {
     QVERIFY(std::abs(found[0].length() - 10.0) < 1e-9);
   }
 
+  // A shoulder leans over by 5°, as an insert leaves it: it faces the axis, and is no bore. The wall of a recess in the
+  // end is one.
+  void ofALeaningShoulder() {
+    const double low = 30.0 - 2.0 * std::tan(M_PI / 36);
+    const auto shaft = TargetProfile::make({{{0, 0}, {20, 0}, 0.0},
+                                            {{20, 0}, {20, 30}, 0.0},
+                                            {{20, 30}, {18, low}, 0.0},
+                                            {{18, low}, {18, 60}, 0.0},
+                                            {{18, 60}, {10, 60}, 0.0},
+                                            {{10, 60}, {10, 55}, 0.0},
+                                            {{10, 55}, {0, 54}, 0.0}});
+    const auto found = featuresOf(*shaft, 1e-6);
+    QCOMPARE(found.size(), std::size_t{7});
+    QCOMPARE(found[2].kind, FeatureKind::Taper);
+    for (std::size_t i = 0; i < found.size(); ++i) QCOMPARE(found[i].isInner, i >= 5);
+    QVERIFY(found[2].isDownwards && std::abs(found[2].value - 85.0 * M_PI / 180.0) < 1e-12);
+  }
+
   // An outline that begins within a feature.
   void ofATube() {
     const auto tube = TargetProfile::make({{{20, 15}, {20, 40}, 0.0},
