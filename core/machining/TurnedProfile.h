@@ -94,7 +94,7 @@ class TurnedProfile {
   // chuck to the free end. O(samples).
   std::vector<Range> pieces() const;
 
-  bool operator==(const TurnedProfile& other) const;  // compares bit for bit
+  bool operator==(const TurnedProfile& other) const;  // compares the samples bit for bit, not the sections
 
  private:
   TurnedProfile() = default;

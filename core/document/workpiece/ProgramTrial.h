@@ -48,7 +48,7 @@ class ProgramTrial {
     TurnedProfile profile;
     std::shared_ptr<const PartThreads> threads;  // null: none
   };
-  // Returns the part at a position. It is simulated from the nearest stored version, which costs a hundredth of the
+  // Returns the part at a position. It is simulated from the nearest stored version, which costs a small part of the
   // whole run. Returns nothing if cancelled.
   std::optional<Moment> at(const ProgramPosition& position, Progress progress = {}) const;
 

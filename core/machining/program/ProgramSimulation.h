@@ -66,7 +66,8 @@ ToolMove mirrored(const ToolMove& move);
 // spindle at rest, cut as well; such a move is a collision if it meets material. A spindle that turns away from the
 // edge is a note at the first such feed of a tool. A thread is a pass of its own. It does not change the profile, which
 // is the envelope; its flanks are at 60°. If the body of a tool is known, contacts of its holder, its post and its
-// slide are checked once in each millimetre of travel. O(samples below the moves). A simulation may be used by one
+// slide are checked once in each millimetre of travel. A move costs what subtracting it from
+// the section costs (TurnedSection). A simulation may be used by one
 // thread at a time.
 class ProgramSimulation {
  public:

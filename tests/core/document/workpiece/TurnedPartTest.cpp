@@ -86,6 +86,27 @@ class TurnedPartTest : public QObject {
     QVERIFY(!static_cast<const WorkpieceSnapshot&>(**loaded).part);
   }
 
+  // A section that is that of another part is not believed: it is made again from the passes.
+  void aForeignSectionIsMadeAgain() {
+    const WorkpieceSnapshot workpiece = cutTwice();
+    WorkpieceSnapshot other;
+    TurningPass pass;
+    pass.path = {{21.0, 23.0}, {21.0, 60.0}};
+    pass.times = {0.0, 1.0};
+    other.part = withPass(other, pass, 0.1);
+    Container container, foreign;
+    m_kind.save(workpiece, container);
+    m_kind.save(other, foreign);
+    container.blobs["workpiece/section/0000"] = foreign.blobs.at("workpiece/section/0000");
+    (*container.manifest)["document"]["turned"]["section"] = (*foreign.manifest)["document"]["turned"]["section"];
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && damage.empty());
+    const auto& part = static_cast<const WorkpieceSnapshot&>(**loaded).part;
+    QVERIFY(std::abs(part->volume() - workpiece.part->volume()) < 1e-6);
+    QVERIFY(std::abs(part->volume() - other.part->volume()) > 100.0);
+  }
+
   // Programs that took a depth whole did not say how they did: their passes are cut so again.
   void aPassThatDoesNotTellItsPartsIsCutWhole() {
     WorkpieceSnapshot workpiece;

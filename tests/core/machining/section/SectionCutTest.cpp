@@ -61,7 +61,7 @@ class SectionCutTest : public QObject {
     for (const auto& path : {std::vector<ProfilePoint>{{22, 99}, {past, 99}, {past, 102}},
                              std::vector<ProfilePoint>{{past, 103}, {past, 99}, {22, 99}, {22, 103}}}) {
       TurnedSection section(kBar);
-      QVERIFY(std::abs(removedBy(section, tool, path) - volumeOfCylinder(20, 1)) < 1e-4);
+      QVERIFY(std::abs(removedBy(section, tool, path) - volumeOfCylinder(20, 1)) < 1e-6);
       QCOMPARE(section.loops().size(), std::size_t{1});
       QVERIFY(std::abs(section.box().max().y() - 99.0) < 1e-9);
     }
