@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -52,8 +53,10 @@ void PartActors::set(const std::vector<DisplayPart>& parts) {
     } else {
       part.number = ++m_lastNumber;
     }
+    if (part.description.group != description.group) part.next.reset();
     part.description = description;
-    want(part, shapeFor(description.soup, scanned));
+    part.wanted = shapeFor(description.soup, scanned);
+    if (description.group.empty()) showAlone(part);
     place(part);
     style(part);
     groups.insert(description.group);
@@ -61,14 +64,15 @@ void PartActors::set(const std::vector<DisplayPart>& parts) {
   }
   for (auto& [name, part] : before) {
     if (part.shown && groups.contains(part.description.group) && !part.description.group.empty()) {
-      part.outdatedSince = m_changes;
+      part.goneSince = m_changes;
       m_leaving.push_back(std::move(part));
     } else {
       remove(part);
     }
   }
   before.clear();
-  for (Part& part : m_leaving) groups.insert(part.description.group);
+  for (const Part& part : m_leaving) groups.insert(part.description.group);
+  for (const auto& [group, call] : m_next) groups.insert(group);
   for (const std::string& group : groups) showGroup(group);
   std::erase_if(m_shapes, [](const auto& entry) { return entry.second.expired(); });
   updateBounds();
@@ -78,72 +82,94 @@ PartActors::ShapePointer PartActors::shapeFor(const Soup& soup, std::size_t scan
   std::weak_ptr<Shape>& known = m_shapes[soup];
   if (const ShapePointer shape = known.lock()) return shape;
   const auto shape = std::make_shared<Shape>();
+  shape->soup = soup;
   shape->outline = outlineOf(*soup, scanned);
   known = shape;
   return shape;
 }
 
-void PartActors::want(Part& part, ShapePointer shape) {
-  if (part.wanted == shape) return;
-  // The earliest that is not complete is the one being built.
-  const bool isAwaited = part.wanted && part.wanted != part.shown && !part.wanted->isComplete();
-  if (isAwaited && !part.awaited) part.awaited = part.wanted;
-  part.wanted = std::move(shape);
-  part.wantedSince = m_changes;
-  if (part.outdatedSince == 0) part.outdatedSince = m_changes;
+// A part without a group shows its newest shape as far as it is uploaded.
+void PartActors::showAlone(Part& part) {
   if (part.wanted == part.shown) {
-    part.awaited.reset();
-    part.outdatedSince = 0;
-  } else if (part.description.group.empty() && !part.wanted->blocks.empty()) {
+    part.next.reset();
+  } else if (!part.wanted->blocks.empty()) {
     show(part, part.wanted);
+    part.next.reset();
+  } else if (part.next && !part.next->blocks.empty()) {
+    show(part, part.next);
+    part.next = part.wanted;
+    part.nextSince = m_changes;
+  } else if (!part.next) {
+    part.next = part.wanted;
+    part.nextSince = m_changes;
   }
-}
-
-// Returns the newest shape that can be shown instead of the present one, or null.
-PartActors::ShapePointer PartActors::Part::complete() const {
-  if (wanted->isComplete()) return wanted;
-  return awaited && awaited->isComplete() ? awaited : nullptr;
 }
 
 void PartActors::show(Part& part, const ShapePointer& shape) {
+  if (part.shown == shape) return;
   remove(part);
   part.shown = shape;
-  part.outdatedSince = shape == part.wanted ? 0 : part.wantedSince;
-  part.awaited.reset();
   for (const auto& block : shape->blocks) addActor(part, block);
 }
 
-// Shows the changes of one call of set() as soon as all of them can be shown. A part that changes faster than it can be
-// built joins the next call's.
+bool PartActors::isUpToDate(const std::string& group) const {
+  const auto isThere = [&](const Part& part) { return part.isIn(group); };
+  const auto isOld = [&](const Part& part) { return part.isIn(group) && part.shown != part.wanted; };
+  return std::none_of(m_parts.begin(), m_parts.end(), isOld) &&
+         std::none_of(m_leaving.begin(), m_leaving.end(), isThere);
+}
+
+bool PartActors::isNextComplete(const std::string& group) const {
+  const auto isOwing = [&](const Part& part) { return part.isIn(group) && part.next && !part.next->isComplete(); };
+  return std::none_of(m_parts.begin(), m_parts.end(), isOwing) &&
+         std::none_of(m_leaving.begin(), m_leaving.end(), isOwing);
+}
+
+// Shows the next state of a group as soon as all of its shapes are uploaded. The state stays the next one while set()
+// is called again: otherwise parts that change all the time would never be complete.
 void PartActors::showGroup(const std::string& group) {
   if (group.empty()) return;
-  std::set<std::uint64_t> waiting;
-  for (const Part& part : m_parts) {
-    if (part.isIn(group) && part.outdatedSince > 0 && !part.complete()) waiting.insert(part.outdatedSince);
+  while (!isUpToDate(group)) {
+    const auto [next, isBegun] = m_next.try_emplace(group, m_changes);
+    for (Part& part : m_parts) {
+      if (!isBegun || !part.isIn(group)) continue;
+      part.next = part.wanted;
+      part.nextSince = m_changes;
+    }
+    if (!isNextComplete(group)) return;
+    const std::uint64_t call = next->second;
+    m_next.erase(next);
+    for (auto* parts : {&m_parts, &m_leaving}) {
+      for (Part& part : *parts) {
+        if (part.isIn(group) && part.next) show(part, std::exchange(part.next, nullptr));
+      }
+    }
+    std::erase_if(m_leaving, [&](Part& part) {
+      const bool isGone = part.isIn(group) && part.goneSince <= call;
+      if (isGone) remove(part);
+      return isGone;
+    });
   }
+  m_next.erase(group);
   for (Part& part : m_parts) {
-    if (!part.isIn(group) || part.outdatedSince == 0 || waiting.contains(part.outdatedSince)) continue;
-    show(part, part.complete());
+    if (part.isIn(group)) part.next.reset();
   }
-  std::erase_if(m_leaving, [&](Part& part) {
-    const bool isGone = part.isIn(group) && !waiting.contains(part.outdatedSince);
-    if (isGone) remove(part);
-    return isGone;
-  });
 }
 
 std::vector<PartActors::Soup> PartActors::missing() const {
-  std::vector<const Part*> parts;
-  for (const Part& part : m_parts) {
-    if (part.wanted->blockCount == 0) parts.push_back(&part);
+  std::vector<std::pair<std::uint64_t, const Shape*>> awaited;
+  const auto add = [&](const ShapePointer& shape, std::uint64_t since) {
+    if (shape && shape->blockCount == 0) awaited.emplace_back(since, shape.get());
+  };
+  for (const auto* parts : {&m_parts, &m_leaving}) {
+    for (const Part& part : *parts) add(part.next, part.nextSince);
   }
-  // A part that changes all the time comes after those of which nothing newer can be shown yet.
-  const auto rank = [](const Part* part) { return std::pair(part->complete() != nullptr, part->outdatedSince); };
-  std::stable_sort(parts.begin(), parts.end(), [&](const Part* a, const Part* b) { return rank(a) < rank(b); });
+  for (const Part& part : m_parts) add(part.wanted, std::numeric_limits<std::uint64_t>::max());
+  std::stable_sort(awaited.begin(), awaited.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Soup> soups;
-  for (const Part* part : parts) {
-    const Soup& soup = part->description.soup;
-    if (std::find(soups.begin(), soups.end(), soup) == soups.end()) soups.push_back(soup);
+  std::set<const Shape*> listed;
+  for (const auto& [since, shape] : awaited) {
+    if (listed.insert(shape).second) soups.push_back(shape->soup);
   }
   return soups;
 }
@@ -168,11 +194,11 @@ std::size_t PartActors::takeOne() {
   for (Part& part : m_parts) {
     if (part.shown == shape) {
       addActor(part, shape->blocks.back());
-    } else if (part.wanted == shape || part.awaited == shape) {
-      if (part.description.group.empty()) show(part, shape);
-      groups.insert(part.description.group);
+    } else if (part.description.group.empty()) {
+      showAlone(part);
     }
   }
+  for (const auto& [group, call] : m_next) groups.insert(group);
   for (const std::string& group : groups) showGroup(group);
   ++m_built;
   return std::max<std::size_t>(geometry.indices.size() / 3, 1);

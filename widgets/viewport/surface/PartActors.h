@@ -19,8 +19,9 @@
 namespace handwheel {
 
 // The VTK actors of rigid parts. Parts with the same soup share their geometry, and a part that only moves gets another
-// matrix. A part with a new soup shows its former shape until the new shape has been built. Parts of one group that
-// changed together also change together on the screen.
+// matrix. A part with a new soup shows its former shape until the new shape has been built. The parts of a group are
+// always shown as they were together at one call of set(): while they change faster than they can be built, some calls
+// are left out.
 class PartActors {
  public:
   using Soup = std::shared_ptr<const TriangleSoup>;
@@ -29,7 +30,8 @@ class PartActors {
 
   // Sets the parts, which are identified by name.
   void set(const std::vector<DisplayPart>& parts);
-  // Returns the soups whose shape is still to be built, in the order of their waiting time, the longest first.
+  // Returns the soups whose shape is still to be built: those of the next states to be shown, the longest awaited
+  // first, and then those of later states.
   std::vector<Soup> missing() const;
   // Takes a finished shape; takeOne() then uploads it block by block. Returns false if no part waits for this soup.
   bool setShape(const Soup& soup, PartShape& made);
@@ -69,6 +71,7 @@ class PartActors {
 
  private:
   struct Shape {
+    Soup soup;
     PartOutline outline;
     Vec3 origin = Vec3::Zero();
     std::size_t blockCount = 0;  // number of blocks; 0: not built yet
@@ -82,18 +85,19 @@ class PartActors {
     DisplayPart description;
     std::uint64_t number = 0;
     ShapePointer wanted;
-    ShapePointer awaited;  // a shape in preparation, newer than the shown and older than the wanted one; else null
-    ShapePointer shown;    // the shown shape; null: no shape is ready
+    ShapePointer next;   // its shape in the state that is shown next, the wanted or an older one; null: in none
+    ShapePointer shown;  // the shown shape; null: no shape is ready
     std::vector<vtkSmartPointer<vtkActor>> actors;
-    std::uint64_t wantedSince = 0;    // number of the call of set() that set the wanted shape
-    std::uint64_t outdatedSince = 0;  // number of the call that made the shown shape outdated; 0: up to date
+    std::uint64_t nextSince = 0;  // number of the call of set() with the next state
+    std::uint64_t goneSince = 0;  // number of the call that removed the part; 0: it is there
     bool isIn(const std::string& group) const { return !group.empty() && description.group == group; }
-    ShapePointer complete() const;
   };
 
   ShapePointer shapeFor(const Soup& soup, std::size_t scanned);
-  void want(Part& part, ShapePointer shape);
+  void showAlone(Part& part);
   void showGroup(const std::string& group);
+  bool isUpToDate(const std::string& group) const;
+  bool isNextComplete(const std::string& group) const;
   void show(Part& part, const ShapePointer& shape);
   void addActor(Part& part, vtkPolyData* block);
   void remove(Part& part);
@@ -106,6 +110,7 @@ class PartActors {
   const double m_opacity;
   std::vector<Part> m_parts;
   std::vector<Part> m_leaving;  // removed parts, which stay in view until the changes made with them can be shown
+  std::map<std::string, std::uint64_t> m_next;  // groups that will change: number of the call with their next state
   std::map<Soup, std::weak_ptr<Shape>> m_shapes;
   std::deque<std::pair<ShapePointer, SurfaceGeometry>> m_queue;
   std::uint64_t m_lastNumber = 0;
