@@ -5552,6 +5552,22 @@
         <source>a twist drill leaves H11 to H12, here +%1 mm: bore or ream a finer hole</source>
         <translation>ein Spiralbohrer hinterlässt H11 bis H12, hier +%1 mm: Eine feinere Bohrung ist auszudrehen oder zu reiben</translation>
     </message>
+    <message>
+        <source>The layers are not in this file: they are part of its volume.</source>
+        <translation>Die Ebenen sind nicht in dieser Datei: Sie sind Teil ihres Volumens.</translation>
+    </message>
+    <message>
+        <source>The mask is not in this file.</source>
+        <translation>Die Maske ist nicht in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>The records of the holes are not in this file.</source>
+        <translation>Die Aufzeichnungen der Bohrungen sind nicht in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>The image and its segment are not in this file.</source>
+        <translation>Das Bild und sein Segment sind nicht in dieser Datei.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -13424,8 +13440,8 @@
         <translation>Das Dokument bleibt geöffnet. Speichern Sie es auch als *%1, um alles zu behalten.</translation>
     </message>
     <message>
-        <source>It contains the shape, but not the whole document, which is not saved yet.</source>
-        <translation>Die Datei enthält die Form, aber nicht das ganze Dokument; das ist noch nicht gespeichert.</translation>
+        <source>The file does not contain the whole document, which is not saved yet.</source>
+        <translation>Die Datei enthält nicht das ganze Dokument; das ist noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>Save the document as *%1 to continue with it later.</source>

@@ -5552,6 +5552,22 @@
         <source>a twist drill leaves H11 to H12, here +%1 mm: bore or ream a finer hole</source>
         <translation>麻花钻只能达到 H11 至 H12，此处为 +%1 mm：更精的孔请镗削或铰削</translation>
     </message>
+    <message>
+        <source>The layers are not in this file: they are part of its volume.</source>
+        <translation>图层不在此文件中：它们已并入其体积。</translation>
+    </message>
+    <message>
+        <source>The mask is not in this file.</source>
+        <translation>遮罩不在此文件中。</translation>
+    </message>
+    <message>
+        <source>The records of the holes are not in this file.</source>
+        <translation>孔的记录不在此文件中。</translation>
+    </message>
+    <message>
+        <source>The image and its segment are not in this file.</source>
+        <translation>图像及其分割不在此文件中。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -13339,8 +13355,8 @@
         <translation>文档保持打开。请同时另存为 *%1，以保留全部内容。</translation>
     </message>
     <message>
-        <source>It contains the shape, but not the whole document, which is not saved yet.</source>
-        <translation>它包含形状,但不包含整个文档;文档尚未保存。</translation>
+        <source>The file does not contain the whole document, which is not saved yet.</source>
+        <translation>该文件不包含整个文档；文档尚未保存。</translation>
     </message>
     <message>
         <source>Save the document as *%1 to continue with it later.</source>

@@ -35,6 +35,9 @@ std::string newDocumentId();
 struct WrittenFile {
   std::size_t bytes = 0;
   std::vector<Note> notes;  // differences between the file and the document, and the state of the file
+  // Work on the document cannot go on from the file, which has only its shape, a drawing of it, or a part of its
+  // content. The document then keeps its own file and its unsaved changes.
+  bool isExport = false;
 };
 
 // Interface of a document type: reading, saving, exporting, describing and displaying its documents. It has no state

@@ -107,28 +107,33 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
   const QString name = QFileInfo(state.path).fileName();
   m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
   for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
-  const auto foreign = formatOf(saved.kind(), state.path);
-  if (foreign && !foreign->reads) return reportExport(*document, name, lossesOf(written));
+  if (written.isExport) {
+    if (state.path == saved.path()) markOverwritten(*document, state);
+    return reportExport(*document, name, lossesOf(written));
+  }
   m_recent.add(state.path);
   if (saved.revision() == state.revision) {
     document->written = true;
     document->inFile = state.properties;
-    saved.markSaved(state.path, !foreign, state.stamp);
+    saved.markSaved(state.path, !formatOf(saved.kind(), state.path), state.stamp);
     emit succeeded(&saved, kOpeningTopic);  // ends the messages about the file that it was opened from
   } else {
-    if (state.path == saved.path()) {
-      document->autosaved = 0;  // it is described with the stamp of the file before
-      saved.markOverwritten(state.stamp);
-    }
+    if (state.path == saved.path()) markOverwritten(*document, state);
     m_log.add(tr("%1 contains the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
+}
+
+// The document's own file now lacks something of it.
+void FileSaver::markOverwritten(DocumentTab& document, const Written& state) {
+  document.autosaved = 0;  // it is described with the stamp of the file before
+  document.document.markOverwritten(state.stamp);
 }
 
 // Once for each list of them: who saves often has read it. Whether it was reported. A foreign file that is opened again
 // has the usual unit.
 bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written) {
+  if (written.isExport) return false;  // it was reported
   const auto foreign = formatOf(document->document.kind(), state.path);
-  if (foreign && !foreign->reads) return false;  // an export, which was reported
   QStringList losses = lossesOf(written);
   if (foreign && state.displayUnit != loadPreferences().lengthUnit)
     losses << tr("The display unit is not in this file.");
@@ -148,21 +153,21 @@ bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const 
   return true;
 }
 
-void FileSaver::reportExport(const DocumentTab& document, const QString& name, QStringList losses) {
+void FileSaver::reportExport(DocumentTab& document, const QString& name, QStringList losses) {
   const bool isModified = document.document.isModified();
   if (!isModified && losses.isEmpty()) return;
-  if (isModified) losses << tr("It contains the shape, but not the whole document, which is not saved yet.");
-  emit message(
-      {Message::Weight::Info,
-       tr("%1 was written").arg(name),
-       losses.join(QLatin1Char(' ')),
-       isModified ? tr("Save the document as *%1 to continue with it later.").arg(containerEnding()) : QString(),
-       {},
-       {},
-       {},
-       {},
-       &document.document,
-       kSavingTopic});
+  Message report{Message::Weight::Info, tr("%1 was written").arg(name), {}, {}, {}, {}};
+  report.about = &document.document;
+  report.topic = kSavingTopic;
+  if (!isModified) {
+    report.detail = losses.join(QLatin1Char(' '));
+    emit message(report);
+    return;
+  }
+  losses << tr("The file does not contain the whole document, which is not saved yet.");
+  report.detail = losses.join(QLatin1Char(' '));
+  report.advice = tr("Save the document as *%1 to continue with it later.").arg(containerEnding());
+  emit incomplete(&document, report);
 }
 
 void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {
@@ -190,6 +195,11 @@ void FileSaver::reportFailure(DocumentTab* document, const QString& path, const 
   if (m_tabs.contains(document)) {
     report.about = &document->document;
     report.topic = kSavingTopic;
+    // An export that failed is made anew after changes. The document's own file is owed.
+    if (path != document->document.path())
+      report.isOver = [open = &document->document, then = document->document.revision()] {
+        return open->revision() != then;
+      };
     if (error.code == DocumentError::ChangedOnDisk) {
       report.otherText = tr("Replace");
       report.other = [this, document, path] {

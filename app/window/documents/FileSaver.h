@@ -21,7 +21,7 @@ inline const QString kSavingTopic = QStringLiteral("saving");
 
 // Writes documents to files on a worker thread. Either the new file is complete and checked, or the old one is
 // unchanged. The file of another open document is never overwritten, because that document would no longer match its
-// file. Writing a format from which the document cannot be read back is an export; the document then stays unsaved.
+// file. An export (WrittenFile::isExport) leaves the document its own file and its unsaved changes.
 class FileSaver : public QObject {
   Q_OBJECT
 
@@ -57,8 +57,9 @@ class FileSaver : public QObject {
     std::optional<FileTimestamp> stamp;  // timestamp of the file after writing
   };
   void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
+  void markOverwritten(DocumentTab& document, const Written& state);
   bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);
-  void reportExport(const DocumentTab& document, const QString& name, QStringList losses);
+  void reportExport(DocumentTab& document, const QString& name, QStringList losses);
   // Reports that saving was cancelled. document: null if it has been closed.
   void reportCancelled(DocumentTab* document, const QString& path);
   void reportFailure(DocumentTab* document, const QString& path, const Error& error);

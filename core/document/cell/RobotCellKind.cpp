@@ -244,7 +244,7 @@ Result<WrittenFile> RobotCellKind::exportTo(const Snapshot& content, const std::
   std::vector<Note> notes{{QT_TRANSLATE_NOOP(
       "Note", "The file contains the robot and the bodies in their current position; it has no joints.")}};
   if (auto hidden = noteOnHidden(cellOf(content).bodies)) notes.push_back(std::move(*hidden));
-  return WrittenFile{bytes->size(), std::move(notes)};
+  return WrittenFile{bytes->size(), std::move(notes), true};
 }
 
 void RobotCellKind::save(const Snapshot& content, Container& container) const {

@@ -133,8 +133,11 @@ Result<OpenedFile> ExerciseKind::import(const std::filesystem::path& path, const
 Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
                                            Progress progress) const {
   const ExerciseSnapshot& exercise = exerciseOf(content);
-  if (!path.string().ends_with(kDescriptionEnding))
-    return exercise.subject->exportDrawing(exercise.exercise, *exercise.task, path, progress);
+  if (!path.string().ends_with(kDescriptionEnding)) {
+    Result<WrittenFile> drawing = exercise.subject->exportDrawing(exercise.exercise, *exercise.task, path, progress);
+    if (drawing) drawing->isExport = true;
+    return drawing;
+  }
   WrittenFile file;
   Json json = withOthers(exercise, description(exercise));
   if (exercise.solution) json[kSolution] = exercise.subject->describeWork(*exercise.task, *exercise.solution);
@@ -149,6 +152,7 @@ Result<WrittenFile> ExerciseKind::exportTo(const Snapshot& content, const std::f
   if (exercise.work) file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The work is not in the description."), {}, true});
   if (exercise.marked)
     file.notes.push_back({QT_TRANSLATE_NOOP("Note", "The class and its marks are not in the description."), {}, true});
+  file.isExport = !file.notes.empty();
   const std::string text = json.dump(1) + "\n";
   const Status written = writeFileAtomically(path, text, progress);
   if (!written) return written.error();

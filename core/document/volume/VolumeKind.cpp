@@ -43,6 +43,20 @@ Result<std::string> nrrdBytes(const SparseVolume& volume) {
   return distances ? Result<std::string>(nrrdOf(*distances, kSignedDistance)) : distances.error();
 }
 
+// Returns notes on the content of a volume that a file of voxels alone does not keep.
+std::vector<Note> notesOnVoxels(const VolumeSnapshot& volume) {
+  std::vector<Note> lost;
+  if (volume.layers)
+    lost.push_back(
+        {QT_TRANSLATE_NOOP("Note", "The layers are not in this file: they are part of its volume."), {}, true});
+  if (volume.mask) lost.push_back({QT_TRANSLATE_NOOP("Note", "The mask is not in this file."), {}, true});
+  if (!volume.holes.empty() || volume.tried)
+    lost.push_back({QT_TRANSLATE_NOOP("Note", "The records of the holes are not in this file."), {}, true});
+  if (volume.scan)
+    lost.push_back({QT_TRANSLATE_NOOP("Note", "The image and its segment are not in this file."), {}, true});
+  return lost;
+}
+
 // A lost range is replaced by the one for the image alone.
 void takeScan(std::optional<StoredScan> stored, VolumeSnapshot& snapshot) {
   if (!stored) return;
@@ -97,14 +111,16 @@ Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::fil
     if (!bytes) return bytes.error();
     if (const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0)); !written)
       return written.error();
-    return WrittenFile{bytes->size(), {}};
+    std::vector<Note> lost = notesOnVoxels(volumeOf(content));
+    const bool isExport = !lost.empty();
+    return WrittenFile{bytes->size(), std::move(lost), isExport};
   }
   const TriangleSoup surface = surfaceOf(volume, progress.part(0.0, 0.2));
   const HalfEdgeMesh mesh = buildMesh(surface, progress.part(0.2, 0.4)).mesh;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.4, 1.0));
   if (!report) return report.error();
-  return WrittenFile{report->bytes, notesOn(*report)};
+  return WrittenFile{report->bytes, notesOn(*report), true};
 }
 
 void VolumeKind::save(const Snapshot& content, Container& container) const {

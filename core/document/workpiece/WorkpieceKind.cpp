@@ -85,6 +85,18 @@ Result<WrittenFile> exportSection(const WorkpieceSnapshot& workpiece, const std:
   return drawn;
 }
 
+// The mesh of the workpiece.
+Result<WrittenFile> exportSurface(const WorkpieceSnapshot& workpiece, const std::filesystem::path& path,
+                                  Progress progress) {
+  Result<TriangleSoup> soup = placedTriangles(workpiece, progress.part(0.0, 0.15));
+  if (!soup) return soup.error();
+  const HalfEdgeMesh mesh = buildMesh(*soup, progress.part(0.15, 0.3)).mesh;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.3, 1.0));
+  if (!report) return report.error();
+  return WrittenFile{report->bytes, notesOn(*report)};
+}
+
 }  // namespace
 
 std::string WorkpieceKind::title() const {
@@ -116,16 +128,10 @@ Result<OpenedFile> WorkpieceKind::import(const std::filesystem::path& path, cons
 
 Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
                                             Progress progress) const {
-  const WorkpieceSnapshot& workpiece = workpieceOf(content);
-  if (isStepName(path)) return exportStep(workpiece, path, progress);
-  if (isDrawingName(path)) return exportSection(workpiece, path, progress);
-  Result<TriangleSoup> soup = placedTriangles(workpiece, progress.part(0.0, 0.15));
-  if (!soup) return soup.error();
-  const HalfEdgeMesh mesh = buildMesh(*soup, progress.part(0.15, 0.3)).mesh;
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.3, 1.0));
-  if (!report) return report.error();
-  return WrittenFile{report->bytes, notesOn(*report)};
+  const auto write = isStepName(path) ? exportStep : isDrawingName(path) ? exportSection : exportSurface;
+  Result<WrittenFile> written = write(workpieceOf(content), path, progress);
+  if (written) written->isExport = true;
+  return written;
 }
 
 void WorkpieceKind::save(const Snapshot& content, Container& container) const {

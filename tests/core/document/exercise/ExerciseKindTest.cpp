@@ -340,6 +340,7 @@ class ExerciseKindTest : public QObject {
     byHand.solution = std::make_shared<const WorkpieceSnapshot>(work);
     const auto lossy = kindUnderTest().exportTo(byHand, path, {});
     QVERIFY(lossy && lossy->notes.size() == 1 && lossy->notes.front().isLoss);
+    QVERIFY(lossy->isExport && !written->isExport);
   }
 
   // Unknown keys at any level are there again after an autosave, edits of other fields and Save.

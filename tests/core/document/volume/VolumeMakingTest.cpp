@@ -12,6 +12,7 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,28 @@ class VolumeMakingTest : public QObject {
     QCOMPARE((*read)->volume.voxel(), 0.5);
     QCOMPARE((*read)->source, name.toStdString());
     QVERIFY(notes.empty() && !(*read)->scan);
+  }
+
+  // Voxels are all of a ball: work goes on from their file. A mask and records of holes are more, and a mesh is less.
+  void filesOfVoxelsAreExportsOfMore() {
+    const QTemporaryDir folder;
+    const std::filesystem::path root = folder.path().toStdString();
+    const auto isExport = [&](const VolumeSnapshot& volume, const char* name, std::size_t losses) {
+      const Result<WrittenFile> written = m_kind.exportTo(volume, root / name, {});
+      if (!written) qFatal("%s is not written", name);
+      const auto lost =
+          std::count_if(written->notes.begin(), written->notes.end(), [](const Note& note) { return note.isLoss; });
+      if (static_cast<std::size_t>(lost) != losses) qFatal("%s loses %d", name, static_cast<int>(lost));
+      return written->isExport;
+    };
+    VolumeSnapshot more = *madeBall();
+    more.mask = std::make_shared<const ClayMask>(more.volume);
+    more.tried = std::make_shared<const TriedHoles>();
+    for (const char* const name : {"ball.nrrd", "ball.vdb"}) {
+      QVERIFY2(!isExport(*madeBall(), name, 0), name);
+      QVERIFY2(isExport(more, name, 2), name);
+    }
+    QVERIFY(isExport(*madeBall(), "ball.stl", 0));
   }
 
   // Volumes that cannot be written are errors, and nothing is written if cancelled.

@@ -231,6 +231,7 @@ void WorkpieceKindTest::stepIsAValidSolid() {
     const auto path = at("bar.STEP");
     const auto written = m_kind.exportTo(workpiece(stock), path, {});
     QVERIFY(written.hasValue());
+    QVERIFY(written->isExport);
     const std::string bytes = bytesOf(path);
     QCOMPARE(bytes.size(), written->bytes);
     const auto report = inspectStep(bytes);
