@@ -42,7 +42,7 @@ Result<ThreadedWork> cutThread(const OpenedFile& file, const WorkpieceSnapshot& 
 std::string threadReport(const TurnedPart& part, bool asJson) {
   if (asJson)
     return nlohmann::ordered_json{{"threads", threadsJson(part)}, {"volume_mm3", part.volume()}}.dump(2) + "\n";
-  return "Threads: " + threadsText(*part.threads()) + ". Volume: " + roundedText(part.volume()) + " mm³.\n";
+  return "Threads: " + threadsText(part) + ". Volume: " + roundedText(part.volume()) + " mm³.\n";
 }
 
 int runThread(const Arguments& arguments, const DocumentKinds& kinds) {

@@ -5,16 +5,34 @@
 #include "base/NumberText.h"
 #include "machining/measure/ThreadMeasure.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
 
 namespace {
 
+struct ThreadRange {
+  double from, to;  // mm
+};
+
+// The part of a groove that is in the material: a thread runs up before the work and out behind it.
+ThreadRange rangeInMaterial(const TurnedPart& part, const ThreadGroove& groove) {
+  const TurnedProfile& profile = part.profile;
+  ThreadRange range{groove.from(), groove.to()};
+  std::size_t first = 0, last = profile.size();
+  while (first < last && !profile.hasMaterial(first)) ++first;
+  while (last > first && !profile.hasMaterial(last - 1)) --last;
+  if (first == last) return range;
+  const double bottom = profile.z(first), top = profile.z(last - 1);
+  return {std::clamp(range.from, bottom, top), std::clamp(range.to, bottom, top)};
+}
+
 nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove) {
   const ThreadCut& cut = groove.cut();
-  nlohmann::json json = {{"from", groove.from()},
-                         {"to", groove.to()},
+  const ThreadRange range = rangeInMaterial(part, groove);
+  nlohmann::json json = {{"from", range.from},
+                         {"to", range.to},
                          {"pitch", cut.pitch},
                          {"starts", cut.starts},
                          {"hand", cut.isLeft ? "left" : "right"},
@@ -34,11 +52,13 @@ nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove) {
 
 }  // namespace
 
-std::string threadsText(const PartThreads& threads) {
+std::string threadsText(const TurnedPart& part) {
   std::string text;
-  for (const ThreadGroove& groove : threads.grooves())
+  for (const ThreadGroove& groove : part.threads()->grooves()) {
+    const ThreadRange range = rangeInMaterial(part, groove);
     text += (text.empty() ? "" : "; ") + ("pitch " + shownText(groove.cut().pitch)) + " mm, Z " +
-            shownText(groove.from()) + " to " + shownText(groove.to());
+            shownText(range.from) + " to " + shownText(range.to);
+  }
   return text;
 }
 

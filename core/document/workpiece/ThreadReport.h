@@ -10,11 +10,12 @@
 namespace handwheel {
 
 // Returns the threads of a part as text, by pitch and Z range. Example: "pitch 2.5 mm, Z 10 to 40; …".
-std::string threadsText(const PartThreads& threads);
+// The range is that of the groove in the material, without the approach and the runout of the tool.
+std::string threadsText(const TurnedPart& part);
 
-// Returns the threads as an array of objects with "from", "to" (mm above the lower end), "pitch", "starts", "hand",
-// "inner", and the values that gauges would measure: "measured_pitch", "major_diameter", "pitch_diameter",
-// "minor_diameter" (null if not found).
+// Returns the threads as an array of objects with "from", "to" (mm above the lower end, as in threadsText()), "pitch",
+// "starts", "hand", "inner", and the values that gauges would measure: "measured_pitch", "major_diameter",
+// "pitch_diameter", "minor_diameter" (null if not found).
 nlohmann::json threadsJson(const TurnedPart& part);
 
 }  // namespace handwheel

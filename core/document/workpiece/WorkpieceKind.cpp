@@ -58,7 +58,7 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   for (Note& note : sectionNotes(workpiece)) file.notes.push_back(std::move(note));
   if (workpiece.part && workpiece.part->threads())
     file.notes.push_back({QT_TRANSLATE_NOOP("Note", "Threads are in the file as their envelope, without grooves: %1."),
-                          {threadsText(*workpiece.part->threads())},
+                          {threadsText(*workpiece.part)},
                           true});
   return file;
 }

@@ -127,6 +127,9 @@ class ThreadedPartTest : public QObject {
     QVERIFY(written);
     QCOMPARE(written->notes.size(), std::size_t(2));
     QVERIFY(written->notes[1].text.find("envelope") != std::string::npos);
+    // The tool begins 10 mm before the bar of 100 mm, which is no thread.
+    const std::string range = written->notes[1].arguments.at(0);
+    QVERIFY2(range.ends_with(" to 100"), range.c_str());
     QVERIFY(m_kind.exportTo(workpiece, folder.filePath("part.stl").toStdString(), {}));
   }
 
