@@ -115,9 +115,8 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 
 void MessageBar::showMessage(const Message& message) {
   std::erase_if(m_messages, [&message](const Entry& earlier) {
-    const bool isOver = earlier.message.isOver && earlier.message.isOver();
     const bool isSame = earlier.message.about == message.about && earlier.message.title == message.title;
-    return isOver || (isSame && (message.about || textOf(earlier.message) == textOf(message)));
+    return isOver(earlier) || (isSame && (message.about || textOf(earlier.message) == textOf(message)));
   });
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
   m_messages.push_back({message, m_document, {}});
@@ -129,8 +128,11 @@ void MessageBar::showMessage(const Message& message) {
   QAccessible::updateAccessibility(&alert);
 }
 
+bool MessageBar::isOver(const Entry& entry) {
+  return entry.message.isOver && entry.message.isOver();
+}
+
 void MessageBar::removeOver() {
-  const auto isOver = [](const Entry& entry) { return entry.message.isOver && entry.message.isOver(); };
   if (std::erase_if(m_messages, isOver) > 0) showLatest();
 }
 
@@ -141,6 +143,7 @@ void MessageBar::setDocument(const Document* document) {
     });
   }
   m_document = document;
+  std::erase_if(m_messages, isOver);
   for (Entry& entry : m_messages) {
     if (entry.arrivedOver != document) entry.arrivedOver = nullptr;
   }

@@ -28,8 +28,8 @@ struct Message {
   const Document* about = nullptr;  // the message is removed with this document; null: it is about no open document
   QString topic = {};               // withdraw() with this topic removes the message; empty: it cannot be withdrawn
   bool comesFirst = false;          // shown before others and never removed unread, because data may be lost
-  // The function that is called after changes of `about` and before new messages. If it returns true, the message is
-  // removed.
+  // The function that is called after changes of `about`, before new messages, and when another document becomes
+  // current. If it returns true, the message is removed.
   std::function<bool()> isOver = {};
 };
 
@@ -72,6 +72,7 @@ class MessageBar : public QFrame {
   // Returns the latest visible message, preferably one with comesFirst; null: no message is visible.
   const Entry* latest() const;
   std::size_t seenCount() const;
+  static bool isOver(const Entry& entry);
   bool isSeen(const Entry& entry) const;
   Message takeLatest();  // removes and returns the latest message; there must be one
   void act(std::function<void()> Message::*what);

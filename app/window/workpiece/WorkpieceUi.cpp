@@ -46,6 +46,16 @@ QString sizeText(const Document& document) {
            quantityText(workpiece.stock.length, Quantity::Length, unit, QLocale()));
 }
 
+std::size_t passesOf(const Document& document) {
+  const auto& part = static_cast<const WorkpieceDocument&>(document).workpiece().part;
+  return part ? part->passes.size() : 0;
+}
+
+// Returns a function that tells whether the last pass of a document was undone, as long as the document is open.
+std::function<bool()> isUndone(const Document& document) {
+  return [&document, passes = passesOf(document)] { return passesOf(document) < passes; };
+}
+
 // Returns true if the ends of a bar, and so the whole bar, are within the view.
 bool isInView(const Viewport& view, const StockCylinder& stock) {
   constexpr int kSides = 64;
@@ -208,8 +218,7 @@ void WorkpieceUi::followTool() {
 
 // Once for each pass: it counts when the work is marked.
 void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
-  const auto& part = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part;
-  const std::size_t passes = part ? part->passes.size() : 0;
+  const std::size_t passes = passesOf(document()->document);
   if (std::exchange(m_passes, passes) >= passes || !tool.tooFast()) return;
   const QLocale locale;
   Message fast{Message::Weight::Warning, tr("Too fast"),
@@ -217,6 +226,7 @@ void WorkpieceUi::warnOfFeed(const TurnTool& tool) {
                    .arg(locale.toString(*tool.tooFast(), 'f', 1), locale.toString(tool.largestFeed())),
                tr("Undo it, and drag more slowly: f at the pointer is the feed.")};
   fast.about = &document()->document;
+  fast.isOver = isUndone(document()->document);
   emit message(fast);
 }
 
@@ -320,6 +330,7 @@ void WorkpieceUi::tellParted() {
                             "files are still those of the piece at the free end, which came off before."))
                   .arg(locale.toString(part->volumeOf(piece), 'f', 0), locale.toString(kept, 'f', 0))};
   off.about = &document()->document;
+  off.isOver = isUndone(document()->document);
   emit message(off);
 }
 

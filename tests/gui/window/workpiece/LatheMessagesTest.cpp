@@ -71,6 +71,10 @@ class LatheMessagesTest : public QObject {
     const QString text = window.driver.text("messageText");
     const QRegularExpressionMatch length = QRegularExpression("A piece of ([0-9.]+) mm").match(text);
     QVERIFY2(std::abs(length.captured(1).toDouble() - 38.0) < 0.21, qPrintable(text));  // from Z 31 to Z 69
+    // Undone, the piece is back: nothing says any more that it came off.
+    window.document().history()->undo();
+    QVERIFY(window.driver.settle());
+    QTRY_VERIFY(!window.driver.find<QWidget>("messageBar")->isVisible());
   }
 };
 
