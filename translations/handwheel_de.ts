@@ -14138,6 +14138,10 @@
         <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
         <translation>Der Schnitt liegt außerhalb des Bereichs des Netzwerks, daher gilt das Potenzgesetz, das an dieselben Daten angepasst wurde.</translation>
     </message>
+    <message>
+        <source>%1, outside its range</source>
+        <translation>%1, außerhalb seines Bereichs</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -14228,6 +14232,14 @@
     <message>
         <source>Keep the read-out</source>
         <translation>Anzeige beibehalten</translation>
+    </message>
+    <message>
+        <source>The face is at another Z</source>
+        <translation>Die Planfläche liegt bei einem anderen Z</translation>
+    </message>
+    <message>
+        <source>Z %1 mm was entered; from the zero of the work, the face that the tool touches is at Z %2 mm. Z was not touched off.</source>
+        <translation>Z %1 mm wurde eingegeben; vom Nullpunkt des Werkstücks aus liegt die Planfläche, die das Werkzeug berührt, bei Z %2 mm. Z wurde nicht angekratzt.</translation>
     </message>
 </context>
 <context>
@@ -16413,6 +16425,10 @@
     <message>
         <source>Showing the replay</source>
         <translation>Wiedergabe wird gezeigt</translation>
+    </message>
+    <message>
+        <source>threading tool, R %1 mm</source>
+        <translation>Gewindewerkzeug, R %1 mm</translation>
     </message>
 </context>
 <context>

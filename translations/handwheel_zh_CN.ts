@@ -14047,6 +14047,10 @@
         <source>The cut is outside the range of the network, so the power law fitted to the same data is used.</source>
         <translation>该切削超出神经网络的范围，因此使用由相同数据拟合的幂律。</translation>
     </message>
+    <message>
+        <source>%1, outside its range</source>
+        <translation>%1（超出其适用范围）</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::LatheView</name>
@@ -14137,6 +14141,14 @@
     <message>
         <source>Keep the read-out</source>
         <translation>保持显示值</translation>
+    </message>
+    <message>
+        <source>The face is at another Z</source>
+        <translation>端面位于另一个 Z 处</translation>
+    </message>
+    <message>
+        <source>Z %1 mm was entered; from the zero of the work, the face that the tool touches is at Z %2 mm. Z was not touched off.</source>
+        <translation>输入了 Z %1 mm；从工件零点算起，刀具接触的端面位于 Z %2 mm。Z 未对刀。</translation>
     </message>
 </context>
 <context>
@@ -16306,6 +16318,10 @@
     <message>
         <source>Showing the replay</source>
         <translation>正在显示回放</translation>
+    </message>
+    <message>
+        <source>threading tool, R %1 mm</source>
+        <translation>螺纹刀具，R %1 mm</translation>
     </message>
 </context>
 <context>

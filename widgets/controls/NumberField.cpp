@@ -68,6 +68,39 @@ NumberField::NumberField(QWidget* parent)
   showValue();
 }
 
+NumberField::~NumberField() {
+  delete m_problem;
+}
+
+void NumberField::setProblemOver() {
+  layout()->removeWidget(m_problem);
+  m_problem->setAutoFillBackground(true);
+  m_isProblemOver = true;
+}
+
+void NumberField::placeProblem() {
+  constexpr int kLeastWidth = 200, kGap = 2;  // pixels
+  QWidget* const top = window();
+  if (m_problem->parentWidget() != top) m_problem->setParent(top);
+  const int width = std::max(kLeastWidth, this->width());
+  m_problem->resize(width, m_problem->heightForWidth(width));
+  const QPoint below = m_line->mapTo(top, QPoint(0, m_line->height() + kGap));
+  m_problem->move(std::max(0, std::min(below.x(), top->width() - width)),
+                  std::max(0, std::min(below.y(), top->height() - m_problem->height())));
+  m_problem->raise();
+  m_problem->show();
+}
+
+void NumberField::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (m_isProblemOver && m_problem) m_problem->hide();
+}
+
+void NumberField::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (m_isProblemOver && !problem().isEmpty()) placeProblem();
+}
+
 void NumberField::setQuantity(Quantity quantity, LengthUnit unit) {
   if (quantity == m_quantity && unit == m_unit) return;
   m_quantity = quantity;
@@ -203,7 +236,10 @@ QString NumberField::rangeProblem(double value) const {
 
 void NumberField::showProblem(const QString& problem) {
   m_problem->setText(problem);
-  m_problem->setVisible(!problem.isEmpty());
+  if (m_isProblemOver && isVisible() && !problem.isEmpty())
+    placeProblem();
+  else
+    m_problem->setVisible(!problem.isEmpty() && !m_isProblemOver);
   m_line->setToolTip(problem);
   if (m_line->property("wrong").toBool() == !problem.isEmpty()) return;
   m_line->setProperty("wrong", !problem.isEmpty());

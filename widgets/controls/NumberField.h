@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -22,12 +23,15 @@ class NumberField : public QWidget {
 
  public:
   explicit NumberField(QWidget* parent = nullptr);
+  ~NumberField() override;
 
   void setQuantity(Quantity quantity, LengthUnit unit);
   void setRange(double least, double largest);  // no range when least > largest
   void setPrefix(const QString& prefix);        // text before the number: "⌀", "R"
   void setLabel(const QString& label);          // accessible name
   void setStep(double step) { m_step = step; }  // 0: depends on the magnitude of the value
+  // Shows the reason for invalid input over what is below the field, so that nothing moves away from the mouse.
+  void setProblemOver();
   // Sets the value, but does not replace a text that is being edited.
   void setValue(double value);
 
@@ -43,6 +47,8 @@ class NumberField : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void showMarks();
@@ -57,9 +63,11 @@ class NumberField : public QWidget {
   QString text() const;
   QString rangeProblem(double value) const;
   void showProblem(const QString& problem);
+  void placeProblem();
 
   NumberLineEdit* m_line;
-  QLabel* m_problem;
+  QPointer<QLabel> m_problem;  // over other widgets it belongs to the window
+  bool m_isProblemOver = false;
   QTimer m_pause;  // ends a run of steps
   bool m_stepping = false;
   Quantity m_quantity = Quantity::Number;

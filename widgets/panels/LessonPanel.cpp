@@ -108,6 +108,7 @@ void LessonPanel::setLesson(const QString& title, std::vector<LessonStep> steps)
     m_list->clear();
     for (const LessonStep& step : m_steps) m_list->addItem(step.title);
   }
+  m_list->setVisible(!m_steps.empty());
   m_list->updateGeometry();
   showStates();
   m_list->setCurrentRow(current());

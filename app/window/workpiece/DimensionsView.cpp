@@ -33,8 +33,9 @@ void addCurve(std::vector<PathLine>& lines, const ProfileSegment& curve, double 
 }
 
 // The outlines of its letters.
-void addText(std::vector<PathLine>& lines, const Sheet::Text& text, double scale) {
-  const TextOutlines words = textOutlines(QString::fromStdString(text.text), text.height);
+void addText(std::vector<PathLine>& lines, const Sheet::Text& text, double scale, bool isFromBehind) {
+  const TextOutlines written = textOutlines(QString::fromStdString(text.text), text.height);
+  const TextOutlines words = isFromBehind ? written.reversed() : written;
   const double start = text.align == Sheet::Align::Left    ? 0.0
                        : text.align == Sheet::Align::Right ? -words.width
                                                            : -0.5 * words.width;
@@ -48,24 +49,24 @@ void addText(std::vector<PathLine>& lines, const Sheet::Text& text, double scale
   }
 }
 
-PathLayer::Lines linesOf(const Sheet& sheet, double scale) {
+PathLayer::Lines linesOf(const Sheet& sheet, double scale, bool isFromBehind) {
   auto lines = std::make_shared<std::vector<PathLine>>();
   for (const Sheet::Stroke& stroke : sheet.strokes) addCurve(*lines, stroke.curve, scale);
   for (const Sheet::Area& area : sheet.areas)
     for (const ProfileSegment& side : area.outline) addCurve(*lines, side, scale);
-  for (const Sheet::Text& text : sheet.texts) addText(*lines, text, scale);
+  for (const Sheet::Text& text : sheet.texts) addText(*lines, text, scale, isFromBehind);
   return lines;
 }
 
 // Runs on a worker thread.
-PathLayer::Lines dimensionLines(const WorkpieceSnapshot& workpiece) {
+PathLayer::Lines dimensionLines(const WorkpieceSnapshot& workpiece, bool isFromBehind) {
   const Result<TargetProfile> section = sectionOf(workpiece);
   if (!section) return nullptr;
   DrawingLayout layout;
   layout.scale = kPaper / std::max(section->length(), 2.0 * section->largestRadius());
   DrawingTitle title;
   title.tolerance = workpiece.chord;
-  return linesOf(dimensionSheet(*section, title, layout), layout.scale);
+  return linesOf(dimensionSheet(*section, title, layout), layout.scale, isFromBehind);
 }
 
 }  // namespace
@@ -81,6 +82,9 @@ DimensionsView::DimensionsView(const WindowContext& parts, QObject* parent)
   setActionToolTip(m_toggle, tr("Show diameters, lengths, radii and chamfers of the part in the view"));
   parts.viewport.addLayer(m_layer);
   connect(&m_toggle, &QAction::toggled, this, &DimensionsView::refresh);
+  connect(&parts.viewport, &Viewport::cameraChanged, this, [this] {
+    if (m_isFromBehind != isBehindLathe(m_parts.viewport.camera())) refresh();
+  });
 }
 
 DimensionsView::~DimensionsView() {
@@ -106,13 +110,14 @@ void DimensionsView::refresh() {
     m_layer->setLines(nullptr);
     return;
   }
+  m_isFromBehind = isBehindLathe(m_parts.viewport.camera());
   Job job;
   job.name = tr("Measuring");
   job.owner = m_document;
-  job.work = [this, document = m_document,
+  job.work = [this, document = m_document, isFromBehind = m_isFromBehind,
               value =
                   static_cast<const WorkpieceDocument&>(m_document->document).workpiece()](Progress) -> Job::Finish {
-    PathLayer::Lines lines = dimensionLines(value);
+    PathLayer::Lines lines = dimensionLines(value, isFromBehind);
     return [this, document, lines] {
       if (document != m_document || !m_toggle.isChecked()) return;
       m_layer->setLines(lines);

@@ -33,6 +33,7 @@ class DimensionsView : public QObject {
   std::shared_ptr<PathLayer> m_layer;
   DocumentTab* m_document = nullptr;
   bool m_isVisible = true;
+  bool m_isFromBehind = false;  // the texts are for a camera behind the part
   JobRunner m_measuring;
 };
 

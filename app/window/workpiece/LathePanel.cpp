@@ -40,6 +40,7 @@ constexpr std::array<FeedDirection, 5> kFeedDirections{{{LatheAxis::Carriage, 0.
 
 NumberField* field(const QString& label, const char* name, double value, double least, double largest) {
   auto* made = new NumberField;
+  made->setProblemOver();  // the panel is in use with the mouse while numbers are typed
   made->setObjectName(QString::fromLatin1(name));
   made->setQuantity(Quantity::Number, LengthUnit::Millimetre);
   made->setRange(least, largest);

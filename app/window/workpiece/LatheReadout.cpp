@@ -144,6 +144,7 @@ void LatheReadout::showLaw(const ManualLatheTool& tool, const LatheMoment& now) 
     text = tr("Power law");
     tip += tr("The cut is outside the range of the network, so the power law fitted to the same data is used.");
   } else if (now.load.isOutsideModel) {
+    text = tr("%1, outside its range").arg(text);
     tip += tr("The law of the cutting force is not valid for such a cut of %1.").arg(name);
   }
   m_law->setText(text);

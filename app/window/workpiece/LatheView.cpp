@@ -21,6 +21,7 @@
 #include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolHost.h"
 #include "window/workpiece/LathePanel.h"
+#include "window/workpiece/TextOutlines.h"
 #include "window/workpiece/ZeroSymbol.h"
 
 #include <QComboBox>
@@ -155,11 +156,12 @@ void LatheView::touchOff(bool isX, double value, bool isConfirmed) {
   if (!lathe) return;
   const double gap = lathe->touchGap(isX);
   const bool isTouching = gap <= ManualLatheTool::kTouching;
-  const std::optional<double> measured = isX && isTouching ? lathe->touchedSize() : std::nullopt;
+  const bool isNewZero = !isX && value == 0.0 && lathe->touchesEnd();  // the work was faced
+  const std::optional<double> measured = isTouching && !isNewZero ? lathe->touchedSize(isX) : std::nullopt;
   const bool isOther = measured && std::abs(*measured - value) > kOtherSize;
   if (isConfirmed || (isTouching && !isOther))
     return m_window.tools.runner().deliver([&] { lathe->touchOff(isX, value); });
-  if (isOther) return askForSize(value, *measured);
+  if (isOther) return askForSize(isX, value, *measured);
   const QString away = QLocale().toString(gap, 'f', 2);
   Message question{
       Message::Weight::Warning, tr("The tool does not touch the work"),
@@ -178,16 +180,21 @@ void LatheView::touchOff(bool isX, double value, bool isConfirmed) {
 }
 
 // A slip of the keyboard gives a zero that all sizes to come are wrong by. The read-out stays until the turner decides.
-void LatheView::askForSize(double typed, double measured) {
+void LatheView::askForSize(bool isX, double typed, double measured) {
   const QLocale locale;
   const QString badge = tool()->setup().showsDiameter ? QStringLiteral("⌀") : QStringLiteral("R");
-  Message question{Message::Weight::Warning, tr("The work has another size there"),
-                   tr("%1 %2 mm was entered; where the tool touches, the work has %1 %3 mm. X was not touched off.")
-                       .arg(badge, locale.toString(typed, 'f', 3), locale.toString(measured, 'f', 3)),
-                   tr("Measure again, and correct the number, or take it as it is. Undo takes it back.")};
+  const QString entered = locale.toString(typed, 'f', 3), there = locale.toString(measured, 'f', 3);
+  Message question{
+      Message::Weight::Warning, isX ? tr("The work has another size there") : tr("The face is at another Z"),
+      isX ? tr("%1 %2 mm was entered; where the tool touches, the work has %1 %3 mm. X was not touched off.")
+                .arg(badge, entered, there)
+          : tr("Z %1 mm was entered; from the zero of the work, the face that the tool touches is at Z %2 mm. "
+               "Z was not touched off.")
+                .arg(entered, there),
+      tr("Measure again, and correct the number, or take it as it is. Undo takes it back.")};
   question.actionText = tr("Take %1").arg(locale.toString(typed, 'f', 3));
-  question.action = [view = QPointer(this), typed] {
-    if (view) view->touchOff(true, typed, true);
+  question.action = [view = QPointer(this), isX, typed] {
+    if (view) view->touchOff(isX, typed, true);
   };
   question.otherText = tr("Keep the read-out");
   question.other = [] {};
@@ -253,6 +260,9 @@ void LatheView::leave() {
                     tr("The lathe of %1 stands still while another document is shown.").arg(document->name()),
                     tr("Its slides stay where they are, and its handwheels count on.")};
     stopped.about = document;
+    stopped.isOver = [tabs = &m_window.tabs, document] {
+      return tabs->current() && &tabs->current()->document == document;
+    };
     emit message(stopped);
   };
   QTimer::singleShot(0, this, say);
@@ -310,8 +320,11 @@ void LatheView::showZero() {
     const double z = lathe->base() + lathe->moment()->tip.y() - lathe->readout().y();
     zero = {kStep * std::round(z / kStep), kSize * lathe->moment()->profile.length()};
   }
-  if (std::exchange(m_zero, zero) == zero) return;
-  m_zeroLayer->setLines(zero.second > 0.0 ? zeroSymbol(zero.first, zero.second, tr("Workpiece zero")) : nullptr);
+  const bool isFromBehind = isBehindLathe(m_window.viewport.camera());
+  const bool isAsSeen = std::exchange(m_isFromBehind, isFromBehind) == isFromBehind;
+  if (std::exchange(m_zero, zero) == zero && isAsSeen) return;
+  m_zeroLayer->setLines(zero.second > 0.0 ? zeroSymbol(zero.first, zero.second, tr("Workpiece zero"), m_isFromBehind)
+                                          : nullptr);
 }
 
 // A tool that jumps is a surprise.

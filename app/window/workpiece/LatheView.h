@@ -54,7 +54,7 @@ class LatheView : public QObject {
   void push(const Vec3& motion);
   void mount(const QString& tool);
   void touchOff(bool isX, double value, bool isConfirmed);
-  void askForSize(double typed, double measured);
+  void askForSize(bool isX, double typed, double measured);
   void showZero();
   void sayUndone(const ManualLatheTool& lathe);
   void leave();
@@ -67,6 +67,7 @@ class LatheView : public QObject {
   TurningSound m_turning;
   std::shared_ptr<PathLayer> m_zeroLayer;
   std::pair<double, double> m_zero;  // mm: z and size of the drawn zero; size 0: no zero is drawn
+  bool m_isFromBehind = false;       // the text of the zero is for a camera behind the part
   // State of the lathe of a document when its tool ended.
   struct Left {
     std::shared_ptr<std::optional<ManualLatheTool::Left>> machine;

@@ -37,6 +37,8 @@ namespace handwheel {
 namespace {
 
 QString toolText(const TurningPass& pass) {
+  if (!pass.tool && pass.thread)
+    return ReplayDock::tr("threading tool, R %1 mm").arg(QLocale().toString(pass.noseRadius));
   if (!pass.tool) return ReplayDock::tr("round tool, R %1 mm").arg(QLocale().toString(pass.noseRadius));
   return QCoreApplication::translate("LatheTool", titleOf(pass.tool->kind)) + QLatin1Char(' ') +
          QString::fromStdString(pass.tool->designation);

@@ -25,4 +25,16 @@ TextOutlines textOutlines(const QString& text, double height) {
   return outlines;
 }
 
+TextOutlines TextOutlines::reversed() const {
+  TextOutlines made = *this;
+  for (std::vector<Vec2>& line : made.lines) {
+    for (Vec2& p : line) p.x() = width - p.x();
+  }
+  return made;
+}
+
+bool isBehindLathe(const CameraState& camera) {
+  return camera.towardsViewer().x() < -1e-9;
+}
+
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Geometry.h"
+#include "viewport/camera/CameraState.h"
 
 #include <QString>
 #include <vector>
@@ -14,7 +15,14 @@ namespace handwheel {
 struct TextOutlines {
   std::vector<std::vector<Vec2>> lines;
   double width = 0.0;
+
+  // Returns the text as it has to be drawn in a plane that is seen from behind: reversed within its width.
+  TextOutlines reversed() const;
 };
+
+// Returns true if a camera is behind the plane that faces the operator of the lathe, in which Z is to the right and y
+// points down.
+bool isBehindLathe(const CameraState& camera);
 
 // Returns the outlines of a text. height: the height of a capital letter, in the unit of the outlines. May be called on
 // any thread.

@@ -43,27 +43,35 @@ void addArrow(std::vector<PathLine>& lines, const Vec3& from, const Vec3& direct
   lines.push_back({{back + 0.5 * kHead * size * side, tip, back - 0.5 * kHead * size * side}});
 }
 
-// isBefore: it ends there, over the part, and does not begin there.
-void addText(std::vector<PathLine>& lines, const QString& text, const Vec3& at, double height, bool isBefore = false) {
-  const TextOutlines letters = textOutlines(text, height);
-  const double start = isBefore ? -letters.width : 0.0;
+// at: the beginning of the text, or its end if it is before.
+struct Label {
+  Vec3 at;
+  double height = 0.0;
+  bool isBefore = false;
+};
+
+void addText(std::vector<PathLine>& lines, const QString& text, const Label& label, bool isFromBehind) {
+  const TextOutlines written = textOutlines(text, label.height);
+  const TextOutlines letters = isFromBehind ? written.reversed() : written;
+  const double start = label.isBefore ? -letters.width : 0.0;
   for (const std::vector<Vec2>& outline : letters.lines) {
     PathLine& line = lines.emplace_back();
-    for (const Vec2& p : outline) line.points.push_back(at + facing(start + p.x(), p.y(), 0.0));
+    for (const Vec2& p : outline) line.points.push_back(label.at + facing(start + p.x(), p.y(), 0.0));
   }
 }
 
 }  // namespace
 
-PathLayer::Lines zeroSymbol(double zero, double size, const QString& name) {
+PathLayer::Lines zeroSymbol(double zero, double size, const QString& name, bool isFromBehind) {
   auto lines = std::make_shared<std::vector<PathLine>>();
   const Vec3 centre(0.0, 0.0, zero), alongX = Vec3::UnitX(), alongZ = Vec3::UnitZ();
+  const double height = kText * size;
   addCircle(*lines, zero, size);
   addArrow(*lines, centre, alongZ, Vec3::UnitY(), size);
   addArrow(*lines, centre, alongX, alongZ, size);
-  addText(*lines, QStringLiteral("Z"), centre + (kArrow + kGap) * size * alongZ, kText * size);
-  addText(*lines, QStringLiteral("X"), centre + (kArrow + kGap) * size * alongX, kText * size);
-  addText(*lines, name, facing(-(1.0 + kGap) * size, -0.5 * kText * size, zero), kText * size, true);
+  addText(*lines, QStringLiteral("Z"), {centre + (kArrow + kGap) * size * alongZ, height}, isFromBehind);
+  addText(*lines, QStringLiteral("X"), {centre + (kArrow + kGap) * size * alongX, height}, isFromBehind);
+  addText(*lines, name, {facing(-(1.0 + kGap) * size, -0.5 * height, zero), height, true}, isFromBehind);
   return lines;
 }
 

@@ -163,9 +163,30 @@ std::optional<double> ManualLatheTool::touchedRadius(const LatheMoment& now) con
   return nearest;
 }
 
-std::optional<double> ManualLatheTool::touchedSize() const {
+// In mm above the lower end of the bar; that of the tool in use comes first.
+std::optional<double> ManualLatheTool::zeroOfZ() const {
+  std::vector<LatheSlot> candidates = setup().stations;
+  candidates.insert(candidates.begin(), slotInUse());
+  for (const LatheSlot& slot : candidates)
+    if (slot.hasOffset[1]) return slot.position.y() - slot.offset.y();
+  const WorkpieceSnapshot& workpiece = m_document.workpiece();
+  return workpiece.target ? std::optional(programZero(workpiece) - workpiece.stock.position) : std::nullopt;
+}
+
+std::optional<double> ManualLatheTool::touchedSize(bool isX) const {
+  if (!isX) {
+    const std::optional<double> zero = zeroOfZ();
+    return zero ? std::optional(moment()->tip.y() - *zero) : zero;
+  }
   const std::optional<double> radius = touchedRadius(*moment());
   return radius && setup().showsDiameter ? std::optional(2.0 * *radius) : radius;
+}
+
+bool ManualLatheTool::touchesEnd() const {
+  const auto now = moment();
+  std::size_t i = now->profile.size();
+  while (i > 0 && !now->profile.hasMaterial(i - 1)) --i;
+  return i > 0 && std::abs(now->profile.z(i - 1) - now->tip.y()) <= kTouching + now->profile.spacing();
 }
 
 double ManualLatheTool::touchGap(bool isX) const {

@@ -88,9 +88,12 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   // the nearest face, anywhere along the work, since a turner draws the tool away along the other axis before
   // measuring.
   double touchGap(bool isX) const;
-  // Returns the value of X of the surface that touchGap() measures to, as the read-out shows it: diameter or radius,
-  // mm. Returns nothing if the part has no surface.
-  std::optional<double> touchedSize() const;
+  // Returns the value of X or Z of the surface that touchGap() measures to, as the read-out shows it, X as diameter or
+  // radius, mm. Z counts from the zero that a tool of the lathe was touched off for, or else from that of the target.
+  // Returns nothing if the part has no surface, or Z no zero.
+  std::optional<double> touchedSize(bool isX) const;
+  // Returns true if the tip is at the free end of the work, where a zero for the whole work may begin.
+  bool touchesEnd() const;
   static constexpr double kTouching = 0.05;  // mm, touchGap() that counts as touching: about the thickness of paper
   // Touches off by setting the read-out of the tool in use to a value, X as diameter or radius. This is one undo step.
   void touchOff(bool isX, double value);
@@ -128,6 +131,7 @@ class ManualLatheTool : public Tool, public UnfinishedGesture {
   void turn(LatheAxis axis, double divisions);
   void stop();
   std::optional<double> touchedRadius(const LatheMoment& now) const;
+  std::optional<double> zeroOfZ() const;
   std::optional<Vec3> positionOf(const PointerEvent& event) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release(bool isDevice);

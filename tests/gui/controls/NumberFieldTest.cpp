@@ -4,6 +4,8 @@
 #include "NumberFieldFixture.h"
 #include "controls/ExpressionText.h"
 
+#include <QLabel>
+#include <QPointer>
 #include <numbers>
 
 using namespace handwheel;
@@ -25,6 +27,7 @@ class NumberFieldTest : public QObject {
   void anglesAreDegrees();
   void refusesAndSaysWhy();
   void takesLimitsAsTheyAreShown();
+  void theReasonMovesNothing();
   void escBringsTheValueBack();
   void outOfRangeIsSaidAtOnce();
   void whatIsTypedStays();
@@ -126,6 +129,28 @@ void NumberFieldTest::takesLimitsAsTheyAreShown() {
   QCOMPARE(fixture.field->value(), 1.9199);
   fixture.enter("-110.0022");
   QCOMPARE(fixture.field->value(), -1.9199);
+}
+
+// Over the widgets below the field; it goes when the field is hidden, and comes back with it.
+void NumberFieldTest::theReasonMovesNothing() {
+  Fixture f;
+  f.field->setProblemOver();
+  const QPoint below = f.other->pos();
+  f.enter("abc");
+  QVERIFY(!f.field->problem().isEmpty());
+  auto* const reason = f.window.findChild<QLabel*>("numberProblem");
+  QVERIFY(reason && reason->isVisible());
+  QCoreApplication::processEvents();
+  QCOMPARE(f.other->pos(), below);
+  f.field->hide();
+  QVERIFY(!reason->isVisible());
+  f.field->show();
+  QVERIFY(reason->isVisible());
+  f.enter("12");
+  QVERIFY(!reason->isVisible() && f.field->problem().isEmpty());
+  const QPointer<QLabel> watched = reason;
+  delete f.field;
+  QVERIFY(!watched);
 }
 
 void NumberFieldTest::escBringsTheValueBack() {

@@ -12,6 +12,7 @@
 #include "window/ActionToolTip.h"
 #include "window/documents/DocumentTab.h"
 #include "window/kinds/KindPanel.h"
+#include "window/workpiece/TextOutlines.h"
 #include "window/workpiece/ZeroSymbol.h"
 #include "window/workpiece/program/ProgramFile.h"
 #include "window/workpiece/program/ProgramSession.h"
@@ -47,6 +48,7 @@ ProgramDock::ProgramDock(const WindowContext& parts, QObject* parent)
     if (ProgramSession* const session = present()) session->leave();
   });
   connect(&m_toggle, &QAction::triggered, this, &ProgramDock::open);
+  connect(&parts.viewport, &Viewport::cameraChanged, this, [this] { showZero(m_isOpen && m_document && present()); });
 }
 
 ProgramDock::~ProgramDock() {
@@ -150,8 +152,10 @@ void ProgramDock::showZero(bool isShown) {
     const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(m_document->document).workpiece();
     zero = {programZero(workpiece), kSize * workpiece.stock.diameter};
   }
-  if (std::exchange(m_zero, zero) == zero) return;
-  m_zeroLayer->setLines(isShown ? zeroSymbol(zero.first, zero.second, tr("Program zero")) : nullptr);
+  const bool isFromBehind = isBehindLathe(m_parts.viewport.camera());
+  const bool isAsSeen = std::exchange(m_isFromBehind, isFromBehind) == isFromBehind;
+  if (std::exchange(m_zero, zero) == zero && isAsSeen) return;
+  m_zeroLayer->setLines(isShown ? zeroSymbol(zero.first, zero.second, tr("Program zero"), m_isFromBehind) : nullptr);
 }
 
 bool ProgramDock::take(const QString& path) {

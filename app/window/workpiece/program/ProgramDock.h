@@ -67,6 +67,7 @@ class ProgramDock : public QObject {
   QPointer<SimulationBanner> m_banner;
   std::shared_ptr<PathLayer> m_layer, m_zeroLayer;
   std::pair<double, double> m_zero;  // mm: z and size of the drawn zero; size 0: no zero is drawn
+  bool m_isFromBehind = false;       // the text of the zero is for a camera behind the part
   bool m_isVisible = true;           // visibility of the document
   std::map<const DocumentTab*, std::unique_ptr<ProgramSession>> m_sessions;
   DocumentTab* m_document = nullptr;

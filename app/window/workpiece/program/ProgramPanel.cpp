@@ -133,14 +133,21 @@ QWidget* ProgramPanel::makeFileRow(const Actions& actions) {
   m_name->setObjectName(QStringLiteral("programName"));
   m_name->setTextFormat(Qt::PlainText);
   m_name->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long name does not widen the panel
   layout->addWidget(m_name, 1);
   return row;
 }
 
+// Two lines, which fit into the panel as it opens, in every language and with any number of tools.
 QWidget* ProgramPanel::makeSetupRow() {
+  constexpr int kShownLetters = 8;  // least number for the tool post
   auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* lines = new QVBoxLayout(row);
+  lines->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  lines->addLayout(layout);
+  lines->addLayout(second);
   m_dialect = new QComboBox(row);
   m_dialect->setObjectName(QStringLiteral("programDialect"));
   m_dialect->setAccessibleName(tr("Dialect"));
@@ -159,6 +166,8 @@ QWidget* ProgramPanel::makeSetupRow() {
   layout->addWidget(new QLabel(tr("Nose"), row));
   layout->addWidget(m_nose, 1);
   m_post = new QComboBox(row);
+  m_post->setMinimumContentsLength(kShownLetters);
+  m_post->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_post->setObjectName(QStringLiteral("programPost"));
   m_post->setAccessibleName(tr("Tool post"));
   m_post->setToolTip(tr(
@@ -168,13 +177,13 @@ QWidget* ProgramPanel::makeSetupRow() {
   m_post->addItem(tr("Behind, insert up (M4)"));
   m_post->addItem(tr("In front, insert down (M4)"));
   m_post->addItem(tr("In front, insert up (M3)"));
-  layout->addWidget(m_post);
+  second->addWidget(m_post, 1);
   connect(m_post, &QComboBox::activated, this, [this](int index) { emit postChosen({index >= 2, index % 2 == 1}); });
   m_tools = runButton({}, "programTools", tr("Tool table of the program: nose radii, holders and offsets"), row);
-  layout->addWidget(m_tools);
+  second->addWidget(m_tools);
   m_control = new ControlButton(row);
   m_control->setDialect(dialect());
-  layout->addWidget(m_control);
+  second->addWidget(m_control);
   setToolCount(0);
   connect(m_control, &ControlButton::changed, this, &ProgramPanel::controlChanged);
   connect(m_dialect, &QComboBox::currentIndexChanged, this, [this] { m_control->setDialect(dialect()); });

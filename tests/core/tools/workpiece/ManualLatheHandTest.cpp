@@ -213,6 +213,21 @@ class ManualLatheHandTest : public QObject {
     QVERIFY(lathe.tool->isTouchedOff()[0] && !lathe.tool->isTouchedOff()[1]);
   }
 
+  // The tool is 20 mm before the bar. Z 5 is given to where it stands, so the zero is 5 mm nearer to the chuck, and
+  // after 3 mm towards the chuck the tip is at Z 2, whichever tool asks.
+  void theZOfAFaceIsKnownOnceThereIsAZero() {
+    HandLathe lathe;
+    QVERIFY(!lathe.tool->touchedSize(false));
+    lathe.runner.deliver([&] { lathe.tool->touchOff(false, 5.0); });
+    QVERIFY(lathe.wind(LatheAxis::Carriage, lathe.slide(kCarriageAxis) - 3.0));
+    QVERIFY(lathe.tool->touchedSize(false) && std::abs(*lathe.tool->touchedSize(false) - 2.0) < 1e-9);
+    QVERIFY(!lathe.tool->touchesEnd());
+    const double gap = lathe.tool->touchGap(false);
+    QVERIFY(lathe.wind(LatheAxis::Carriage, lathe.slide(kCarriageAxis) - gap));
+    QVERIFY(lathe.tool->touchesEnd());
+    QVERIFY(std::abs(*lathe.tool->touchedSize(false) - (2.0 - gap)) < 1e-9);
+  }
+
   // With a read-out in radius the value is one, too.
   void touchingOffInRadius() {
     HandLathe lathe;

@@ -126,7 +126,7 @@ class ManualLatheToolTest : public QObject {
     QVERIFY(lathe.wind(LatheAxis::Carriage, 110.0));  // away along the bed, to measure
     QVERIFY(lathe.tool->touchGap(true) < ManualLatheTool::kTouching);
     // The size to be entered is that of the cut, not of the bar: ⌀46, and a little more as the work bends.
-    QVERIFY(std::abs(*lathe.tool->touchedSize() - 46.0) < 0.04);
+    QVERIFY(std::abs(*lathe.tool->touchedSize(true) - 46.0) < 0.04);
     QVERIFY(lathe.tool->touchGap(false) > 5.0);
     QVERIFY(lathe.wind(LatheAxis::Cross, 24.0));  // between the two diameters
     QVERIFY(std::abs(lathe.tool->touchGap(true) - 1.0) < 0.03);

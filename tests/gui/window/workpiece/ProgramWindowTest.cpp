@@ -11,6 +11,7 @@
 #include "panels/MessageBar.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
+#include "window/workpiece/program/ProgramPanel.h"
 #include "window/workpiece/program/ProgramPlayer.h"
 #include "window/workpiece/program/ProgramSession.h"
 
@@ -178,6 +179,23 @@ class ProgramWindowTest : public QObject {
     window.driver.click("simulationCut");
     QVERIFY(window.driver.settle());
     QVERIFY(!banner->isVisible() && window.document().workpiece().part);
+  }
+
+  // The dock opens as wide as its rows need, also with many tools and a long name.
+  void itsButtonsAreInView() {
+    ProgramWindow& window = fresh();
+    window.driver.window().resize(kUsualWindow);
+    QVERIFY(window.begin());
+    auto* const panel = window.driver.find<ProgramPanel>("programPanel");
+    for (const std::size_t tools : {std::size_t{0}, std::size_t{12}}) {
+      panel->setToolCount(tools);
+      panel->setName(QStringLiteral("a-long-name-of-a-program-for-a-stepped-shaft.ngc"));
+      for (const char* const name : {"programTools", "programControl", "programCut", "programPost"}) {
+        const auto* const button = window.driver.find<QWidget>(name);
+        QTRY_VERIFY2(button->visibleRegion().boundingRect() == button->rect(), name);
+      }
+    }
+    m_window.reset();
   }
 
   // All errors are listed; a click on one puts the cursor there; nothing runs.

@@ -3,6 +3,7 @@
 #include "window/workpiece/TargetOutline.h"
 
 #include "TestClass.h"
+#include "window/workpiece/TextOutlines.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -62,6 +63,22 @@ class TargetOutlineTest : public QObject {
     const auto lines = targetOutline(steppedShaft(), 0);
     for (const PathLine& line : *lines) rings += line.points.size() > 2 ? 1 : 0;
     QCOMPARE(rings, std::size_t{4});
+  }
+
+  // The letters of a text that is seen from behind begin at the other end: what was leftmost is rightmost.
+  void textsAreReadFromBehind() {
+    CameraState camera;
+    camera.orientation = Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY());  // the viewer is at +x, as the operator
+    QVERIFY(!isBehindLathe(camera));
+    camera.orientation = Eigen::AngleAxisd(-0.5 * M_PI, Vec3::UnitY());
+    QVERIFY(isBehindLathe(camera));
+    TextOutlines flag;
+    flag.lines = {{{0.0, 0.0}, {0.0, 2.0}, {1.0, 2.0}, {0.0, 1.0}}};
+    flag.width = 1.5;
+    const TextOutlines behind = flag.reversed();
+    const std::vector<Vec2> expected = {{1.5, 0.0}, {1.5, 2.0}, {0.5, 2.0}, {1.5, 1.0}};
+    QVERIFY(behind.lines.size() == 1 && behind.lines.front() == expected);
+    QCOMPARE(behind.width, 1.5);
   }
 };
 
