@@ -18,14 +18,10 @@ struct ThreadRange {
 
 // The part of a groove that is in the material: a thread runs up before the work and out behind it.
 ThreadRange rangeInMaterial(const TurnedPart& part, const ThreadGroove& groove) {
-  const TurnedProfile& profile = part.profile;
-  ThreadRange range{groove.from(), groove.to()};
-  std::size_t first = 0, last = profile.size();
-  while (first < last && !profile.hasMaterial(first)) ++first;
-  while (last > first && !profile.hasMaterial(last - 1)) --last;
-  if (first == last) return range;
-  const double bottom = profile.z(first), top = profile.z(last - 1);
-  return {std::clamp(range.from, bottom, top), std::clamp(range.to, bottom, top)};
+  const ThreadRange range{groove.from(), groove.to()};
+  const auto box = part.section().box();
+  if (box.isEmpty()) return range;
+  return {std::clamp(range.from, box.min().y(), box.max().y()), std::clamp(range.to, box.min().y(), box.max().y())};
 }
 
 nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove) {
