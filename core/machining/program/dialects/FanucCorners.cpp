@@ -81,9 +81,16 @@ void FanucRun::refuseLonely(const ProgramWord& w) {
   refuse(w.location, w.text(), "no cut follows that ends the corner", "Write a G1, G2 or G3 in the next line.");
 }
 
+// Returns true if corners have taken a whole cut. What rounding leaves of it has no direction.
+bool FanucRun::isUsedUp(const ContourSegment& segment) {
+  constexpr double kNothing = 1e-7;  // mm or inch
+  return std::abs(segment.to - segment.from) < kNothing;
+}
+
 // A straight cut or an arc, and the corner at its end.
 void FanucRun::cut(int motion, const SourceLocation& location) {
   const std::optional<Corner> corner = cornerOf(motion);
+  const PlanePoint tool = planePoint(m_machine.at());
   ContourSegment move;
   move.from = planePoint(m_corner.value_or(m_machine.at()));
   move.to = planePoint(target());
@@ -94,17 +101,19 @@ void FanucRun::cut(int motion, const SourceLocation& location) {
     segment.turn == 0 ? m_machine.feed(to, location)
                       : m_machine.arc(segment.turn, to, profilePoint(segment.centre), location);
   };
+  const PlanePoint end = move.to;
+  if (corner && end == move.from)
+    refuse(corner->word->location, corner->word->text(), "the cut before the corner has no length", "Remove it.");
+  if (m_corner) move.from = tool;  // the corner has taken a part of the cut
+  const bool isAfterCorner = m_corner.has_value();
   m_corner.reset();
   if (!corner) {
-    make(move);
+    if (!isAfterCorner || !isUsedUp(move)) make(move);
     return;
   }
-  const PlanePoint end = move.to;
-  if (end == move.from)
-    refuse(corner->word->location, corner->word->text(), "the cut before the corner has no length", "Remove it.");
   ContourSegment after = moveAfter(end, *corner->word);
   const ContourSegment piece = pieceOf(*corner, move, after);
-  make(move);
+  if (!isUsedUp(move)) make(move);
   make(piece);
   m_corner = profilePoint(end);  // the next move counts from there
 }
@@ -120,6 +129,7 @@ void FanucRun::finishCorners(std::vector<ContourSegment>& segments) {
     const ContourSegment piece = pieceOf(corner, segments[index], segments[index + 1]);
     segments.insert(segments.begin() + static_cast<std::ptrdiff_t>(index + 1), piece);
   }
+  if (!m_corners.empty()) std::erase_if(segments, isUsedUp);
   m_corners.clear();
 }
 

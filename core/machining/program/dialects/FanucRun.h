@@ -121,6 +121,7 @@ class FanucRun : public ProgramRun {
   ContourSegment moveAfter(const PlanePoint& corner, const ProgramWord& w);
   [[noreturn]] static void refuseLonely(const ProgramWord& w);
   void cut(int motion, const SourceLocation& location);
+  static bool isUsedUp(const ContourSegment& segment);
   void finishCorners(std::vector<ContourSegment>& segments);
 
   // The contour of a cycle, which the lines between two line numbers give.

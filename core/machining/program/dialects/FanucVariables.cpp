@@ -242,6 +242,11 @@ bool FanucRun::setZeroPoint(const ProgramAssignment& set) {
   if (m_machine.isCompensated())
     refuse(set.location, "#" + std::to_string(set.number), "the coordinates cannot change with nose compensation",
            "Write G40 before it.");
+  if (m_contour)
+    refuse(set.location, "#" + std::to_string(set.number),
+           std::string("the coordinates cannot change ") +
+               (m_cornerWord ? "between a corner and the cut that ends it" : "in the contour of a cycle"),
+           "Set it before or after these lines.");
   ProfilePoint offset = m_machine.systemOffset(system);
   if (axis == 0)
     offset.x() = 0.5 * m_machine.unit() * set.value.number;

@@ -110,6 +110,22 @@ class FanucCornersTest : public QObject {
                        "G1 W-5. ,C1. F0.2\nU5.\nW-5. ,C1.\nU5.\n"));
   }
 
+  // Two corners may take a whole cut: 4 mm between two roundings of 2 mm, and a quarter of a circle of 5 mm, of which
+  // a rounding of 1 mm takes asin(1/6), and a chamfer with a straight length of 10 sin((90° - asin(1/6)) / 2) the rest.
+  void cutsThatCornersTake() {
+    const char* const pieces = "G1 Z-8. F0.2\nG2 X24. Z-10. I2. K0\nG3 X28. Z-12. I0 K-2.\nG1 Z-20.\n";
+    QVERIFY(isSamePath("G1 Z-10. ,R2. F0.2\nX28. ,R2.\nZ-20.\n", pieces));
+    const std::string cycle = "G0 X44. Z2.\nG71 U1.5 R0.5\nG71 P1 Q2 U0.4 W0.1 F0.2\nN1 G0 X20.\n";
+    const std::string end = "N2 X44.\nG70 P1 Q2\n";
+    QVERIFY(isSamePath(cycle + "G1 Z-10. ,R2. F0.2\nX28. ,R2.\nZ-20.\n" + end, cycle + pieces + end));
+    const double chamfer = 10.0 * std::sin(0.5 * (M_PI_2 - std::asin(1.0 / 6.0)));
+    const std::string size = std::to_string(chamfer - 1e-6);
+    const auto arc = cornerMoves("G1 Z-10. ,R1. F0.2\nG3 X30. Z-15. R5. ,C" + size + "\nG1 X50.\n");
+    QVERIFY(arc.size() >= 5 && arc.size() <= 6);
+    for (const ToolMove& move : arc) QVERIFY(std::abs(sweepOf(move)) < M_PI_2);
+    QVERIFY(reaches(arc.back(), 0, 25, -15));
+  }
+
   // In the contour of a cycle a corner is the same as its piece.
   void contours() {
     const auto cycle = [](const std::string& cuts) {
@@ -149,6 +165,22 @@ class FanucCornersTest : public QObject {
     row("G1 Z-10. ,A45. F0.2\nX40.\n", "4: ,A45.: only ,C and ,R follow a comma. Write the end of the move.");
     row("G0 Z-10. ,C2.\nG1 X40. F0.2\n",
         "4: ,C2: nothing in this line uses this word. Remove it, or add the code that it belongs to.");
+    // The second corner of a cut has what the first one has left of it: 1 of 3 mm, and 82.6° of 90° - asin(1/6).
+    const auto overlapping = [&](const char* program, const std::string& word) {
+      row(program, ("5: " + word + ": the two cuts form no corner, or are too short for this one. Use a smaller one.")
+                       .c_str());
+    };
+    overlapping("G1 Z-10. ,R2. F0.2\nX26. ,R2.\nZ-20.\n", ",R2");
+    overlapping("G1 Z-10. ,C2. F0.2\nX26. ,C2.\nZ-20.\n", ",C2");
+    overlapping("G1 Z-10. ,R2. F0.2\nX26. C-2.\nZ-20.\n", "C-2");
+    overlapping("G1 Z-10. I2. F0.2\nX26. K-2.\nZ-20.\n", "K-2");
+    overlapping("G1 Z-10. R2. F0.2\nX26. R-2.\nZ-20.\n", "R-2");
+    overlapping("G1 Z-10. ,R1. F0.2\nG3 X30. Z-15. R5. ,C6.6\nG1 X50.\n", ",C6.6");
+    row("G1 Z-10. ,R2. F0.2\n#5222=#5222-1.\nX40.\nZ-20.\n",
+        "5: #5222: the coordinates cannot change between a corner and the cut that ends it. Set it before or after "
+        "these lines.");
+    row("G70 P1 Q2 F0.2\nM30\nN1 G0 X10.\nG1 Z-5.\n#5222=-1.\nN2 X40.\n",
+        "8: #5222: the coordinates cannot change in the contour of a cycle. Set it before or after these lines.");
     row("G71 U1. R1.\nG71 P1 Q2 F0.2\nM30\nN1 G0 X10.\nN2 G1 Z-5. ,C1.\n",
         "8: ,C1: no cut follows that ends the corner. Write a G1, G2 or G3 in the next line.");
   }
