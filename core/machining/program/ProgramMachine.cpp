@@ -28,6 +28,7 @@ ToolMove ProgramMachine::moveOf(ToolMove::Kind kind, double length, const Source
   move.tool = static_cast<std::uint16_t>(modal.tool);
   move.shape = static_cast<std::uint16_t>(mounted());
   move.spin = static_cast<std::int8_t>(modal.spin);
+  move.isStoppedByChange = modal.spin == 0 && modal.isStoppedByChange;
   move.isSurfaceSpeed = modal.isSurfaceSpeed;
   move.spindle = modal.spindle;
   move.mostSpindle = modal.mostSpindle;

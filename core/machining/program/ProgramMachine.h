@@ -36,9 +36,10 @@ class ProgramMachine {
     double feed = 0.0;  // mm/min, mm per revolution or 1/min
     int motion = -1;    // G code of the motion, times 10; -1: none
     bool isSurfaceSpeed = false;
-    double spindle = 0.0;      // r/min or m/min
-    double mostSpindle = 0.0;  // r/min, largest speed at a constant surface speed; 0: no limit
-    int spin = 0;              // 1: M3; -1: M4; 0: stopped
+    double spindle = 0.0;            // r/min or m/min
+    double mostSpindle = 0.0;        // r/min, largest speed at a constant surface speed; 0: no limit
+    int spin = 0;                    // 1: M3; -1: M4; 0: stopped
+    bool isStoppedByChange = false;  // a change of tool has stopped the spindle
     int tool = 0, selectedTool = 0;
     bool hasFlood = false, hasMist = false;
   };

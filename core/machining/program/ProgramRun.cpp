@@ -235,9 +235,11 @@ bool ProgramRun::runCommonM(int code, const ProgramWord& m) {
     case 3:
     case 4:
       modal.spin = code == 3 ? 1 : -1;
+      modal.isStoppedByChange = false;
       return true;
     case 5:
       modal.spin = 0;
+      modal.isStoppedByChange = false;
       return true;
     case 7:
       modal.hasMist = true;

@@ -6,6 +6,7 @@
 #include "machining/program/ProgramErrors.h"
 
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -31,19 +32,58 @@ bool nextWord(std::string_view line, std::size_t& at, char& letter, double& numb
   return true;
 }
 
-// Returns the body that the comment of a line names; null: none.
-std::shared_ptr<const LatheTool> bodyIn(std::string_view line, const LatheTools& bodies) {
+// Returns the first word of the comment of a line; empty: none.
+std::string_view commentWord(std::string_view line) {
   const std::size_t mark = line.find(';');
-  if (mark == std::string_view::npos) return nullptr;
+  if (mark == std::string_view::npos) return {};
   std::string_view comment = line.substr(mark + 1);
   comment.remove_prefix(std::min(comment.find_first_not_of(" \t"), comment.size()));
-  return toolNamed(bodies, comment.substr(0, comment.find_first_of(" \t\r")));
+  return comment.substr(0, comment.find_first_of(" \t\r"));
+}
+
+// Returns the number of letters to change, add or leave out to make one word of the other.
+std::size_t lettersBetween(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t other = std::min(row[j], row[j + 1]) + 1;
+      diagonal = std::exchange(row[j + 1], std::min(other, diagonal + (a[i] == b[j] ? 0 : 1)));
+    }
+  }
+  return row.back();
+}
+
+// Returns the tool whose id a word nearly is; null: it is not like an id.
+std::shared_ptr<const LatheTool> nearlyNamed(std::string_view word, const LatheTools& bodies) {
+  constexpr std::size_t kLongestWord = 40, kLeastWord = 5;
+  if (word.size() < kLeastWord || word.size() > kLongestWord || word == kTurnedOver) return nullptr;
+  std::string id(word);
+  for (char& c : id) c = c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  std::size_t least = id.find('-') == std::string::npos ? 2 : 3;  // letters that make another word of it
+  std::shared_ptr<const LatheTool> nearest;
+  for (const auto& body : bodies) {
+    const std::size_t letters = lettersBetween(id, body->id);
+    if (letters >= least) continue;
+    least = letters;
+    nearest = body;
+  }
+  return nearest;
 }
 
 void readToolLine(std::string_view line, std::uint32_t number, ProgramTools& tools, const LatheTools& bodies,
-                  ProgramDialect dialect) {
+                  ProgramDialect dialect, std::vector<ToolPath::Note>* notes) {
   ProgramTool tool;
-  if (auto body = bodyIn(line, bodies)) tool = programToolOf(std::move(body), dialect);
+  const std::string_view word = commentWord(line);
+  if (auto body = toolNamed(bodies, word)) {
+    tool = programToolOf(std::move(body), dialect);
+  } else if (const auto nearest = notes ? nearlyNamed(word, bodies) : nullptr) {
+    notes->push_back({number, "'" + std::string(word) +
+                                  "' is no tool of the lathe, so only the nose of this one is known. "
+                                  "Write " +
+                                  nearest->id + " if that is meant."});
+  }
   int name = -1;
   std::size_t at = 0;
   char letter = 0;
@@ -148,12 +188,13 @@ const ProgramTool& ProgramSetup::tool(int number) const {
   return found == tools.end() ? standard : found->second;
 }
 
-Result<ProgramTools> readToolTable(std::string_view text, const LatheTools& bodies, ProgramDialect dialect) {
+Result<ProgramTools> readToolTable(std::string_view text, const LatheTools& bodies, ProgramDialect dialect,
+                                   std::vector<ToolPath::Note>* notes) {
   ProgramTools tools;
   try {
     for (std::uint32_t line = 1; !text.empty(); ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      readToolLine(text.substr(0, end), line, tools, bodies, dialect);
+      readToolLine(text.substr(0, end), line, tools, bodies, dialect, notes);
       text.remove_prefix(std::min(end + 1, text.size()));
     }
   } catch (const ProgramRefusal& refusal) {

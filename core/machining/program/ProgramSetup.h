@@ -104,9 +104,11 @@ ProgramSetup usualSetup(ProgramDialect dialect, const StockCylinder& stock, doub
 // Reads the tools from the text of a LinuxCNC tool table with lines such as "T1 P1 X0 Z0 D0.8 Q2" (mm; D is a
 // diameter). The word upside-down in the comment of a line turns the tool over. If the comment of a line begins with
 // the id of one of the bodies, for example ";right-roughing", the tool gets that body, and also its nose and
-// orientation if the line does not give them. Errors: Refused.
+// orientation if the line does not give them. Orientations have the numbers of the dialect. notes: gets a note for each
+// line whose comment begins with a word that is nearly such an id; may be null. Errors: Refused.
 Result<ProgramTools> readToolTable(std::string_view text, const LatheTools& bodies = {},
-                                   ProgramDialect dialect = ProgramDialect::LinuxCnc);
+                                   ProgramDialect dialect = ProgramDialect::LinuxCnc,
+                                   std::vector<ToolPath::Note>* notes = nullptr);
 // Returns the text of a LinuxCNC tool table with these tools.
 std::string toolTableText(const ProgramTools& tools);
 

@@ -131,4 +131,10 @@ double lengthAfter(const ToolMove& move, double fractionOfTime) {
   return 0.5 * (low + high);
 }
 
+bool isStoppedByChange(const ToolPath& path, std::uint32_t line) {
+  return std::any_of(path.moves.begin(), path.moves.end(), [&](const ToolMove& move) {
+    return move.line == line && move.kind == ToolMove::Kind::Feed && move.isStoppedByChange;
+  });
+}
+
 }  // namespace handwheel

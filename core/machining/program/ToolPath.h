@@ -17,9 +17,10 @@ struct ToolMove {
 
   Kind kind = Kind::Rapid;
   std::int8_t turn = 0;  // 0: straight; 1: arc, counter-clockwise with z to the right and r up; -1: arc, clockwise
-  bool isPerRevolution = false;  // feed is mm per revolution
-  bool isSurfaceSpeed = false;   // `spindle` is a surface speed, m/min
-  std::int8_t spin = 0;          // spindle direction: 1 M3, -1 M4, 0 stopped
+  bool isPerRevolution = false;    // feed is mm per revolution
+  bool isSurfaceSpeed = false;     // `spindle` is a surface speed, m/min
+  std::int8_t spin = 0;            // spindle direction: 1 M3, -1 M4, 0 stopped
+  bool isStoppedByChange = false;  // the spindle stands since M6, which stops it on LinuxCNC
   std::uint16_t tool = 0;
   std::uint16_t shape = 0;  // tool table entry with the nose of the move; 0: the entry of `tool`
   std::uint32_t line = 0;   // line of the program, from 1
@@ -70,5 +71,8 @@ struct ToolPath {
   double time = 0.0;         // s, duration of all moves and tool changes
   std::uint64_t blocks = 0;  // number of executed blocks
 };
+
+// Returns true if a line feeds with a spindle that a change of tool has stopped. O(moves).
+bool isStoppedByChange(const ToolPath& path, std::uint32_t line);
 
 }  // namespace handwheel

@@ -137,6 +137,14 @@ void FanucRun::finish(const ProgramWord& g) {
   goBehind(contour);
 }
 
+// Notes a value that the first line of a cycle has not set, once. A control has a parameter for it. values: what is not
+// set and what it is, as "the retract (R), so it is 0.5 mm".
+void FanucRun::tellUnset(bool& isKnown, const ProgramWord& g, const std::string& values) {
+  if (std::exchange(isKnown, true)) return;
+  note(g.location,
+       "No " + g.text() + " in a line before sets " + values + ". A control takes its parameter: write it.");
+}
+
 // G71 and G72: two lines, or one with the depth D.
 void FanucRun::rough(int number, const ProgramWord& g) {
   const double unit = m_machine.unit();
@@ -146,17 +154,22 @@ void FanucRun::rough(int number, const ProgramWord& g) {
     const ProgramWord* const depth = isFacing ? w : u;
     if (depth) m_cycle.depth = unit * std::abs(depth->number);
     if (r) m_cycle.retract = unit * std::abs(r->number);
+    m_cycle.isDepthKnown |= depth != nullptr;
+    m_cycle.isRetractKnown |= r != nullptr;
     if (depth) require(m_cycle.depth <= kDeepestLevel, *depth, "no tool cuts as deep as this");
     if (r) require(m_cycle.retract <= kDeepestLevel, *r, "the retract is longer than any cut is deep");
     return;
   }
   if (d) m_cycle.depth = std::abs(increment(*d));
+  m_cycle.isDepthKnown |= d != nullptr;
   if (d) require(m_cycle.depth <= kDeepestLevel, *d, "no tool cuts as deep as this");
   if (d && !d->hasPoint && m_cycle.depth < kLeastDepth && m_cycle.depth > 0.0)
     refuse(d->location, d->text(), "without a decimal point it is in 0.001 mm or 0.0001 inch, less than a chip",
            "Write a decimal point.");
   if (!(m_cycle.depth > 0.0))
     refuse(g.location, g.text(), "the depth of cut is 0", "Write it as U in a line before (D).");
+  tellUnset(m_cycle.isDepthKnown, g, std::string("the depth of cut (") + (isFacing ? "W" : "U") + "), so it is 1 mm");
+  tellUnset(m_cycle.isRetractKnown, g, "the retract (R), so it is 0.5 mm");
   Contour contour = contourOf(g);
   const PlanePoint allowance(w ? w->number : 0.0, u ? m_machine.radius(u->number) / unit : 0.0);
   const PlanePoint extent = extentOf(contour.segments);
@@ -192,8 +205,10 @@ void FanucRun::repeatPattern(const ProgramWord& g) {
     if (u) require(std::abs(m_cycle.relief.x()) <= kMostRelief, *u, "no bar has as much to cut as this");
     if (w) require(std::abs(m_cycle.relief.y()) <= kMostRelief, *w, "no bar has as much to cut as this");
     if (r) m_cycle.passes = whole(*r, 1, 1000);
+    m_cycle.isPatternKnown |= u || w || r;
     return;
   }
+  tellUnset(m_cycle.isPatternKnown, g, "the relief (U, W) and the number of passes (R), so the contour is cut once");
   const Contour contour = contourOf(g);
   const ProfilePoint start = m_machine.at();
   const ProfilePoint allowance(u ? m_machine.radius(u->number) : 0.0, w ? unit * w->number : 0.0);
@@ -222,8 +237,10 @@ void FanucRun::peck(int number, const ProgramWord& g) {
   if (!hasAxis()) {
     if (r) m_cycle.peckRetract = m_machine.unit() * std::abs(r->number);
     if (r) require(m_cycle.peckRetract <= kDeepestLevel, *r, "the retract is longer than any step");
+    m_cycle.isPeckKnown |= r != nullptr;
     return;
   }
+  tellUnset(m_cycle.isPeckKnown, g, "the retract (R), so it is 0.5 mm");
   const bool isAlongZ = number == 74;
   const ProfilePoint start = m_machine.at(), to = target();
   const int in = isAlongZ ? 1 : 0;  // the axis of the steps
@@ -266,9 +283,14 @@ void FanucRun::threadCycle(const ProgramWord& g) {
     }
     if (q) m_cycle.threadLeast = std::abs(increment(*q));
     if (r) m_cycle.threadLast = std::abs(increment(*r));
+    m_cycle.isThreadKnown = true;
     return;
   }
   const bool isHaas = k != nullptr;
+  if (!isHaas)
+    tellUnset(m_cycle.isThreadKnown, g,
+              "the last passes, chamfer and angle (P) and the last depths (Q, R), so it ends "
+              "with one pass, without a chamfer, at 60°");
   const ProfilePoint start = m_machine.at(), to = target();
   ThreadCycle cycle;
   cycle.start = start;

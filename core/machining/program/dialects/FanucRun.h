@@ -38,6 +38,9 @@ class FanucRun : public ProgramRun {
     double peckRetract = 0.5;                 // for G74 and G75
     int threadPasses = 1, threadChamfer = 0;  // for G76; number of passes at the last depth, and tenths of the lead
     double threadAngle = 60.0, threadLeast = 0.0, threadLast = 0.0;
+    // True if a line has set the values, or a note has told them.
+    bool isDepthKnown = false, isRetractKnown = false, isPatternKnown = false, isPeckKnown = false,
+         isThreadKnown = false;
   };
 
   // The values of G81 to G83. Lengths are in mm, times in s.
@@ -138,6 +141,7 @@ class FanucRun : public ProgramRun {
   void peck(int number, const ProgramWord& g);
   void threadCycle(const ProgramWord& g);
   void goBehind(const Contour& contour);
+  void tellUnset(bool& isKnown, const ProgramWord& g, const std::string& values);
 
   std::array<const ProgramWord*, kGroups> m_codes{};
   Control m_control;

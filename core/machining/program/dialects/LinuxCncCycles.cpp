@@ -15,6 +15,21 @@ namespace {
 
 constexpr std::size_t kMostContourLines = 100'000;
 
+constexpr const char* kCompensatedFinish =
+    "Finish without G70: call a subprogram that goes in with G42 (G41 in a bore), along the contour, and out with G40.";
+
+// Makes moves. If nose compensation refuses them, the advice is the one for finishing with compensation.
+template <class Moves>
+void adviseOn(bool isCompensated, const Moves& moves) {
+  try {
+    moves();
+  } catch (ProgramRefusal& refusal) {
+    if (isCompensated && refusal.error.code == ProgramError::Refused)
+      refusal.error.arguments.back() = kCompensatedFinish;
+    throw;
+  }
+}
+
 // Returns true for codes that a contour may contain; other codes in it have no effect on a machine, so they are
 // refused.
 bool isContourCode(int tenths) {
@@ -54,7 +69,8 @@ void LinuxCncRun::contourCycle(int tenths, const ProgramWord& g) {
     if (!(rough.depth > 0.0)) refuse(g.location, g.text(), "the depth of cut I is not above 0", "Correct I.");
     if (!(rough.retract >= 0.0)) refuse(g.location, g.text(), "the retract R is negative", "Correct R.");
   }
-  m_machine.rapid(start, g.location);
+  const bool isCompensated = m_machine.isCompensated();
+  adviseOn(isCompensated, [&] { m_machine.rapid(start, g.location); });
 
   std::vector<ContourSegment> contour;
   const int motion = modal.motion;
@@ -66,21 +82,30 @@ void LinuxCncRun::contourCycle(int tenths, const ProgramWord& g) {
   m_machine.modal.motion = motion < 0 ? motion : m_machine.modal.motion;
 
   // LinuxCNC assumes the tool at the end of the contour, once it has read it. Only a corner with compensation shows it.
-  if (m_machine.isCompensated()) m_machine.placeNose(profilePoint(unit * m_contourEnd));
+  if (isCompensated) m_machine.placeNose(profilePoint(unit * m_contourEnd));
   ContourCycle cycle(std::move(contour), g.location, m_cycleBudget);
   const CycleOutput output = cycleOutput(g.location, unit);
-  if (isFinish)
-    cycle.finish(finish, output);
-  else
+  if (!isFinish) {
     cycle.rough(rough, output);
+    return;
+  }
+  if (isCompensated)
+    note(g.location, std::string("With nose compensation on, G70 goes in from the end of the contour, as LinuxCNC 2.9 "
+                                 "does. ") +
+                         kCompensatedFinish);
+  adviseOn(isCompensated, [&] { cycle.finish(finish, output); });
 }
 
 // Adds a line of a contour.
 void LinuxCncRun::collect(const ProgramBlock& block) {
   sortCodes(block);
-  for (const ProgramWord& w : block.words)
-    if ((w.letter == 'G' && !isContourCode(static_cast<int>(std::lround(10.0 * w.number)))) || w.letter == 'M')
+  for (const ProgramWord& w : block.words) {
+    const int tenths = w.letter == 'G' ? static_cast<int>(std::lround(10.0 * w.number)) : 0;
+    if (tenths >= 400 && tenths <= 421)
+      refuse(w.location, w.text(), "the contour of a cycle has no nose compensation", kCompensatedFinish);
+    if (w.letter == 'M' || !isContourCode(tenths))
       refuse(w.location, w.text(), "the contour of a cycle has no such code", "Put it before or after the cycle.");
+  }
   ProgramMachine::Modal& modal = m_machine.modal;
   if (code(Motion)) modal.motion = codeOf(Motion);
   word('F'), word('S'), word('T');  // without effect here

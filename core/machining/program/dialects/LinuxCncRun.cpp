@@ -147,6 +147,7 @@ void LinuxCncRun::runToolAndSpindle(const ProgramBlock& block) {
       case 61:
         if (m_machine.isCompensated())
           refuse(m.location, m.text(), "the tool cannot be changed with nose compensation", "Write G40 before it.");
+        if (code == 6) modal.isStoppedByChange = modal.spin != 0 || modal.isStoppedByChange;
         if (code == 6) modal.spin = 0;
         m_machine.changeTool(code == 61 ? whole({'Q', needed('Q', m, "the tool"), true, m.location}, 0, kLargestTool)
                                         : modal.selectedTool);

@@ -167,8 +167,8 @@ class FanucCornersTest : public QObject {
         "4: ,C2: nothing in this line uses this word. Remove it, or add the code that it belongs to.");
     // The second corner of a cut has what the first one has left of it: 1 of 3 mm, and 82.6° of 90° - asin(1/6).
     const auto overlapping = [&](const char* program, const std::string& word) {
-      row(program, ("5: " + word + ": the two cuts form no corner, or are too short for this one. Use a smaller one.")
-                       .c_str());
+      row(program,
+          ("5: " + word + ": the two cuts form no corner, or are too short for this one. Use a smaller one.").c_str());
     };
     overlapping("G1 Z-10. ,R2. F0.2\nX26. ,R2.\nZ-20.\n", ",R2");
     overlapping("G1 Z-10. ,C2. F0.2\nX26. ,C2.\nZ-20.\n", ",C2");

@@ -200,6 +200,38 @@ class FanucCycleTest : public QObject {
     QCOMPARE(thread[thread.size() - 2].feed, 2.0);
     QVERIFY(thread.back().kind == ToolMove::Kind::Thread && thread.back().feed == 2.0);
   }
+
+  // A value that no line before has set is told, once.
+  void valuesThatNobodyNamedAreTold() {
+    const auto notes = [](const std::string& cycles) {
+      ProgramSetup setup;
+      setup.dialect = ProgramDialect::Fanuc;
+      const auto path = runProgram("G21 G18 G99\nG97 S500 M3 F0.1\nG0 X40. Z2.\n" + cycles, setup);
+      std::string text = path ? "" : "refused";
+      if (path)
+        for (const ToolPath::Note& note : path->notes) text += std::to_string(note.line) + " " + note.text + "\n";
+      return text;
+    };
+    const auto told = [](int line, const std::string& code, const std::string& values) {
+      return std::to_string(line) + " No " + code + " in a line before sets " + values +
+             ". A control takes its parameter: write it.\n";
+    };
+    const std::string contour = "N1 G0 X20.\nG1 Z-10.\nN2 X40.\n";
+    const std::string retract = "the retract (R), so it is 0.5 mm";
+    QCOMPARE(notes("G71 P1 Q2\n" + contour),
+             told(4, "G71", "the depth of cut (U), so it is 1 mm") + told(4, "G71", retract));
+    QCOMPARE(notes("G72 P1 Q2 D2.\nN1 G0 Z-10.\nG1 X20.\nN2 Z2.\n"), told(4, "G72", retract));
+    QCOMPARE(notes("G71 U2. R1.\nG71 P1 Q2\n" + contour), std::string());
+    QCOMPARE(notes("G73 P1 Q2\n" + contour),
+             told(4, "G73", "the relief (U, W) and the number of passes (R), so the contour is cut once"));
+    QCOMPARE(notes("G75 X20. P2000\nG75 X10. P2000\n"), told(4, "G75", retract));
+    QCOMPARE(notes("G74 R1.\nG74 Z-9. Q2000\n"), std::string());
+    QCOMPARE(notes("G76 X37. Z-10. P1000 Q400 F1.5\n"),
+             told(4, "G76",
+                  "the last passes, chamfer and angle (P) and the last depths (Q, R), so it ends with one pass, "
+                  "without a chamfer, at 60°"));
+    QCOMPARE(notes("G76 P010060\nG76 X37. Z-10. P1000 Q400 F1.5\n"), std::string());
+  }
 };
 
 HANDWHEEL_TEST(FanucCycleTest)

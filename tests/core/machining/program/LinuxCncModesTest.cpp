@@ -130,6 +130,16 @@ class LinuxCncModesTest : public QObject {
         "1: G74: this code is not supported on a lathe. Tapping is not simulated: cut the thread with G33 or G76.");
     addLinuxCncRefusal("G96 D-1 S100\n", "1: D-1: the greatest speed of the spindle is not above 0. Write D in r/min.");
     addLinuxCncRefusal("S-5\n", "1: S-5: a spindle speed is not negative. Write M4 to turn it backwards.");
+    const std::string remedy =
+        "Finish without G70: call a subprogram that goes in with G42 (G41 in a bore), along the "
+        "contour, and out with G40.";
+    const std::string finished = "O1 sub\nG0 X8 Z1\nG1 Z0\nX12 Z-2\nZ-18\nX52\nO1 endsub\nG7 S9 M3 F9\nG0 X54 Z2\n";
+    addLinuxCncRefusal("O1 sub\nG42 G0 X8 Z1\nG1 Z0\nO1 endsub\nG70 Q1 F9\n",
+                       ("2: G42: the contour of a cycle has no nose compensation. " + remedy).c_str());
+    addLinuxCncRefusal("O1 sub\nG0 X8 Z1\nG1 Z0\nG40\nO1 endsub\nG70 Q1 F9\n",
+                       ("4: G40: the contour of a cycle has no nose compensation. " + remedy).c_str());
+    addLinuxCncRefusal((finished + "G42.1 D3 L2\nG70 Q1 F9\nM2\n").c_str(),
+                       ("11: nose compensation: the first move is not longer than the nose radius. " + remedy).c_str());
     addLinuxCncRefusal("G17 G42.1 D1\n",
                        "1: G42.1: nose compensation works in the plane of X and Z. Write G18 before it.");
     addLinuxCncRefusal("G42.1 D-1\n", "1: G42.1: the diameter of the nose is negative. Use the other side.");

@@ -127,6 +127,25 @@ class ProgramObstaclesTest : public QObject {
     }
   }
 
+  // A comment whose first word is nearly the id of a tool is noted on its line; other comments are free.
+  void mistypedIdsAreNoted() {
+    const auto noted = [](const std::string& comment) {
+      std::vector<ToolPath::Note> notes;
+      const auto read =
+          readToolTable("T1 D0.8\nT2 D0.8 ;" + comment + "\n", shipped(), ProgramDialect::LinuxCnc, &notes);
+      if (!read || read->at(2).body || notes.size() > 1) return std::string("wrong");
+      return notes.empty() ? std::string() : std::to_string(notes[0].line) + " " + notes[0].text;
+    };
+    QCOMPARE(noted("right-rouging"),
+             std::string("2 'right-rouging' is no tool of the lathe, so only the nose of this one "
+                         "is known. Write right-roughing if that is meant."));
+    for (const char* const word : {" Right-Roughing of steel", "drill-11", "boring_12", "drill16", "facin", "partin-3"})
+      QVERIFY2(!noted(word).empty(), word);
+    for (const char* const word :
+         {"", "spoon", "facet", "R0.8", "12 mm drill", "CNMG-120408", "upside-down", "left-hand"})
+      QCOMPARE(noted(word), std::string());
+  }
+
   void tablesAreRefused() {
     const auto refusal = [](const std::string& text) {
       const auto read = readToolTable(text);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/program/NoseCompensation.h"
 #include "machining/program/ProgramInterpreter.h"
 
 #include "BushPasses.h"
