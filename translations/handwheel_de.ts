@@ -1618,6 +1618,14 @@
         <source>all passes were made with a file, paper or a disk, or are threads that no program can cut</source>
         <translation>alle Schnitte wurden mit Feile, Papier oder Scheibe gemacht oder sind Gewinde, die kein Programm schneiden kann</translation>
     </message>
+    <message>
+        <source>%2: %3</source>
+        <translation>%2: %3</translation>
+    </message>
+    <message>
+        <source>%4</source>
+        <translation>%4</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -8095,6 +8103,10 @@
     <message>
         <source>Largest resultant force (N)</source>
         <translation>Größte Zerspankraft (N)</translation>
+    </message>
+    <message>
+        <source>no known material: forces are those of a medium carbon steel</source>
+        <translation>kein bekannter Werkstoff: die Kräfte sind die eines Stahls mit mittlerem Kohlenstoffgehalt</translation>
     </message>
 </context>
 <context>
@@ -15790,6 +15802,10 @@
         <source>Change the tool post</source>
         <translation>Werkzeugträger ändern</translation>
     </message>
+    <message>
+        <source>collision: a feed into material with the spindle at rest, which M6 has stopped, to ⌀ %1, Z %2. Write M3 or M4 after M6.</source>
+        <translation>Kollision: ein Vorschub in das Material bei stehender Spindel, die M6 angehalten hat, nach ⌀ %1, Z %2. Schreiben Sie M3 oder M4 hinter M6.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PropertyRow</name>
@@ -17694,6 +17710,17 @@
     <message>
         <source>Remove the selected works from the class; their files stay</source>
         <translation>Die gewählten Arbeiten aus der Klasse entfernen; ihre Dateien bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SuggestedTextRow</name>
+    <message>
+        <source>Choose from a list</source>
+        <translation>Aus einer Liste wählen</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
     </message>
 </context>
 <context>

@@ -1618,6 +1618,14 @@
         <source>all passes were made with a file, paper or a disk, or are threads that no program can cut</source>
         <translation>所有走刀都是用锉刀、砂纸或砂轮完成的，或是程序无法切削的螺纹</translation>
     </message>
+    <message>
+        <source>%2: %3</source>
+        <translation>%2：%3</translation>
+    </message>
+    <message>
+        <source>%4</source>
+        <translation>%4</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -8091,6 +8099,10 @@
     <message>
         <source>Largest resultant force (N)</source>
         <translation>最大切削合力 (N)</translation>
+    </message>
+    <message>
+        <source>no known material: forces are those of a medium carbon steel</source>
+        <translation>未知材料：切削力按中碳钢计算</translation>
     </message>
 </context>
 <context>
@@ -15689,6 +15701,10 @@
         <source>Change the tool post</source>
         <translation>更改刀架</translation>
     </message>
+    <message>
+        <source>collision: a feed into material with the spindle at rest, which M6 has stopped, to ⌀ %1, Z %2. Write M3 or M4 after M6.</source>
+        <translation>碰撞：主轴静止（被 M6 停止）时切入材料，到 ⌀ %1，Z %2。请在 M6 之后写 M3 或 M4。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::PropertyRow</name>
@@ -17573,6 +17589,17 @@
     <message>
         <source>Remove the selected works from the class; their files stay</source>
         <translation>从班级中移除所选作业；其文件保留</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SuggestedTextRow</name>
+    <message>
+        <source>Choose from a list</source>
+        <translation>从列表中选择</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>选择：%1</translation>
     </message>
 </context>
 <context>

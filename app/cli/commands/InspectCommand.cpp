@@ -71,6 +71,11 @@ std::string dimensionsText(const nlohmann::json& described) {
   for (const nlohmann::json& dimension : described.value("dimensions", nlohmann::json::array()))
     text += "  " + dimension.value("text", std::string()) + "\n";
   text += finishText(described);
+  if (described.contains("dimensions") && described.contains("position")) {
+    const double end = described["position"].get<double>();
+    text = "  Z below: the end of the bar in the chuck is at Z " + shownText(end) + ", its free end at Z " +
+           shownText(end + described["length"].get<double>()) + "\n" + text;
+  }
   const nlohmann::json target = described.value("target", nlohmann::json());
   if (!target.is_object()) return text;
   const nlohmann::json& deviation = target["deviation"];

@@ -16,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-// Applies one "name=value". Returns the error, or nothing.
+// Applies one "name=value", and complains about a problem of the new value. Returns the error, or nothing.
 std::string assign(Document& document, const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) return "NAME=VALUE was expected, not '" + word + "'.";
@@ -31,7 +31,10 @@ std::string assign(Document& document, const std::string& word) {
     return saysWhy ? sentenceFor(edit.error()) : "The property " + name + " depends on others and cannot be set.";
   }
   const Status done = document.setProperty(property->id, std::get<PropertyValue>(value));
-  return done ? std::string() : sentenceFor(done.error());
+  if (!done) return sentenceFor(done.error());
+  const std::optional<Property> now = document.property(name);
+  if (now && !now->problem.empty()) complain(name + ": " + now->problem + ".");
+  return {};
 }
 
 // Changes and writes the document, which is created again on this thread; saving may be interrupted.

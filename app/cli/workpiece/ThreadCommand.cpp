@@ -39,10 +39,11 @@ Result<ThreadedWork> cutThread(const OpenedFile& file, const WorkpieceSnapshot& 
   return done;
 }
 
-std::string threadReport(const TurnedPart& part, bool asJson) {
+std::string threadReport(const TurnedPart& part, double position, bool asJson) {
   if (asJson)
-    return nlohmann::ordered_json{{"threads", threadsJson(part)}, {"volume_mm3", part.volume()}}.dump(2) + "\n";
-  return "Threads: " + threadsText(part) + ". Volume: " + roundedText(part.volume()) + " mm³.\n";
+    return nlohmann::ordered_json{{"threads", threadsJson(part, position)}, {"volume_mm3", part.volume()}}.dump(2) +
+           "\n";
+  return "Threads: " + threadsText(part, position) + ". Volume: " + roundedText(part.volume()) + " mm³.\n";
 }
 
 int runThread(const Arguments& arguments, const DocumentKinds& kinds) {
@@ -68,7 +69,7 @@ int runThread(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!*done) return fail(done->error());
   const ThreadedWork& work = done->value();
   for (const Note& note : work.written.notes) complain(noteText(note).toStdString());
-  return print(threadReport(*work.workpiece.part, arguments.has("json")));
+  return print(threadReport(*work.workpiece.part, work.workpiece.stock.position, arguments.has("json")));
 }
 
 }  // namespace

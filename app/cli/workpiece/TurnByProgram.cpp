@@ -11,7 +11,8 @@ namespace handwheel {
 
 namespace {
 
-Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot& workpiece) {
+Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot& workpiece,
+                             std::vector<ToolPath::Note>& notes) {
   const LatheTools bodies = shippedLatheTools();
   ProgramSetup setup = programSetupFor(workpiece, bodies, request.dialect, request.noseRadius.value_or(0.0));
   setup.skips = request.skips;
@@ -20,7 +21,7 @@ Result<ProgramSetup> setupOf(const TurnRequest& request, const WorkpieceSnapshot
   if (request.tools.empty()) return setup;
   const Result<std::string> text = readFileBytes(request.tools);
   if (!text) return text.error();
-  Result<ProgramTools> tools = readToolTable(*text, bodies, request.dialect);
+  Result<ProgramTools> tools = readToolTable(*text, bodies, request.dialect, &notes);
   if (!tools) {
     Error error = tools.error();
     error.subject = request.tools.string();
@@ -35,14 +36,16 @@ std::string atLine(std::uint32_t line, const std::string& text) {
   return line == 0 ? text : "line " + std::to_string(line) + ": " + text;
 }
 
-std::string collisionSentence(const ProgramCollision& collision) {
+std::string collisionSentence(const ProgramCollision& collision, const ToolPath& path) {
   switch (collision.kind) {
     case ProgramCollision::Kind::Contact:
       return std::string("collision: ") + titleOf(collision.moving) + " meets " + titleOf(collision.struck) + ".";
     case ProgramCollision::Kind::Chuck:
       return "collision with the chuck.";
     case ProgramCollision::Kind::SpindleAtRest:
-      return "feed into material with the spindle at rest.";
+      return isStoppedByChange(path, collision.line)
+                 ? "feed into material with the spindle at rest: M6 has stopped it. Write M3 or M4 after M6."
+                 : "feed into material with the spindle at rest.";
     default:
       return "rapid move through material.";
   }
@@ -58,8 +61,14 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
     error.subject = request.program.string();
     return error;
   }
-  const Result<ProgramSetup> setup = setupOf(request, workpiece);
+  std::vector<ToolPath::Note> tableNotes;
+  const Result<ProgramSetup> setup = setupOf(request, workpiece, tableNotes);
   if (!setup) return setup.error();
+  for (const ToolPath::Note& note : tableNotes) {
+    const std::string remark = request.tools.string() + ", " + atLine(note.line, note.text);
+    remarks.push_back(remark);
+    figures.warnings.push_back({0, remark});
+  }
   CuttingEdge edge;
   if (request.noseRadius) edge.noseRadius = request.noseRadius;
   const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
@@ -75,11 +84,12 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
   figures.drilling = tried.peaks().drilling;
   figures.collisions = tried.collisionCount();
   figures.time = tried.path().time;
-  for (const ToolPath::Note& note : tried.path().notes) remarks.push_back(atLine(note.line, note.text));
-  for (const ToolPath::Note& note : tried.notes()) remarks.push_back(atLine(note.line, note.text));
-  figures.warnings = tried.notes();
+  const std::string source = request.program.string() + ", ";
+  for (const auto* notes : {&tried.path().notes, &tried.notes()})
+    for (const ToolPath::Note& note : *notes) remarks.push_back(source + atLine(note.line, note.text));
+  figures.warnings.insert(figures.warnings.end(), tried.notes().begin(), tried.notes().end());
   for (const ProgramCollision& collision : tried.collisions())
-    remarks.push_back(atLine(collision.line, collisionSentence(collision)));
+    remarks.push_back(source + atLine(collision.line, collisionSentence(collision, tried.path())));
   if (tried.part()) workpiece.part = tried.part();
   workpiece.programPost = setup->post;
   addCrashes(workpiece, tried.crashes());

@@ -23,6 +23,7 @@ std::string readLength(const Arguments& arguments, const char* name, double leas
 
 std::string readMaterial(const Arguments& arguments, TurnRequest& request) {
   const WorkMaterials& materials = WorkMaterials::standard();
+  request.isMaterialGiven = arguments.has("material");
   const std::string id = arguments.has("material") ? arguments.valueOf("material") : kUsualMaterial;
   if (const WorkMaterial* const found = materials.find(id)) {
     request.material = *found;

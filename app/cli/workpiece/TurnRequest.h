@@ -30,6 +30,7 @@ struct TurnRequest {
   bool hasIncrements = false;       // lengths without a decimal point count in least increments
   std::optional<ProgramPost> post;  // none: that of the document
   WorkMaterial material;
+  bool isMaterialGiven = false;  // by --material
   bool isReplay = false;
   bool asJson = false;
 };

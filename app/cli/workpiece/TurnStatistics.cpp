@@ -61,6 +61,19 @@ bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const Turnin
   return true;
 }
 
+std::vector<TurnStatistics::Piece> partedOff(const TurnedPart* before, const TurnedPart& after) {
+  constexpr double kBelow = 1e-3;  // mm
+  std::vector<TurnStatistics::Piece> parted;
+  const std::vector<TurnedSection> pieces = after.section().pieces();
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const ProfileBox& box = pieces[i].box();
+    // A piece is new if there was material below it.
+    const bool isNew = !before || before->section().radiiAt(box.min().y() - kBelow).has_value();
+    if (isNew) parted.push_back({box.sizes().y(), after.volumeOf(pieces[i])});
+  }
+  return parted;
+}
+
 std::string statisticsAsJson(const TurnStatistics& figures) {
   nlohmann::ordered_json json = {{"removed_mm3", figures.removed}, {"max_force_N", figures.force},
                                  {"max_power_kW", figures.power},  {"max_motor_power_kW", motorPowerOf(figures)},
@@ -74,6 +87,8 @@ std::string statisticsAsJson(const TurnStatistics& figures) {
                         {"thrust_N", drilling.thrust},
                         {"torque_Nm", drilling.torque},
                         {"power_kW", drilling.power}};
+  for (const TurnStatistics::Piece& piece : figures.parted)
+    json["parted_off"].push_back({{"length_mm", piece.length}, {"volume_mm3", piece.volume}});
   for (const ToolPath::Note& note : figures.warnings)
     json["warnings"].push_back({{"line", note.line}, {"text", note.text}});
   return json.dump(2) + "\n";
@@ -88,6 +103,9 @@ std::string statisticsAsText(const TurnStatistics& figures) {
   if (const DrillPeaks& drilling = figures.drilling; drilling.diameter > 0.0)
     text += "Drilling: thrust " + forceText(drilling.thrust) + " N, torque " + roundedText(drilling.torque, 3) +
             " N·m, power " + roundedText(drilling.power, 3) + " kW.\n";
+  for (const TurnStatistics::Piece& piece : figures.parted)
+    text += "Parted off: a piece of " + roundedText(piece.length, 5) + " mm length and " + roundedText(piece.volume) +
+            " mm³.\n";
   text += roughestText(figures.finish);
   if (figures.profileError) text += "Deviation from the target: " + roundedText(*figures.profileError, 4) + " mm.\n";
   return text;

@@ -23,8 +23,12 @@ struct TurnStatistics {
   std::optional<std::size_t> collisions;  // none: not checked
   double time = 0.0;                      // s
   std::vector<ToolPath::Note> warnings;   // warnings of the simulation of a program
-  std::optional<double> profileError;     // mm, deviation from a target
-  nlohmann::json finish;                  // finishJson() of the part; null if nothing was cut
+  struct Piece {
+    double length = 0.0, volume = 0.0;  // mm, mm³
+  };
+  std::vector<Piece> parted;           // pieces that came off, from the chuck to the free end
+  std::optional<double> profileError;  // mm, deviation from a target
+  nlohmann::json finish;               // finishJson() of the part; null if nothing was cut
 };
 
 // Adds the time and the peak loads of a pass. profile: the profile of the part before the pass; spindle: the speed for
@@ -33,9 +37,12 @@ struct TurnStatistics {
 bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
              const WorkMaterial& material, double spindle, Progress progress);
 
+// Returns the pieces that came off a part since it was `before`. before: null if it was a bar.
+std::vector<TurnStatistics::Piece> partedOff(const TurnedPart* before, const TurnedPart& after);
+
 // Returns the figures as JSON with the keys removed_mm3, max_force_N, max_power_kW, max_motor_power_kW, collisions,
-// time_s, profile_error_mm, finish; and drilling if something was drilled, and
-// warnings if there are any.
+// time_s, profile_error_mm, finish; and drilling if something was drilled, parted_off
+// if something came off, and warnings if there are any.
 std::string statisticsAsJson(const TurnStatistics& figures);
 std::string statisticsAsText(const TurnStatistics& figures);
 

@@ -87,6 +87,7 @@ Result<OpenedFile> openInput(const TurnRequest& request, const DocumentKinds& ki
   }
   auto workpiece = std::make_shared<WorkpieceSnapshot>();
   workpiece->stock = *request.bar;
+  if (request.isMaterialGiven) workpiece->material = request.material.name;
   workpiece->mesh = std::make_shared<const StockMesh>(*request.bar, workpiece->chord);
   opened.content = std::move(workpiece);
   return opened;
@@ -137,7 +138,19 @@ void useMachineOf(const TurningTask& task, const Arguments& arguments, TurnReque
   useSpindle(task.lathe.spindleSpeed, arguments, request);
   const WorkMaterials& materials = WorkMaterials::standard();
   const WorkMaterial* const material = materials.find(task.material);
-  if (material && !arguments.has("material")) request.material = *material;
+  if (material && !request.isMaterialGiven) request.material = *material;
+}
+
+// Takes material and speed from a workpiece, unless the arguments set them, as its replay does.
+void useMachineOf(const WorkpieceSnapshot& workpiece, const Arguments& arguments, TurnRequest& request) {
+  useSpindle(latheOf(workpiece).spindle.speed, arguments, request);
+  if (request.isMaterialGiven || workpiece.material.empty()) return;
+  const WorkMaterial* const material = WorkMaterials::standard().named(workpiece.material);
+  if (material)
+    request.material = *material;
+  else
+    complain(request.input + ": the material '" + workpiece.material + "' is not known, so forces are those of " +
+             request.material.name + ". 'handwheel force --list' names those that are.");
 }
 
 }  // namespace
@@ -164,7 +177,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (exercise)
     useMachineOf(*exercise->task, arguments, request);
   else if (!request.bar)
-    useSpindle(latheOf(*given).spindle.speed, arguments, request);
+    useMachineOf(*given, arguments, request);
   std::string unreadable;
   std::vector<std::string> remarks;
   TurnStatistics figures;
@@ -191,14 +204,14 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!unreadable.empty()) return refuse(request.recording.string() + ": " + unreadable);
   const WorkpieceSnapshot& after = turned->value();
   figures.removed = volumeOf(*given) - volumeOf(after);
-  if (after.part) figures.finish = finishJson(*after.part);
+  if (after.part) figures.parted = partedOff(given->part.get(), *after.part);
+  if (after.part) figures.finish = finishJson(*after.part, after.stock.position);
   const TurnedProfile profile = partOf(after, request.spacing).profile;
   if (target)
     figures.profileError = profileError(target->value(), profile);
   else if (exercise && exercise->task->target)
     figures.profileError = targetError(*exercise, profile);
-  const std::string source = request.program.string();
-  for (const std::string& remark : remarks) complain(source + ", " + remark);
+  for (const std::string& remark : remarks) complain(remark);
   if (!written) {
     complain(kTouchesNothing);
     if (!request.program.empty()) print(report(after, figures, request.asJson));
@@ -240,9 +253,13 @@ Command turnCommand() {
           {"block-skip", 0, "N,N", "Block skips of the program that are on, 1 to 9; / is 1. Default: none"},
           {"nose", 0, "MM",
            "Nose radius, 0.05 to 50; default: 0, a point, for a program; what a recording says, else 1", "nose-radius"},
-          {"tools", 0, "T.tbl", "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2"},
+          {"tools", 0, "T.tbl",
+           "Table of tools as LinuxCNC has it, in mm: T1 P1 X0 Z0 D0.8 Q2. X (a radius) and Z from the tip to the "
+           "post, "
+           "D the diameter of the nose, Q the orientation in the numbers of the dialect"},
           {"material", 0, "NAME",
-           "Material of the work, for the forces (default medium-carbon-steel, or that of the exercise)"},
+           "Material of the work, for the forces; a new bar gets it. Default: that of the exercise or workpiece, else "
+           "medium-carbon-steel"},
           {"spindle", 0, "RPM",
            "Speed of the spindle of a recording, for forces and roughness (default 500, or that of the exercise or "
            "workpiece)"},

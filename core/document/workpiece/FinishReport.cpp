@@ -41,47 +41,48 @@ nlohmann::json surfaceJson(const TurnedPart& part, double roughness, std::uint32
   return json;
 }
 
-nlohmann::json stretchJson(const TurnedPart& part, const FinishInterval& stretch) {
+nlohmann::json stretchJson(const TurnedPart& part, const FinishInterval& stretch, double position) {
   const double ra = stretch.reading.roughness;
   nlohmann::json json = surfaceJson(part, ra, stretch.pass, stretch.feed);
-  json["from"] = stretch.from;
-  json["to"] = stretch.to;
+  json["from"] = stretch.from + position;
+  json["to"] = stretch.to + position;
   json["largest_um"] = finiteOrNull(stretch.reading.largest);
-  json["text"] =
-      roughnessText(ra, roughnessGrade(ra)) + ", Z " + shownText(stretch.from) + " to " + shownText(stretch.to);
+  json["text"] = roughnessText(ra, roughnessGrade(ra)) + ", Z " + shownText(stretch.from + position) + " to " +
+                 shownText(stretch.to + position);
   return json;
 }
 
-nlohmann::json facesJson(const TurnedPart& part) {
+nlohmann::json facesJson(const TurnedPart& part, double position) {
   nlohmann::json all = nlohmann::json::array();
   for (const FaceFinish& face : faceFinish(part.section(), part.passes)) {
     if (all.size() == kMostStretches) break;
     nlohmann::json json = surfaceJson(part, face.roughness, face.pass, face.feed);
-    json["z"] = face.height;
+    json["z"] = face.height + position;
     json["inner_radius"] = face.inner;
     json["outer_radius"] = face.outer;
     json["text"] = roughnessText(face.roughness, roughnessGrade(face.roughness)) + ", face at Z " +
-                   shownText(face.height) + ", Ø" + shownText(2.0 * face.inner) + " to Ø" + shownText(2.0 * face.outer);
+                   shownText(face.height + position) + ", Ø" + shownText(2.0 * face.inner) + " to Ø" +
+                   shownText(2.0 * face.outer);
     all.push_back(std::move(json));
   }
   return all;
 }
 
-nlohmann::json sideJson(const TurnedPart& part, TurningSide side) {
+nlohmann::json sideJson(const TurnedPart& part, TurningSide side, double position) {
   nlohmann::json all = nlohmann::json::array();
   for (const FinishInterval& stretch : finishIntervals(part.finish, part.profile, side)) {
     if (all.size() == kMostStretches) break;
-    all.push_back(stretchJson(part, stretch));
+    all.push_back(stretchJson(part, stretch, position));
   }
   return all;
 }
 
 }  // namespace
 
-nlohmann::json finishJson(const TurnedPart& part) {
-  return {{"outside", sideJson(part, TurningSide::Outside)},
-          {"bore", sideJson(part, TurningSide::Bore)},
-          {"faces", facesJson(part)}};
+nlohmann::json finishJson(const TurnedPart& part, double position) {
+  return {{"outside", sideJson(part, TurningSide::Outside, position)},
+          {"bore", sideJson(part, TurningSide::Bore, position)},
+          {"faces", facesJson(part, position)}};
 }
 
 }  // namespace handwheel

@@ -17,16 +17,15 @@ struct ThreadRange {
 };
 
 // The part of a groove that is in the material: a thread runs up before the work and out behind it.
-ThreadRange rangeInMaterial(const TurnedPart& part, const ThreadGroove& groove) {
-  const ThreadRange range{groove.from(), groove.to()};
+ThreadRange rangeInMaterial(const TurnedPart& part, const ThreadGroove& groove, double position) {
   const auto box = part.section().box();
-  if (box.isEmpty()) return range;
-  return {std::clamp(range.from, box.min().y(), box.max().y()), std::clamp(range.to, box.min().y(), box.max().y())};
+  const auto within = [&](double z) { return box.isEmpty() ? z : std::clamp(z, box.min().y(), box.max().y()); };
+  return {within(groove.from()) + position, within(groove.to()) + position};
 }
 
-nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove) {
+nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove, double position) {
   const ThreadCut& cut = groove.cut();
-  const ThreadRange range = rangeInMaterial(part, groove);
+  const ThreadRange range = rangeInMaterial(part, groove, position);
   nlohmann::json json = {{"from", range.from},
                          {"to", range.to},
                          {"pitch", cut.pitch},
@@ -48,19 +47,19 @@ nlohmann::json threadOf(const TurnedPart& part, const ThreadGroove& groove) {
 
 }  // namespace
 
-std::string threadsText(const TurnedPart& part) {
+std::string threadsText(const TurnedPart& part, double position) {
   std::string text;
   for (const ThreadGroove& groove : part.threads()->grooves()) {
-    const ThreadRange range = rangeInMaterial(part, groove);
+    const ThreadRange range = rangeInMaterial(part, groove, position);
     text += (text.empty() ? "" : "; ") + ("pitch " + shownText(groove.cut().pitch)) + " mm, Z " +
             shownText(range.from) + " to " + shownText(range.to);
   }
   return text;
 }
 
-nlohmann::json threadsJson(const TurnedPart& part) {
+nlohmann::json threadsJson(const TurnedPart& part, double position) {
   nlohmann::json all = nlohmann::json::array();
-  for (const ThreadGroove& groove : part.threads()->grooves()) all.push_back(threadOf(part, groove));
+  for (const ThreadGroove& groove : part.threads()->grooves()) all.push_back(threadOf(part, groove, position));
   return all;
 }
 

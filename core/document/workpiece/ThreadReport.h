@@ -9,13 +9,15 @@
 
 namespace handwheel {
 
-// Returns the threads of a part as text, by pitch and Z range. Example: "pitch 2.5 mm, Z 10 to 40; …".
-// The range is that of the groove in the material, without the approach and the runout of the tool.
-std::string threadsText(const TurnedPart& part);
+// Z counts in the document. The lower end of the bar is at `position`, mm. The range of a thread is that of the groove
+// in the material, without the approach and the runout of the tool.
 
-// Returns the threads as an array of objects with "from", "to" (mm above the lower end, as in threadsText()), "pitch",
-// "starts", "hand", "inner", and the values that gauges would measure: "measured_pitch", "major_diameter",
-// "pitch_diameter", "minor_diameter" (null if not found).
-nlohmann::json threadsJson(const TurnedPart& part);
+// Returns the threads of a part as text, by pitch and Z range. Example: "pitch 2.5 mm, Z 10 to 40; …".
+std::string threadsText(const TurnedPart& part, double position);
+
+// Returns the threads as an array of objects with "from", "to" (mm), "pitch", "starts", "hand", "inner", and the values
+// that gauges would measure: "measured_pitch", "major_diameter", "pitch_diameter", "minor_diameter" (null if not
+// found).
+nlohmann::json threadsJson(const TurnedPart& part, double position);
 
 }  // namespace handwheel

@@ -58,7 +58,7 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   for (Note& note : sectionNotes(workpiece)) file.notes.push_back(std::move(note));
   if (workpiece.part && workpiece.part->threads())
     file.notes.push_back({QT_TRANSLATE_NOOP("Note", "Threads are in the file as their envelope, without grooves: %1."),
-                          {threadsText(*workpiece.part)},
+                          {threadsText(*workpiece.part, workpiece.stock.position)},
                           true});
   return file;
 }
@@ -221,12 +221,12 @@ nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
     described["passes"] = part.passes.size();
     described["spacing"] = part.profile.spacing();
     described["bored"] = part.profile.isBored();
-    if (part.threads()) described["threads"] = threadsJson(part);
+    if (part.threads()) described["threads"] = threadsJson(part, workpiece.stock.position);
     const std::vector<TurnedSection> pieces = part.section().pieces();
     described["pieces"] = pieces.size();
     if (pieces.size() > 1)
       described["end_piece"] = {{"length", pieces.back().box().sizes().y()}, {"volume", part.volumeOf(pieces.back())}};
-    described["finish"] = finishJson(part);
+    described["finish"] = finishJson(part, workpiece.stock.position);
     return described;
   }
   StockCylinder atOrigin = workpiece.stock;

@@ -39,6 +39,15 @@ Property computed(const char* id, const char* label, double value) {
   return property;
 }
 
+// Any text may be entered. Cutting forces are known for the choices.
+Property materialProperty(const std::string& name) {
+  Property material = stockProperty("material", QT_TRANSLATE_NOOP("Property", "Material"), name);
+  for (const WorkMaterial& each : WorkMaterials::standard().all()) material.choices.push_back(each.name);
+  if (!name.empty() && !WorkMaterials::standard().named(name))
+    material.problem = QT_TRANSLATE_NOOP("Property", "no known material: forces are those of a medium carbon steel");
+  return material;
+}
+
 std::string text(double value) {
   return QString::number(value).toStdString();
 }
@@ -70,7 +79,7 @@ Property propertyOf(const WorkpieceSnapshot& workpiece, WorkpieceField field) {
     case WorkpieceField::Material:
       break;
   }
-  return stockProperty("material", QT_TRANSLATE_NOOP("Property", "Material"), workpiece.material);
+  return materialProperty(workpiece.material);
 }
 
 std::optional<WorkpieceField> fieldNamed(std::string_view id) {

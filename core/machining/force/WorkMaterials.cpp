@@ -59,16 +59,21 @@ const WorkMaterial* WorkMaterials::find(std::string_view id) const {
   return found == m_all.end() ? nullptr : &*found;
 }
 
-const WorkMaterial& WorkMaterials::called(std::string_view words) const& {
+const WorkMaterial* WorkMaterials::named(std::string_view words) const {
   const auto isSame = [](char a, char b) {
     const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     return small(a) == small(b);
   };
   for (const WorkMaterial& material : m_all) {
     for (const std::string& name : {material.id, material.name}) {
-      if (std::equal(name.begin(), name.end(), words.begin(), words.end(), isSame)) return material;
+      if (std::equal(name.begin(), name.end(), words.begin(), words.end(), isSame)) return &material;
     }
   }
+  return nullptr;
+}
+
+const WorkMaterial& WorkMaterials::called(std::string_view words) const& {
+  if (const WorkMaterial* const known = named(words)) return *known;
   const WorkMaterial* const usual = find(kUsualMaterial);
   return usual ? *usual : m_all.front();
 }

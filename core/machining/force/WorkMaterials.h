@@ -39,8 +39,9 @@ class WorkMaterials {
 
   const std::vector<WorkMaterial>& all() const& { return m_all; }
   void all() const&& = delete;  // A temporary registry would be destroyed before its list is used.
-  // Returns the material with this id or name; upper and lower case are the same. For other words it returns the usual
-  // material, a medium carbon steel.
+  // Returns the material with this id or name; upper and lower case are the same. Null if there is none.
+  const WorkMaterial* named(std::string_view words) const;
+  // The same; for other words it returns the usual material, a medium carbon steel.
   const WorkMaterial& called(std::string_view words) const&;
   void called(std::string_view words) const&& = delete;
   const WorkMaterial* find(std::string_view id) const;  // null if there is no such material

@@ -8,6 +8,10 @@ const ErrorDescription ProgramError::Refused{.id = "ProgramRefused",
                                              .sentences = {translatable("ErrorText", "column %1, %2: %3")},
                                              .advice = {translatable("ErrorText", "%4 Then run the program again.")}};
 
+const ErrorDescription ProgramError::Unmakeable{.id = "ProgramUnmakeable",
+                                                .sentences = {translatable("ErrorText", "%2: %3")},
+                                                .advice = {translatable("ErrorText", "%4")}};
+
 const ErrorDescription ProgramError::Alarm{
     .id = "ProgramAlarm",
     .sentences = {translatable("ErrorText", "the program stops with the alarm %1: %2"),
@@ -57,10 +61,9 @@ void refuse(const SourceLocation& location, const std::string& word, const std::
             const std::string& remedy) {
   constexpr std::size_t kMostShown = 40;
   const std::string shown = shownText(word, kMostShown);
-  throw ProgramRefusal{{ProgramError::Refused,
-                        {std::to_string(location.column), shown, reason, remedy},
-                        InputPosition::line(location.line),
-                        {}}};
+  const std::vector<std::string> arguments = {std::to_string(location.column), shown, reason, remedy};
+  if (location.line == 0) throw ProgramRefusal{{ProgramError::Unmakeable, arguments, {}, {}}};
+  throw ProgramRefusal{{ProgramError::Refused, arguments, InputPosition::line(location.line), {}}};
 }
 
 }  // namespace handwheel

@@ -10,6 +10,7 @@
 namespace handwheel::ProgramError {
 
 extern const ErrorDescription Refused;        // {column, word, what is wrong with it, what to do}
+extern const ErrorDescription Unmakeable;     // the same of a program that is to be made; it has no columns
 extern const ErrorDescription Alarm;          // {number, message}; the program stopped the machine with an alarm
 extern const ErrorDescription Endless;        // {blocks}; more blocks were executed than any sensible program has
 extern const ErrorDescription TooManyMoves;   // {moves}
@@ -33,7 +34,8 @@ struct ProgramRefusal {
 // Throws the alarm that a program sets off. number: the number that a control shows. message: may be empty.
 [[noreturn]] void alarm(const SourceLocation& location, const std::string& number, const std::string& message);
 
-// Throws the refusal of a word. reason: a clause that follows "word: ". remedy: a whole sentence.
+// Throws the refusal of a word, or, without a location, of a program that is to be made. reason: a clause that follows
+// "word: ". remedy: a whole sentence.
 [[noreturn]] void refuse(const SourceLocation& location, const std::string& word, const std::string& reason,
                          const std::string& remedy);
 

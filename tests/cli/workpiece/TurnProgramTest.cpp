@@ -119,6 +119,82 @@ class TurnProgramTest : public QObject {
     QVERIFY2(ran.err.contains("line 5: feed into material with the spindle at rest"), ran.err);
   }
 
+  // M6 stops the spindle of a LinuxCNC, and is named where it did.
+  void theChangeThatStoppedTheSpindleIsNamed() {
+    const Fixture fixture;
+    const QByteArray cut = "G0 X44 Z2\nX36\nG1 Z-20\nM2\n", why = ": M6 has stopped it. Write M3 or M4 after M6.";
+    fixture.put("p.ngc", "G21 G18 G7 S500 F100 M3\nT1 M6\n" + cut);
+    fixture.put("q.ngc", "G21 G18 G7 S500 F100 M3\nT1 M6\nM3\nM5\n" + cut);
+    const Ran changed = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "-o", "a.stl"});
+    QVERIFY2(changed.err.contains("line 5: feed into material with the spindle at rest" + why), changed.err);
+    const Ran stopped = fixture.run({"turn", "cylinder:40x100", "--program", "q.ngc", "-o", "b.stl"});
+    QVERIFY2(stopped.err.contains("line 7: feed into material with the spindle at rest.\n"), stopped.err);
+  }
+
+  // 10 mm come off by a blade of 3 mm that is fed over the axis: a cylinder of 40 x 10 mm, with the fillets that the
+  // corners of 0.2 mm leave at no wall here. The table has a mistyped id as well.
+  void partingOffIsTold() {
+    const Fixture fixture;
+    fixture.put("t.tbl", "T1 P1 X0 Z0 ;parting-3\nT2 P2 X0 Z0 D0.8 Q2 ;right-rouging\n");
+    fixture.put("p.ngc", "G21 G18 G7 G95 F0.1\nT1 M6 G43\nS500 M3\nG0 X44 Z-13\nG1 X-1\nG0 X60\nM2\n");
+    const QStringList words = {"turn",    "cylinder:40x100", "--program", "p.ngc",
+                               "--tools", "t.tbl",           "-o",        "a.handwheel"};
+    const Ran ran = fixture.run(words + QStringList{"--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json json = figuresOf(ran);
+    QCOMPARE(json["parted_off"].size(), std::size_t{1});
+    QVERIFY2(std::abs(json["parted_off"][0]["length_mm"].get<double>() - 10.0) < 1e-6, ran.out);
+    QVERIFY2(std::abs(json["parted_off"][0]["volume_mm3"].get<double>() / (M_PI * 4000.0) - 1.0) < 1e-6, ran.out);
+    QVERIFY(json["warnings"][0]["text"].get<std::string>().find("t.tbl, line 2: 'right-rouging'") == 0);
+    QVERIFY2(ran.err.contains("t.tbl, line 2: 'right-rouging' is no tool of the lathe"), ran.err);
+    const Ran text = fixture.run(words);
+    QVERIFY2(text.out.contains("Parted off: a piece of 10 mm length and 12566.4 mm³."), text.out);
+    // The piece that lies there is not told again.
+    fixture.put("q.ngc", "G21 G18 G7 G95 F0.1\nS500 M3\nG0 X38 Z-11\nG1 Z-40\nG0 X60\nM2\n");
+    const Ran more = fixture.run({"turn", "a.handwheel", "--program", "q.ngc", "-o", "b.handwheel", "--json"});
+    QVERIFY2(!figuresOf(more).contains("parted_off"), more.out);
+  }
+
+  // The material of the workpiece gives the forces, as in its replay; --material does where it is given. By Kienzle's
+  // law both forces are as their k of this chip.
+  void theMaterialOfTheWorkpieceIsCut() {
+    const Fixture fixture;
+    fixture.put("p.ngc", kShoulder);
+    const auto force = [&](const QByteArray& material, const QStringList& more = {}) {
+      fixture.run({"new", "workpiece", "diameter=40", "length=100", "material=" + material, "-o", "bar.handwheel"});
+      const Ran ran = fixture.run(
+          QStringList{"turn", "bar.handwheel", "--program", "p.ngc", "-o", "part.handwheel", "--json"} + more);
+      const bool isTold = ran.err.contains("the material '" + material + "' is not known");
+      return std::pair(figuresOf(ran)["max_force_N"].get<double>(), isTold);
+    };
+    const auto usual = force(""), stainless = force("Stainless steel, austenitic");
+    QVERIFY(stainless.first > 1.2 * usual.first && !usual.second && !stainless.second);
+    QVERIFY(force("austenitic-stainless-steel") == stainless);
+    QVERIFY(force("", {"--material", "austenitic-stainless-steel"}) == stainless);
+    QVERIFY(force("cheese") == std::pair(usual.first, true));
+    const Ran set = fixture.run({"set", "bar.handwheel", "material=chalk", "-o", "c.handwheel"});
+    QVERIFY2(set.code == 0 && set.err.contains("material: no known material: forces are those of"), set.err);
+    const Ran bar = fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "--material",
+                                 "austenitic-stainless-steel", "-o", "d.handwheel"});
+    QVERIFY2(bar.code == 0, bar.err);
+    QVERIFY(fixture.run({"inspect", "d.handwheel"}).out.contains("material: Stainless steel, austenitic"));
+  }
+
+  // Z of sizes and of the finish count from the zero of the document, which is the free end of a bar that has no file.
+  void oneZIsInspected() {
+    const Fixture fixture;
+    fixture.put("p.ngc", "G21 G18 G7 G95 F0.2\nS500 M3\nG0 X36 Z2\nG1 Z-40\nX44\nM2\n");
+    fixture.run({"turn", "cylinder:40x100", "--program", "p.ngc", "--nose", "0.8", "-o", "a.handwheel"});
+    const Ran ran = fixture.run({"inspect", "a.handwheel", "--json"});
+    const nlohmann::json document = figuresOf(ran)["document"];
+    const nlohmann::json outside = document["finish"]["outside"];
+    QVERIFY2(!outside.empty(), ran.out);
+    const nlohmann::json& last = outside.back();
+    QVERIFY(std::abs(last["to"].get<double>()) < 0.02 && std::abs(last["from"].get<double>() + 39.9) < 0.2);
+    const Ran text = fixture.run({"inspect", "a.handwheel"});
+    QVERIFY2(text.out.contains("Z below: the end of the bar in the chuck is at Z -100, its free end at Z 0"), text.out);
+  }
+
   // M4 is one warning in the report, no collision; with the post in front and the inserts down it is right, and the
   // post is saved with the document. A program for such a machine says M4.
   void theToolPostDecidesTheSense() {

@@ -34,6 +34,9 @@ PropertyRow* PropertyRow::make(const Property& property, LengthUnit unit, QWidge
     case Kind::LongText:
       row = new LongTextRow(parent);
       break;
+    case Kind::Suggested:
+      row = new SuggestedTextRow(parent);
+      break;
     case Kind::Colour:
       row = new ColourRow(parent);
       break;
@@ -106,9 +109,11 @@ void PropertyRow::markBad(QWidget& widget, bool isBad) {
 
 PropertyRow::Kind PropertyRow::kindOf(const Property& property) {
   if (!property.editable) return Kind::ReadOnly;
-  if (!property.choices.empty()) return property.continuous ? Kind::List : Kind::Choice;
+  const bool isText = std::holds_alternative<std::string>(property.value), hasChoices = !property.choices.empty();
+  if (hasChoices && isText) return Kind::Suggested;
+  if (hasChoices) return property.continuous ? Kind::List : Kind::Choice;
   if (std::holds_alternative<bool>(property.value)) return Kind::Switch;
-  if (!std::holds_alternative<std::string>(property.value)) return Kind::Number;
+  if (!isText) return Kind::Number;
   // Properties for whole sentences.
   if (property.id == "text" || property.id.ends_with(".text")) return Kind::LongText;
   return property.id.ends_with(".colour") ? Kind::Colour : Kind::Text;

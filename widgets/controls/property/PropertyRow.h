@@ -42,7 +42,7 @@ class PropertyRow : public QWidget {
   // Stretch factors of label and editor in a line.
   static constexpr int kLabelStretch = 2, kEditorStretch = 3;
 
-  enum class Kind { Number, Switch, Text, LongText, Colour, Choice, List, ReadOnly };
+  enum class Kind { Number, Switch, Text, LongText, Suggested, Colour, Choice, List, ReadOnly };
   static Kind kindOf(const Property& property);
   static QString translated(const std::string& english);
 

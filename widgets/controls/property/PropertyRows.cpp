@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -234,6 +235,32 @@ bool TextRow::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
+SuggestedTextRow::SuggestedTextRow(QWidget* parent) : SuggestedTextRow(parent, new QToolButton) {}
+
+SuggestedTextRow::SuggestedTextRow(QWidget* parent, QToolButton* button)
+    : TextRow(parent, button), m_button(button), m_list(new QMenu(button)) {
+  m_button->setObjectName(QStringLiteral("propertySuggestions"));
+  m_button->setArrowType(Qt::DownArrow);
+  m_button->setToolTip(tr("Choose from a list"));
+  m_button->setPopupMode(QToolButton::InstantPopup);
+  m_button->setMenu(m_list);
+}
+
+void SuggestedTextRow::showValue(const Property& property, LengthUnit unit) {
+  TextRow::showValue(property, unit);
+  QStringList texts;
+  for (const std::string& choice : property.choices) texts << translated(choice);
+  if (std::exchange(m_texts, texts) == texts) return;
+  m_list->clear();
+  for (const QString& text : texts)
+    m_list->addAction(text, this, [this, text] { emit edited(text.toStdString(), false); });
+}
+
+void SuggestedTextRow::setLabel(const QString& label) {
+  TextRow::setLabel(label);
+  m_button->setAccessibleName(tr("Choose: %1").arg(label));
+}
+
 LongTextRow::LongTextRow(QWidget* parent)
     : PropertyRow(parent), m_heading(new QLabel(this)), m_field(new QPlainTextEdit(this)) {
   constexpr int kLines = 5;  // lines visible at once
@@ -407,7 +434,9 @@ ReadOnlyRow::ReadOnlyRow(QWidget* parent) : PropertyRow(parent), m_text(new QLab
 }
 
 void ReadOnlyRow::showValue(const Property& property, LengthUnit unit) {
-  if (!property.choices.empty()) {
+  if (std::holds_alternative<std::string>(property.value)) {
+    m_text->setText(plainText(property));
+  } else if (!property.choices.empty()) {
     const int index = choiceOf(property);
     m_text->setText(index < 0 ? QString() : translated(property.choices[static_cast<std::size_t>(index)]));
   } else if (const bool* on = std::get_if<bool>(&property.value)) {
@@ -416,8 +445,6 @@ void ReadOnlyRow::showValue(const Property& property, LengthUnit unit) {
     m_text->setText(locale().toString(static_cast<qlonglong>(*number)));
   } else if (number) {
     m_text->setText(QString::fromStdString(property.prefix) + quantityText(*number, property.quantity, unit, locale()));
-  } else {
-    m_text->setText(plainText(property));
   }
 }
 

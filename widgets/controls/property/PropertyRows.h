@@ -11,6 +11,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QMenu;
 class QPlainTextEdit;
 class QSlider;
 class QToolButton;
@@ -81,6 +82,25 @@ class TextRow : public PropertyRow {
   QLineEdit* m_line;
   QString m_value;           // displayed text
   bool m_isNumbers = false;  // the text consists of numbers, which are shown with the user's decimal separator
+};
+
+// A row for a text that may be chosen from a list: a line edit, and a button that opens the list.
+class SuggestedTextRow : public TextRow {
+  Q_OBJECT
+
+ public:
+  explicit SuggestedTextRow(QWidget* parent);
+
+ protected:
+  void showValue(const Property& property, LengthUnit unit) override;
+  void setLabel(const QString& label) override;
+
+ private:
+  SuggestedTextRow(QWidget* parent, QToolButton* button);
+
+  QToolButton* m_button;
+  QMenu* m_list;
+  QStringList m_texts;
 };
 
 // A row for a text of several lines, below its label. It is entered when the field is left, or by Ctrl+Return.

@@ -76,7 +76,7 @@ std::vector<ProgramFinding> limitFindings(const TurningTask& task, WorkpieceSnap
 }
 
 // Returns a text with the position as %1 and %2.
-QString collisionText(const ProgramCollision& collision) {
+QString collisionText(const ProgramCollision& collision, const ToolPath& path) {
   const auto title = [](LathePart part) { return QCoreApplication::translate("LathePart", titleOf(part)); };
   switch (collision.kind) {
     case ProgramCollision::Kind::Contact:
@@ -89,6 +89,10 @@ QString collisionText(const ProgramCollision& collision) {
     case ProgramCollision::Kind::SpindleAtRest:
       break;
   }
+  if (isStoppedByChange(path, collision.line))
+    return ProgramSession::tr(
+        "collision: a feed into material with the spindle at rest, which M6 has stopped, to ⌀ %1, Z %2. Write M3 or "
+        "M4 after M6.");
   return ProgramSession::tr("collision: a feed into material with the spindle at rest, to ⌀ %1, Z %2.");
 }
 
@@ -199,7 +203,7 @@ std::vector<ProgramFinding> ProgramSession::findingsOf(const ProgramTrial& trial
       return quantityText(std::round(mm * 1e3) / 1e3, Quantity::Length, unit, QLocale());
     };
     findings.push_back({ProgramFinding::Weight::Error, static_cast<int>(each.line), 0,
-                        collisionText(each).arg(length(2.0 * each.at.x()), length(each.at.y())),
+                        collisionText(each, trial.path()).arg(length(2.0 * each.at.x()), length(each.at.y())),
                         moveOf(each, trial.path())});
   }
   for (const auto* notes : {&trial.path().notes, &trial.notes()}) {

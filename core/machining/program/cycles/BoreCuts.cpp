@@ -195,7 +195,7 @@ void boreToCone(std::vector<ToolMove>& moves, const BoreWall& blind, double hole
 double throughDepth(const TargetProfile& target, double hole, double room, double below) {
   const double deep = room + kBesideWall + hole;
   if (deep > below - kBesideWall)
-    refuse({}, "bar", "the drill would come out of it in the chuck",
+    refuse({}, "bar", "the drill would come out of its lower end in the chuck",
            "Take a bar that is at least " + roundedText(deep - below + kBesideWall, 2) + " mm longer.");
   return target.length() + deep;
 }

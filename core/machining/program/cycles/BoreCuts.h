@@ -31,7 +31,7 @@ std::vector<double> drillsFor(const TargetProfile& target, const LatheTools& too
 double drillFor(const TargetProfile& target, const LatheTools& tools);
 
 // Returns the reason why drillFor() finds no drill, or nothing if it finds one. The reason is the error
-// (ProgramError::Refused) for the largest drill that fits into the bore, or for the smallest drill if none fits.
+// (ProgramError::Unmakeable) for the largest drill that fits into the bore, or for the smallest drill if none fits.
 std::optional<Error> whyNoDrill(const TargetProfile& target, const LatheTools& tools);
 
 // Returns the paths of the tips that make the bore. The drill makes a hole along the axis. The boring bar cuts levels

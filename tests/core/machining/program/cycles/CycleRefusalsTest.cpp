@@ -50,6 +50,9 @@ class CycleRefusalsTest : public QObject {
     const auto refused = boreTools(shallow, 6.0, tools);
     QVERIFY(!refused);
     QCOMPARE(refusedBecause(refused.error()), std::string("drill: its point is longer than the bore is deep"));
+    // There is no text of a program yet that a line and a column would be of.
+    QVERIFY(refused.error().code == ProgramError::Unmakeable);
+    QVERIFY(refused.error().position.kind == InputPosition::Kind::None);
     QCOMPARE(drillFor(shallow, tools), 0.0);
     QVERIFY(whyNoDrill(shallow, tools).has_value());
   }
