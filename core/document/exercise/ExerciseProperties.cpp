@@ -146,7 +146,9 @@ std::vector<Property> argumentProperties(const ExerciseSnapshot& exercise, const
     all.back().label = labelOnDrawing(type.arguments[i], at - *zero);
     all.back().translated = false;
   }
-  if (!all.empty()) all.back().problem = exercise.subject->positionProblem(c, *exercise.task);
+  if (all.empty()) return all;
+  all.back().problem = exercise.subject->positionProblem(c, *exercise.task);
+  if (all.back().problem.empty()) all.back().problem = exercise.subject->conflict(c, exercise.exercise);
   return all;
 }
 

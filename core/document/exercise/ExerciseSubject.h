@@ -125,6 +125,10 @@ class ExerciseSubject {
   // the context "Property". The text is empty if the criterion can probably be measured.
   virtual std::string positionProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const = 0;
 
+  // Returns the reason why a criterion contradicts another one of the exercise, as an English text that is translated
+  // in the context "Property". The text is empty if it does not.
+  virtual std::string conflict(const MarkingCriterion&, const Exercise&) const { return {}; }
+
   virtual TaskPointer blankTask() const = 0;
   virtual nlohmann::json toJson(const ExerciseTask& task) const = 0;
   // Reads a task from any JSON. Invalid values are added to the damage and replaced by those of the blank task.

@@ -134,8 +134,8 @@ void addDiameters(const DrawnOutline& outline, const DrawingTitle& title, bool i
   }
 }
 
-// Adds toleranced diameters that no cylinder shows: of a waist, or of a stem within a free form. A waist of an arc gets
-// its tolerance.
+// Adds threads, and toleranced diameters, that no cylinder shows: of a waist, or of a stem within a free form. A waist
+// of an arc gets its tolerance.
 void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensions& all) {
   for (const DrawnTolerance& t : title.tolerances) {
     const bool isInner = t.of == DrawnTolerance::Of::Bore;
@@ -152,6 +152,13 @@ void addAsked(const TargetProfile& part, const DrawingTitle& title, PartDimensio
       shown->text = text;
     else
       all.diameters.push_back({value, t.low, t.high, isInner, text});
+  }
+  // A thread along a small part of a cylinder.
+  for (const DrawnThread& t : title.threads) {
+    const bool isShown = std::any_of(all.diameters.begin(), all.diameters.end(), [&](const auto& d) {
+      return d.text == t.designation && d.isInner == t.isInner && d.low < t.high && t.low < d.high;
+    });
+    if (!isShown) all.diameters.push_back({t.isInner ? t.minor : t.major, t.low, t.high, t.isInner, t.designation});
   }
 }
 

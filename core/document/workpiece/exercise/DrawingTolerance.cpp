@@ -100,6 +100,16 @@ std::optional<double> sizeInFront(std::string& text) {
 
 }  // namespace
 
+std::optional<double> drawnSizeOf(const MarkingCriterion& criterion) {
+  if (criterion.nominal) return criterion.nominal;
+  if (criterion.lower && criterion.upper) return 0.5 * (*criterion.lower + *criterion.upper);
+  return std::nullopt;
+}
+
+bool isOfThread(const MarkingCriterion& criterion) {
+  return threadFigureOf(criterion) != nullptr;
+}
+
 bool sharesThreadTolerance(const MarkingCriterion& criterion, const MarkingCriterion& other) {
   return threadFigureOf(criterion) && threadFigureOf(other) && criterion.arguments == other.arguments &&
          threadTolerance(criterion.tolerance);

@@ -5,6 +5,8 @@
 #include "base/Result.h"
 #include "exercise/Exercise.h"
 
+#include <optional>
+
 namespace handwheel {
 
 // Sets the limits of a criterion from its tolerance on the drawing. Sizes can have a class of ISO 286 ("h10") around
@@ -13,6 +15,12 @@ namespace handwheel {
 // Error ElementMalformed {criterion, what is wrong}: the tolerance is not known for this figure and size, or the
 // nominal size is missing.
 Status applyDrawingTolerance(MarkingCriterion& criterion);
+
+// Returns the nominal size of a criterion, or the middle of its limits.
+std::optional<double> drawnSizeOf(const MarkingCriterion& criterion);
+
+// Returns true if a criterion measures a figure of a thread.
+bool isOfThread(const MarkingCriterion& criterion);
 
 // Returns true if the tolerance of a criterion is the designation of a thread, and the other criterion measures the
 // same thread: it has limits for all its figures.

@@ -3,9 +3,9 @@
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 
 #include "base/NumberText.h"
+#include "document/workpiece/exercise/DrawingTolerance.h"
+#include "document/workpiece/exercise/ExerciseThreads.h"
 #include "machining/force/WorkMaterials.h"
-#include "machining/thread/ThreadDesignation.h"
-#include "machining/thread/ThreadTolerance.h"
 
 #include <algorithm>
 #include <array>
@@ -23,13 +23,6 @@ std::string drawnSizeText(double value) {
 
 std::string signedText(double deviation) {
   return deviation > 0.0 ? "+" + drawnSizeText(deviation) : drawnSizeText(deviation);
-}
-
-// The nominal size of a criterion, or the middle of its limits.
-std::optional<double> sizeOf(const MarkingCriterion& c) {
-  if (c.nominal) return c.nominal;
-  if (c.lower && c.upper) return 0.5 * (*c.lower + *c.upper);
-  return std::nullopt;
 }
 
 // Returns the tolerance as the teacher wrote it, else the deviations: "±0.1", "+0.1 −0.2".
@@ -52,7 +45,7 @@ std::optional<DrawnTolerance> toleranceOf(const MarkingCriterion& c) {
                                                                           {"bore_arc", Of::Radius}}};
   const auto known =
       std::find_if(kDrawnSizes.begin(), kDrawnSizes.end(), [&](const auto& each) { return c.figure == each.first; });
-  const std::optional<double> size = sizeOf(c);
+  const std::optional<double> size = drawnSizeOf(c);
   if (known == kDrawnSizes.end() || !size || !c.hasLimit()) return std::nullopt;
   const bool isLength = known->second == Of::Length;
   const std::size_t first = isLength ? 1 : 0, second = isLength ? 3 : 1;  // heights of a length follow the radii
@@ -60,37 +53,6 @@ std::optional<DrawnTolerance> toleranceOf(const MarkingCriterion& c) {
   return DrawnTolerance{known->second, *size, toleranceText(c, *size),
                         std::min(c.arguments[first], c.arguments[second]),
                         std::max(c.arguments[first], c.arguments[second])};
-}
-
-const MarkingCriterion* along(const Exercise& exercise, const char* figure, const MarkingCriterion& other) {
-  const auto found = std::find_if(exercise.criteria.begin(), exercise.criteria.end(), [&](const MarkingCriterion& c) {
-    return c.figure == figure && !c.isHidden && c.arguments == other.arguments;
-  });
-  return found == exercise.criteria.end() ? nullptr : &*found;
-}
-
-// A thread is asked for by its major diameter, and by its pitch along the same range.
-std::optional<DrawnThread> threadOf(const Exercise& exercise, const TurningTask& task, const MarkingCriterion& major) {
-  const MarkingCriterion* const pitch = along(exercise, "thread_pitch", major);
-  const auto size = sizeOf(major), step = pitch ? sizeOf(*pitch) : std::nullopt;
-  if (!size || !step || !(*step > 0.0) || major.arguments.size() < 2) return std::nullopt;
-  ThreadCut cut;
-  cut.pitch = *step;
-  const double low = major.arguments[0], high = major.arguments[1];
-  const auto extent = task.target->extentAt(0.5 * (low + high));
-  const bool isInner = extent && 2.0 * extent->outer > *size + 2.0 * cut.pitch;
-  DrawnThread thread;
-  thread.isInner = isInner;
-  thread.low = low;
-  thread.high = high;
-  thread.major = *size;
-  thread.minor = *size - 2.0 * (isInner ? isoMetricInnerDepth(cut.pitch) : isoMetricDepth(cut.pitch));
-  thread.designation = threadDesignation(cut, *size, isInner);
-  // Only the class of "6g major diameter" and of "M20×2.5-6g".
-  const auto tolerance = threadTolerance(major.tolerance);
-  const std::string grade = tolerance ? tolerance->grade : major.tolerance.substr(0, major.tolerance.find(' '));
-  if (!grade.empty()) thread.designation += " – " + grade;
-  return thread;
 }
 
 }  // namespace
@@ -106,10 +68,8 @@ DrawingTitle drawingTitleOf(const Exercise& exercise, const TurningTask& task) {
     const bool isInner = c.figure == "bore_roughness";
     if ((c.figure == "roughness" || isInner) && c.upper && c.arguments.size() >= 2)
       title.roughness.push_back({*c.upper, c.arguments[0], c.arguments[1], isInner});
-    if (c.figure == "major_diameter" && task.target) {
-      if (auto thread = threadOf(exercise, task, c)) title.threads.push_back(std::move(*thread));
-    }
   }
+  title.threads = threadsAskedFor(exercise, task);
   return title;
 }
 

@@ -14,6 +14,7 @@
 #include "document/workpiece/exercise/DescribedPasses.h"
 #include "document/workpiece/exercise/DrawingTolerance.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
+#include "document/workpiece/exercise/ExerciseThreads.h"
 #include "document/workpiece/exercise/TargetSizes.h"
 #include "document/workpiece/exercise/TurningDetails.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
@@ -126,6 +127,10 @@ std::optional<double> TurningSubject::usualLimit(const std::string& figure, cons
 
 std::string TurningSubject::positionProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const {
   return handwheel::positionProblem(criterion, turningOf(task).stock);
+}
+
+std::string TurningSubject::conflict(const MarkingCriterion& criterion, const Exercise& exercise) const {
+  return threadConflict(criterion, exercise);
 }
 
 TaskPointer TurningSubject::blankTask() const {

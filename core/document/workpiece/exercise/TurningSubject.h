@@ -25,6 +25,7 @@ class TurningSubject : public ExerciseSubject {
   // Returns 0 for collisions, and the limits of the lathe for force and power.
   std::optional<double> usualLimit(const std::string& figure, const ExerciseTask& task) const override;
   std::string positionProblem(const MarkingCriterion& criterion, const ExerciseTask& task) const override;
+  std::string conflict(const MarkingCriterion& criterion, const Exercise& exercise) const override;
   TaskPointer blankTask() const override;
   nlohmann::json toJson(const ExerciseTask& task) const override;
   TaskPointer fromJson(const nlohmann::json& json, std::vector<Error>& damage) const override;

@@ -5,6 +5,7 @@
 #include "document/exercise/ExerciseErrors.h"
 #include "document/exercise/ExerciseRows.h"
 #include "document/exercise/RoundTarget.h"
+#include "document/workpiece/exercise/DrawingTolerance.h"
 #include "document/workpiece/exercise/ExerciseDrawing.h"
 
 #include <QTemporaryDir>
@@ -29,6 +30,15 @@ TurningTask shoulderIn(const StockCylinder& stock, double up) {
   task.stock = stock;
   task.target = task.target->moved(up);
   return task;
+}
+
+MarkingCriterion criterionAt(const std::string& figure, std::vector<double> at, const std::string& tolerance) {
+  MarkingCriterion c;
+  c.figure = figure;
+  c.arguments = std::move(at);
+  c.tolerance = tolerance;
+  if (!tolerance.empty()) return applyDrawingTolerance(c) ? c : MarkingCriterion();
+  return c;
 }
 
 bool isNear(double a, double b, double within = 1e-9) {
@@ -183,6 +193,68 @@ class TurningTargetsTest : public QObject {
     for (const DrawnTolerance& each : title.tolerances) texts.push_back(each.text);
     QCOMPARE(texts, (std::vector<std::string>{"±0.2", "+0.1 -0.2", "+0.1", "-0.1", "±0.15"}));
     QVERIFY(isNear(title.tolerances.back().size, 29.95));
+  }
+
+  // Each criterion of a thread asks for it: the drawing has its designation, and the other sizes of it. M30×1.5-6g by
+  // ISO 965-1; d2 = 30 - 0.6495 · 1.5 = 29.026.
+  void threadsOnTheDrawing_data() {
+    QTest::addColumn<QStringList>("figures");
+    QTest::addColumn<QString>("tolerance");
+    QTest::addColumn<double>("nominal");
+    QTest::addColumn<QString>("expected");
+    const QString fine = "M30x1.5-6g";
+    for (const char* const figure : {"thread_pitch", "major_diameter", "pitch_diameter", "minor_diameter"})
+      QTest::newRow(figure) << QStringList{figure} << fine << 0.0 << "M30×1.5 – 6g";
+    QTest::newRow("all") << QStringList{"major_diameter", "pitch_diameter", "thread_pitch"} << fine << 0.0
+                         << "M30×1.5 – 6g";
+    QTest::newRow("pitch without a class") << QStringList{"thread_pitch"} << "" << 1.5 << "M30×1.5";
+    QTest::newRow("pitch diameter without a class") << QStringList{"pitch_diameter"} << "" << 29.026 << "M30×1.5";
+  }
+  void threadsOnTheDrawing() {
+    QFETCH(QStringList, figures);
+    QFETCH(QString, tolerance);
+    QFETCH(double, nominal);
+    QFETCH(QString, expected);
+    Exercise exercise;
+    for (const QString& figure : figures) {
+      MarkingCriterion c = criterionAt(figure.toStdString(), {70.0, 95.0}, tolerance.toStdString());
+      if (nominal > 0.0) c.nominal = nominal, c.lower = nominal - 0.1, c.upper = nominal + 0.1;
+      exercise.criteria.push_back(c);
+    }
+    const DrawingTitle title = drawingTitleOf(exercise, m_shoulder);
+    QCOMPARE(title.threads.size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(title.threads.front().designation), expected);
+    const Sheet sheet = dimensionSheet(*m_shoulder.target, title, {});
+    const auto isThere = [&](const QString& text) {
+      return std::any_of(sheet.texts.begin(), sheet.texts.end(),
+                         [&](const Sheet::Text& each) { return QString::fromStdString(each.text) == text; });
+    };
+    QVERIFY(isThere(expected) && !isThere("Ø30"));
+    // Along a small part of the cylinder it stands beside the diameter.
+    for (MarkingCriterion& c : exercise.criteria) c.arguments = {90.0, 99.0};
+    const Sheet partly = dimensionSheet(*m_shoulder.target, drawingTitleOf(exercise, m_shoulder), {});
+    for (const QString& text : {expected, QString("Ø30")})
+      QVERIFY(std::any_of(partly.texts.begin(), partly.texts.end(),
+                          [&](const Sheet::Text& each) { return QString::fromStdString(each.text) == text; }));
+    exercise.criteria.front().isHidden = true;
+    QCOMPARE(drawingTitleOf(exercise, m_shoulder).threads.size(), exercise.criteria.size() > 1 ? 1u : 0u);
+  }
+
+  // The crest of M30×1.5-6g is 29.732 to 29.968 (ISO 965-1): ⌀30 ±0.2 along it admits 30.1 and contradicts it, beside
+  // it or within these limits it does not.
+  void limitsAgainstAThread() {
+    Exercise exercise;
+    exercise.criteria.push_back(criterionAt("pitch_diameter", {70.0, 95.0}, "M30x1.5-6g"));
+    const auto contradicts = [&](double low, double high, double from, double to) {
+      MarkingCriterion c = criterionAt("diameter", {from, to}, {});
+      c.nominal = 30.0, c.lower = low, c.upper = high;
+      return !m_subject.conflict(c, exercise).empty();
+    };
+    QVERIFY(contradicts(29.8, 30.2, 64.0, 98.0));
+    QVERIFY(contradicts(29.0, 29.9, 64.0, 98.0));
+    QVERIFY(!contradicts(29.75, 29.95, 64.0, 98.0));
+    QVERIFY(!contradicts(29.8, 30.2, 62.0, 69.0));
+    QVERIFY(m_subject.conflict(exercise.criteria.front(), exercise).empty());
   }
 
   void figures() {
