@@ -4,7 +4,6 @@
 
 #include "document/FileBytes.h"
 #include "document/workpiece/ProgramTrial.h"
-#include "machining/force/WorkMaterials.h"
 #include "machining/lathe/LatheJson.h"
 
 namespace handwheel {
@@ -69,19 +68,13 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
     remarks.push_back(remark);
     figures.warnings.push_back({0, remark});
   }
-  CuttingEdge edge;
-  if (request.noseRadius) edge.noseRadius = request.noseRadius;
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(request.material, edge);
-  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, model.get(), progress);
+  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, nullptr, progress);
   if (!trial) {
     Error error = trial.error();
     error.subject = request.program.string();
     return error;
   }
   const ProgramTrial& tried = **trial;
-  figures.force = tried.peaks().force;
-  figures.power = tried.peaks().power;
-  figures.drilling = tried.peaks().drilling;
   figures.collisions = tried.collisionCount();
   figures.time = tried.path().time;
   const std::string source = request.program.string() + ", ";

@@ -75,11 +75,8 @@ Result<WorkpieceSnapshot> turn(WorkpieceSnapshot workpiece, std::vector<TurningP
                                TurnStatistics& figures, Progress progress) {
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(passes.size()); };
   for (std::size_t i = 0; i < passes.size(); ++i) {
-    const Progress both = progress.part(share(i), share(i + 1));
-    const TurnedProfile before = partOf(workpiece, request.spacing).profile;
-    if (!addPass(figures, before, passes[i], request.material, request.spindle, both.part(0.0, 0.4)))
-      return Error{ErrorCode::Cancelled, {}, {}, {}};
-    auto turned = withPass(workpiece, std::move(passes[i]), request.spacing, both.part(0.4, 1.0));
+    figures.time += passes[i].times.empty() ? 0.0 : passes[i].times.back();
+    auto turned = withPass(workpiece, std::move(passes[i]), request.spacing, progress.part(share(i), share(i + 1)));
     if (!turned) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (!turned->passes.empty()) workpiece.part = std::move(turned);  // else it is the bar still
   }

@@ -26,18 +26,11 @@ Result<WorkpieceSnapshot> turnByWork(WorkpieceSnapshot workpiece, const Workpiec
   WorkpieceSnapshot turned = sampledAs(std::move(workpiece), work);
   if (!work.part) return turned;
   std::vector<TurningPass> passes;
-  TurnedProfile profile = partOf(turned, request.spacing).profile;
   for (const auto& pass : work.part->passes) {
-    const auto share = [&](std::size_t n) {
-      return 0.7 * static_cast<double>(n) / static_cast<double>(work.part->passes.size());
-    };
-    const Progress part = progress.part(share(passes.size()), share(passes.size() + 1));
-    if (!addPass(figures, profile, *pass, request.material, request.spindle, part))
-      return Error{ErrorCode::Cancelled, {}, {}, {}};
-    cut(profile, pass, static_cast<std::uint32_t>(passes.size()), part);
+    figures.time += pass->times.empty() ? 0.0 : pass->times.back();
     passes.push_back(*pass);
   }
-  auto made = withPasses(turned, std::move(passes), request.spacing, progress.part(0.7, 1.0));
+  auto made = withPasses(turned, std::move(passes), request.spacing, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (made) turned.part = std::move(made);
   if (!turned.lathe) turned.lathe = work.lathe;

@@ -4,7 +4,6 @@
 
 #include "base/NumberText.h"
 #include "document/FileBytes.h"
-#include "machining/force/ForcePeaks.h"
 #include "machining/lathe/LatheMaterial.h"
 #include "machining/refit/SampledProfile.h"
 #include "machining/section/SectionOutline.h"
@@ -33,6 +32,7 @@ std::string roughestText(const nlohmann::json& finish) {
 
 // Returns a force in newtons with four digits, without an exponent.
 std::string forceText(double newtons) {
+  if (!std::isfinite(newtons)) return "unknown";
   return newtons < 1000.0 ? roundedText(newtons, 4) : std::to_string(std::llround(newtons));
 }
 
@@ -43,21 +43,18 @@ double motorPowerOf(const TurnStatistics& figures) {
 
 }  // namespace
 
-bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
-             const WorkMaterial& material, double spindle, Progress progress) {
-  figures.time += pass.times.empty() ? 0.0 : pass.times.back();
-  if (pass.thread || (pass.tool && pass.tool->isAbrasive())) return true;
-  const std::unique_ptr<CuttingForceModel> model = kienzleModel(material, edgeOf(pass));
-  const double speed = pass.speeds.empty() ? spindle : pass.speeds.front();
-  const std::optional<ForcePeaks> peaks = forcePeaks(profile, {&pass, 1}, speed, *model, progress);
-  if (!peaks) return false;
-  figures.force = std::max(figures.force, peaks->force);
-  figures.power = std::max(figures.power, peaks->power);
-  DrillPeaks& drilling = figures.drilling;
-  if (peaks->drilling.torque > drilling.torque) drilling.diameter = peaks->drilling.diameter;
-  drilling.thrust = std::max(drilling.thrust, peaks->drilling.thrust);
-  drilling.torque = std::max(drilling.torque, peaks->drilling.torque);
-  drilling.power = std::max(drilling.power, peaks->drilling.power);
+bool addLoads(TurnStatistics& figures, const WorkpieceSnapshot& given, const WorkpieceSnapshot& turned,
+              const WorkMaterial& material, double spindle, Progress progress) {
+  ReviewedLathe lathe;
+  lathe.spindleSpeed = spindle;
+  const auto peaks = loadPeaks(turned, given.part.get(), material, lathe, progress);
+  if (!peaks) {
+    figures.force = figures.power = std::nan("");
+    return false;
+  }
+  figures.force = peaks->force;
+  figures.power = peaks->power * SpindleDrive().efficiency;
+  figures.drilling = peaks->drilling;
   return true;
 }
 

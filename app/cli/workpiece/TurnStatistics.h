@@ -3,8 +3,8 @@
 #pragma once
 
 #include "document/DocumentKind.h"
+#include "document/workpiece/CutLoads.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
-#include "machining/force/ForcePeaks.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/program/ToolPath.h"
 #include "machining/target/TargetProfile.h"
@@ -31,11 +31,11 @@ struct TurnStatistics {
   nlohmann::json finish;               // finishJson() of the part; null if nothing was cut
 };
 
-// Adds the time and the peak loads of a pass. profile: the profile of the part before the pass; spindle: the speed for
-// a pass without a recorded speed, r/min. Threads and abrasives add no force, since Kienzle's law does not cover them.
-// Returns false if cancelled.
-bool addPass(TurnStatistics& figures, const TurnedProfile& profile, const TurningPass& pass,
-             const WorkMaterial& material, double spindle, Progress progress);
+// Sets the peak loads of the passes that were cut beyond those of the given workpiece. They are those of the replay, of
+// marks and of reports. spindle: the speed for a pass without a recorded speed, r/min. Returns false, with peaks
+// that are not numbers, if it took too much work or was cancelled.
+bool addLoads(TurnStatistics& figures, const WorkpieceSnapshot& given, const WorkpieceSnapshot& turned,
+              const WorkMaterial& material, double spindle, Progress progress);
 
 // Returns the pieces that came off a part since it was `before`. before: null if it was a bar.
 std::vector<TurnStatistics::Piece> partedOff(const TurnedPart* before, const TurnedPart& after);

@@ -181,6 +181,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   std::string unreadable;
   std::vector<std::string> remarks;
   TurnStatistics figures;
+  bool hasLoads = true;
   DocumentFile recorded;
   std::optional<Result<TargetProfile>> target;
   std::optional<Result<WorkpieceSnapshot>> turned;
@@ -188,14 +189,17 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Turning", [&](CommandJob& job) {
     if (!request.target.empty()) target = readTarget(request.target, kinds, job.progress().part(0.0, 0.1));
     if (target && !*target) return;
-    const Progress cutting = job.progress().part(0.1, 0.7);
+    const Progress cutting = job.progress().part(0.1, 0.5);
     if (!request.program.empty())
       turned = turnByProgram(*given, request, figures, remarks, cutting);
     else if (isContainerName(request.recording))
       turned = turnByDocument(*given, request, kinds, figures, recorded, unreadable, cutting);
     else
       turned = turnByRecording(*given, request, figures, unreadable, cutting);
-    if (*turned && passCount(turned->value()) > passCount(*given))
+    if (!*turned) return;
+    hasLoads =
+        addLoads(figures, *given, turned->value(), request.material, request.spindle, job.progress().part(0.5, 0.7));
+    if (passCount(turned->value()) > passCount(*given))
       written = saveDocument(*file.kind, file.file, turned->value(), request.output, job.progress().part(0.7, 1.0));
   });
   if (target && !*target) return fail(target->error());
@@ -203,6 +207,7 @@ int runTurn(const Arguments& arguments, const DocumentKinds& kinds) {
   reportLosses(recorded);
   if (!unreadable.empty()) return refuse(request.recording.string() + ": " + unreadable);
   const WorkpieceSnapshot& after = turned->value();
+  if (!hasLoads) complain("The forces are not known: there are too many passes to measure them.");
   figures.removed = volumeOf(*given) - volumeOf(after);
   if (after.part) figures.parted = partedOff(given->part.get(), *after.part);
   if (after.part) figures.finish = finishJson(*after.part, after.stock.position);

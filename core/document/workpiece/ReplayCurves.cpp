@@ -3,10 +3,6 @@
 #include "document/workpiece/ReplayCurves.h"
 
 #include "document/workpiece/LatheSetupEdit.h"
-#include "machining/force/CutWarnings.h"
-#include "machining/force/CuttingFeel.h"
-#include "machining/force/KienzleModel.h"
-#include "machining/lathe/LatheMaterial.h"
 #include "machining/measure/CrashTimes.h"
 #include "machining/target/TargetDeviation.h"
 
@@ -20,23 +16,6 @@ namespace {
 constexpr int kDeviations = 60;  // moments at which the deviation is measured
 
 }  // namespace
-
-std::vector<CutLoad> cutLoads(const TurningReview& review, TurningReview::Passes passes, const WorkMaterial& material,
-                              double wear) {
-  std::vector<CutLoad> loads;
-  std::unique_ptr<CuttingForceModel> model;
-  CuttingEdge edge;  // the edge of the model
-  for (const CutMoment& moment : review.moments()) {
-    const TurningPass& pass = *passes[moment.pass];
-    if (pass.tool && pass.tool->isAbrasive()) continue;
-    if (!model || edge != edgeOf(pass)) model = kienzleModel(material, edge = edgeOf(pass));
-    const CutConditions cut{moment.depth, moment.chip, moment.speed};
-    const CutForces forces = worn(moment.isDrilling ? model->onDrill(cut) : model->at(cut), wear);
-    const CutConditions asked{moment.depth, moment.chip, moment.asked};
-    loads.push_back({moment.time, forces.norm(), motorPower(cuttingPower(forces, asked), SpindleDrive().efficiency)});
-  }
-  return loads;
-}
 
 DeviationTrack deviationTrack(const PassesReplay& replay, const TargetProfile& target, double base, AxisRange range,
                               int count, Progress progress) {

@@ -2,31 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/workpiece/CutLoads.h"
 #include "document/workpiece/WorkpieceSnapshot.h"
 #include "machining/PassesReplay.h"
-#include "machining/force/WorkMaterials.h"
 #include "machining/measure/ProfileMeasure.h"
-#include "machining/measure/TurningReview.h"
 
 #include <optional>
 
 namespace handwheel {
 
-// Force and power of a cut by Kienzle's law, with the edge of its tool. The constants of this law differ by a quarter
-// between sources. The force is the resultant of the three components, as the panel of the manual lathe shows it and
-// `turn` reports it. The power is that of the motor at the set speed, like the power limit of a lathe; an overloaded
-// motor slows down and gives less than the cut needs.
-struct CutLoad {
-  double time = 0.0;   // s, as in TurningReview
-  double force = 0.0;  // N, resultant
-  double power = 0.0;  // kW, at the motor
-};
-// Returns the loads at each moment of a review of passes. What is abrasive cuts no chip and has no load. wear: flank
-// wear of the tools, mm.
-std::vector<CutLoad> cutLoads(const TurningReview& review, TurningReview::Passes passes, const WorkMaterial& material,
-                              double wear = 0.0);
-
-// The deviation of a part from its target over the time in which the part is made, mm.
+// The deviation of a part from its target while it is made, mm.
 struct DeviationTrack {
   using Curve = std::vector<std::pair<double, double>>;  // (s, mm)
   Curve left;                                            // largest remaining material over the target

@@ -6,6 +6,7 @@
 #include "machining/force/ChipGrowth.h"
 #include "machining/force/ForcePeaks.h"
 #include "machining/lathe/LatheTool.h"
+#include "machining/thread/ThreadChip.h"
 
 #include "machining/PassSteps.h"
 #include "machining/section/SectionSource.h"
@@ -44,6 +45,18 @@ double askedAt(const TurningPass& pass, std::size_t i, double speed) {
   return i < pass.askedSpeeds.size() ? std::max(pass.askedSpeeds[i], speed) : speed;
 }
 
+// Returns the share of a move that is cut before its load is taken, at most 0.5 mm long. A sample is removed as a whole
+// when the edge reaches its middle: over a whole number of samples along the axis the removed area is exact. The moves
+// of earlier versions are repeated as they were made.
+double shareOf(const TurningPass& pass, const ProfilePoint& from, const ProfilePoint& to, double spacing) {
+  constexpr double kLongest = 0.5, kMostParts = 10'000.0;  // mm
+  const double length = (to - from).norm(), axial = std::abs(to.y() - from.y());
+  if (!pass.isExact || !(length > kLongest)) return 1.0;
+  const double samples = std::floor(kLongest * axial / length / spacing);
+  const double share = 2.0 * axial > length && samples >= 1.0 ? samples * spacing / axial : kLongest / length;
+  return std::clamp(share, 1.0 / kMostParts, 1.0);
+}
+
 // Returns the load of a cut on the lathe; only for comparison.
 double weightOf(const CutMoment& moment) {
   return moment.depth * moment.chip * moment.asked;
@@ -56,9 +69,11 @@ struct TurningReview::Stretch {
   static constexpr double kLongest = 0.5;  // mm; hand movements have steps shorter than the distance of the samples
 
   double length = 0.0, seconds = 0.0, turns = 0.0, time = 0.0;
-  double chip = 0.0;     // mm, the thickest
-  double asked = 0.0;    // turns that the spindle would have made at the requested speed
-  double area = 0.0;     // mm², removed area of the section
+  double chip = 0.0;   // mm, the thickest
+  double asked = 0.0;  // turns that the spindle would have made at the requested speed
+  double axial = 0.0;  // mm, travel along the axis
+  double area = 0.0;   // mm², removed area of the section
+  TurnedProfile::Range changed;
   double largest = 0.0;  // mm, the largest radius that was cut
   bool isDrilling = false;
   ProfilePoint position{0, 0};
@@ -72,8 +87,9 @@ TurningReview::TurningReview(const TurnedProfile& bar) : m_profile(bar) {
 }
 
 std::optional<TurningReview> TurningReview::make(const TurnedProfile& bar, Passes passes, const ReviewedLathe& lathe,
-                                                 Progress progress) {
+                                                 Progress progress, std::shared_ptr<const PartThreads> threads) {
   TurningReview review(bar);
+  review.m_threads = std::move(threads);
   FinishMeter meter(bar, SurfaceFinish(bar.size()), lathe.spindleSpeed);
   std::uint64_t work = 0;
   for (const auto& pass : passes) work += samplesUnder(bar, *pass) + pass->path.size();
@@ -121,38 +137,77 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
     if (inChuck && inJaws < m_crashes.size()) m_crashes[inJaws].last = i;
     wasInChuck = inChuck;
 
-    const TurnedProfile::Range changed = steps.cut(m_profile, i);
-    const double speed = speedAt(pass, i, lathe), turns = seconds * speed / 60.0;
-    meter.add(pass, i, static_cast<std::uint32_t>(number), m_profile, changed);
+    const double speed = speedAt(pass, i, lathe), share = shareOf(pass, from, to, m_profile.spacing());
+    TurnedProfile::Range all;
+    double deepest = 0.0;
+    for (double done = 0.0; done < 1.0;) {
+      const double end = done + 1.01 * share < 1.0 ? done + share : 1.0, part = end - done;
+      const bool isWhole = part == 1.0, isAligned = end < 1.0;
+      const TurnedProfile::Range changed = steps.cut(m_profile, i, done, end);
+      done = end;
+      all.extend(changed);
+      deepest = std::max(deepest, take(cutting, pass.side, changed));
+      distanceClear = changed.isEmpty() ? distanceClear + part * distance : 0.0;
+      if (distanceClear > kClear * m_profile.spacing())
+        chip.end();
+      else if (!changed.isEmpty() || chip.thickness() > 0.0)
+        chip.add(part * distance, part * seconds * speed / 60.0);
+      if (changed.isEmpty()) {
+        endStretch(cutting, number);
+        continue;
+      }
+      cutting.length += part * distance;
+      cutting.axial += isAligned || !pass.isExact ? 0.0 : part * std::abs(to.y() - from.y());
+      cutting.changed.extend(changed);
+      cutting.seconds += part * seconds;
+      cutting.turns += part * seconds * speed / 60.0;
+      cutting.chip = std::max(cutting.chip, chip.thickness());
+      cutting.asked += part * seconds * askedAt(pass, i, speed) / 60.0;
+      cutting.time = time - (1.0 - end) * seconds;
+      cutting.position = from + end * (to - from);
+      cutting.isDrilling = drillRadius(pass, from, to) > 0.0;
+      if (!isWhole || cutting.length >= Stretch::kLongest) endStretch(cutting, number);
+    }
+    meter.add(pass, i, static_cast<std::uint32_t>(number), m_profile, all);
     const bool isFast = !isThreading && meter.feed() > (1.0 + kFeedSlack) * lathe.largestFeed;
-    const bool isRapid = take(cutting, pass.side, changed) > TurningPass::kTouch && isFast;
+    const bool isRapid = deepest > TurningPass::kTouch && isFast;
     if (isRapid && !wasRapid) crash(CrashMoment::What::RapidInMaterial, time, i);
     wasRapid = isFast && (isRapid || wasRapid);
     if (isRapid && m_crashes.back().what == CrashMoment::What::RapidInMaterial) {
       m_crashes.back().feed = std::max(m_crashes.back().feed, meter.feed());
       m_crashes.back().last = i;
     }
-    distanceClear = changed.isEmpty() ? distanceClear + distance : 0.0;
-    if (distanceClear > kClear * m_profile.spacing())
-      chip.end();
-    else if (!changed.isEmpty() || chip.thickness() > 0.0)
-      chip.add(distance, turns);
-    if (changed.isEmpty()) {
-      endStretch(cutting, number);
-      continue;
-    }
-    cutting.length += distance;
-    cutting.seconds += seconds;
-    cutting.turns += turns;
-    cutting.chip = std::max(cutting.chip, chip.thickness());
-    cutting.asked += seconds * askedAt(pass, i, speed) / 60.0;
-    cutting.time = time;
-    cutting.position = to;
-    cutting.isDrilling = drillRadius(pass, from, to) > 0.0;
-    if (cutting.length >= Stretch::kLongest) endStretch(cutting, number);
   }
   endStretch(cutting, number);
+  if (pass.thread) addThread(pass, number, lathe);
   if (!pass.times.empty()) m_seconds += pass.times.back();
+}
+
+// Adds a cut for each turn of a thread.
+void TurningReview::addThread(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe) {
+  constexpr double kMostCuts = 500.0;
+  const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
+  for (std::size_t i = 1; i < pass.path.size() && !grooves.empty(); ++i) {
+    const ProfilePoint from = pass.path[i - 1], travel = pass.path[i] - from;
+    const double cuts = std::clamp(std::ceil(std::abs(travel.y()) / pass.thread->pitch), 1.0, kMostCuts);
+    for (double k = 0.5; k < cuts; k += 1.0) {
+      const ProfilePoint at = from + k / cuts * travel;
+      const auto groove = std::find_if(grooves.begin(), grooves.end(),
+                                       [&](const auto& each) { return each.from() <= at.y() && at.y() <= each.to(); });
+      const double sample = std::floor(at.y() / m_profile.spacing());
+      if (groove == grooves.end() || !(sample >= 0.0 && sample < static_cast<double>(m_profile.size()))) continue;
+      const double radius = sideRadius(m_profile, pass.side, static_cast<std::size_t>(sample));
+      if (!m_profile.hasMaterial(static_cast<std::size_t>(sample)) || !(radius > 0.0)) continue;
+      const TurnChip chip = chipOf(*groove, m_threads.get(), at.y(), radius);
+      if (!(chip.width > 0.0)) continue;
+      const double time = m_seconds + std::lerp(pass.times[i - 1], pass.times[i], k / cuts);
+      const double thickness = chip.area / chip.width, speed = speedAt(pass, i, lathe);
+      m_moments.push_back({number, time, at, chip.width, thickness, thickness, surfaceSpeed(speed, 2.0 * radius),
+                           surfaceSpeed(askedAt(pass, i, speed), 2.0 * radius), radius, false});
+      if (m_moments.size() >= 2 * kMostMoments) thinMoments();
+    }
+  }
+  m_threads = PartThreads::with(m_threads, pass);
 }
 
 void TurningReview::follow(const TurnedProfile::Range& changed) {
@@ -175,16 +230,20 @@ double TurningReview::take(Stretch& stretch, TurningSide side, TurnedProfile::Ra
   return deepest;
 }
 
-// A cut that begins has covered less than a sample, but removes the whole sample.
+// A cut that begins has covered less than a sample, but removes the whole sample. So does one along the axis between
+// two samples, by one sample at most.
 void TurningReview::endStretch(Stretch& stretch, std::size_t pass) {
   const Stretch done = std::exchange(stretch, Stretch());
   if (!(done.length > 0.0 && done.turns > 0.0)) return;  // work at rest is not cut: that is a crash
   const double feed = done.length / done.turns;
-  const double depth = done.area / std::max(done.length, m_profile.spacing());
+  const double spacing = m_profile.spacing(), samples = static_cast<double>(done.changed.last - done.changed.first);
+  const double covered = std::clamp(samples * spacing, done.axial, done.axial + spacing);
+  const double longer = 2.0 * done.axial > done.length ? covered / done.axial : 1.0;
+  const double depth = done.area / std::max(longer * done.length, spacing);
   const double radius = done.isDrilling ? done.largest - 0.5 * std::min(depth, done.largest) : done.largest;
   const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * radius * 60.0 / done.seconds / 1000.0 : 0.0;
   m_moments.push_back({pass, done.time, done.position, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
-                       perTurn * std::max(done.asked, done.turns), done.isDrilling});
+                       perTurn * std::max(done.asked, done.turns), radius, done.isDrilling});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();
 }
 

@@ -4,6 +4,7 @@
 
 #include "machining/TurningPass.h"
 #include "machining/finish/SurfaceFinish.h"
+#include "machining/thread/PartThreads.h"
 
 #include <memory>
 #include <span>
@@ -35,12 +36,15 @@ struct CutMoment {
   std::size_t pass = 0;
   double time = 0.0;  // s since the start of the first pass, without the pauses between passes
   ProfilePoint position{0, 0};
-  double depth = 0.0;  // mm, width of the cut across the feed: removed area of the half section divided by the distance
-  double feed = 0.0;   // mm per revolution
-  double chip = 0.0;   // mm, largest chip thickness; it is less than the feed in the first turn in material
-  double speed = 0.0;  // m/min, surface speed at the largest radius that was cut
-  double asked = 0.0;  // m/min, speed that the levers asked for; higher than `speed` if the motor was overloaded
-  bool isDrilling = false;  // a drill cuts; the speeds are those in the middle of its lips
+  // mm, width of the cut across the feed: removed area of the half section divided by the distance; of a thread the
+  // length of the edge that cuts, and the chip is what the pass removes beyond the passes before
+  double depth = 0.0;
+  double feed = 0.0;    // mm per revolution
+  double chip = 0.0;    // mm, largest chip thickness; it is less than the feed in the first turn in material
+  double speed = 0.0;   // m/min, surface speed at `radius`
+  double asked = 0.0;   // m/min, speed that the levers asked for; higher than `speed` if the motor was overloaded
+  double radius = 0.0;  // mm, largest radius that was cut; of a drill the middle of the part of its lips that cuts
+  bool isDrilling = false;
 };
 
 class FinishMeter;
@@ -57,9 +61,9 @@ class TurningReview {
   using Passes = std::span<const std::shared_ptr<const TurningPass>>;
 
   // Reviews the passes. bar: the part before the first pass. Returns nothing if the passes visit more than kMostWork
-  // samples, or if it was cancelled.
+  // samples, or if it was cancelled. threads: those of the part before the first pass; may be null.
   static std::optional<TurningReview> make(const TurnedProfile& bar, Passes passes, const ReviewedLathe& lathe,
-                                           Progress progress = {});
+                                           Progress progress = {}, std::shared_ptr<const PartThreads> threads = {});
 
   const TurnedProfile& profile() const { return m_profile; }  // the part after the last pass
   double seconds() const { return m_seconds; }                // s, duration of all passes
@@ -74,6 +78,7 @@ class TurningReview {
   struct Stretch;
   void repeat(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe, FinishMeter& meter,
               Progress progress);
+  void addThread(const TurningPass& pass, std::size_t number, const ReviewedLathe& lathe);
   // Takes the radii of samples that the end of a pass changed.
   void follow(const TurnedProfile::Range& changed);
   double take(Stretch& stretch, TurningSide side, TurnedProfile::Range changed);  // mm, the largest change of a radius
@@ -83,6 +88,7 @@ class TurningReview {
   TurnedProfile m_profile;
   std::vector<double> m_outerRadii, m_boreRadii;  // mm, radii before the present move
   SurfaceFinish m_finish;
+  std::shared_ptr<const PartThreads> m_threads;  // before the present pass; may be null
   std::vector<CrashMoment> m_crashes;
   std::vector<CutMoment> m_moments;
   double m_seconds = 0.0, m_pathLength = 0.0;

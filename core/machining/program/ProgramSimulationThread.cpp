@@ -4,6 +4,8 @@
 // The moves of a program that cut threads.
 #include "machining/program/ProgramSimulation.h"
 
+#include "machining/thread/ThreadChip.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,34 +14,6 @@ namespace handwheel {
 namespace {
 
 constexpr double kSameLength = 1e-6;  // mm
-
-// The chip that a thread pass removes in a section along the axis, between two turns.
-struct TurnChip {
-  double area = 0.0;   // mm²
-  double width = 0.0;  // mm, length of the edge that cuts
-};
-
-// Returns the chip beyond the existing grooves, for a part of this radius (mm); by the midpoint rule.
-TurnChip chipOf(const ThreadGroove& groove, const PartThreads* before, double middle, double surface) {
-  constexpr int kParts = 256;
-  const double out = groove.side() == TurningSide::Bore ? -1.0 : 1.0;
-  const double step = groove.cut().pitch / kParts, begin = middle - 0.5 * groove.cut().pitch;
-  TurnChip chip;
-  for (int i = 0; i < kParts; ++i) {
-    const double z = begin + step * (i + 0.5);
-    double left = out * surface;  // height of the remaining material
-    if (before) {
-      for (const ThreadGroove& each : before->grooves())
-        if (each.side() == groove.side()) left = std::min(left, out * each.radius(z, 0.0));
-    }
-    const double depth = left - out * groove.radius(z, 0.0);
-    if (!(depth > kSameLength)) continue;
-    chip.area += depth * step;
-    const double rise = groove.radius(z + 0.5 * step, 0.0) - groove.radius(z - 0.5 * step, 0.0);
-    chip.width += std::isfinite(rise) ? std::hypot(step, rise) : step;  // not at the end of the groove
-  }
-  return chip;
-}
 
 }  // namespace
 

@@ -28,6 +28,12 @@ constexpr double kFaceReach = 3.0;
 constexpr double kDegree = M_PI / 180.0;
 constexpr int kGradeOfDrill = 11;  // the finest standard tolerance that a twist drill holds
 
+// Returns a position without the rounding of the computation, which would be read as 2e-13.
+std::string positionText(double z) {
+  constexpr double kNoise = 1e-9;  // mm
+  return roundedText(std::abs(z) < kNoise ? 0.0 : z, 4);
+}
+
 AxisRange rangeOf(const MarkingCriterion& c) {
   return {c.arguments[0], c.arguments[1]};
 }
@@ -108,7 +114,7 @@ Measurement taper(const MarkingCriterion& c, const TurnedProfile& profile, doubl
   return {c.id,
           isSigned ? angle : std::abs(angle),
           {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"),
-           {roundedText(reading->range.from - zero, 4), roundedText(reading->range.to - zero, 4)}}};
+           {positionText(reading->range.from - zero), positionText(reading->range.to - zero)}}};
 }
 
 // Measures the fitted line at one end of the taper, since the part may have a broken edge there.
@@ -127,7 +133,7 @@ Measurement taperLength(const MarkingCriterion& c, const TurnedProfile& profile,
   return {c.id,
           reading->range.to - reading->range.from,
           {QT_TRANSLATE_NOOP("Note", "between Z %1 and %2 mm"),
-           {roundedText(reading->range.from - zero, 4), roundedText(reading->range.to - zero, 4)}}};
+           {positionText(reading->range.from - zero), positionText(reading->range.to - zero)}}};
 }
 
 double ThreadReading::*threadFigure(const std::string& figure) {
@@ -240,8 +246,8 @@ Measurement measureShape(const TurningTask& task, const MarkingCriterion& c, con
   return {c.id,
           deviation.largest(),
           {QT_TRANSLATE_NOOP("Note", "%1 mm too much at Z %2 mm, %3 mm too little at Z %4 mm"),
-           {roundedText(over.distance, 3), roundedText(over.at.y() - zero, 4), roundedText(-under.distance, 3),
-            roundedText(under.at.y() - zero, 4)}}};
+           {roundedText(over.distance, 3), positionText(over.at.y() - zero), roundedText(-under.distance, 3),
+            positionText(under.at.y() - zero)}}};
 }
 
 void rejectWrongPitches(const Exercise& exercise, std::vector<Measurement>& figures) {
@@ -262,16 +268,10 @@ void rejectWrongPitches(const Exercise& exercise, std::vector<Measurement>& figu
 
 std::optional<std::pair<double, double>> peakLoads(const TurningTask& task, const WorkpieceSnapshot& workpiece,
                                                    const TurnedPart* before, Progress progress) {
-  const TurnedPart& now = *workpiece.part;
-  const TurnedProfile from = before ? before->profile : TurnedProfile::barOf(workpiece.stock, now.profile.size());
-  std::vector<TurningPasses::Pass> passes;
-  for (std::size_t i = before ? before->passes.size() : 0; i < now.passes.size(); ++i) passes.push_back(now.passes[i]);
-  const auto review = TurningReview::make(from, passes, task.lathe, progress);
-  if (!review) return std::nullopt;
-  std::pair<double, double> peaks(0.0, 0.0);
-  for (const CutLoad& load : loadsOf(task, *review, passes))
-    peaks = {std::max(peaks.first, load.force), std::max(peaks.second, load.power)};
-  return peaks;
+  const WorkMaterial* const material = WorkMaterials::standard().find(task.material);
+  if (!material) return std::pair(0.0, 0.0);
+  const auto peaks = loadPeaks(workpiece, before, *material, task.lathe, progress);
+  return peaks ? std::optional(std::pair(peaks->force, peaks->power)) : std::nullopt;
 }
 
 std::string feedText(double feed) {
@@ -449,7 +449,7 @@ Measurement MeasuredPart::ofPasses(const MarkingCriterion& c) const {
   return {c.id,
           reading->roughness,
           {QT_TRANSLATE_NOOP("Note", "up to %1 µm, at Z %2 mm"),
-           {roundedText(reading->largest, 3), roundedText(reading->largestAt - zero(), 4)}}};
+           {roundedText(reading->largest, 3), positionText(reading->largestAt - zero())}}};
 }
 
 // A feed that no tool survives counts as a collision, and is named as a feed.

@@ -13,6 +13,8 @@
 
 using namespace handwheel;
 
+Q_DECLARE_METATYPE(handwheel::ProfilePoint)
+
 namespace {
 
 constexpr double kNose = 0.8, kFeed = 0.2, kSpindle = 600.0;  // mm, mm in a turn, r/min
@@ -78,6 +80,86 @@ class ReplayCurvesTest : public QObject {
     // v = π d n, and 80 % of the motor's power come to the cut.
     QVERIFY(std::abs(0.8 * middle->power - cutting * M_PI * 0.040 * kSpindle / 60.0 / 1000.0) < 0.02 * middle->power);
     QVERIFY(track->loads.back().time <= track->replay->duration());
+  }
+
+  // A move of a program is one stretch of its pass, however long it is. A cylinder of 40 mm turned to 36 mm with 0.2 mm
+  // a turn: Fc = 1500 · 2 · 0.2^0.78 = 854.8 N, with 0.7 Fc across it 1043 N; at 600 r/min and ⌀40, 75.4 m/min, that is
+  // 1.343 kW at a motor of 80 %. A face of 1 mm needs half of it. A blade of 3 mm in 0.08 mm a turn:
+  // 1500 · 3 · 0.08^0.78 = 627.5 N, with 0.7 of it across 766 N, all along its plunge from ⌀40 to ⌀20.
+  void theLoadIsSteady_data() {
+    QTest::addColumn<QString>("tool");
+    QTest::addColumn<double>("feed");
+    QTest::addColumn<ProfilePoint>("from");
+    QTest::addColumn<ProfilePoint>("to");
+    QTest::addColumn<double>("force");
+    QTest::addColumn<double>("power");
+    QTest::addColumn<double>("within");  // samples of 0.013 mm across 1 mm of a face: one more or less
+    QTest::newRow("cylinder") << "" << 0.2 << ProfilePoint(18.8, 101.0) << ProfilePoint(18.8, 20.0) << 1043.4 << 1.3428
+                              << 0.005;
+    QTest::newRow("face") << "" << 0.2 << ProfilePoint(21.8, 99.8) << ProfilePoint(2.0, 99.8) << 521.7 << 0.6714
+                          << 0.015;
+    QTest::newRow("plunge") << "parting-3" << 0.08 << ProfilePoint(20.5, 50.0) << ProfilePoint(10.0, 50.0) << 766.0
+                            << 0.9857 << 0.015;
+  }
+  void theLoadIsSteady() {
+    QFETCH(QString, tool);
+    QFETCH(double, feed);
+    QFETCH(ProfilePoint, from);
+    QFETCH(ProfilePoint, to);
+    QFETCH(double, force);
+    QFETCH(double, power);
+    QFETCH(double, within);
+    TurningPass pass;
+    pass.noseRadius = kNose;
+    pass.isExact = pass.isOfProgram = true;
+    if (!tool.isEmpty()) pass.tool = toolNamed(shippedLatheTools(), tool.toStdString());
+    if (pass.tool) pass.noseRadius = pass.tool->noseRadius;
+    pass.path = {from, to};
+    pass.times = {0.0, (to - from).norm() / (feed * kSpindle / 60.0)};
+    pass.speeds = {kSpindle, kSpindle};
+    WorkpieceSnapshot work;
+    work.stock = {40.0, 100.0, 0.0};
+    work.part = withPasses(work, {pass}, 0.013);
+    const auto track = replayCurves(work);
+    QVERIFY(track && track->loads.size() >= 20);
+    double largest = 0.0, strongest = 0.0;
+    int steady = 0;
+    for (const CutLoad& load : track->loads) {
+      largest = std::max(largest, load.force);
+      strongest = std::max(strongest, load.power);
+      steady += std::abs(load.force / force - 1.0) < 0.03 ? 1 : 0;
+    }
+    QVERIFY2(std::abs(largest / force - 1.0) < within, qPrintable(QString::number(largest)));
+    QVERIFY2(std::abs(strongest / power - 1.0) < within, qPrintable(QString::number(strongest)));
+    // All but the begin and the end.
+    QVERIFY2(steady + 5 >= static_cast<int>(track->loads.size()), qPrintable(QString::number(steady)));
+    QVERIFY(track->loads.front().time < 0.2 * track->replay->duration());
+    const auto peaks = loadPeaks(work, nullptr, WorkMaterials::standard().called(work.material), {});
+    QVERIFY(peaks && peaks->force == largest && peaks->power == strongest);
+  }
+
+  // A groove of 60° that is 0.5 mm deep, with a nose of 0.05 mm: its sides meet 0.05 mm below it, so that the chip has
+  // 0.55² tan 30° - 0.05² (√3 - π/3) = 0.1729 mm² along 2 · (0.55 / cos 30° - 0.05 √3) + 0.05 · 2π/3 = 1.202 mm of the
+  // edge. Fc = 1500 · 1.202 · (0.1729 / 1.202)^0.78 = 397 N, with 0.7 Fc across it 485 N.
+  void aThreadHasAForce() {
+    TurningPass pass;
+    pass.noseRadius = 0.05;
+    pass.isExact = pass.isOfProgram = true;
+    pass.path = {{19.55, 103.0}, {19.55, 70.0}};
+    pass.times = {0.0, 2.2};  // 1.5 mm a turn at 600 r/min
+    pass.speeds = {kSpindle, kSpindle};
+    pass.thread = ThreadCut();
+    pass.thread->pitch = 1.5;
+    WorkpieceSnapshot work;
+    work.stock = {40.0, 100.0, 0.0};
+    work.part = withPasses(work, {pass}, 0.013);
+    const auto track = replayCurves(work);
+    QVERIFY(track && track->loads.size() >= 18);
+    for (std::size_t i = 1; i + 1 < track->loads.size(); ++i) {
+      QVERIFY2(std::abs(track->loads[i].force / 485.0 - 1.0) < 0.03,
+               qPrintable(QString::number(track->loads[i].force)));
+      QVERIFY(track->loads[i].time > 0.1 && track->loads[i].time <= 2.2);
+    }
   }
 
   // 2 mm are over the target at first, 1 mm after the first pass, none at the end, and nothing was cut too deep.
