@@ -118,11 +118,12 @@ std::string measuredText(double value, const std::string& unit) {
   // no better than forces.
   constexpr std::pair<std::string_view, double> kSteps[] = {{"mm", 1e-3}, {"µm", 1e-2},  {"°", 1e-2}, {"kW", 1e-2},
                                                             {"N", 1.0},   {"N·mm", 1.0}, {"K", 0.1},  {"s", 0.1}};
-  constexpr int kDigits = 12;  // significant ones
+  constexpr int kDigits = 12;      // significant ones
+  constexpr double kNoise = 1e-9;  // rounding of the computation, in any unit
   for (const auto& [name, step] : kSteps) {
     if (unit != name) continue;
-    const double rounded = std::round(value / step) * step;
-    if (rounded != 0.0 || value == 0.0) return roundedText(rounded, kDigits);
+    const double rounded = std::round(value / step) * step + 0.0;  // no -0
+    if (rounded != 0.0 || std::abs(value) < kNoise) return roundedText(rounded, kDigits);
     const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))));
     return shownText(std::round(value / digit) * digit);
   }

@@ -58,13 +58,20 @@ bool hasCheckedSteps(const Exercise& exercise) {
   return std::any_of(exercise.steps.begin(), exercise.steps.end(), isChecked);
 }
 
-// Returns the reasons why figures of the work could not be measured, each once.
-QStringList unmeasured(const Marking& marking) {
-  QStringList reasons;
-  for (const Mark& mark : marking.marks)
-    if (mark.verdict == Verdict::NotMeasured && !mark.remark.text.empty()) reasons += exerciseText(mark.remark);
-  reasons.removeDuplicates();
-  return reasons;
+// Returns the reasons why figures of the work could not be measured, each once, with the names of the marks before it.
+QStringList unmeasured(const Exercise& exercise, const Marking& marking) {
+  std::vector<std::pair<QString, QStringList>> reasons;
+  for (const Mark& mark : marking.marks) {
+    if (mark.verdict != Verdict::NotMeasured || mark.remark.text.empty()) continue;
+    const QString reason = exerciseText(mark.remark);
+    auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& each) { return each.first == reason; });
+    if (same == reasons.end()) same = reasons.insert(same, {reason, {}});
+    const MarkingCriterion* const c = exercise.find(mark.criterion);
+    same->second += QString::fromStdString(c && !c->name.empty() ? c->name : mark.criterion);
+  }
+  QStringList sentences;
+  for (const auto& [reason, names] : reasons) sentences += names.join(QStringLiteral(", ")) + ": " + reason;
+  return sentences;
 }
 
 }  // namespace
@@ -458,7 +465,7 @@ void RunningAttempt::writeSubmission(const QString& path) {
     const Result<ExerciseSnapshot> made = handedIn(*exercise, content, attempt);
     // Before the file, so that nothing is waited for when it is there.
     const Marking marking = made ? markWork(*exercise, *content, attempt, progress.part(0.0, 0.5)) : Marking();
-    const QStringList missing = progress.cancelled() ? QStringList() : unmeasured(marking);
+    const QStringList missing = progress.cancelled() ? QStringList() : unmeasured(exercise->exercise, marking);
     OpenedFile opened = DocumentKinds::blank(*kind);
     opened.file.recordings = recordings;
     const std::filesystem::path file = QFile::encodeName(path).toStdString();
@@ -471,7 +478,8 @@ void RunningAttempt::writeSubmission(const QString& path) {
                      tr("Give that file to your teacher.")};
       if (!missing.isEmpty()) {
         handed.weight = Message::Weight::Warning;
-        handed.detail += QLatin1Char(' ') + tr("Some of it cannot be measured: %1").arg(missing.join(QLatin1Char(' ')));
+        handed.detail +=
+            QLatin1Char(' ') + tr("Some of it cannot be measured: %1").arg(missing.join(QStringLiteral("; ")));
         handed.advice = tr("Give that file to your teacher, or go on with the work and hand it in once more.");
       }
       // The message is about the student's document and must not show beside the exercise.

@@ -22,8 +22,23 @@ bool isSameScheme(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submis
     return std::tie(a.id, a.figure, a.arguments, a.lower, a.upper) ==
            std::tie(b.id, b.figure, b.arguments, b.lower, b.upper);
   };
-  return std::equal(mine.begin(), mine.end(), theirs.begin(), theirs.end(), isSame) &&
-         scheme.subject->toJson(*scheme.task) == submission.subject->toJson(*submission.task);
+  return std::equal(mine.begin(), mine.end(), theirs.begin(), theirs.end(), isSame);
+}
+
+// Returns how a submission was made by another version of the exercise, as an English sentence; empty: it was not, or
+// in texts and points alone. What is allowed is judged by the scheme, in remarks of its own.
+std::string versionRemark(const ExerciseSnapshot& scheme, const ExerciseSnapshot& submission) {
+  const char* const kOtherSizes =
+      "It was done by another version of the exercise: its sizes or its stock are not these.";
+  nlohmann::json mine = scheme.subject->toJson(*scheme.task), theirs = submission.subject->toJson(*submission.task);
+  for (const char* const rule : {"programs", "commands"}) mine.erase(rule), theirs.erase(rule);
+  if (!isSameScheme(scheme, submission)) return kOtherSizes;
+  if (mine == theirs) return {};
+  for (const char* const condition : {"spindle_speed", "chuck_height", "chuck_diameter", "largest_feed", "force_limit",
+                                      "power_limit", "material", "tools"})
+    mine.erase(condition), theirs.erase(condition);
+  if (mine != theirs) return kOtherSizes;
+  return "It was done by another version of the exercise: its machine, its tools or its material are not these.";
 }
 
 }  // namespace
@@ -52,8 +67,7 @@ Result<SubmissionRow> markSubmission(const ExerciseSnapshot& scheme, const Exerc
   SubmissionRow row;
   row.file = std::move(file);
   row.attempt = *submission.attempt;
-  if (!isSameScheme(scheme, submission))
-    row.remarks.emplace_back("It was done by another version of the exercise: its sizes or its stock are not these.");
+  if (std::string remark = versionRemark(scheme, submission); !remark.empty()) row.remarks.push_back(std::move(remark));
   row.origin = scheme.subject->originOf(*submission.work);
   row.tries = scheme.subject->triesOf(*submission.work);
   if (includes(row.origin, WorkOrigin::Program) && !scheme.subject->areProgramsAllowed(*scheme.task))

@@ -206,11 +206,18 @@ ReportCurve alongAxis(ReportCurve curve, const TurningTask& task) {
   return curve;
 }
 
-// Identifies a pass by its path, so that it is found at any index.
+// Identifies a pass by its path, so that it is found at any index. The points of an arc do not tell its bulge. Passes
+// without arcs and edges, as hands make them, keep the marks of earlier versions.
 RecordedPiece recordedPieceOf(const TurningPass& pass) {
   Fingerprint mark;
   for (const ProfilePoint& p : pass.path) mark.add(p.x()), mark.add(p.y());
   for (const double time : pass.times) mark.add(time);
+  for (const TurningPass::Arc& arc : pass.arcs) {
+    mark.add(std::uint64_t{arc.first});
+    mark.add(std::uint64_t{arc.last});
+    mark.add(arc.bulge);
+  }
+  if (!pass.edges.isZero()) mark.add(pass.edges.x()), mark.add(pass.edges.y());
   return {mark.value(), pass.times.empty() ? 0.0 : pass.times.back(), !pass.isOfProgram && !pass.isOfCommand};
 }
 

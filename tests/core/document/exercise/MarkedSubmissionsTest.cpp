@@ -8,6 +8,7 @@
 #include "document/exercise/ExerciseJson.h"
 #include "document/exercise/StartedWork.h"
 #include "document/exercise/Submission.h"
+#include "document/workpiece/TurnedPartEdit.h"
 
 #include <QtTest>
 #include <limits>
@@ -82,6 +83,49 @@ class MarkedSubmissionsTest : public QObject {
     QCOMPARE(all[0]->row.attempt.student, std::string("Ada"));
     QVERIFY(all[0]->row.marking.points < 25.0);  // ⌀29.9 is 0.016 mm below the limit
     QCOMPARE(all[1]->row.problem, std::string("It is damaged."));
+  }
+
+  // A student's copy keeps the rules of its day. The scheme's rules are told by themselves; other sizes, stock, tools
+  // or limits are another version.
+  void otherVersions() {
+    const ExerciseSnapshot before = classExercise();
+    const auto submission = handedIn(before, workFrom(before, shoulderWork()), Attempt());
+    const auto remarkAfter = [&](const char* property, const PropertyValue& value) {
+      ExerciseSnapshot scheme = before;
+      const auto task = before.subject->withProperty(*before.task, property, value);
+      if (!task) return std::string("no such property");
+      scheme.task = *task;
+      const SubmissionRow row = *markSubmission(scheme, *submission, "a.handwheel");
+      return row.remarks.empty() ? std::string() : row.remarks.front();
+    };
+    QCOMPARE(remarkAfter("commands", true), std::string());
+    QCOMPARE(remarkAfter("power_limit", 9.5),
+             std::string("It was done by another version of the exercise: its machine, its tools or its material are "
+                         "not these."));
+    ExerciseSnapshot scheme = before;
+    scheme.exercise.criteria.front().upper = 99.0;
+    QCOMPARE(markSubmission(scheme, *submission, "a.handwheel")->remarks.front(),
+             std::string("It was done by another version of the exercise: its sizes or its stock are not these."));
+  }
+
+  // An arc of another bulge through the same points is another pass.
+  void arcsAreInTheFingerprint() {
+    TurningPass pass;
+    pass.noseRadius = 0.8;
+    pass.isExact = true;
+    pass.path = {{18.8, 100.0}, {18.8, 80.0}};
+    pass.times = {0.0, 10.0};
+    const auto fingerprint = [&] {
+      WorkpieceSnapshot work =
+          static_cast<const WorkpieceSnapshot&>(*classExercise().subject->start(*classExercise().task));
+      work.part = withPass(work, pass, 0.05);
+      return classExercise().subject->details(*classExercise().task, work, {}).pieces.front().fingerprint;
+    };
+    const auto straight = fingerprint();
+    pass.arcs = {{0, 1, 0.01}};
+    const auto arc = fingerprint();
+    pass.arcs.front().bulge = 0.02;
+    QVERIFY(straight != arc && arc != fingerprint());
   }
 
   // Saved and opened again: names, files, marks with their reasons, what was moved.
