@@ -84,7 +84,8 @@ std::string scaleText(double scale) {
 }
 
 std::string sizeText(double value) {
-  return roundedText(std::round(value * 100.0) / 100.0, 12);
+  constexpr double kNoise = 1e-6;  // hundredths of a mm: 1.425 may be stored as 1.42499…, and is rounded up
+  return roundedText(std::round(value * 100.0 + std::copysign(kNoise, value)) / 100.0, 12);
 }
 
 void addTitleBlock(Sheet& sheet, const std::string& name, const std::string& material, double scale) {

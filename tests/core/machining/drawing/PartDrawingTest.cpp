@@ -354,6 +354,9 @@ class PartDrawingTest : public QObject {
     QCOMPARE(scaleText(0.05), std::string("1:20"));
     QCOMPARE(sizeText(12.5000004), std::string("12.5"));
     QCOMPARE(sizeText(29.996), std::string("30"));
+    QCOMPARE(sizeText(1.425), std::string("1.43"));
+    QCOMPARE(sizeText(0.5 * (22.85 - 20.0)), std::string("1.43"));
+    QCOMPARE(sizeText(1.4249), std::string("1.42"));
   }
 };
 
