@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/DimensionsView.h"
 
+#include "document/workpiece/ThreadReport.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "machining/drawing/PartDrawing.h"
@@ -66,6 +67,7 @@ PathLayer::Lines dimensionLines(const WorkpieceSnapshot& workpiece, bool isFromB
   layout.scale = kPaper / std::max(section->length(), 2.0 * section->largestRadius());
   DrawingTitle title;
   title.tolerance = workpiece.chord;
+  title.threads = threadsToDraw(workpiece);
   return linesOf(dimensionSheet(*section, title, layout), layout.scale, isFromBehind);
 }
 

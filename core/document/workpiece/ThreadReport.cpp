@@ -3,6 +3,7 @@
 #include "document/workpiece/ThreadReport.h"
 
 #include "base/NumberText.h"
+#include "machining/drawing/DrawnThreads.h"
 #include "machining/measure/ThreadMeasure.h"
 
 #include <algorithm>
@@ -61,6 +62,11 @@ nlohmann::json threadsJson(const TurnedPart& part, double position) {
   nlohmann::json all = nlohmann::json::array();
   for (const ThreadGroove& groove : part.threads()->grooves()) all.push_back(threadOf(part, groove, position));
   return all;
+}
+
+std::vector<DrawnThread> threadsToDraw(const WorkpieceSnapshot& workpiece) {
+  if (!workpiece.part || !workpiece.part->threads()) return {};
+  return drawnThreads(workpiece.part->profile, *workpiece.part->threads(), workpiece.stock.position);
 }
 
 }  // namespace handwheel

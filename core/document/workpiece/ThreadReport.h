@@ -3,9 +3,11 @@
 #pragma once
 
 #include "document/workpiece/WorkpieceSnapshot.h"
+#include "machining/drawing/PartDrawing.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace handwheel {
 
@@ -19,5 +21,8 @@ std::string threadsText(const TurnedPart& part, double position);
 // that gauges would measure: "measured_pitch", "major_diameter", "pitch_diameter", "minor_diameter" (null if not
 // found).
 nlohmann::json threadsJson(const TurnedPart& part, double position);
+
+// Returns the threads of a workpiece as its drawing and its dimensions in the view have them. O(samples · grooves).
+std::vector<DrawnThread> threadsToDraw(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

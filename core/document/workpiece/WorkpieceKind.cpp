@@ -16,7 +16,6 @@
 #include "document/workpiece/target/TargetBlobs.h"
 #include "document/workpiece/target/TargetImport.h"
 #include "document/workpiece/target/TargetReport.h"
-#include "machining/drawing/DrawnThreads.h"
 #include "machining/lathe/LatheCrashJson.h"
 #include "machining/lathe/LatheJson.h"
 #include "machining/program/ProgramToolsJson.h"
@@ -76,8 +75,7 @@ Result<WrittenFile> exportSection(const WorkpieceSnapshot& workpiece, const std:
   title.name = path.stem().string();
   title.material = workpiece.material;
   title.tolerance = workpiece.chord;
-  if (workpiece.part && workpiece.part->threads())
-    title.threads = drawnThreads(workpiece.part->profile, *workpiece.part->threads(), workpiece.stock.position);
+  title.threads = threadsToDraw(workpiece);
   Result<WrittenFile> drawn = exportDrawing(*section, title, path, progress);
   if (!drawn) return drawn;
   const std::vector<Note> notes = sectionNotes(workpiece);

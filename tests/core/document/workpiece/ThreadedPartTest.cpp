@@ -3,6 +3,7 @@
 #include "TestClass.h"
 #include "TurnedParts.h"
 #include "document/formats/MeshFormat.h"
+#include "document/workpiece/ThreadReport.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceKind.h"
@@ -60,6 +61,22 @@ class ThreadedPartTest : public QObject {
   }
 
   // An impossible thread costs the pass, and is reported.
+  // Drawing and dimensions in the view name it: crest at ⌀50, 1.5 mm deep for a pitch of 2.5 mm, from 70 mm to the end.
+  void itsDimensionIsItsDesignation() {
+    WorkpieceSnapshot workpiece;
+    workpiece.stock = {50.0, 100.0, 5.0};
+    TurningPass pass = threadingPass();
+    pass.path = {{23.6, 110.0}, {23.6, 70.0}};
+    pass.thread = ThreadCut();
+    pass.thread->pitch = 2.5;
+    workpiece.part = withPass(workpiece, pass, 0.1);
+    const std::vector<DrawnThread> threads = threadsToDraw(workpiece);
+    QCOMPARE(threads.size(), std::size_t{1});
+    QCOMPARE(threads.front().designation, std::string("M50×2.5"));
+    QVERIFY(std::abs(threads.front().minor - 47.0) < 1e-9 && std::abs(threads.front().low - 75.0) < 0.2);
+    QVERIFY(threadsToDraw(WorkpieceSnapshot()).empty());
+  }
+
   void impossibleThreadsAreDamage() {
     for (const auto& [key, value] : std::vector<std::pair<const char*, nlohmann::json>>{
              {"pitch", 0.0}, {"pitch", -1.0}, {"starts", 0}, {"starts", 1e9}, {"hand", "up"}, {"angle", 4.0}}) {
