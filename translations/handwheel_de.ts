@@ -8108,6 +8108,10 @@
         <source>no known material: forces are those of a medium carbon steel</source>
         <translation>kein bekannter Werkstoff: die Kräfte sind die eines Stahls mit mittlerem Kohlenstoffgehalt</translation>
     </message>
+    <message>
+        <source>the limits contradict the class of the thread there: they admit sizes that it refuses</source>
+        <translation>die Grenzen widersprechen der Toleranzklasse des Gewindes dort: Sie lassen Maße zu, die sie verwirft</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

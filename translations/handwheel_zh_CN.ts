@@ -8104,6 +8104,10 @@
         <source>no known material: forces are those of a medium carbon steel</source>
         <translation>未知材料：切削力按中碳钢计算</translation>
     </message>
+    <message>
+        <source>the limits contradict the class of the thread there: they admit sizes that it refuses</source>
+        <translation>极限与该处螺纹的公差带相矛盾：允许了公差带不接受的尺寸</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
