@@ -1623,8 +1623,8 @@
         <translation>%2: %3</translation>
     </message>
     <message>
-        <source>%4</source>
-        <translation>%4</translation>
+        <source>%4 Then make the program again.</source>
+        <translation>%4 Erzeugen Sie das Programm dann erneut.</translation>
     </message>
 </context>
 <context>

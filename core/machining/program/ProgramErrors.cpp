@@ -8,9 +8,10 @@ const ErrorDescription ProgramError::Refused{.id = "ProgramRefused",
                                              .sentences = {translatable("ErrorText", "column %1, %2: %3")},
                                              .advice = {translatable("ErrorText", "%4 Then run the program again.")}};
 
-const ErrorDescription ProgramError::Unmakeable{.id = "ProgramUnmakeable",
-                                                .sentences = {translatable("ErrorText", "%2: %3")},
-                                                .advice = {translatable("ErrorText", "%4")}};
+const ErrorDescription ProgramError::Unmakeable{
+    .id = "ProgramUnmakeable",
+    .sentences = {translatable("ErrorText", "%2: %3")},
+    .advice = {translatable("ErrorText", "%4 Then make the program again.")}};
 
 const ErrorDescription ProgramError::Alarm{
     .id = "ProgramAlarm",
