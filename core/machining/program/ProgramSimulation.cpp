@@ -105,10 +105,12 @@ TurningPass ProgramSimulation::shapeOf(const ToolMove& move) const {
   shape.noseRadius = tool.noseRadius;
   const ProfilePoint tip = tipOf(move);
   if (m_state.isDrilling || tip.x() > 0.0) shape.side = TurningSide::Bore;
-  if (tool.body)
+  if (tool.body) {
     shape.tool = tool.body;
-  else if (!m_state.isDrilling)
+    shape.side = tool.body->side;
+  } else if (!m_state.isDrilling) {
     shape.edges = tip.isZero() ? ProfilePoint(-1, -1) : tip;
+  }
   return shape;
 }
 
