@@ -159,7 +159,7 @@ void aLongProgram(benchmark::State& state) {
     const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 20.0, 0.4);
     const std::string text = longProgram();
     std::optional<Result<ProgramTrial::Pointer>> trial;
-    const double ms = cpuMilliseconds([&] { trial = ProgramTrial::run(workpiece, text, setup, kSpacing, nullptr); });
+    const double ms = cpuMilliseconds([&] { trial = ProgramTrial::run(workpiece, text, setup, kSpacing); });
     if (!*trial || !trial->value()->part()) {
       bars.failed(state, "a program of 10,000 lines", "it does not run");
       return;

@@ -68,7 +68,7 @@ Result<WorkpieceSnapshot> turnByProgram(WorkpieceSnapshot workpiece, const TurnR
     remarks.push_back(remark);
     figures.warnings.push_back({0, remark});
   }
-  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, nullptr, progress);
+  const auto trial = ProgramTrial::run(workpiece, *text, *setup, request.spacing, progress);
   if (!trial) {
     Error error = trial.error();
     error.subject = request.program.string();

@@ -59,15 +59,9 @@ bool addLoads(TurnStatistics& figures, const WorkpieceSnapshot& given, const Wor
 }
 
 std::vector<TurnStatistics::Piece> partedOff(const TurnedPart* before, const TurnedPart& after) {
-  constexpr double kBelow = 1e-3;  // mm
   std::vector<TurnStatistics::Piece> parted;
-  const std::vector<TurnedSection> pieces = after.section().pieces();
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const ProfileBox& box = pieces[i].box();
-    // A piece is new if there was material below it.
-    const bool isNew = !before || before->section().radiiAt(box.min().y() - kBelow).has_value();
-    if (isNew) parted.push_back({box.sizes().y(), after.volumeOf(pieces[i])});
-  }
+  for (const TurnedSection& piece : after.partedSince(before))
+    parted.push_back({piece.box().sizes().y(), after.volumeOf(piece)});
   return parted;
 }
 

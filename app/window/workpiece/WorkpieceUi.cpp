@@ -308,19 +308,13 @@ void WorkpieceUi::tellParted() {
   if (isOther || part == before || !part) return;
   if (part->profile.pieces().size() < 2) return;
   const std::vector<TurnedSection> pieces = part->section().pieces();
-  // The one over a gap in which there was material before.
-  constexpr double kBelow = 1e-3;  // mm
-  const auto isNew = [&](const TurnedSection& piece) {
-    return !before || before->section().radiiAt(piece.box().min().y() - kBelow).has_value();
-  };
-  if (pieces.size() < 2) return;
-  const auto found = std::find_if(pieces.begin() + 1, pieces.end(), isNew);
-  if (found == pieces.end() || (before && before->section().pieces().size() >= pieces.size())) return;
-  const TurnedSection& piece = *found;
+  const std::vector<TurnedSection> parted = part->partedSince(before.get());
+  if (parted.empty() || (before && before->section().pieces().size() >= pieces.size())) return;
+  const TurnedSection& piece = parted.front();
   const double kept = part->volumeOf(pieces.front());
   const QLocale locale;
   const QString length = locale.toString(piece.box().sizes().y(), 'f', 2);
-  const bool isAtEnd = found + 1 == pieces.end();
+  const bool isAtEnd = piece.box().min().y() == pieces.back().box().min().y();
   Message off{Message::Weight::Info, tr("Parted off"),
               isAtEnd ? tr("A piece of %1 mm length has come off at the free end.").arg(length)
                       : tr("A piece of %1 mm length has come off.").arg(length),

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "document/workpiece/WorkpieceSnapshot.h"
-#include "machining/force/ForcePeaks.h"
 #include "machining/force/WorkMaterials.h"
 #include "machining/measure/TurningReview.h"
 
@@ -27,11 +26,19 @@ struct CutLoad {
 std::vector<CutLoad> cutLoads(const TurningReview& review, TurningReview::Passes passes, const WorkMaterial& material,
                               double wear = 0.0);
 
+// The largest loads of drills.
+struct DrillPeaks {
+  double diameter = 0.0;  // mm, of the drill with the largest torque; 0: nothing was drilled
+  double thrust = 0.0;    // N
+  double torque = 0.0;    // N·m
+  double power = 0.0;     // kW, at the cut
+};
+
 // The largest loads of cuts.
 struct LoadPeaks {
-  double force = 0.0;   // N, resultant
-  double power = 0.0;   // kW, at the motor
-  DrillPeaks drilling;  // its power is that at the cut
+  double force = 0.0;  // N, resultant
+  double power = 0.0;  // kW, at the motor
+  DrillPeaks drilling;
 };
 // Returns the peaks of the passes of a workpiece after the passes of `before`, which must be an earlier part of it; if
 // it is null, all passes count. Returns nothing if the review takes too much work or is cancelled.

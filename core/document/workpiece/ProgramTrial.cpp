@@ -55,24 +55,22 @@ ProgramSetup programSetupFor(const WorkpieceSnapshot& workpiece, const LatheTool
 }
 
 Result<ProgramTrial::Pointer> ProgramTrial::run(const WorkpieceSnapshot& workpiece, std::string_view text,
-                                                ProgramSetup setup, double spacing, const CuttingForceModel* model,
-                                                Progress progress) {
+                                                ProgramSetup setup, double spacing, Progress progress) {
   Result<ToolPath> path = runProgram(text, setup, progress.part(0.0, 0.3));
   if (!path) return path.error();
   const std::shared_ptr<ProgramTrial> trial(new ProgramTrial(std::move(path.value()), std::move(setup)));
-  if (!trial->simulate(workpiece, partOf(workpiece, spacing), model, progress.part(0.3, 1.0)))
+  if (!trial->simulate(workpiece, partOf(workpiece, spacing), progress.part(0.3, 1.0)))
     return Error{ErrorCode::Cancelled, {}, {}, {}};
   return Pointer(trial);
 }
 
-bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, const CuttingForceModel* model,
-                            Progress progress) {
+bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, Progress progress) {
   const std::size_t moves = m_path.moves.size();
   const std::size_t stride = moves / kVersions + 1;
   ProgramState state;
   state.threads = before.threads();
   state.passes = before.passes.size();
-  ProgramSimulation simulation(before.profile, m_path, m_setup, model, state);
+  ProgramSimulation simulation(before.profile, m_path, m_setup, state);
   m_versions.push_back({0, before.profile, state});
   m_before = before.passes.size();
   while (simulation.step()) {
@@ -83,7 +81,6 @@ bool ProgramTrial::simulate(const WorkpieceSnapshot& workpiece, TurnedPart befor
     progress.set(kSimulationShare * static_cast<double>(done) / static_cast<double>(moves));
   }
   if (progress.cancelled()) return false;
-  m_peaks = simulation.peaks();
   m_notes = simulation.notes();
   m_collisions = simulation.collisions();
   m_collisionCount = simulation.collisionCount();
@@ -120,7 +117,7 @@ std::optional<ProgramTrial::Moment> ProgramTrial::at(const ProgramPosition& posi
   const auto later = std::upper_bound(m_versions.begin(), m_versions.end(), position.done,
                                       [](std::size_t done, const Version& version) { return done < version.done; });
   const Version& version = *std::prev(later);
-  ProgramSimulation simulation(version.profile, m_path, m_setup, nullptr, version.state, version.done);
+  ProgramSimulation simulation(version.profile, m_path, m_setup, version.state, version.done);
   while (simulation.done() < position.done && simulation.step()) {
     if (progress.cancelled()) return std::nullopt;
   }

@@ -22,10 +22,10 @@ class ProgramTrial {
  public:
   using Pointer = std::shared_ptr<const ProgramTrial>;
 
-  // Runs a program on a workpiece. spacing: distance between the samples of an uncut bar, mm. model: model of the
-  // cutting forces; may be null. Errors: the errors of runProgram(), Cancelled.
+  // Runs a program on a workpiece. spacing: distance between the samples of an uncut bar, mm. Errors: the
+  // errors of runProgram(), Cancelled.
   static Result<Pointer> run(const WorkpieceSnapshot& workpiece, std::string_view text, ProgramSetup setup,
-                             double spacing, const CuttingForceModel* model, Progress progress = {});
+                             double spacing, Progress progress = {});
   ProgramTrial(const ProgramTrial&) = delete;
   ProgramTrial& operator=(const ProgramTrial&) = delete;
 
@@ -40,7 +40,6 @@ class ProgramTrial {
   // workpiece.
   std::vector<LatheCollision> crashes() const;
   std::size_t collisionCount() const { return m_collisionCount; }
-  const ForcePeaks& peaks() const { return m_peaks; }
   double removed() const { return m_removed; }  // mm³
 
   // The part at a position on the path.
@@ -55,8 +54,7 @@ class ProgramTrial {
  private:
   ProgramTrial(ToolPath path, ProgramSetup setup)
       : m_path(std::move(path)), m_setup(std::move(setup)), m_steps(m_path) {}
-  bool simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, const CuttingForceModel* model,
-                Progress progress);
+  bool simulate(const WorkpieceSnapshot& workpiece, TurnedPart before, Progress progress);
 
   struct Version {
     std::size_t done = 0;  // number of finished moves
@@ -72,7 +70,6 @@ class ProgramTrial {
   std::vector<ToolPath::Note> m_notes;
   std::vector<ProgramCollision> m_collisions;
   std::size_t m_collisionCount = 0;
-  ForcePeaks m_peaks;
   double m_removed = 0.0;
 };
 

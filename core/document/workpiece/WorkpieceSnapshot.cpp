@@ -27,6 +27,16 @@ double TurnedPart::volumeOf(const TurnedSection& piece) const {
   return piece.volume() - (threads() ? threads()->volume(profile, piece.box().min().y(), piece.box().max().y()) : 0.0);
 }
 
+std::vector<TurnedSection> TurnedPart::partedSince(const TurnedPart* before) const {
+  constexpr double kBelow = 1e-3;  // mm
+  std::vector<TurnedSection> pieces = section().pieces();
+  if (!pieces.empty()) pieces.erase(pieces.begin());  // the one in the chuck
+  std::erase_if(pieces, [&](const TurnedSection& piece) {
+    return before && !before->section().radiiAt(piece.box().min().y() - kBelow);
+  });
+  return pieces;
+}
+
 bool addCrashes(WorkpieceSnapshot& workpiece, std::span<const LatheCollision> crashes) {
   auto all = workpiece.crashes ? std::make_shared<std::vector<LatheCollision>>(*workpiece.crashes)
                                : std::make_shared<std::vector<LatheCollision>>();

@@ -37,6 +37,9 @@ struct TurnedPart {
   double volumeOfSamples() const;
   // Returns the volume of one piece of section().pieces(), with the grooves of threads; mm³.
   double volumeOf(const TurnedSection& piece) const;
+  // Returns the pieces that have come off since an earlier state of the part, below which it had material. before: null
+  // for an uncut bar.
+  std::vector<TurnedSection> partedSince(const TurnedPart* before) const;
 };
 
 // The target shape of a part. It consists of the profile in the coordinates of the document, and the name of its

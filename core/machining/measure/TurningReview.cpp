@@ -4,7 +4,6 @@
 
 #include "machining/finish/FinishMeter.h"
 #include "machining/force/ChipGrowth.h"
-#include "machining/force/ForcePeaks.h"
 #include "machining/lathe/LatheTool.h"
 #include "machining/thread/ThreadChip.h"
 
@@ -62,6 +61,21 @@ double weightOf(const CutMoment& moment) {
   return moment.depth * moment.chip * moment.asked;
 }
 
+// Returns the radius of the tip at a point of the path of a pass, mm.
+double tipRadius(const TurningPass& pass, const ProfilePoint& p) {
+  if (pass.tool) return p.x();
+  const double usual = pass.side == TurningSide::Outside ? -1.0 : 1.0;
+  return p.x() + pass.noseRadius * (pass.edges.isZero() ? usual : pass.edges.x());
+}
+
+// Returns the radius of the drill that makes a move of a pass between two points, mm; 0: another tool.
+double drillRadius(const TurningPass& pass, const ProfilePoint& a, const ProfilePoint& b) {
+  constexpr double kOnAxis = 1e-9;  // mm
+  if (pass.tool) return pass.tool->kind == LatheToolKind::Drill ? pass.tool->reach() : 0.0;
+  const bool isOnAxis = std::abs(a.x()) <= kOnAxis && std::abs(b.x()) <= kOnAxis;
+  return pass.side == TurningSide::Bore && isOnAxis ? pass.noseRadius : 0.0;
+}
+
 }  // namespace
 
 // A short sequence of moves that counts as one cut.
@@ -75,6 +89,7 @@ struct TurningReview::Stretch {
   double area = 0.0;   // mm², removed area of the section
   TurnedProfile::Range changed;
   double largest = 0.0;  // mm, the largest radius that was cut
+  double tip = 0.0;      // mm, the largest radius of the tip of a program's tool; 0: another pass
   bool isDrilling = false;
   ProfilePoint position{0, 0};
 };
@@ -165,6 +180,10 @@ void TurningReview::repeat(const TurningPass& pass, std::size_t number, const Re
       cutting.asked += part * seconds * askedAt(pass, i, speed) / 60.0;
       cutting.time = time - (1.0 - end) * seconds;
       cutting.position = from + end * (to - from);
+      if (pass.isOfProgram) {
+        for (const double at : {end - part, end})
+          cutting.tip = std::max(cutting.tip, std::abs(tipRadius(pass, from + at * (to - from))));
+      }
       cutting.isDrilling = drillRadius(pass, from, to) > 0.0;
       if (!isWhole || cutting.length >= Stretch::kLongest) endStretch(cutting, number);
     }
@@ -241,7 +260,9 @@ void TurningReview::endStretch(Stretch& stretch, std::size_t pass) {
   const double longer = 2.0 * done.axial > done.length ? covered / done.axial : 1.0;
   const double depth = done.area / std::max(longer * done.length, spacing);
   const double radius = done.isDrilling ? done.largest - 0.5 * std::min(depth, done.largest) : done.largest;
-  const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * radius * 60.0 / done.seconds / 1000.0 : 0.0;
+  // A control holds the surface speed at the tip.
+  const double fast = done.tip > 0.0 && !done.isDrilling ? std::min(done.tip, radius) : radius;
+  const double perTurn = done.seconds > 0.0 ? 2.0 * M_PI * fast * 60.0 / done.seconds / 1000.0 : 0.0;
   m_moments.push_back({pass, done.time, done.position, depth, feed, std::min(feed, done.chip), perTurn * done.turns,
                        perTurn * std::max(done.asked, done.turns), radius, done.isDrilling});
   if (m_moments.size() >= 2 * kMostMoments) thinMoments();

@@ -41,7 +41,7 @@ struct CutMoment {
   double depth = 0.0;
   double feed = 0.0;    // mm per revolution
   double chip = 0.0;    // mm, largest chip thickness; it is less than the feed in the first turn in material
-  double speed = 0.0;   // m/min, surface speed at `radius`
+  double speed = 0.0;   // m/min, surface speed at `radius`, or at the tip of a tool that a program moves
   double asked = 0.0;   // m/min, speed that the levers asked for; higher than `speed` if the motor was overloaded
   double radius = 0.0;  // mm, largest radius that was cut; of a drill the middle of the part of its lips that cuts
   bool isDrilling = false;

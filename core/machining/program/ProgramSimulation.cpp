@@ -56,16 +56,6 @@ double thicknessOf(const SectionRemoval& removal) {
   return removal.isEmpty() ? 0.0 : removal.area / removal.box.diagonal().norm();
 }
 
-// Returns the largest distance of the tip from the axis during a piece of a move, mm.
-double farthestOf(const ToolMove& move, const MovePiece& piece) {
-  return std::max(std::abs(pointOn(move, piece.from).x()), std::abs(pointOn(move, piece.to).x()));
-}
-
-// Returns the surface speed of the work at that distance, m/min.
-double speedAt(const ToolMove& move, double radius) {
-  return surfaceSpeed(spindleAt(move, radius), 2.0 * radius);
-}
-
 }  // namespace
 
 ToolMove mirrored(const ToolMove& move) {
@@ -76,7 +66,7 @@ ToolMove mirrored(const ToolMove& move) {
 }
 
 ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
-                                     const CuttingForceModel* model, const ProgramState& before, std::size_t done)
+                                     const ProgramState& before, std::size_t done)
     : m_part(std::move(part)),
       m_path(path),
       m_setup(setup),
@@ -86,7 +76,6 @@ ProgramSimulation::ProgramSimulation(TurnedProfile part, const ToolPath& path, c
       m_passesBefore(before.passes),
       m_obstacles(setup, m_part) {
   for (std::size_t i = 0; i < m_part.size(); ++i) m_largest = std::max(m_largest, m_part.radius(i));
-  if (model) m_meter.emplace(*model, m_part.spacing());
 }
 
 ProgramState ProgramSimulation::state() const {
@@ -430,7 +419,6 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
     followBody(move);
     return {0.0, move.to + toPart};
   }
-  const double length = lengthOf(move) / pieces;
   double end = m_time - move.time;
   Taken taken;
   std::optional<ProfilePoint> first;
@@ -449,14 +437,6 @@ ProgramSimulation::Taken ProgramSimulation::cutMove(const ToolMove& move, const 
     const bool isCut = removal.area > 0.0;
     record(shape, {piece, end - seconds, end, spindle, i > 0}, isCut);
     if (isCut && !first) first = b;
-    if (m_meter) {
-      const bool drills = m_state.isDrilling;
-      // The force of a cut at rest, which is a collision, is that of the speed that was set.
-      const double turning = move.spin == 0 ? spindleAt(move, pointOn(move, share.from).x()) : spindle;
-      const double radius = drills ? shape.noseRadius : farthestOf(move, share);
-      const double speed = drills ? surfaceSpeed(turning, 2.0 * radius) : speedAt(move, radius);
-      m_meter->add({length, seconds, removal.area, radius, turning, speed, drills});
-    }
     taken.deepest = std::max(taken.deepest, removal.depth);
     if (shape.tool) meetBody(move, b, shape.noseRadius);
   }

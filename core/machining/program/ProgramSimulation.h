@@ -3,7 +3,6 @@
 #pragma once
 
 #include "machining/TurningPass.h"
-#include "machining/force/ForcePeaks.h"
 #include "machining/program/ProgramObstacles.h"
 #include "machining/program/ProgramSetup.h"
 #include "machining/program/ToolPath.h"
@@ -74,10 +73,10 @@ class ProgramSimulation {
   static constexpr std::size_t kMostCollisions = 1000;  // limit of stored collisions; collisionCount() counts all
   static constexpr double kChord = 1e-4;                // mm, chord tolerance of an arc
 
-  // setup: the machine and its tools. model: the force law; may be null. before: the state of the part. done: number of
-  // moves of the path that were made already. Path, setup and model must outlive the simulation.
+  // setup: the machine and its tools. before: the state of the part. done: number of moves of the path that were made
+  // already. Path and setup must outlive the simulation.
   ProgramSimulation(TurnedProfile part, const ToolPath& path, const ProgramSetup& setup,
-                    const CuttingForceModel* model = nullptr, const ProgramState& before = {}, std::size_t done = 0);
+                    const ProgramState& before = {}, std::size_t done = 0);
 
   // Makes the next move, or the first part of it. Returns false after the last move. The changed samples are added to
   // the range that takeChanged() returns. share: part of the move, 0 < share ≤ 1; less than 1: no further move follows.
@@ -95,8 +94,6 @@ class ProgramSimulation {
   std::size_t collisionCount() const { return m_collisionCount; }
   // Returns remarks on results that the author of a program may not expect, such as a drill without diameter.
   const std::vector<ToolPath::Note>& notes() const { return m_notes; }
-  // Returns the largest force, power and torque so far. All are zero without a model.
-  ForcePeaks peaks() { return m_meter ? m_meter->finish() : ForcePeaks(); }
   // Returns the cutting moves as passes that reproduce the part, and removes them from the simulation.
   std::vector<TurningPass> takePasses() { return std::move(m_passes); }
 
@@ -141,8 +138,6 @@ class ProgramSimulation {
   static bool isThread(const ToolMove& move);
   TurningPass threadOf(const ToolMove& move) const;
   void cutThread(const ToolMove& move);
-  void meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove);
-  void addChip(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove);
   bool leavesThread(const ToolMove& move) const;
   ProfilePoint toCentre(const ToolMove& move, double nose) const;
   bool isInChuck(const ProfilePoint& low, TurningSide side) const;
@@ -174,11 +169,10 @@ class ProgramSimulation {
   ProgramObstacles m_obstacles;
   bool m_isTouching = false;  // the body of the tool touched something at the end of the last move
   std::vector<TurningPass> m_passes;
-  bool m_isPassOpen = false;              // the next move may continue the last pass
-  bool m_wasRapid = false;                // the last move was rapid
-  std::vector<RecordedPiece> m_uncut;     // pieces of the last pass since its last cut
-  double m_passBegin = 0.0;               // s, program time at the start of the last pass
-  std::optional<ForcePeakMeter> m_meter;  // none without a model
+  bool m_isPassOpen = false;           // the next move may continue the last pass
+  bool m_wasRapid = false;             // the last move was rapid
+  std::vector<RecordedPiece> m_uncut;  // pieces of the last pass since its last cut
+  double m_passBegin = 0.0;            // s, program time at the start of the last pass
 };
 
 }  // namespace handwheel

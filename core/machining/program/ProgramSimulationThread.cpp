@@ -64,23 +64,6 @@ TurningPass ProgramSimulation::threadOf(const ToolMove& move) const {
   return pass;
 }
 
-void ProgramSimulation::meetThread(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
-  if (m_meter) addChip(move, pass, groove);
-  m_state.threads = PartThreads::with(m_state.threads, pass);
-}
-
-// Adds the force of a thread: the width of the chip is that of the cutting edge, and its thickness follows from the
-// area that the pass removes beyond the ones before.
-void ProgramSimulation::addChip(const ToolMove& move, const TurningPass& pass, const ThreadGroove& groove) {
-  const double middle = 0.5 * (std::max(groove.from(), 0.0) + std::min(groove.to(), m_part.length()));
-  const double at = std::clamp(middle / m_part.spacing(), 0.0, static_cast<double>(m_part.size() - 1));
-  const auto sample = static_cast<std::size_t>(at);
-  const double surface = groove.side() == TurningSide::Bore ? m_part.inner(sample) : m_part.radius(sample);
-  const TurnChip chip = chipOf(groove, m_state.threads.get(), middle, surface);
-  const double speed = surfaceSpeed(pass.speeds.front(), 2.0 * surface);
-  if (chip.width > 0.0) m_meter->addChip(chip.width, chip.area / chip.width, move.time, surface, speed);
-}
-
 // Consecutive moves are one pass if they continue with the same lead.
 void ProgramSimulation::cutThread(const ToolMove& move) {
   endPass();
@@ -91,7 +74,7 @@ void ProgramSimulation::cutThread(const ToolMove& move) {
   meetChuck(move, pass.noseRadius, side, pass.path.back());
   const std::vector<ThreadGroove> grooves = ThreadGroove::of(pass);
   if (!grooves.empty() && grooves.front().touches(m_part)) {
-    meetThread(move, pass, grooves.front());
+    m_state.threads = PartThreads::with(m_state.threads, pass);
     const bool goesOn = lead && !m_passes.empty() && m_passes.back().thread && m_passes.back().side == side &&
                         m_passes.back().path.back() == pass.path.front() &&
                         std::abs(m_passes.back().thread->pitch - pass.thread->pitch) < kSameLength &&

@@ -167,7 +167,7 @@ void ProgramSession::run() {
   job.work = [this, text, spacing, start = m_start, setup = setup(),
               task = assignedTask(m_document.document.file().assigned),
               failed = job.failed](Progress progress) -> Job::Finish {
-    auto trial = ProgramTrial::run(start, text, setup, spacing, nullptr, progress.part(0.0, 0.9));
+    auto trial = ProgramTrial::run(start, text, setup, spacing, progress.part(0.0, 0.9));
     if (!trial && isOfProgram(trial.error()))
       return [this, problems = programProblems(text, setup, progress.part(0.95, 1.0))] { checked(problems, true); };
     if (!trial) return [failed, error = trial.error()] { failed(error); };

@@ -6,7 +6,6 @@
 #include "base/NumberText.h"
 #include "document/workpiece/exercise/TurningMeasurements.h"
 #include "document/workpiece/target/SectionPicture.h"
-#include "machining/force/ForcePeaks.h"
 #include "machining/measure/CrashTimes.h"
 #include "machining/target/TargetDeviation.h"
 
@@ -71,10 +70,10 @@ ReportCurve shapeCurve(const TurningTask& task, const TurnedProfile& profile) {
 
 // Returns true if the tool only travels to point i of a pass: too fast for any cut.
 bool isRapid(const TurningPass& pass, std::size_t i, const ReviewedLathe& lathe) {
+  constexpr double kRapidFeed = 10.0;  // mm per turn
   const double seconds = pass.times[i] - pass.times[i - 1];
   const double speed = i < pass.speeds.size() ? pass.speeds[i] : lathe.spindleSpeed;
-  return seconds > 0.0 &&
-         (pass.path[i] - pass.path[i - 1]).norm() > ForcePeakMeter::kRapidFeed * seconds * speed / 60.0;
+  return seconds > 0.0 && (pass.path[i] - pass.path[i - 1]).norm() > kRapidFeed * seconds * speed / 60.0;
 }
 
 // Returns the path of the tool while it cut. Between passes and over rapid moves there are gaps, points that are not

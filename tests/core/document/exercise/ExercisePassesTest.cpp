@@ -49,8 +49,7 @@ class ExercisePassesTest : public QObject {
     WorkpieceSnapshot work =
         static_cast<const WorkpieceSnapshot&>(*shoulderTask()->subject->start(*shoulderTask()->task));
     const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, work.stock, latheOf(work).chuck.grip, 0.8);
-    const auto trial =
-        ProgramTrial::run(work, program.toStdString(), setup, turnSpacingSetting().standard, nullptr, {});
+    const auto trial = ProgramTrial::run(work, program.toStdString(), setup, turnSpacingSetting().standard, {});
     QVERIFY(trial && trial.value()->part());
     work.part = trial.value()->part();
     addCrashes(work, trial.value()->crashes());

@@ -49,7 +49,7 @@ WorkpieceSnapshot goneOnByProgram(const Snapshot& work, double diameter) {
   const std::string text =
       "G7 G21 G97 S600 M3\nG0 X" + std::to_string(diameter) + " Z2\nG1 Z-20 F120\nG0 X44\nG0 Z2\nM2\n";
   const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, made.stock, 25.0, 0.0);
-  const auto trial = ProgramTrial::run(made, text, setup, 0.05, nullptr);
+  const auto trial = ProgramTrial::run(made, text, setup, 0.05);
   if (!trial || !trial.value()->part()) qFatal("the program does not touch the part");
   made.part = trial.value()->part();
   return made;

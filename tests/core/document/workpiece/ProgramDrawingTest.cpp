@@ -19,7 +19,7 @@ QStringList drawnTexts(const std::string& program, const ProgramTools& tools) {
   workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
   ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 10.0, 0.0);
   setup.tools = tools;
-  const auto trial = ProgramTrial::run(workpiece, program, setup, 0.05, nullptr);
+  const auto trial = ProgramTrial::run(workpiece, program, setup, 0.05);
   if (!trial) return {QStringLiteral("the program was refused")};
   workpiece.part = (*trial)->part();
   const Result<TargetProfile> section = sectionOf(workpiece);

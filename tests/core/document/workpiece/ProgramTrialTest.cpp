@@ -38,7 +38,7 @@ WorkpieceSnapshot freshBar() {
 
 ProgramTrial::Pointer tried(const char* text, const WorkpieceSnapshot& workpiece, double nose = 0.0) {
   const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 20.0, nose);
-  const auto trial = ProgramTrial::run(workpiece, text, setup, kSpacing, nullptr);
+  const auto trial = ProgramTrial::run(workpiece, text, setup, kSpacing);
   return trial ? *trial : nullptr;
 }
 
@@ -79,7 +79,7 @@ class ProgramTrialTest : public QObject {
     const ProgramSetup setup = programSetupFor(workpiece, {}, ProgramDialect::LinuxCnc, 0.0);
     const auto trial = ProgramTrial::run(
         workpiece, "G7 G21 G97 S600 M3\nG0 X2 Z5\nG1 Z0 F120\nG0 X44\nG0 Z5\nG0 X36\nG1 Z-50 F120\nG0 X44\nG0 Z5\nM2\n",
-        setup, kSpacing, nullptr);
+        setup, kSpacing);
     QVERIFY(trial && trial.value()->part());
     QCOMPARE(trial.value()->collisionCount(), std::size_t(0));
     const TurnedProfile& part = trial.value()->part()->profile;
@@ -92,7 +92,7 @@ class ProgramTrialTest : public QObject {
     const auto written = passesProgram(workpiece, ProgramDialect::LinuxCnc, {});
     QVERIFY(written.hasValue());
     workpiece.part = nullptr;
-    const auto again = ProgramTrial::run(workpiece, written->text, setup, kSpacing, nullptr);
+    const auto again = ProgramTrial::run(workpiece, written->text, setup, kSpacing);
     QVERIFY(again && again.value()->part());
     const TurnedProfile& repeated = again.value()->part()->profile;
     for (std::size_t i = 0; i < part.size(); ++i) QVERIFY(std::abs(repeated.radius(i) - part.radius(i)) < 2e-3);
@@ -183,13 +183,13 @@ class ProgramTrialTest : public QObject {
 
   void whatCannotRunIsSaid() {
     const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, freshBar().stock, 20.0, 0.0);
-    const auto refused = ProgramTrial::run(freshBar(), "G68\n", setup, kSpacing, nullptr);
+    const auto refused = ProgramTrial::run(freshBar(), "G68\n", setup, kSpacing);
     QVERIFY(!refused && refused.error().code == ProgramError::Refused);
     const auto beside = tried("G0 X60 Z2\nG1 Z-10 F100\nM2\n", freshBar());
     QVERIFY(beside && !beside->part() && beside->removed() == 0.0);
     JobState state;
     state.cancelled = true;
-    const auto cancelled = ProgramTrial::run(freshBar(), kTurn, setup, kSpacing, nullptr, Progress(state));
+    const auto cancelled = ProgramTrial::run(freshBar(), kTurn, setup, kSpacing, Progress(state));
     QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
   }
 
@@ -232,7 +232,7 @@ class ProgramTrialTest : public QObject {
     QVERIFY2(program->text.find("(left out: Pass 2, P120: A file") != std::string::npos, program->text.c_str());
     ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, workpiece.stock, 20.0, 0.0);
     setup.tools = program->tools;
-    const auto again = ProgramTrial::run(freshBar(), program->text, setup, kSpacing, nullptr);
+    const auto again = ProgramTrial::run(freshBar(), program->text, setup, kSpacing);
     QVERIFY(again && again.value()->part());
     QVERIFY(std::abs(radiusAt(again.value()->part()->profile, 80.0) - 19.0) < 1e-3);
     workpiece.part = withPasses(freshBar(), {along(19.9995, "paper-120")}, kSpacing);
@@ -250,7 +250,7 @@ class ProgramTrialTest : public QObject {
       QVERIFY(bool(program));
       ProgramSetup setup = usualSetup(dialect, workpiece.stock, 20.0, 0.0);
       setup.tools = program->tools;
-      const auto again = ProgramTrial::run(freshBar(), program->text, setup, kSpacing, nullptr);
+      const auto again = ProgramTrial::run(freshBar(), program->text, setup, kSpacing);
       QVERIFY(again && again.value()->part());
       QCOMPARE(again.value()->collisionCount(), std::size_t(0));
       const TurnedProfile& part = again.value()->part()->profile;

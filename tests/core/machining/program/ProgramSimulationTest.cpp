@@ -48,26 +48,6 @@ Simulated simulate(const std::string& text, double nose = 0.0) {
   return simulate(text, setup, TurnedProfile(kSimulatedBar, kFineSpacing));
 }
 
-std::unique_ptr<KienzleModel> kienzleOfSteel() {
-  return kienzleModel(WorkMaterials::standard().called("medium-carbon-steel"), {});
-}
-
-// Returns the peaks of a program with a nose of 0.8 mm. Tools 2 and 3 are drills of 20 and 10 mm, as bodies or noses.
-ForcePeaks peaksOf(const std::string& text, bool hasBody = false) {
-  ProgramSetup setup;
-  setup.standard = {0.8, outsideOrientation(setup.dialect), {0, 0}};
-  setup.reference = {120.0, 100.0};
-  const LatheTools tools = shippedLatheTools();
-  for (const auto& [number, id] : {std::pair(2, "drill-20"), std::pair(3, "drill-10")}) {
-    setup.tools[number] = programToolOf(toolNamed(tools, id), setup.dialect);
-    if (!hasBody) setup.tools[number].body = nullptr;
-  }
-  const ToolPath path = runProgram(text, setup).value();
-  const auto law = kienzleOfSteel();
-  ProgramSimulation simulation(TurnedProfile(kSimulatedBar, kFineSpacing), path, setup, law.get());
-  return simulation.run({}) ? simulation.peaks() : ForcePeaks();
-}
-
 double removedBy(const Simulated& simulated) {
   return kSimulatedBar.volume() - simulated.part.volume();
 }
@@ -278,21 +258,9 @@ class ProgramSimulationTest : public QObject {
     QCOMPARE(threadsOf(simulate(begin + "G33 Z-30 K2\nG0 X44\n")).size(), std::size_t{2});
   }
 
-  // The control holds the speed at the tip, 18 mm over the axis: 150000 / (36 pi) r/min. A cut of 2 mm at 0.2 mm needs
-  // the same force, power and torque at that spindle speed without G96, and all its pieces have the feed of the
-  // program.
+  // The control holds the speed at the tip, so that all pieces of a face, whose speed changes all along, have the feed
+  // of the program.
   void surfaceSpeedIsThatOfTheTip() {
-    const std::string speed = std::to_string(150000.0 / (36.0 * M_PI));
-    const auto held = peaksOf("G7 G95 F0.2 G96 S150 D3000 M3\nG0 X36 Z3\nG1 Z-30\nG0 X50\nM2\n");
-    const auto fixed = peaksOf("G7 G95 F0.2 G97 S" + speed + " M3\nG0 X36 Z3\nG1 Z-30\nG0 X50\nM2\n");
-    for (const ForcePeaks& peaks : {held, fixed}) {
-      const CutForces forces = kienzleOfSteel()->at({2.0, 0.2, 150.0});
-      QVERIFY(std::abs(peaks.force / forces.norm() - 1.0) < 2e-3 && std::abs(peaks.cut.feed - 0.2) < 1e-9);
-      QVERIFY(std::abs(peaks.cut.speed - 150.0) < 1e-3);
-      QVERIFY(std::abs(peaks.power / (forces.cutting * 150.0 / 60000.0) - 1.0) < 2e-3);
-      QVERIFY(std::abs(peaks.torque / (forces.cutting * 0.018) - 1.0) < 2e-3);
-    }
-    // A face, whose speed changes all along.
     const Simulated face = simulate("G7 G95 F0.2 G96 S150 D6000 M3\nG0 X44 Z-0.5\nG1 X-1.6\nG0 Z3\nM2\n", 0.8);
     for (const TurningPass& pass : face.passes)
       for (std::size_t i = 1; i < pass.path.size(); ++i) {
@@ -300,28 +268,6 @@ class ProgramSimulationTest : public QObject {
         QVERIFY(std::abs((pass.path[i] - pass.path[i - 1]).norm() / turns - 0.2) < 1e-9);
       }
     QVERIFY(!face.passes.empty());
-  }
-
-  // The same drill as in ForceLawsTest, 30 mm deep: 25.752 N·m, 1.3484 kW and 2207.4 N, of which the nose of a tool or
-  // the body of a drill makes no difference. In a hole of 10 mm three quarters of the torque remain.
-  void aDrillHasTheForcesOfADrill() {
-    const std::string drill = "G7 G95 F0.2 G97 S500 M3\nT2 M6 M3\nG0 X0 Z3\nG1 Z-30\nG0 Z5\n";
-    const auto check = [](const ForcePeaks& peaks, double share) {
-      const DrillPeaks& drilling = peaks.drilling;
-      return drilling.diameter == 20.0 && std::abs(drilling.torque / (share * 25.752) - 1.0) < 0.02 &&
-             std::abs(drilling.power / (share * 1.3484) - 1.0) < 0.02 && drilling.power == peaks.power &&
-             drilling.torque == peaks.torque && drilling.thrust == peaks.force;
-    };
-    for (const bool hasBody : {false, true}) {
-      const ForcePeaks peaks = peaksOf(drill + "M2\n", hasBody);
-      QVERIFY2(check(peaks, 1.0), qPrintable(QString::number(peaks.drilling.torque)));
-      QVERIFY(std::abs(peaks.drilling.thrust / 2207.4 - 1.0) < 0.02);
-      const std::string small = "G7 G95 F0.2 G97 S500 M3\nT3 M6 M3\nG0 X0 Z3\nG1 Z-40\nG0 Z5\n";
-      const ForcePeaks pilot = peaksOf(small + "M2\n", hasBody), both = peaksOf(small + drill + "M2\n", hasBody);
-      QVERIFY(pilot.drilling.diameter == 10.0 && pilot.drilling.torque < 0.3 * 25.752);
-      QVERIFY2(check(both, 0.75), qPrintable(QString::number(both.drilling.torque)));
-    }
-    QCOMPARE(peaksOf("G7 G95 F0.2 G97 S500 M3\nG0 X36 Z3\nG1 Z-30\nM2\n").drilling.diameter, 0.0);
   }
 
   // M3 is clockwise, seen from the spindle: the work comes down in front of the axis and up behind it, so an insert

@@ -152,56 +152,6 @@ class ThreadProgramTest : public QObject {
     }
   }
 
-  // Kienzle's law, Fc = kc1.1 b h^(1 - mc), for the chip of a pass: a sharp tool with flanks of 30° that was fed from
-  // the depth t0 straight in to t cuts on b = 2 t / cos 30° and takes (t² - t0²) tan 30°.
-  void theChipOfAThread_data() {
-    QTest::addColumn<QString>("passes");
-    QTest::addColumn<double>("before");
-    QTest::addColumn<double>("depth");
-    QTest::newRow("the first pass") << "G0 X9.5 Z5\nG33 Z-20 K2.5\n" << 0.0 << 0.5;
-    QTest::newRow("the second pass") << "G0 X9.7 Z5\nG33 Z-20 K2.5\nG0 X12\nZ5\nX9.4\nG33 Z-20 K2.5\n" << 0.3 << 0.6;
-    // A thread as deep as an existing one, elsewhere.
-    QTest::newRow("another thread") << "G0 X9.8 Z5\nG33 Z-20 K2.5\nG0 X12\nZ5\nX9.6\nG33 Z-20 K2.5\nG0 X12\nZ-22\n"
-                                       "X9.6\nG33 Z-50 K2.5\n"
-                                    << 0.0 << 0.4;
-  }
-  void theChipOfAThread() {
-    QFETCH(QString, passes);
-    QFETCH(double, before);
-    QFETCH(double, depth);
-    const KienzleModel model({1500.0, 0.22}, CuttingEdge(), ThrustSettings());
-    ProgramSetup setup;
-    setup.reference = {50.0, 50.0};
-    const auto path = runProgram("G21 G18 G8 G97 S300 M3\nG0 X12 Z5\n" + passes.toStdString() + "G0 X15\nM2\n", setup);
-    QVERIFY(bool(path));
-    ProgramSimulation simulation(TurnedProfile(kThreadedBar, 0.02), *path, setup, &model);
-    QVERIFY(simulation.run({}));
-    const double width = 2.0 * depth / std::cos(M_PI / 6.0);
-    const double area = (depth * depth - before * before) * std::tan(M_PI / 6.0);
-    const double force = 1500.0 * width * std::pow(area / width, 1.0 - 0.22);
-    const double speed = M_PI * 20.0 * 300.0 / 1000.0;  // m/min
-    const ForcePeaks peaks = simulation.peaks();
-    QVERIFY2(std::abs(peaks.power / (force * speed / 60000.0) - 1.0) < 0.01, QByteArray::number(peaks.power));
-    QVERIFY(std::abs(peaks.cut.feed / (area / width) - 1.0) < 0.02);
-  }
-
-  // A pass as deep as the one before takes nothing, in the same groove.
-  void aSpringPassHasNoForce() {
-    const KienzleModel model({1500.0, 0.22}, CuttingEdge(), ThrustSettings());
-    const TurnedProfile bar(kThreadedBar, 0.02);
-    const auto powerOf = [&](const ProgramState& before) {
-      ProgramSetup setup;
-      setup.reference = {50.0, 50.0};
-      const auto path = runProgram("G21 G18 G8 G97 S300 M3\nG0 X9.5 Z5\nG33 Z-20 K2.5\nG0 X15\nM2\n", setup);
-      ProgramSimulation simulation(bar, *path, setup, &model, before);
-      simulation.run({});
-      return std::pair(simulation.peaks().power, simulation.state());
-    };
-    const auto first = powerOf({});
-    QVERIFY(first.first > 0.0);
-    QCOMPARE(powerOf(first.second).first, 0.0);  // on the part that the first run has left
-  }
-
   // Two runs with the half-nut are one thread where the lead is a part of the lead screw's pitch.
   void halfNutCutsAThread() {
     LatheSetup setup = defaultLatheSetup(kThreadedBar);

@@ -30,7 +30,7 @@ WorkpieceSnapshot playedBar() {
 ProgramTrial::Pointer playedTrial(const std::string& text) {
   const WorkpieceSnapshot bar = playedBar();
   const ProgramSetup setup = usualSetup(ProgramDialect::LinuxCnc, bar.stock, 20.0, 0.4);
-  const auto trial = ProgramTrial::run(bar, text, setup, kPlayedSpacing, nullptr);
+  const auto trial = ProgramTrial::run(bar, text, setup, kPlayedSpacing);
   return trial ? *trial : nullptr;
 }
 
