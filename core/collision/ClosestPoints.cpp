@@ -5,6 +5,8 @@
 #include "collision/PairTraversal.h"
 #include "collision/Penetration.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -98,13 +100,16 @@ class PiecePair {
   }
 
  private:
-  // Returns true if one is inside the other. A mesh has a surface only, so a piece in it may meet none of its
-  // triangles.
+  // Returns true if one, or a shell of it, is inside the other. A mesh has a surface only, so a piece in it may meet
+  // none of its triangles.
   static bool isWithin(const PieceTree& inner, const Pose& poseInner, const CollisionPiece& outer,
                        const Pose& poseOuter) {
     if (!isClosedMesh(outer)) return false;
-    const Vec3 p = inner.isMesh() ? inner.model()->vertices[0] : Vec3(Vec3::Zero());
-    return outer.mesh->contains(poseOuter.inverse(Eigen::Isometry) * (poseInner * p));
+    const Pose toOuter = poseOuter.inverse(Eigen::Isometry) * poseInner;
+    const auto isIn = [&](const Vec3& p) { return outer.mesh->contains(toOuter * p); };
+    if (!inner.isMesh()) return isIn(Vec3::Zero());
+    const std::span<const Vec3> points = inner.shellPoints();
+    return std::any_of(points.begin(), points.end(), isIn);
   }
 
   bool isAnyWithin() const {

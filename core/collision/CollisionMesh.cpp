@@ -7,25 +7,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace handwheel {
 
 namespace {
 
-// Returns true if each edge occurs once in each direction. Such a mesh has an inside.
-bool hasNoBorder(const TriangleSoup& soup) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> forth, back;
-  for (const Triangle& t : soup.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      forth.emplace_back(t[k], t[(k + 1) % 3]);
-      back.emplace_back(t[(k + 1) % 3], t[k]);
+// The shells of a mesh, which are connected by corners.
+class Shells {
+ public:
+  explicit Shells(const TriangleSoup& soup) : m_next(soup.points.size()), m_isOpen(soup.points.size(), false) {
+    std::iota(m_next.begin(), m_next.end(), 0u);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> forth, back, lone;
+    for (const Triangle& t : soup.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+        forth.emplace_back(from, to);
+        back.emplace_back(to, from);
+        m_next[shellOf(from)] = shellOf(to);
+      }
     }
+    // A shell is closed if each edge occurs as often in one direction as in the other.
+    std::sort(forth.begin(), forth.end());
+    std::sort(back.begin(), back.end());
+    std::set_symmetric_difference(forth.begin(), forth.end(), back.begin(), back.end(), std::back_inserter(lone));
+    for (const auto& edge : lone) m_isOpen[shellOf(edge.first)] = true;
   }
-  std::sort(forth.begin(), forth.end());
-  std::sort(back.begin(), back.end());
-  return !forth.empty() && forth == back;
-}
+
+  std::uint32_t shellOf(std::uint32_t point) {
+    while (m_next[point] != point) point = m_next[point] = m_next[m_next[point]];
+    return point;
+  }
+  bool isClosed(std::uint32_t shell) const { return !m_isOpen[shell]; }
+
+ private:
+  std::vector<std::uint32_t> m_next;  // a forest of disjoint sets
+  std::vector<bool> m_isOpen;
+};
 
 // Merges points at the same position. numbers: the former indices of its triangles.
 TriangleSoup welded(const TriangleSoup& soup, std::vector<std::uint32_t>& numbers) {
@@ -107,16 +127,22 @@ CollisionMesh::CollisionMesh(const TriangleSoup& original) {
     for (int i = 0; i < hierarchy->model->getNumBVs(); ++i)
       hierarchy->radii.push_back(hierarchy->model->getBV(i).bv.obb.extent.norm());
   }
-  m_hierarchy = std::move(hierarchy);
+  Shells shells(soup);
+  std::vector<bool> isListed(soup.points.size(), false);
   for (const Triangle& t : soup.triangles) {
     for (const std::uint32_t v : t) m_bounds.extend(soup.points[v]);
+    const std::uint32_t shell = shells.shellOf(t[0]);
+    hierarchy->isOfClosedShell.push_back(shells.isClosed(shell));
+    m_isClosed = m_isClosed || shells.isClosed(shell);
+    if (!isListed[shell]) m_shellPoints.push_back(soup.points[t[0]]);
+    isListed[shell] = true;
   }
-  m_isClosed = hasNoBorder(soup);
+  m_hierarchy = std::move(hierarchy);
 }
 
 CollisionMesh::~CollisionMesh() = default;
 
-// Counts the triangles that a ray up from the point passes, from below or from above.
+// Counts the triangles of closed shells that a ray up from the point passes, from below or from above.
 bool CollisionMesh::contains(const Vec3& p) const {
   if (!m_isClosed || !m_bounds.contains(p)) return false;
   const auto& model = *m_hierarchy->model;
@@ -127,6 +153,7 @@ bool CollisionMesh::contains(const Vec3& p) const {
     open.pop_back();
     if (!mayMeetRayUp(node.bv.obb, p)) continue;
     if (node.isLeaf()) {
+      if (!m_hierarchy->isOfClosedShell[static_cast<std::size_t>(node.primitiveId())]) continue;
       const fcl::Triangle& t = model.tri_indices[node.primitiveId()];
       winding += passes(p, {&model.vertices[t[0]], &model.vertices[t[1]], &model.vertices[t[2]]});
     } else {

@@ -5,6 +5,7 @@
 #include "mesh/structure/TriangleSoup.h"
 
 #include <memory>
+#include <span>
 
 namespace handwheel {
 
@@ -18,8 +19,10 @@ class CollisionMesh {
   CollisionMesh& operator=(const CollisionMesh&) = delete;
 
   const Box& bounds() const { return m_bounds; }  // mm; empty without triangles
-  bool isClosed() const { return m_isClosed; }    // every edge has two triangles, so there is an inside
-  // Returns true if a point is inside a closed mesh, according to the exact winding number. The result for a point on
+  // Returns true if a shell is closed, so that there is an inside. Each edge of it has two triangles.
+  bool isClosed() const { return m_isClosed; }
+  std::span<const Vec3> shellPoints() const { return m_shellPoints; }  // a point of each shell
+  // Returns true if a point is inside a closed shell, according to the exact winding number. The result for a point on
   // the surface is arbitrary. O(log n) for ordinary surfaces, O(n) if all triangles lie above the point.
   bool contains(const Vec3& p) const;
 
@@ -29,6 +32,7 @@ class CollisionMesh {
  private:
   std::unique_ptr<const Hierarchy> m_hierarchy;
   Box m_bounds;
+  std::vector<Vec3> m_shellPoints;
   bool m_isClosed = false;
 };
 

@@ -146,6 +146,7 @@ ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enoug
   DifferenceHull hull;
   Vec3 nearest = a.centre() - b.centre();
   double largest = 0.0;  // largest coordinate of the points, which their rounding is relative to
+  double certain = 0.0;  // mm, how far a plane between the shapes is from both of them
   for (int i = 0; i < kMostIterations; ++i) {
     const Vec3 first = a.support(-nearest), second = b.support(nearest);
     const Vec3 at = first - second;
@@ -153,6 +154,7 @@ ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enoug
     largest = std::max({largest, first.norm(), second.norm()});
     // Rounding may make the quotient too small although the product is not.
     if (ahead > 0.0 && ahead >= enough * std::sqrt(square)) return {std::max(enough, ahead / std::sqrt(square))};
+    if (ahead > 0.0) certain = std::max(certain, ahead / std::sqrt(square));
     if (hull.size > 0 && square - ahead <= kConverged * square) break;
     const DifferenceHull before = hull;
     hull.points[hull.size++] = {at, first, second};
@@ -173,7 +175,7 @@ ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enoug
     if (nearest.norm() <= kMeeting * largest) return {};
   }
   const Vec3 first = hull.mean(&DifferencePoint::first), second = hull.mean(&DifferencePoint::second);
-  return {hull.mean(&DifferencePoint::at).norm(), first, second};
+  return {std::min(certain, hull.mean(&DifferencePoint::at).norm()), first, second};
 }
 
 }  // namespace handwheel

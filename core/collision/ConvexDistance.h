@@ -28,7 +28,8 @@ struct ConvexNearest {
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();
 };
 
-// Finds the closest points by the algorithm of Gilbert, Johnson and Keerthi (1988). It may stop early if the distance
+// Finds the closest points by the algorithm of Gilbert, Johnson and Keerthi (1988). The distance is never too large: a
+// plane between the shapes proves it. The points may be a little farther apart. It may stop early if the distance
 // is at least `enough`; the result is then a lower bound of at least `enough`, without points. Allocates nothing.
 ConvexNearest nearestOf(const ConvexShape& a, const ConvexShape& b, double enough);
 

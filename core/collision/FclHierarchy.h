@@ -14,6 +14,7 @@ struct CollisionMesh::Hierarchy {
   std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> model;
   std::vector<double> radii;           // mm: radii of the spheres around the boxes, node by node
   std::vector<std::uint32_t> numbers;  // indices of the model's triangles in the original soup
+  std::vector<bool> isOfClosedShell;   // for each triangle of the model
 };
 
 }  // namespace handwheel

@@ -37,6 +37,7 @@ class PieceTree {
     return m_model ? m_piece.mesh->hierarchy().numbers[leaf] : kNone;
   }
   const fcl::BVHModel<fcl::OBBRSSd>* model() const { return m_model; }
+  std::span<const Vec3> shellPoints() const { return m_piece.mesh->shellPoints(); }  // for a mesh only
 
  private:
   const CollisionPiece& m_piece;

@@ -55,6 +55,29 @@ class CollisionBodyTest : public QObject {
             40.0);
   }
 
+  // Each shell of a mesh counts: one of several that is inside, and one that is closed beside an open one.
+  void eachShell() {
+    const auto together = [](const std::vector<std::pair<TriangleSoup, Vec3>>& shells) {
+      TriangleSoup all;
+      for (const auto& [soup, at] : shells) {
+        const auto first = static_cast<std::uint32_t>(all.points.size());
+        for (const Vec3& p : soup.points) all.points.push_back(p + at);
+        for (const Triangle& t : soup.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+      }
+      return CollisionPiece::ofMesh(Pose::Identity(), std::make_shared<const CollisionMesh>(all));
+    };
+    TriangleSoup open = boxSoup({5, 5, 5});
+    open.triangles.pop_back();
+    const CollisionPiece room = together({{open, {300, 0, 0}}, {boxSoup({50, 50, 50}), {0, 0, 0}}});
+    QVERIFY(between(CollisionPiece::sphere({3, 2, 1}, 1.0), room) <= 0.0);
+    const CollisionPiece parts = together({{boxSoup({1, 1, 1}), {200, 0, 0}}, {boxSoup({1, 1, 1}), {10, 0, 0}}});
+    QVERIFY(between(parts, room) <= 0.0 && between(room, parts) <= 0.0);
+    const CollisionPiece outside = together({{boxSoup({1, 1, 1}), {200, 0, 0}}, {boxSoup({1, 1, 1}), {60, 0, 0}}});
+    QVERIFY(std::abs(between(outside, room) - 9.0) < 1e-9);
+    // Nothing is inside of an open shell.
+    QVERIFY(std::abs(between(CollisionPiece::sphere({300, 0, 0}, 1.0), room) - 4.0) < 1e-9);
+  }
+
   // No two points of the pieces are nearer to each other than the distance; and it does not depend on the order.
   void neverTooLarge() {
     QVERIFY(rc::check([] {
