@@ -15,6 +15,7 @@
 #include "cli/cell/PlanningBenchmark.h"
 #include "cli/cell/PostCommand.h"
 #include "cli/cell/ProcessCommand.h"
+#include "cli/cell/ProximityCommand.h"
 #include "cli/cell/RobotCommand.h"
 #include "cli/cell/TeleopCommand.h"
 #include "cli/cell/VerifyCommand.h"
@@ -96,9 +97,9 @@ std::vector<Command> cellCommands() {
   spec.options.push_back({"output", 'o', "OUT", "The document to write, .handwheel or an export; may be IN"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
-  return {{std::move(spec), runBody}, configurationCommand(), ikCommand(),   planCommand(),
-          processCommand(),           verifyCommand(),        postCommand(), teleopCommand(),
-          planningBenchmarkCommand(), optimiseCommand(),      robotCommand()};
+  return {{std::move(spec), runBody}, configurationCommand(), ikCommand(),    planCommand(),
+          processCommand(),           verifyCommand(),        postCommand(),  teleopCommand(),
+          planningBenchmarkCommand(), optimiseCommand(),      robotCommand(), proximityCommand()};
 }
 
 }  // namespace handwheel

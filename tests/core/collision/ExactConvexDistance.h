@@ -17,7 +17,7 @@ struct ConvexSet {
   Kind kind = Kind::Ball;
   Pose pose = Pose::Identity();
   Vec3 half = Vec3::Zero();
-  std::array<Vec3, 3> corners{};  // of a triangle, in the world
+  std::array<Vec3, 3> corners{};  // corners of a triangle, in the world
 
   // Returns the nearest point of the set.
   Vec3 nearest(const Vec3& p) const {
