@@ -1626,6 +1626,62 @@
         <source>%4 Then make the program again.</source>
         <translation>%4 Erzeugen Sie das Programm dann erneut.</translation>
     </message>
+    <message>
+        <source>the path &apos;%1&apos; is not proven free: the shape of %2 (%3) could not be read</source>
+        <translation>für den Weg „%1“ ist nicht bewiesen, dass er frei ist: die Form von %2 (%3) konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Replace it by a body that the link carries, or leave it out of proofs, in the panel Cell or by &apos;handwheel set CELL missing.LINK=…&apos;.</source>
+        <translation>Ersetzen Sie sie durch einen Körper, den das Glied trägt, oder lassen Sie sie bei Beweisen weg: im Feld Zelle oder mit „handwheel set CELL missing.LINK=…“.</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; is not proven: CNT rounds the corner at place %2, and not everything within the corner is free</source>
+        <translation>die Bahn &apos;%1&apos; ist nicht bewiesen: CNT verrundet die Ecke an Stelle %2, und nicht alles innerhalb der Ecke ist frei</translation>
+    </message>
+    <message>
+        <source>Set its rounding to 0 (FINE), or change the places; on the command line: --cnt-as-fine.</source>
+        <translation>Die Verrundung auf 0 setzen (FINE) oder die Stellen ändern; auf der Befehlszeile: --cnt-as-fine.</translation>
+    </message>
+    <message>
+        <source>the proof of the path &apos;%1&apos; ends at place %2: &apos;%3&apos; may grip or release something</source>
+        <translation>der Beweis der Bahn &apos;%1&apos; endet an Stelle %2: &apos;%3&apos; kann etwas greifen oder loslassen</translation>
+    </message>
+    <message>
+        <source>Say at that place that the robot carries the same as before; on the command line: --carried same.</source>
+        <translation>An dieser Stelle angeben, dass der Roboter dasselbe trägt wie zuvor; auf der Befehlszeile: --carried same.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a line of %3, and %2 programs cannot have it (lines: %4)</source>
+        <translation>&apos;%1&apos; ist eine Zeile von %3, die Programme von %2 nicht haben können (Zeilen: %4)</translation>
+    </message>
+    <message>
+        <source>Write the program in its own language, or without these lines; on the command line: --without-io.</source>
+        <translation>Das Programm in seiner eigenen Sprache schreiben oder ohne diese Zeilen; auf der Befehlszeile: --without-io.</translation>
+    </message>
+    <message>
+        <source>motion %1 ends with the rounding CNT, which %2 programs do not have</source>
+        <translation>Bewegung %1 endet mit der Verrundung CNT, die Programme von %2 nicht haben</translation>
+    </message>
+    <message>
+        <source>Set the rounding of the place to 0 (FINE), and a blend if need be; on the command line: --cnt-as-fine.</source>
+        <translation>Die Verrundung der Stelle auf 0 setzen (FINE) und nötigenfalls ein Überschleifen; auf der Befehlszeile: --cnt-as-fine.</translation>
+    </message>
+    <message>
+        <source>a parallel linkage moves axis 3 of %1, and its description does not have how %2 controllers count that axis</source>
+        <translation>ein Parallelgestänge bewegt Achse 3 von %1, und in der Beschreibung steht nicht, wie Steuerungen mit %2 diese Achse zählen</translation>
+    </message>
+    <message>
+        <source>Use the built-in robot irb2400, or write the path as CSV or JSON.</source>
+        <translation>Nehmen Sie den eingebauten Roboter irb2400, oder schreiben Sie den Pfad als CSV oder JSON.</translation>
+    </message>
+    <message>
+        <source>at the end of motion %1 the controller has axis 3 at %2°, and its limits are %3° and %4°, as it counts that axis from the level</source>
+        <translation>am Ende der Bewegung %1 hat die Steuerung Achse 3 bei %2°, und ihre Grenzen sind %3° und %4°, da sie diese Achse von der Waagerechten aus zählt</translation>
+    </message>
+    <message>
+        <source>Move joints 2 and 3 at that place, and verify the path again.</source>
+        <translation>Bewegen Sie dort die Gelenke 2 und 3, und prüfen Sie den Pfad noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3220,6 +3276,50 @@
     <message>
         <source>the picture could not be rendered</source>
         <translation>das Bild konnte nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>its shape is not missing</source>
+        <translation>seine Form fehlt nicht</translation>
+    </message>
+    <message>
+        <source>a list of lines was expected</source>
+        <translation>eine Liste von Zeilen wurde erwartet</translation>
+    </message>
+    <message>
+        <source>the tool turns by more than half a turn along the arc: divide it into two</source>
+        <translation>das Werkzeug dreht sich entlang des Bogens um mehr als eine halbe Umdrehung: Teilen Sie ihn in zwei</translation>
+    </message>
+    <message>
+        <source>functions but Offs and RelTool are not read</source>
+        <translation>andere Funktionen als Offs und RelTool werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a target and three numbers were expected</source>
+        <translation>ein Ziel und drei Zahlen wurden erwartet</translation>
+    </message>
+    <message>
+        <source>its displacement is neither a number nor a CONST num of the module</source>
+        <translation>seine Verschiebung ist weder eine Zahl noch ein CONST num des Moduls</translation>
+    </message>
+    <message>
+        <source>a place on the arc was expected</source>
+        <translation>eine Stelle auf dem Bogen wurde erwartet</translation>
+    </message>
+    <message>
+        <source>the start of the arc is not known</source>
+        <translation>der Anfang des Bogens ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the three places of the arc are in a line</source>
+        <translation>die drei Stellen des Bogens liegen auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>the arc is longer than half a circle: divide it into two</source>
+        <translation>der Bogen ist länger als ein Halbkreis: Teilen Sie ihn in zwei</translation>
+    </message>
+    <message>
+        <source>it is neither numbers nor a variable that was given numbers before</source>
+        <translation>es sind weder Zahlen noch eine Variable, die zuvor Zahlen bekam</translation>
     </message>
 </context>
 <context>
@@ -5576,6 +5676,18 @@
         <source>The image and its segment are not in this file.</source>
         <translation>Das Bild und sein Segment sind nicht in dieser Datei.</translation>
     </message>
+    <message>
+        <source>The link %1 is %2 m large. Descriptions are in metres: if the mesh is in mm, give it scale=&quot;0.001 0.001 0.001&quot;.</source>
+        <translation>Das Glied %1 ist %2 m groß. Beschreibungen sind in Metern: Ist das Netz in mm, so geben Sie ihm scale=&quot;0.001 0.001 0.001&quot;.</translation>
+    </message>
+    <message>
+        <source>The joint %1 is %2 m from the link before it. Descriptions are in metres: check its origin.</source>
+        <translation>Das Gelenk %1 ist %2 m vom Glied davor entfernt. Beschreibungen sind in Metern: Prüfen Sie seinen Ursprung.</translation>
+    </message>
+    <message>
+        <source>Links that touch each other at rest are not checked against each other: %1. Forbid those that must not touch in the list of pairs.</source>
+        <translation>Glieder, die einander in Ruhe berühren, werden nicht gegeneinander geprüft: %1. Verbieten Sie in der Liste der Paare, was sich nicht berühren darf.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5594,10 +5706,6 @@
     <message>
         <source>not verified since the bodies were changed</source>
         <translation>nicht geprüft, seit die Körper geändert wurden</translation>
-    </message>
-    <message>
-        <source>not verified since the allowed pairs were changed</source>
-        <translation>nicht geprüft, seit die erlaubten Paare geändert wurden</translation>
     </message>
     <message>
         <source>not verified since the tool centre point was changed</source>
@@ -5659,10 +5767,6 @@
         <source>Least clearance: %1.</source>
         <translation>Kleinster Abstand: %1.</translation>
     </message>
-    <message>
-        <source>Cycle time: %1 s.</source>
-        <translation>Taktzeit: %1 s.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln collision(s)</source>
         <translation>
@@ -5709,14 +5813,6 @@
     <message>
         <source>%1, as stored with the cell</source>
         <translation>%1, wie in der Zelle gespeichert</translation>
-    </message>
-    <message>
-        <source>free, except for links without meshes, %1</source>
-        <translation>frei, außer für Glieder ohne Netze, %1</translation>
-    </message>
-    <message>
-        <source>free of collisions, except for links without meshes (%1)</source>
-        <translation>kollisionsfrei, außer für Glieder ohne Netze (%1)</translation>
     </message>
     <message>
         <source>Every motion is proven to keep a clearance of %1.</source>
@@ -5810,6 +5906,58 @@
     <message>
         <source>line cannot be followed</source>
         <translation>der Geraden kann nicht gefolgt werden</translation>
+    </message>
+    <message>
+        <source>not verified since the allowed pairs, or the shapes left out, were changed</source>
+        <translation>nicht geprüft, seit die erlaubten Paare oder die weggelassenen Formen geändert wurden</translation>
+    </message>
+    <message>
+        <source>free, but touching, %1</source>
+        <translation>frei, aber mit Berührung, %1</translation>
+    </message>
+    <message>
+        <source>free of collisions, but touching (%1)</source>
+        <translation>kollisionsfrei, aber mit Berührung (%1)</translation>
+    </message>
+    <message>
+        <source>Estimated cycle time: %1 s.</source>
+        <translation>Geschätzte Taktzeit: %1 s.</translation>
+    </message>
+    <message>
+        <source>not proven: the shape of %1 is missing</source>
+        <translation>nicht bewiesen: die Form von %1 fehlt</translation>
+    </message>
+    <message>
+        <source>not proven: CNT</source>
+        <translation>nicht bewiesen: CNT</translation>
+    </message>
+    <message>
+        <source>proven only as far as what is carried is known</source>
+        <translation>nur bewiesen, soweit bekannt ist, was getragen wird</translation>
+    </message>
+    <message>
+        <source>The controller rounds the corner at place %1 (CNT), and not everything within it is free: set its rounding to 0, or change the places.</source>
+        <translation>Die Steuerung verrundet die Ecke an Stelle %1 (CNT), und nicht alles darin ist frei: die Verrundung auf 0 setzen oder die Stellen ändern.</translation>
+    </message>
+    <message>
+        <source>The proof ends at place %1: &quot;%2&quot; may grip or release something. Say at that place that the robot carries the same as before.</source>
+        <translation>Der Beweis endet an Stelle %1: „%2“ kann etwas greifen oder loslassen. An dieser Stelle angeben, dass der Roboter dasselbe trägt wie zuvor.</translation>
+    </message>
+    <message>
+        <source>The shape of %1 (%2) could not be read, so nothing is proven free: leave it out or replace it in the panel Cell.</source>
+        <translation>Die Form von %1 (%2) konnte nicht gelesen werden, daher ist nichts als frei bewiesen: Lassen Sie sie im Feld Zelle weg, oder ersetzen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The shape of %1 (%2) could not be read, and is left out of the proof.</source>
+        <translation>Die Form von %1 (%2) konnte nicht gelesen werden und ist im Beweis weggelassen.</translation>
+    </message>
+    <message>
+        <source>The shape of %1 (%2) could not be read, and %3 replaces it.</source>
+        <translation>Die Form von %1 (%2) konnte nicht gelesen werden; %3 ersetzt sie.</translation>
+    </message>
+    <message>
+        <source>%1; left out: %2</source>
+        <translation>%1; weggelassen: %2</translation>
     </message>
 </context>
 <context>
@@ -8111,6 +8259,34 @@
     <message>
         <source>the limits contradict the class of the thread there: they admit sizes that it refuses</source>
         <translation>die Grenzen widersprechen der Toleranzklasse des Gewindes dort: Sie lassen Maße zu, die sie verwirft</translation>
+    </message>
+    <message>
+        <source>Shapes that could not be read</source>
+        <translation>Formen, die nicht gelesen werden konnten</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>nothing is proven free until it is left out or replaced</source>
+        <translation>nichts ist als frei bewiesen, bis sie weggelassen oder ersetzt wird</translation>
+    </message>
+    <message>
+        <source>Duration (s), 0: by the speed</source>
+        <translation>Dauer (s), 0: nach der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Rounding (CNT, %)</source>
+        <translation>Verrundung (CNT, %)</translation>
+    </message>
+    <message>
+        <source>Carries the same after its lines</source>
+        <translation>Trägt nach seinen Zeilen dasselbe</translation>
     </message>
 </context>
 <context>
@@ -11602,17 +11778,6 @@
         <translation>Nicht geprüft, da sie sich berühren dürfen: %1.</translation>
     </message>
     <message>
-        <source>The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.</source>
-        <translation>Das Überschleifen an Stelle %1 ist höchstens %2 mm statt %3 mm, die nicht bewiesen frei sind.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln more blend(s) became smaller.</source>
-        <translation>
-            <numerusform>%Ln weiteres Überschleifen wurde kleiner.</numerusform>
-            <numerusform>%Ln weitere Überschleifen wurden kleiner.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Replace the selected configuration, place, target or frame by the current position of the robot</source>
         <translation>Die gewählte Konfiguration, Stelle, Zielpose oder das Koordinatensystem durch die jetzige Stellung des Roboters ersetzen</translation>
     </message>
@@ -11650,6 +11815,21 @@
     <message>
         <source>&amp;Go to %1</source>
         <translation>&amp;Zu %1 gehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became smaller: a blend has half of the shorter motion beside it at most, and only where it is proven free.</source>
+        <translation>
+            <numerusform>%Ln Überschleifen wurde kleiner: es hat höchstens die Hälfte der kürzeren Bewegung daneben, und nur, wo es bewiesen frei ist.</numerusform>
+            <numerusform>%Ln Überschleifen wurden kleiner: jedes hat höchstens die Hälfte der kürzeren Bewegung daneben, und nur, wo es bewiesen frei ist.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Write it without these lines</source>
+        <translation>Ohne diese Zeilen schreiben</translation>
+    </message>
+    <message>
+        <source>Write exact stops instead</source>
+        <translation>Stattdessen genaue Halte schreiben</translation>
     </message>
 </context>
 <context>
@@ -14878,12 +15058,12 @@
         <translation>Weder wo der Roboter ist, noch auf der gewählten Bahn trifft sich etwas.</translation>
     </message>
     <message>
-        <source>Checked pairs may touch: nothing is proven about them. Neighbouring links, and those that always meet, may touch anyway.</source>
-        <translation>Angekreuzte Paare dürfen sich berühren: Über sie wird nichts bewiesen. Benachbarte Glieder und solche, die sich immer treffen, dürfen es ohnehin.</translation>
-    </message>
-    <message>
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Checked pairs may touch: nothing is proven about them. Neighbouring links may touch anyway.</source>
+        <translation>Angehakte Paare dürfen sich berühren: Über sie wird nichts bewiesen. Benachbarte Glieder dürfen sich ohnehin berühren.</translation>
     </message>
 </context>
 <context>

@@ -1626,6 +1626,62 @@
         <source>%4 Then make the program again.</source>
         <translation>%4 然后请重新生成程序。</translation>
     </message>
+    <message>
+        <source>the path &apos;%1&apos; is not proven free: the shape of %2 (%3) could not be read</source>
+        <translation>路径“%1”未被证明无碰撞：无法读取%2的形状（%3）</translation>
+    </message>
+    <message>
+        <source>Replace it by a body that the link carries, or leave it out of proofs, in the panel Cell or by &apos;handwheel set CELL missing.LINK=…&apos;.</source>
+        <translation>请用该连杆携带的物体代替它，或在证明中略去它：在“单元”面板中，或用“handwheel set CELL missing.LINK=…”。</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; is not proven: CNT rounds the corner at place %2, and not everything within the corner is free</source>
+        <translation>路径“%1”未得到证明：CNT 在位置 %2 处使拐角变圆，而拐角内并非全部无碰撞</translation>
+    </message>
+    <message>
+        <source>Set its rounding to 0 (FINE), or change the places; on the command line: --cnt-as-fine.</source>
+        <translation>将其圆滑值设为 0（FINE），或更改位置；在命令行中：--cnt-as-fine。</translation>
+    </message>
+    <message>
+        <source>the proof of the path &apos;%1&apos; ends at place %2: &apos;%3&apos; may grip or release something</source>
+        <translation>路径“%1”的证明在位置 %2 处终止：“%3”可能抓取或释放物体</translation>
+    </message>
+    <message>
+        <source>Say at that place that the robot carries the same as before; on the command line: --carried same.</source>
+        <translation>在该位置指明机器人携带的物体与之前相同；在命令行中：--carried same。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a line of %3, and %2 programs cannot have it (lines: %4)</source>
+        <translation>“%1”是 %3 的语句，%2 程序中不能有它（行：%4）</translation>
+    </message>
+    <message>
+        <source>Write the program in its own language, or without these lines; on the command line: --without-io.</source>
+        <translation>用其自身的语言写出程序，或不带这些行；在命令行中：--without-io。</translation>
+    </message>
+    <message>
+        <source>motion %1 ends with the rounding CNT, which %2 programs do not have</source>
+        <translation>运动 %1 以圆滑过渡 CNT 结束，而 %2 程序没有该功能</translation>
+    </message>
+    <message>
+        <source>Set the rounding of the place to 0 (FINE), and a blend if need be; on the command line: --cnt-as-fine.</source>
+        <translation>将该位置的圆滑值设为 0（FINE），必要时设置过渡；在命令行中：--cnt-as-fine。</translation>
+    </message>
+    <message>
+        <source>a parallel linkage moves axis 3 of %1, and its description does not have how %2 controllers count that axis</source>
+        <translation>%1 的第 3 轴由平行连杆驱动，而其描述文件未说明 %2 控制器如何计算该轴</translation>
+    </message>
+    <message>
+        <source>Use the built-in robot irb2400, or write the path as CSV or JSON.</source>
+        <translation>请使用内置机器人 irb2400，或将路径写为 CSV 或 JSON。</translation>
+    </message>
+    <message>
+        <source>at the end of motion %1 the controller has axis 3 at %2°, and its limits are %3° and %4°, as it counts that axis from the level</source>
+        <translation>在运动 %1 的终点，控制器的第 3 轴为 %2°，而其极限为 %3° 和 %4°，因为控制器从水平方向计算该轴</translation>
+    </message>
+    <message>
+        <source>Move joints 2 and 3 at that place, and verify the path again.</source>
+        <translation>请调整该处的关节 2 和 3，然后重新验证路径。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -3220,6 +3276,50 @@
     <message>
         <source>the picture could not be rendered</source>
         <translation>图片无法绘制</translation>
+    </message>
+    <message>
+        <source>its shape is not missing</source>
+        <translation>其形状并未缺失</translation>
+    </message>
+    <message>
+        <source>a list of lines was expected</source>
+        <translation>此处应为行的列表</translation>
+    </message>
+    <message>
+        <source>the tool turns by more than half a turn along the arc: divide it into two</source>
+        <translation>工具沿圆弧转动超过半圈：请分成两段</translation>
+    </message>
+    <message>
+        <source>functions but Offs and RelTool are not read</source>
+        <translation>除 Offs 和 RelTool 外的函数不被读取</translation>
+    </message>
+    <message>
+        <source>a target and three numbers were expected</source>
+        <translation>此处应为一个目标和三个数</translation>
+    </message>
+    <message>
+        <source>its displacement is neither a number nor a CONST num of the module</source>
+        <translation>其位移既不是数，也不是模块的 CONST num</translation>
+    </message>
+    <message>
+        <source>a place on the arc was expected</source>
+        <translation>此处应为圆弧上的一点</translation>
+    </message>
+    <message>
+        <source>the start of the arc is not known</source>
+        <translation>圆弧的起点未知</translation>
+    </message>
+    <message>
+        <source>the three places of the arc are in a line</source>
+        <translation>圆弧的三点共线</translation>
+    </message>
+    <message>
+        <source>the arc is longer than half a circle: divide it into two</source>
+        <translation>圆弧超过半圆：请分成两段</translation>
+    </message>
+    <message>
+        <source>it is neither numbers nor a variable that was given numbers before</source>
+        <translation>既不是数，也不是先前被赋予数的变量</translation>
     </message>
 </context>
 <context>
@@ -5576,6 +5676,18 @@
         <source>The image and its segment are not in this file.</source>
         <translation>图像及其分割不在此文件中。</translation>
     </message>
+    <message>
+        <source>The link %1 is %2 m large. Descriptions are in metres: if the mesh is in mm, give it scale=&quot;0.001 0.001 0.001&quot;.</source>
+        <translation>连杆%1的尺寸为%2 m。描述文件以米为单位：如果网格以mm为单位，请给它scale=&quot;0.001 0.001 0.001&quot;。</translation>
+    </message>
+    <message>
+        <source>The joint %1 is %2 m from the link before it. Descriptions are in metres: check its origin.</source>
+        <translation>关节%1距前一连杆%2 m。描述文件以米为单位：请检查其原点。</translation>
+    </message>
+    <message>
+        <source>Links that touch each other at rest are not checked against each other: %1. Forbid those that must not touch in the list of pairs.</source>
+        <translation>静止时相互接触的连杆不互相检查：%1。请在配对列表中禁止不得接触的连杆。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -5594,10 +5706,6 @@
     <message>
         <source>not verified since the bodies were changed</source>
         <translation>更改物体后尚未验证</translation>
-    </message>
-    <message>
-        <source>not verified since the allowed pairs were changed</source>
-        <translation>更改允许接触的对后尚未验证</translation>
     </message>
     <message>
         <source>not verified since the tool centre point was changed</source>
@@ -5659,10 +5767,6 @@
         <source>Least clearance: %1.</source>
         <translation>最小间隙：%1。</translation>
     </message>
-    <message>
-        <source>Cycle time: %1 s.</source>
-        <translation>循环时间：%1 s。</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln collision(s)</source>
         <translation>
@@ -5708,14 +5812,6 @@
     <message>
         <source>%1, as stored with the cell</source>
         <translation>%1，如单元中所存储</translation>
-    </message>
-    <message>
-        <source>free, except for links without meshes, %1</source>
-        <translation>除无网格的连杆外无碰撞，%1</translation>
-    </message>
-    <message>
-        <source>free of collisions, except for links without meshes (%1)</source>
-        <translation>除无网格的连杆外无碰撞（%1）</translation>
     </message>
     <message>
         <source>Every motion is proven to keep a clearance of %1.</source>
@@ -5806,6 +5902,58 @@
     <message>
         <source>line cannot be followed</source>
         <translation>无法沿直线运动</translation>
+    </message>
+    <message>
+        <source>not verified since the allowed pairs, or the shapes left out, were changed</source>
+        <translation>自允许的配对或略去的形状更改后未验证</translation>
+    </message>
+    <message>
+        <source>free, but touching, %1</source>
+        <translation>无碰撞，但有接触，%1</translation>
+    </message>
+    <message>
+        <source>free of collisions, but touching (%1)</source>
+        <translation>无碰撞，但有接触（%1）</translation>
+    </message>
+    <message>
+        <source>Estimated cycle time: %1 s.</source>
+        <translation>估计循环时间：%1 s。</translation>
+    </message>
+    <message>
+        <source>not proven: the shape of %1 is missing</source>
+        <translation>未证明：缺少%1的形状</translation>
+    </message>
+    <message>
+        <source>not proven: CNT</source>
+        <translation>未证明：CNT</translation>
+    </message>
+    <message>
+        <source>proven only as far as what is carried is known</source>
+        <translation>仅在已知携带物体的范围内得到证明</translation>
+    </message>
+    <message>
+        <source>The controller rounds the corner at place %1 (CNT), and not everything within it is free: set its rounding to 0, or change the places.</source>
+        <translation>控制器在位置 %1 处使拐角变圆（CNT），而拐角内并非全部无碰撞：将其圆滑值设为 0，或更改位置。</translation>
+    </message>
+    <message>
+        <source>The proof ends at place %1: &quot;%2&quot; may grip or release something. Say at that place that the robot carries the same as before.</source>
+        <translation>证明在位置 %1 处终止：“%2”可能抓取或释放物体。请在该位置指明机器人携带的物体与之前相同。</translation>
+    </message>
+    <message>
+        <source>The shape of %1 (%2) could not be read, so nothing is proven free: leave it out or replace it in the panel Cell.</source>
+        <translation>无法读取%1的形状（%2），因此无法证明任何路径无碰撞：请在“单元”面板中略去或代替它。</translation>
+    </message>
+    <message>
+        <source>The shape of %1 (%2) could not be read, and is left out of the proof.</source>
+        <translation>无法读取%1的形状（%2），证明中已略去。</translation>
+    </message>
+    <message>
+        <source>The shape of %1 (%2) could not be read, and %3 replaces it.</source>
+        <translation>无法读取%1的形状（%2），由%3代替。</translation>
+    </message>
+    <message>
+        <source>%1; left out: %2</source>
+        <translation>%1；略去：%2</translation>
     </message>
 </context>
 <context>
@@ -8107,6 +8255,34 @@
     <message>
         <source>the limits contradict the class of the thread there: they admit sizes that it refuses</source>
         <translation>极限与该处螺纹的公差带相矛盾：允许了公差带不接受的尺寸</translation>
+    </message>
+    <message>
+        <source>Shapes that could not be read</source>
+        <translation>无法读取的形状</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺少</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>略去</translation>
+    </message>
+    <message>
+        <source>nothing is proven free until it is left out or replaced</source>
+        <translation>在略去或代替它之前，无法证明任何路径无碰撞</translation>
+    </message>
+    <message>
+        <source>Duration (s), 0: by the speed</source>
+        <translation>时长（秒），0：按速度</translation>
+    </message>
+    <message>
+        <source>Rounding (CNT, %)</source>
+        <translation>圆滑过渡（CNT，%）</translation>
+    </message>
+    <message>
+        <source>Carries the same after its lines</source>
+        <translation>执行其语句后携带的物体不变</translation>
     </message>
 </context>
 <context>
@@ -11531,16 +11707,6 @@
         <translation>因允许接触而未检查：%1。</translation>
     </message>
     <message>
-        <source>The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.</source>
-        <translation>位置 %1 处的圆滑过渡至多为 %2 毫米而非 %3 毫米，后者未证明无碰撞。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln more blend(s) became smaller.</source>
-        <translation>
-            <numerusform>另有 %Ln 处圆滑过渡变小。</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Replace the selected configuration, place, target or frame by the current position of the robot</source>
         <translation>用机器人的当前位置替换所选构型、位置、目标或坐标系</translation>
     </message>
@@ -11577,6 +11743,20 @@
     <message>
         <source>&amp;Go to %1</source>
         <translation>转到 %1(&amp;G)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became smaller: a blend has half of the shorter motion beside it at most, and only where it is proven free.</source>
+        <translation>
+            <numerusform>%Ln 处过渡变小：过渡最多为相邻较短运动的一半，且仅在证明无碰撞处使用。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Write it without these lines</source>
+        <translation>不写这些行</translation>
+    </message>
+    <message>
+        <source>Write exact stops instead</source>
+        <translation>改写为精确停止</translation>
     </message>
 </context>
 <context>
@@ -14782,12 +14962,12 @@
         <translation>机器人所在处和选中路径上均无相遇。</translation>
     </message>
     <message>
-        <source>Checked pairs may touch: nothing is proven about them. Neighbouring links, and those that always meet, may touch anyway.</source>
-        <translation>勾选的成对物体可以接触：不对其作任何证明。相邻连杆及始终相遇的连杆本来就可以接触。</translation>
-    </message>
-    <message>
         <source>%1 and %2</source>
         <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>Checked pairs may touch: nothing is proven about them. Neighbouring links may touch anyway.</source>
+        <translation>勾选的配对允许接触：不对其作任何证明。相邻的连杆本来就允许接触。</translation>
     </message>
 </context>
 <context>

@@ -37,15 +37,16 @@ std::string outdatedText(const nlohmann::json& path) {
 
 // Returns the text for a change since a path was verified, by its key in the description.
 std::string changeText(const std::string& changed) {
-  static const std::map<std::string, std::string> kTexts{{"robots", "a robot was moved, added or removed"},
-                                                         {"path", "the path was changed"},
-                                                         {"joints", "other joints were moved"},
-                                                         {"bodies", "the bodies were changed"},
-                                                         {"allowed", "the allowed pairs were changed"},
-                                                         {"tool", "the tool centre point was changed"},
-                                                         {"clearance", "the clearance was changed"},
-                                                         {"targets", "its targets were moved"},
-                                                         {"configurations", "its configurations were changed"}};
+  static const std::map<std::string, std::string> kTexts{
+      {"robots", "a robot was moved, added or removed"},
+      {"path", "the path was changed"},
+      {"joints", "other joints were moved"},
+      {"bodies", "the bodies were changed"},
+      {"allowed", "the allowed pairs, or the shapes left out, were changed"},
+      {"tool", "the tool centre point was changed"},
+      {"clearance", "the clearance was changed"},
+      {"targets", "its targets were moved"},
+      {"configurations", "its configurations were changed"}};
   return kTexts.at(changed);
 }
 
@@ -60,6 +61,9 @@ std::string verifiedText(const nlohmann::json& path) {
                                              "; before, " + found["at"].get<std::string>() + ": ";
   if (found["certified"].get<bool>()) {
     text += "free of collisions, clearance " + shownText(shownDistance(found["clearance_mm"].get<double>())) + " mm";
+    if (found.value("touching", false)) text += ", touching";
+    for (const nlohmann::json& each : listAt(found, "missing_shapes"))
+      text += ", " + each["state"].get<std::string>() + ": " + each["part"].get<std::string>();
     constexpr std::size_t kMostPairs = 5;
     const nlohmann::json pairs = listAt(found, "not_checked");
     for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i)

@@ -39,7 +39,7 @@ double PairTraversal::boundOf(int a, int b) {
   const fcl::OBBRSSd &first = m_a.bound(a), &second = m_b.bound(b);
   const Vec3 between = m_turn.lazyProduct(second.obb.To) + m_shift - first.obb.To;
   const double apart = m_least + m_a.radius(a) + m_b.radius(b);
-  if (between.squaredNorm() >= apart * apart) return m_least;
+  if (between.squaredNorm() > apart * apart) return m_least;
   const Eigen::Matrix3d turn = first.obb.axis.transpose().lazyProduct(m_turn.lazyProduct(second.obb.axis).eval());
   const Vec3 toSecond = first.obb.axis.transpose().lazyProduct(between);
   const Eigen::Matrix3d size = turn.cwiseAbs();
@@ -47,7 +47,7 @@ double PairTraversal::boundOf(int a, int b) {
   const Vec3 beyondSecond = turn.transpose().lazyProduct(toSecond).cwiseAbs() - second.obb.extent -
                             size.transpose().lazyProduct(first.obb.extent);
   const double square = std::max(beyondFirst.cwiseMax(0.0).squaredNorm(), beyondSecond.cwiseMax(0.0).squaredNorm());
-  if (square >= m_least * m_least) return m_least;
+  if (square > m_least * m_least) return m_least;  // the square of a very small limit is 0
   return fcl::distance(m_turn, m_shift, first.rss, second.rss);
 }
 

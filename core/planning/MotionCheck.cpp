@@ -16,6 +16,7 @@ RobotScene::Nearest blockerAt(const RobotScene& scene, const ArmValues& values, 
 
 bool isFreeAt(const RobotScene& scene, const ArmValues& values, const MotionCheckSettings& settings,
               QueryCounts* counts) {
+  if (!scene.isCouplingWithin(values)) return false;
   const double margin = 0.5 * settings.resolution;
   return scene.isFree(values, settings.clearance + margin, settings.ownClearance + margin, counts);
 }

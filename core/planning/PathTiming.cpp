@@ -6,74 +6,66 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace handwheel {
 
-RestToRest::RestToRest(double distance, double velocity, double acceleration, double jerk)
-    : m_distance(distance), m_jerk(jerk) {
-  assert(distance >= 0.0 && velocity > 0.0 && acceleration > 0.0 && jerk > 0.0);
-  if (distance <= 0.0) return;
-  const bool reachesAcceleration = velocity * jerk >= acceleration * acceleration;
-  m_turn = reachesAcceleration ? acceleration / jerk : std::sqrt(velocity / jerk);
-  m_ramp = reachesAcceleration ? m_turn + velocity / acceleration : 2.0 * m_turn;
-  m_cruise = distance / velocity - m_ramp;
-  if (m_cruise >= 0.0) return;
-  // The largest velocity is not reached.
-  m_cruise = 0.0;
-  if (distance >= 2.0 * acceleration * acceleration * acceleration / (jerk * jerk)) {
-    m_turn = acceleration / jerk;
-    m_ramp = 0.5 * m_turn + std::sqrt(0.25 * m_turn * m_turn + distance / acceleration);
-  } else {
-    m_turn = std::cbrt(distance / (2.0 * jerk));
-    m_ramp = 2.0 * m_turn;
-  }
-}
-
-double RestToRest::rampAt(double time) const {
-  const double acceleration = m_jerk * m_turn, velocity = acceleration * (m_ramp - m_turn);
-  if (time < m_turn) return m_jerk * time * time * time / 6.0;
-  if (time < m_ramp - m_turn) return acceleration * (3.0 * time * (time - m_turn) + m_turn * m_turn) / 6.0;
-  const double left = m_ramp - time;
-  return 0.5 * velocity * m_ramp - velocity * left + m_jerk * left * left * left / 6.0;
-}
-
-double RestToRest::at(double time) const {
-  if (!(time > 0.0)) return 0.0;
-  if (time >= duration()) return m_distance;
-  if (time <= m_ramp) return rampAt(time);
-  if (time >= m_ramp + m_cruise) return m_distance - rampAt(duration() - time);
-  const double velocity = m_jerk * m_turn * (m_ramp - m_turn);
-  return 0.5 * velocity * m_ramp + velocity * (time - m_ramp);
-}
-
-double RestToRest::timeOf(double distance) const {
-  double before = 0.0, after = duration();
-  constexpr int kHalvings = 60;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (before + after);
-    (at(middle) < distance ? before : after) = middle;
-  }
-  return 0.5 * (before + after);
-}
-
 namespace {
 
-// Returns the largest joint speed for a motion, in shares of it per second; infinity: nothing moves.
-double largestShares(const RobotScene& scene, const ArmValues& displacement, const PathTimingSettings& settings) {
-  double shares = std::numeric_limits<double>::infinity();
+constexpr double kSlowest = 1e-3;  // share of the largest velocities
+
+JointRates ratesOf(const RobotScene& scene, const PathTimingSettings& settings) {
+  ArmValues velocity(scene.size());
   for (Eigen::Index k = 0; k < scene.size(); ++k) {
     const ArmJoint& joint = scene.joint(k);
-    const double known = joint.velocity.value_or(0.0) > 0.0 ? *joint.velocity
-                         : joint.isPrismatic                ? settings.sliding
-                                                            : settings.turning;
-    if (displacement[k] != 0.0) shares = std::min(shares, known / std::abs(displacement[k]));
+    velocity[k] = joint.velocity.value_or(0.0) > 0.0 ? *joint.velocity
+                  : joint.isPrismatic                ? settings.sliding
+                                                     : settings.turning;
   }
-  return shares;
+  const ArmValues acceleration = velocity / settings.timeToSpeed;
+  return {velocity, acceleration, acceleration / settings.timeToRamp};
 }
 
-// Returns true if the distance of the motion is in mm of the tool, and false if it is a share.
+// Returns the duration of a motion in which the slowest joint has its largest velocity; 0: nothing moves.
+double leastDuration(const ArmValues& displacement, const JointRates& most) {
+  return displacement.size() == 0 ? 0.0 : (displacement.array().abs() / most.velocity.array()).maxCoeff();
+}
+
+// Returns true if the speed of the motion is that of the tool.
 bool isOfTool(const MotionPace& pace) {
   return pace.length > 0.0 && pace.toolSpeed > 0.0;
+}
+
+// Returns the duration of a motion at its own speed, without acceleration.
+double durationOf(const ArmValues& displacement, const JointRates& most, const MotionPace& pace, double speed) {
+  const double joints = leastDuration(displacement, most);
+  const double slower = std::clamp(speed, kSlowest, 1.0);
+  if (isOfTool(pace)) return std::max(joints, pace.length / pace.toolSpeed) / slower;
+  return joints / (slower * (pace.toolSpeed > 0.0 ? 1.0 : std::clamp(pace.speed, kSlowest, 1.0)));
+}
+
+// Returns the zones at the ends of motions as durations, alike before and behind each end. A zone reaches half of the
+// way to the neighbouring ones at most.
+std::vector<double> zonesOf(std::span<const double> durations, std::span<const MotionPace> paces) {
+  std::vector<double> zones(durations.size(), 0.0);
+  // Durations of the way from motion i on, in one direction, for a length of the tool's way.
+  const auto reach = [&](std::size_t i, bool isBack, double length) {
+    double passed = 0.0, whole = 0.0, left = length;
+    for (std::size_t k = i; k < durations.size(); isBack ? --k : ++k) {  // below 0 it is larger than the size
+      const bool isOn = left > 0.0;
+      const double share = paces[k].length > 0.0 ? std::min(1.0, left / paces[k].length) : 1.0;
+      if (isOn) passed += share * durations[k];
+      left -= paces[k].length;
+      whole += durations[k];
+      const bool isEnd = isBack ? k == 0 || paces[k - 1].zone > 0.0 : paces[k].zone > 0.0;
+      if (isEnd) break;
+    }
+    return std::min(passed, 0.5 * whole);
+  };
+  for (std::size_t i = 0; i + 1 < durations.size(); ++i) {
+    if (paces[i].zone > 0.0) zones[i] = std::min(reach(i, true, paces[i].zone), reach(i + 1, false, paces[i].zone));
+  }
+  return zones;
 }
 
 }  // namespace
@@ -81,40 +73,51 @@ bool isOfTool(const MotionPace& pace) {
 TimedPath::TimedPath(const RobotScene& scene, JointPath path, const PathTimingSettings& settings,
                      std::span<const MotionPace> paces)
     : m_path(std::move(path)) {
-  constexpr double kSlowest = 1e-3;  // share of the largest velocities
-  const auto paceOf = [&](std::size_t motion) { return motion < paces.size() ? paces[motion] : MotionPace{}; };
   const std::size_t count = m_path.empty() ? 0 : m_path.size() - 1;
-  double time = 0.0;
+  std::vector<MotionPace> all(paces.begin(),
+                              paces.begin() + static_cast<std::ptrdiff_t>(std::min(count, paces.size())));
+  all.resize(count);
+  const JointRates most = ratesOf(scene, settings);
   for (std::size_t first = 0, end = 0; first < count; first = end) {
-    // The slowest joint limits the whole run.
-    double largest = std::numeric_limits<double>::infinity(), wanted = largest, distance = 0.0;
-    for (bool isOn = true; isOn && end < count; ++end) {
-      const MotionPace pace = paceOf(end);
-      if (end > first && !isOfTool(pace)) break;
-      const double own = isOfTool(pace) ? pace.length : 1.0;
-      const double joints = own * largestShares(scene, m_path[end + 1] - m_path[end], settings);
-      largest = std::min(largest, joints);
-      wanted = std::min(wanted, isOfTool(pace) ? pace.toolSpeed : joints * std::clamp(pace.speed, kSlowest, 1.0));
-      m_distances.push_back(own);
-      m_distancesBefore.push_back(distance);
-      m_runOf.push_back(m_runs.size());
-      distance += own;
-      isOn = isOfTool(pace) && pace.isContinued;
-    }
-    if (!std::isfinite(largest)) {  // nothing moves
-      m_runs.push_back({first, time, RestToRest(0.0, 1.0, 1.0, 1.0)});
-    } else {
-      const double acceleration = largest / settings.timeToSpeed;
-      const double velocity = std::max(std::min(wanted, largest) * std::clamp(settings.speed, kSlowest, 1.0),
-                                       kSlowest * std::min(wanted, largest));
-      m_runs.push_back({first, time, RestToRest(distance, velocity, acceleration, acceleration / settings.timeToRamp)});
-    }
-    const RestToRest& profile = m_runs.back().profile;
-    for (std::size_t motion = first; motion < end; ++motion)
-      m_begins.push_back(motion == first ? time : time + profile.timeOf(m_distancesBefore[motion]));
-    time += profile.duration();
+    end = first + 1;
+    while (end < count && all[end - 1].isContinued) ++end;
+    addRun(first, end, most, settings, all);
   }
-  m_begins.push_back(time);
+  m_begins.push_back(m_runs.empty() ? 0.0 : m_runs.back().begin + m_runs.back().motions.duration());
+}
+
+void TimedPath::addRun(std::size_t first, std::size_t end, const JointRates& most, const PathTimingSettings& settings,
+                       std::span<const MotionPace> paces) {
+  const auto own = paces.subspan(first, end - first);
+  const std::span<const ArmValues> points = std::span<const ArmValues>(m_path).subspan(first, own.size() + 1);
+  std::vector<double> durations, extents;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    durations.push_back(durationOf(points[i + 1] - points[i], most, own[i], settings.speed));
+  const bool isBlended =
+      std::any_of(own.begin(), own.end() - 1, [](const MotionPace& pace) { return pace.zone > 0.0; });
+  const double begin = m_runs.empty() ? 0.0 : m_runs.back().begin + m_runs.back().motions.duration();
+  if (isBlended) {
+    extents = durations;
+    m_runs.push_back({begin, TimedRun::blended(points, extents, zonesOf(durations, own), most)});
+  } else {
+    // A line has one speed: the extent is the path of the tool or, if that only turns, of the joints.
+    const bool areOfTool = std::all_of(own.begin(), own.end(), isOfTool);
+    double speed = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      extents.push_back(areOfTool ? own[i].length : leastDuration(points[i + 1] - points[i], most));
+      if (extents[i] > 0.0 && durations[i] > 0.0) speed = std::min(speed, extents[i] / durations[i]);
+    }
+    if (!std::isfinite(speed)) speed = 1.0;
+    m_runs.push_back({begin, TimedRun::stopping(points, extents, speed, most)});
+  }
+  double before = 0.0;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    m_begins.push_back(i == 0 ? begin : begin + m_runs.back().motions.timeOf(before));
+    m_runOf.push_back(m_runs.size() - 1);
+    m_extents.push_back(extents[i]);
+    m_extentsBefore.push_back(before);
+    before += extents[i];
+  }
 }
 
 std::size_t TimedPath::motionAt(double time) const {
@@ -126,18 +129,20 @@ std::size_t TimedPath::motionAt(double time) const {
 double TimedPath::shareAt(double time) const {
   if (m_runs.empty()) return 0.0;
   const std::size_t motion = motionAt(time);
-  if (time >= m_begins[motion + 1]) return 1.0;
+  if (time >= m_begins[motion + 1] || !(m_extents[motion] > 0.0)) return 1.0;
   const Run& run = m_runs[m_runOf[motion]];
-  return std::clamp((run.profile.at(time - run.begin) - m_distancesBefore[motion]) / m_distances[motion], 0.0, 1.0);
+  return std::clamp((run.motions.extentAt(time - run.begin) - m_extentsBefore[motion]) / m_extents[motion], 0.0, 1.0);
 }
 
 ArmValues TimedPath::valuesAt(double time) const {
   assert(!m_path.empty());
   if (m_runs.empty()) return m_path.front();
   const std::size_t motion = motionAt(time);
-  const double share = shareAt(time);
-  if (share >= 1.0) return m_path[motion + 1];
-  return m_path[motion] + share * (m_path[motion + 1] - m_path[motion]);
+  const Run& run = m_runs[m_runOf[motion]];
+  // Stops are exactly at their waypoints.
+  const bool isLastOfRun = motion + 1 == m_runOf.size() || m_runOf[motion + 1] != m_runOf[motion];
+  if (isLastOfRun && time >= m_begins[motion + 1]) return m_path[motion + 1];
+  return run.motions.valuesAt(run.motions.extentAt(time - run.begin));
 }
 
 }  // namespace handwheel

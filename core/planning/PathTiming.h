@@ -3,29 +3,9 @@
 #pragma once
 
 #include "planning/Plan.h"
+#include "planning/TimedRun.h"
 
 namespace handwheel {
-
-// A time-optimal motion from rest to rest with limited velocity, acceleration and jerk. It has a double-S profile
-// (Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
-class RestToRest {
- public:
-  // Computes the motion over a distance within these limits. All values must be above 0, except the distance, which may
-  // be 0.
-  RestToRest(double distance, double velocity, double acceleration, double jerk);
-
-  double duration() const { return 2.0 * m_ramp + m_cruise; }
-  double timeOf(double distance) const;  // time at which a distance is covered, s; 0 ≤ distance ≤ the whole distance
-  double at(double time) const;          // distance covered at a time, clamped before and after the motion
-
- private:
-  double rampAt(double time) const;  // distance covered at a time in the first ramp
-
-  double m_distance, m_jerk;
-  double m_turn = 0.0;    // s with constant jerk, at each end of a ramp
-  double m_ramp = 0.0;    // s of acceleration
-  double m_cruise = 0.0;  // s
-};
 
 // The limits of the motion of a robot.
 struct PathTimingSettings {
@@ -39,13 +19,18 @@ struct PathTimingSettings {
 // The speed of one motion of a path.
 struct MotionPace {
   double speed = 1.0;      // fraction of the largest velocities
-  double length = 0.0;     // mm: distance that the tool covers, if toolSpeed is given; 0: only the joint speeds count
-  double toolSpeed = 0.0;  // mm/s: limit of the speed of the tool, if a length is given
-  // The robot does not stop at the end of the motion; its tool keeps its speed in the next one.
+  double length = 0.0;     // mm: distance that the tool covers; 0: it does not move, or it is not known
+  double toolSpeed = 0.0;  // mm/s: limit of the speed of the tool, if a length is given; 0: only the joint speeds count
+  // The robot does not stop at the end of the motion.
   bool isContinued = false;
+  // mm: distance from the end of the motion, before and behind it, within which the robot may leave the path; 0: a
+  // stop, or a point of a line if the motion is continued.
+  double zone = 0.0;
 };
 
-// A path in time. The robot stops at each waypoint unless the motion is continued.
+// A path in time, as an estimate: controllers plan by models of the robot that only they have. The robot stops at each
+// waypoint unless the motion is continued. Between stops without zones no joint exceeds its velocity, acceleration or
+// jerk; with zones no joint exceeds its velocity or acceleration.
 class TimedPath {
  public:
   // Computes the times of a path. paces: one for each motion; empty: as fast as the joints can move.
@@ -61,20 +46,20 @@ class TimedPath {
   const JointPath& path() const { return m_path; }
 
  private:
-  // The motions from one stop to the next. Distances are in mm along the tool's path, or in fractions of a single
-  // motion.
   struct Run {
-    std::size_t first;  // index of the first motion
-    double begin;       // s
-    RestToRest profile;
+    double begin;  // s
+    TimedRun motions;
   };
+
+  void addRun(std::size_t first, std::size_t end, const JointRates& most, const PathTimingSettings& settings,
+              std::span<const MotionPace> paces);
 
   JointPath m_path;
   std::vector<Run> m_runs;
-  std::vector<std::size_t> m_runOf;       // run of each motion
-  std::vector<double> m_distances;        // distance of each motion, in the unit of its run
-  std::vector<double> m_distancesBefore;  // sum of the distances of the preceding motions in the same run
-  std::vector<double> m_begins;           // s; one more than motions
+  std::vector<std::size_t> m_runOf;     // run of each motion
+  std::vector<double> m_extents;        // extent of each motion in its run
+  std::vector<double> m_extentsBefore;  // sum of the extents of the preceding motions in the same run
+  std::vector<double> m_begins;         // s; one more than motions
 };
 
 }  // namespace handwheel

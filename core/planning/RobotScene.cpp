@@ -225,7 +225,7 @@ bool RobotScene::isWithinLimits(const ArmValues& values, double slack) const {
   for (Eigen::Index i = 0; i < size(); ++i) {
     if (!joint(i).isWithin(values[i], slack)) return false;
   }
-  return true;
+  return !m_coupling || m_coupling->isWithin(values, slack);
 }
 
 ProximityQuery RobotScene::approachQuery(std::vector<std::uint32_t>& joints) const {
@@ -248,6 +248,16 @@ ProximityQuery RobotScene::approachQuery(std::vector<std::uint32_t>& joints) con
     }
   }
   return {std::move(bodies), pairs};
+}
+
+ArmValues byShortestTurn(const RobotScene& scene, const ArmValues& from, ArmValues to) {
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    const ArmJoint& joint = scene.joint(i);
+    if (joint.isPrismatic || std::isfinite(joint.lower) || std::isfinite(joint.upper)) continue;
+    const double turned = from[i] + std::remainder(to[i] - from[i], 2.0 * M_PI);
+    if (std::abs(turned) <= kMostTurn) to[i] = turned;
+  }
+  return to;
 }
 
 }  // namespace handwheel

@@ -44,6 +44,10 @@ class RobotScene {
   Eigen::Index size() const { return static_cast<Eigen::Index>(m_joints.size()); }
   const ArmJoint& joint(Eigen::Index i) const { return m_joints[static_cast<std::size_t>(i)].joint; }
   bool isWithinLimits(const ArmValues& values, double slack = 1e-9) const;
+  // Sets the coupling of the planned arm, which must have at least three joints. As its limits are linear in the
+  // joints, a motion between two configurations within them is within them, too.
+  void setCoupling(const std::optional<AxisCoupling>& coupling) { m_coupling = coupling; }
+  bool isCouplingWithin(const ArmValues& values) const { return !m_coupling || m_coupling->isWithin(values); }
 
   // Computes the poses of the frames that the joints move, in the world. poses: one element for each joint.
   void jointPoses(const ArmValues& values, std::span<Pose> poses) const;
@@ -177,7 +181,12 @@ class RobotScene {
   std::vector<Pair> m_pairs;         // sorted by groups
   std::vector<GroupPair> m_groupPairs;
   ObstacleSet m_obstacles;
+  std::optional<AxisCoupling> m_coupling;
   Status m_status = Done{};
 };
+
+// Returns the joint values `to`, with whole turns added to or removed from joints without limits so that each turns by
+// at most half a turn from `from`.
+ArmValues byShortestTurn(const RobotScene& scene, const ArmValues& from, ArmValues to);
 
 }  // namespace handwheel

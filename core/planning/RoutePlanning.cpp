@@ -4,9 +4,38 @@
 
 #include "planning/planners/Planners.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace handwheel {
+
+namespace {
+
+// Returns a path after it was shortened. SBL comes around obstacles on any side, which shortening cannot change: its
+// first path is compared with others.
+JointPath shortest(const RobotScene& scene, PlanResult planned, const RouteSettings& settings, const Progress& progress,
+                   std::uint64_t& steps) {
+  const auto shortenedOf = [&](JointPath path, std::uint64_t seed) {
+    return shortened(scene, std::move(path), settings.plan.check, settings.shortcuts, settings.plan.seconds, seed,
+                     progress);
+  };
+  const ArmValues start = planned.path.front(), goal = planned.path.back();
+  JointPath best = shortenedOf(std::move(planned.path), settings.plan.seed);
+  constexpr std::uint64_t kOthers = 3;
+  for (std::uint64_t other = 1; settings.planner == "sbl" && other <= kOthers && !progress.cancelled(); ++other) {
+    PlanSettings again = settings.plan;
+    again.seed = settings.plan.seed + other * 0x9e3779b9U;
+    again.mostMilestones = std::min(again.mostMilestones, 2 * planned.milestones + 100);  // not longer than the first
+    PlanResult found = planPath(scene, start, goal, again, settings.planner, progress);
+    steps += found.steps;
+    if (found.outcome != PlanResult::Outcome::Solved) continue;
+    JointPath path = shortenedOf(std::move(found.path), again.seed);
+    if (lengthOf(scene, path) < lengthOf(scene, best)) best = std::move(path);
+  }
+  return best;
+}
+
+}  // namespace
 
 Route planRoute(const RobotScene& scene, std::span<const ArmValues> waypoints, const RouteSettings& settings,
                 Progress progress) {
@@ -34,8 +63,7 @@ Route planRoute(const RobotScene& scene, std::span<const ArmValues> waypoints, c
     }
     route.legs.push_back(settings.shortcuts == 0
                              ? std::move(planned.path)
-                             : shortened(scene, std::move(planned.path), settings.plan.check, settings.shortcuts,
-                                         settings.plan.seconds, settings.plan.seed, part.part(0.7, 1.0)));
+                             : shortest(scene, std::move(planned), settings, part.part(0.7, 1.0), route.steps));
   }
   return route;
 }

@@ -106,13 +106,14 @@ bool hasPlainShapes(const RobotModel& robot, std::span<const RobotArm> arms, std
 }
 
 RobotModel withBothShapes(RobotModel robot) {
-  const auto hasAny = [&](std::vector<PlacedShape> Link::*shapes) {
-    return std::any_of(robot.links.begin(), robot.links.end(),
-                       [&](const Link& link) { return !(link.*shapes).empty(); });
-  };
-  const bool isSeen = hasAny(&Link::visuals), isSolid = hasAny(&Link::collisions);
+  const auto& links = robot.links;
+  const bool isSeen = std::ranges::any_of(links, [](const Link& link) { return !link.visuals.empty(); });
+  const bool isSolid = std::ranges::any_of(links, &Link::isSolid);
   for (Link& link : robot.links) {
-    if (!isSolid) link.collisions = link.visuals;
+    if (!isSolid) {
+      link.collisions = link.visuals;
+      link.unreadCollisions = link.unreadVisuals;
+    }
     if (!isSeen) link.visuals = link.collisions;
   }
   return robot;

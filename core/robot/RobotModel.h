@@ -100,6 +100,11 @@ struct Link {
   std::uint32_t parentJoint = kNone;  // kNone for the root
   std::vector<PlacedShape> visuals;
   std::vector<PlacedShape> collisions;
+  // Elements of the shapes that could not be read ("capsule"; empty: there was none). Nothing is known of them.
+  std::vector<std::string> unreadVisuals = {};
+  std::vector<std::string> unreadCollisions = {};
+
+  bool isSolid() const { return !collisions.empty() || !unreadCollisions.empty(); }  // It has collision shapes
 };
 
 // A robot, or several robots of a cell (RobotArms.h). It is a tree of links connected by joints. The names of links are

@@ -130,7 +130,7 @@ Result<RobotSemantics> readSrdf(std::string_view bytes, const RobotModel& robot,
 std::set<LinkPair> neighbours(const RobotModel& robot) {
   // Finds the nearest link with a shape for each link, upwards, including itself.
   std::vector<std::uint32_t> shaped(robot.links.size(), kNone);
-  const auto hasShape = [&](std::uint32_t link) { return !robot.links[link].collisions.empty(); };
+  const auto hasShape = [&](std::uint32_t link) { return robot.links[link].isSolid(); };
   if (robot.root != kNone && hasShape(robot.root)) shaped[robot.root] = robot.root;
   std::set<LinkPair> pairs;
   for (const std::uint32_t j : robot.order) {

@@ -96,16 +96,20 @@ std::optional<ShapeColour> UrdfShapes::colourOf(const XmlElement& visual) {
 
 void UrdfShapes::readInto(Link& link, const XmlElement& element) {
   for (const XmlElement& child : element.children) {
-    if (child.name == "visual") readShape(child, link.visuals);
-    if (child.name == "collision") readShape(child, link.collisions);
+    if (child.name == "visual") readShape(child, link.visuals, link.unreadVisuals);
+    if (child.name == "collision") readShape(child, link.collisions, link.unreadCollisions);
   }
 }
 
-void UrdfShapes::readShape(const XmlElement& element, std::vector<PlacedShape>& shapes) {
+void UrdfShapes::readShape(const XmlElement& element, std::vector<PlacedShape>& shapes,
+                           std::vector<std::string>& unread) {
   const Result<Pose> origin = readOrigin(element);
-  if (!origin) return note(origin.error());
   const Result<Shape> shape = readGeometry(element);
-  if (!shape) return note(shape.error());
+  if (!origin || !shape) {
+    const XmlElement* const geometry = element.child("geometry");
+    unread.push_back(geometry && !geometry->children.empty() ? geometry->children.front().name : std::string());
+    return note(origin ? shape.error() : origin.error());
+  }
   shapes.push_back({numberOf(*shape), *origin, element.name == "visual" ? colourOf(element) : std::nullopt});
 }
 

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 // A reader of the visual and collision shapes of links in URDF. Errors do not stop the reading; an invalid element is
-// noted and omitted.
+// noted, and the link keeps its name.
 class UrdfShapes {
  public:
   explicit UrdfShapes(ImportedRobot& read) : m_read(read) {}
@@ -27,7 +27,7 @@ class UrdfShapes {
  private:
   void collectMaterial(const XmlElement& material);
   std::optional<ShapeColour> colourOf(const XmlElement& visual);
-  void readShape(const XmlElement& element, std::vector<PlacedShape>& shapes);
+  void readShape(const XmlElement& element, std::vector<PlacedShape>& shapes, std::vector<std::string>& unread);
   Result<Shape> readGeometry(const XmlElement& element) const;
   Result<Shape> readMesh(const XmlElement& mesh) const;
   std::uint32_t numberOf(const Shape& shape);

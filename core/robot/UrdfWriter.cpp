@@ -86,6 +86,12 @@ std::string placedText(const char* element, const PlacedShape& placed, const Rob
   return text + "</" + element + ">\n";
 }
 
+// A shape that could not be read is written as an element that cannot be read, so that the link goes on lacking it.
+std::string unreadText(const char* element, const std::string& shape) {
+  const std::string geometry = shape.empty() ? "<geometry/>" : "<geometry><" + shape + "/></geometry>";
+  return std::string("    <") + element + ">" + geometry + "</" + element + ">\n";
+}
+
 const char* typeOf(JointKind kind) {
   switch (kind) {
     case JointKind::Revolute:
@@ -145,6 +151,8 @@ std::string urdfOf(const RobotModel& robot) {
     text += "  <link" + attribute("name", link.name) + ">\n";
     for (const PlacedShape& placed : link.visuals) text += placedText("visual", placed, robot);
     for (const PlacedShape& placed : link.collisions) text += placedText("collision", placed, robot);
+    for (const std::string& shape : link.unreadVisuals) text += unreadText("visual", shape);
+    for (const std::string& shape : link.unreadCollisions) text += unreadText("collision", shape);
     text += "  </link>\n";
   }
   for (std::uint32_t j = 0; j < robot.joints.size(); ++j) text += jointText(robot, j);

@@ -16,12 +16,13 @@ DECLARED = re.compile(r"^(?:extern|  static) const ErrorDescription (\w+);", re.
 SPACE = re.compile(r"^namespace handwheel::(\w+) \{|^class (ErrorCode) \{", re.M)
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 MARKED = re.compile(r'translatable\(\s*"ErrorText",\s*"((?:[^"\\]|\\.)*)"\)')
+JOINT = re.compile(r'(?<=[^\\{,(])"\s+"')  # between the parts of one text
 
 
 def texts(description, member):
     """The texts of a member, and whether all of them are marked."""
     found = re.search(rf"\.{member} = \{{(.*?)\}}", description, re.S)
-    inside = found[1] if found else ""
+    inside = JOINT.sub("", found[1]) if found else ""
     return MARKED.findall(inside), not STRING.search(MARKED.sub("", inside))
 
 

@@ -80,9 +80,10 @@ Result<SerialArm> armOfCell(const Arguments& arguments, const std::string& tip, 
   const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return file.error();
   const CellRobot& robot = *file->cell->robot;
-  const Result<SerialArm> arm = armTo(robot.model, tip, activeArm(robot, *file->cell->plans).flange, name);
+  const RobotArm& active = activeArm(robot, *file->cell->plans);
+  const Result<SerialArm> arm = armTo(robot.model, tip, active.flange, name);
   if (!arm || !tip.empty()) return arm;
-  return arm->withTool(file->cell->plans->tool);
+  return arm->withTool(file->cell->plans->tool).withCoupling(couplingOf(active, *arm));
 }
 
 // A robot by its built-in name, a table in JSON, a URDF or a cell.
@@ -91,7 +92,8 @@ Result<SerialArm> armCalled(const Arguments& arguments, const std::string& tip, 
   const auto ofTable = [](const DhTable& table) {
     return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
   };
-  if (const DhTable* const table = libraryTable(name)) return ofTable(*table);
+  if (const DhTable* const table = libraryTable(name))
+    return ofTable(*table).withCoupling(libraryRobot(table->name)->coupling);
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::RobotUnknown, {name}, {}, {}};
   const Result<std::string> bytes = readFileBytes(name);

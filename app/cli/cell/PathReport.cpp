@@ -6,6 +6,7 @@
 #include "base/ShownDistance.h"
 #include "cli/Messages.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/proof/MissingShapes.h"
 #include "planning/PlanningFidelity.h"
 #include "robot/program/PathFile.h"
 #include "tools/cell/path/ProgramRemarks.h"
@@ -91,7 +92,15 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   if (outdated.isToolOther) json["tool_changed"] = true;
   if (!outdated.targets.empty()) json["targets_moved"] = outdated.targets;
   if (!outdated.configurations.empty()) json["configurations_changed"] = outdated.configurations;
+  json["touching"] = checked.isTouching();
   json["not_checked"] = checked.notChecked;
+  json["missing_shapes"] = describeMissing(checked.missing);
+  json["not_proven"] = nlohmann::ordered_json::array();
+  for (const ProofGap& gap : checked.gaps) {
+    const bool isCorner = gap.kind == ProofGap::Kind::Corner;
+    json["not_proven"].push_back({{"place", gap.waypoint}, {"reason", isCorner ? "cnt" : "carried"}});
+    if (!isCorner) json["not_proven"].back().update({{"text", gap.text}, {"line", gap.line}});
+  }
   if (checked.resolved.stopsAt)
     json["stops_at"] = {{"place", *checked.resolved.stopsAt}, {"share", checked.resolved.reached}};
   return json;
@@ -101,16 +110,28 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   const PathMetrics& metrics = checked.metrics;
   std::string text = path.name + ": " + std::to_string(path.waypoints.size()) + " places, " +
                      roundedText(metrics.length, 4) + " rad, " + roundedText(checked.seconds, 3) + " s, " +
-                     (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") + "\n" +
-                     "least clearance " + shownText(shownDistance(metrics.leastClearance)) + " mm, security index " +
+                     (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") +
+                     (checked.isCertified() && checked.isTouching() ? ", but touching\n" : "\n") + "least clearance " +
+                     shownText(shownDistance(metrics.leastClearance)) + " mm, security index " +
                      roundedText(metrics.security, 4) + " mm, manipulability " +
                      roundedText(metrics.manipulability, 3) + ", margin to the limits " + share(metrics.leastMargin) +
                      "\n";
-  for (const auto& [one, other] : checked.notChecked)
+  const auto& pairs = checked.notChecked;
+  for (const auto& [one, other] : std::span(pairs).first(std::min(pairs.size(), kMostListedPairs)))
     text += "not checked, as they may touch: " + one + " with " + other + "\n";
+  if (pairs.size() > kMostListedPairs)
+    text += "not checked, as they may touch: " + std::to_string(pairs.size() - kMostListedPairs) + " more pairs\n";
+  for (const MissingShape& each : checked.missing) text += sentenceOn(each) + "\n";
   if (checked.resolved.stopsAt) {
     text += "the arm cannot follow the line to place " + std::to_string(*checked.resolved.stopsAt + 1) +
             ": it stops after " + share(checked.resolved.reached) + "\n";
+  }
+  for (const ProofGap& gap : checked.gaps) {
+    const std::string waypoint = "place " + std::to_string(gap.waypoint + 1);
+    text += gap.kind == ProofGap::Kind::Corner
+                ? "not proven: CNT rounds the corner at " + waypoint + ", and not everything within it is free\n"
+                : "not proven after " + waypoint + ": line " + std::to_string(gap.line) + ", '" + gap.text +
+                      "', may grip or release; say what is carried (--carried same: as before)\n";
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
@@ -125,8 +146,7 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
 }
 
 void warnOfShapes(const CellScene& scene) {
-  for (const std::uint32_t link : scene.shapeless)
-    complain("The mesh of the link " + scene.robot->model.links[link].name + " is missing: it collides with nothing.");
+  for (const MissingShape& each : scene.missing) complain("warning: " + sentenceOn(each));
   if (hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber)) {
     complain(
         "The robot has simplified shapes, smaller than its own in places: keep a clearance, or use its meshes by a "
@@ -176,6 +196,26 @@ Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& ce
   if (!read) return read.error();
   for (const QString& remark : programRemarks(*read, cell.plans->tool)) remarks.push_back(remark.toStdString());
   return std::move(read->path);
+}
+
+std::string readChoices(const Arguments& arguments, ProgramChoices& choices) {
+  choices.cornersAsStops = arguments.has("cnt-as-fine");
+  choices.withoutLines = arguments.has("without-io");
+  choices.keepsCarried = arguments.has("carried");
+  const bool isSound = !choices.keepsCarried || arguments.valueOf("carried") == "same";
+  return isSound ? std::string() : "The option --carried takes 'same'.";
+}
+
+std::vector<OptionSpec> programChoiceOptions(bool isExport) {
+  std::vector<OptionSpec> options;
+  options.push_back({"carried", 0, "same",
+                     "After lines that may grip or release, the robot carries what it carried before (default: the "
+                     "proof ends there)"});
+  options.push_back({"cnt-as-fine", 0, "", "The robot stops exactly where a Fanuc program rounds corners (CNT)"});
+  if (isExport)
+    options.push_back({"without-io", 0, "",
+                       "Leave out the lines of the opened program that are not interpreted, as outputs and waiting"});
+  return options;
 }
 
 void warnOfProgram(const std::vector<std::string>& remarks) {

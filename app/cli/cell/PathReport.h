@@ -3,12 +3,15 @@
 #pragma once
 
 #include "tools/cell/path/PathCheck.h"
+#include "tools/cell/path/ProgramChoices.h"
 
 #include "cli/Arguments.h"
 
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
+
+inline constexpr std::size_t kMostListedPairs = 50;  // Pairs without a proof that are listed by their names
 
 // Returns the measurements of a path for reports. Keys: certified, length_rad, waypoints, min_clearance_mm,
 // manipulability, security_mm, limit_margin, cycle_s, robots_moved, collisions, outdated, not_checked (pairs of names).
@@ -32,6 +35,10 @@ nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const Che
 Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name,
                              std::vector<std::string>& remarks);
 
+// Reads the options of programChoiceOptions(). Returns the text of a usage error; empty: none.
+std::string readChoices(const Arguments& arguments, ProgramChoices& choices);
+// Returns the options by which a person decides about a path of a program. isExport: those of exports, too.
+std::vector<OptionSpec> programChoiceOptions(bool isExport);
 // Prints the remarks on a program as warnings.
 void warnOfProgram(const std::vector<std::string>& remarks);
 

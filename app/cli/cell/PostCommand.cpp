@@ -10,6 +10,9 @@
 #include "cli/cell/PathReport.h"
 #include "tools/cell/path/PathExport.h"
 
+#include <algorithm>
+#include <span>
+
 namespace handwheel {
 
 namespace {
@@ -33,18 +36,24 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!file) return fail(file.error());
   PathCheckSettings check;
   if (const std::string problem = readProof(arguments, check); !problem.empty()) return failUsage(problem, "post");
+  ProgramChoices choices;
+  if (const std::string problem = readChoices(arguments, choices); !problem.empty()) return failUsage(problem, "post");
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
+  Status possible = Done{};  // an arm that the language cannot move is refused before any work
   Result<RobotPath> path = Error{};
   std::vector<std::string> remarks;
   Result<CheckedPath> checked = Error{};
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
+    if (scene) possible = canBeWritten(*scene, *post);
+    if (scene && possible) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
+    if (path) path = chosen(std::move(path).value(), choices);
     if (path) check.clearance = file->cell->plans->clearanceOf(*path);
     if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
+  if (!possible) return fail(possible.error());
   if (!path) return fail(path.error());
   warnOfProgram(remarks);
   if (!checked) return fail(checked.error());
@@ -66,13 +75,13 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
              written->otherRobot);
   }
   for (const std::string& reason : reasonsOf(checked->outdated)) complain("warning: " + reason);
-  for (const auto& [one, other] : checked->notChecked)
+  const auto& pairs = checked->notChecked;
+  for (const auto& [one, other] : std::span(pairs).first(std::min(pairs.size(), kMostListedPairs)))
     complain("warning: " + one + " with " + other + " was not checked, as they may touch");
-  for (const SmallerBlend& each : written->smaller) {
-    complain("warning: the blend at place " + std::to_string(each.waypoint + 1) + " is at most " +
-             roundedText(each.kept, 4) + " mm in place of " + roundedText(each.wanted, 6) +
-             " mm, which is not proven free");
-  }
+  if (pairs.size() > kMostListedPairs)
+    complain("warning: " + std::to_string(pairs.size() - kMostListedPairs) + " more pairs were not checked");
+  if (checked->isTouching()) complain("warning: the robot touches something on the path: its clearance is 0 mm");
+  if (const std::string blends = smallerBlendsText(written->smaller); !blends.empty()) complain("warning: " + blends);
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", readBack.motions},
@@ -81,6 +90,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
                          {"exact_stops", written->exactStops},
                          {"smaller_blends", written->smaller.size()},
                          {"clearance_mm", checked->clearance},
+                         {"touching", checked->isTouching()},
                          {"not_checked", checked->notChecked},
                          {"other_robot", !written->otherRobot.empty()},
                          {"outdated", checked->outdated.isAny()},
@@ -113,6 +123,7 @@ Command postCommand() {
                           "'base': that of the robot"});
   spec.options.push_back({"without-wobjdata", 0, "",
                           "RAPID: only name the frame of the cell; another module of the same task has its data"});
+  for (OptionSpec& option : programChoiceOptions(true)) spec.options.push_back(std::move(option));
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"outdated", 0, "",
                           "Write it even if its part, its robot or a target has moved, or the tool or a configuration "

@@ -20,6 +20,9 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   if (arguments.has("clearance") && (!readNumber(arguments.valueOf("clearance"), clearance) || !(clearance >= 0.0)))
     return failUsage("The option --clearance takes a length in mm.", "verify");
   if (const std::string problem = readProof(arguments, check); !problem.empty()) return failUsage(problem, "verify");
+  ProgramChoices choices;
+  if (const std::string problem = readChoices(arguments, choices); !problem.empty())
+    return failUsage(problem, "verify");
   CollisionMeshes meshes;
   Result<CellScene> scene = Error{};
   Result<RobotPath> path = Error{};
@@ -28,6 +31,7 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
+    if (path) path = chosen(std::move(path).value(), choices);
     if (path && !arguments.has("clearance")) clearance = file->cell->plans->clearanceOf(*path);
     if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
   });
@@ -52,6 +56,7 @@ Command verifyCommand() {
   spec.options.push_back(armOption());
   spec.options.push_back(
       {"clearance", 0, "MM", "Clearance from all obstacles; default: that of the path, or else of the cell"});
+  for (OptionSpec& option : programChoiceOptions(false)) spec.options.push_back(std::move(option));
   spec.options.push_back(resolutionOption());
   spec.options.push_back({"step", 0, "RAD", "Step of the checks of motions that are not proven free (default 0.01)"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});

@@ -52,7 +52,7 @@ std::shared_ptr<const CellScene> CellCollisions::sceneFor(std::size_t arm) const
 
 bool CellCollisions::isPrepared() const {
   if (!isOfPresentRobots()) return false;
-  return m_scene->holdsFor(*std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()), m_allowed);
+  return m_scene->holdsFor(*std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot()), *m_plans);
 }
 
 bool CellCollisions::areOthersPrepared() const {
@@ -93,7 +93,7 @@ void CellCollisions::prepare() {
       if (!m_document || content->robot.get() != &cell().robot()) return;
       m_scene = scene;
       m_others = others;
-      m_allowed = content->plans->allowed;
+      m_plans = content->plans;
       if (scene && !(isPrepared() && areOthersPrepared())) return prepare();
       emit prepared();
     };

@@ -58,7 +58,7 @@ class CellCollisions : public QObject {
   // Scenes of the other robots, in order, for collisions while these robots are dragged. An element is null if its
   // preparation failed. Until they are replaced, the scenes may have former joint values.
   std::vector<std::shared_ptr<const CellScene>> m_others;
-  std::set<std::pair<std::string, std::string>> m_allowed;  // Allowed pairs of m_scene
+  std::shared_ptr<const CellPlans> m_plans;  // Plans of the cell when m_scene was made
 };
 
 }  // namespace handwheel

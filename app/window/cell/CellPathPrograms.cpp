@@ -3,6 +3,8 @@
 
 // The actions that read and write programs of controllers.
 #include "document/cell/RobotCellDocument.h"
+#include "robot/posts/PostErrors.h"
+#include "text/ErrorText.h"
 #include "tools/cell/path/DefaultClearance.h"
 #include "tools/cell/path/ProgramRemarks.h"
 #include "window/JobRunner.h"
@@ -185,14 +187,13 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
   // A file that is being written comes to its end, also when its document was closed meanwhile.
   const auto stillOpen = [this, of = &tab]() -> const DocumentTab* { return m_parts.tabs.contains(of) ? of : nullptr; };
   job.failed = [this, stillOpen](const Error& error) { report(stillOpen(), error); };
-  job.work = [this, stillOpen, scene, known, plans = cell().plans(), path = request.path, &post, file,
-              outdated = request.outdated,
+  job.work = [this, stillOpen, scene, known, plans = cell().plans(), request, &post, file,
               frameData = m_declareFrame.isChecked() ? FrameData::InProgram
                                                      : FrameData::AtController](Progress) -> Job::Finish {
-    auto written =
-        writeProgram(*scene, *plans, path, *known, post, QFile::encodeName(file).toStdString(), outdated, frameData);
-    return [this, stillOpen, &post, file, known, written = std::move(written)] {
-      if (!written) return report(stillOpen(), written.error());
+    auto written = writeProgram(*scene, *plans, chosen(request.path, request.choices), *known, post,
+                                QFile::encodeName(file).toStdString(), request.outdated, frameData);
+    return [this, stillOpen, &post, file, known, request, written = std::move(written)] {
+      if (!written) return reportRefused(stillOpen(), written.error(), post, file, request);
       reportWritten(stillOpen(), *written, post, file, *known);
     };
   };
@@ -209,6 +210,24 @@ void CellPaths::reportNotWritten(const std::string& path) {
   emit message(changed);
 }
 
+void CellPaths::reportRefused(const DocumentTab* tab, const Error& error, const PostProcessor& post,
+                              const QString& file, const ProgramRequest& request) {
+  const bool areLines = error.code == PostError::LinesOfOther;
+  if (!tab || (!areLines && error.code != PostError::NoCorners)) return report(tab, error);
+  ProgramRequest changed = request;
+  (areLines ? changed.choices.withoutLines : changed.choices.cornersAsStops) = true;
+  Message refused{.weight = Message::Weight::Warning,
+                  .title = tr("%1 was not exported").arg(QString::fromStdString(request.path.name)),
+                  .detail = errorSentence(error),
+                  .advice = errorAdvice(error),
+                  .actionText = areLines ? tr("Write it without these lines") : tr("Write exact stops instead")};
+  refused.action = [this, changed, &post, file, tab] {
+    if (tab == m_document && choosePath(changed.path.name)) exportProgram(post, file, changed);
+  };
+  refused.about = &tab->document;
+  emit message(refused);
+}
+
 void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
                               const QString& file, const CheckedPath& checked) {
   const QLocale locale;
@@ -219,16 +238,12 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
         QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as not every way within their zones is proven free.",
                               nullptr, static_cast<int>(written.exactStops));
   }
-  constexpr std::size_t kMostBlends = 3;
-  for (const SmallerBlend& each : std::span(written.smaller).first(std::min(written.smaller.size(), kMostBlends))) {
+  if (!written.smaller.empty()) {
     detail +=
-        QLatin1Char(' ') + tr("The blend at place %1 is at most %2 mm in place of %3 mm, which is not proven free.")
-                               .arg(each.waypoint + 1)
-                               .arg(locale.toString(each.kept, 'g', 4), locale.toString(each.wanted, 'g', 6));
-  }
-  if (written.smaller.size() > kMostBlends) {
-    detail += QLatin1Char(' ') +
-              tr("%Ln more blend(s) became smaller.", nullptr, static_cast<int>(written.smaller.size() - kMostBlends));
+        QLatin1Char(' ') +
+        tr("%Ln blend(s) became smaller: a blend has half of the shorter motion beside it at most, and only where it "
+           "is proven free.",
+           nullptr, static_cast<int>(written.smaller.size()));
   }
   if (const QString pairs = notCheckedText(checked.notChecked); !pairs.isEmpty())
     detail += QLatin1Char(' ') + tr("Not checked, as they may touch: %1.").arg(pairs);

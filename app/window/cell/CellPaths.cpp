@@ -242,7 +242,7 @@ RobotCellDocument& CellPaths::cellIn(DocumentTab& tab) {
 
 bool CellPaths::isUnchanged(DocumentTab& tab, const CellScene& scene, const RobotCellSnapshot& before) {
   const auto now = std::static_pointer_cast<const RobotCellSnapshot>(tab.document.snapshot());
-  return scene.holdsFor(*now, before.plans->allowed);
+  return scene.holdsFor(*now, *before.plans);
 }
 
 RobotCellDocument& CellPaths::cell() const {

@@ -6,6 +6,7 @@
 #include "tools/cell/ProcessPathOperation.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/PlanOperation.h"
+#include "tools/cell/path/ProgramChoices.h"
 #include "tools/cell/path/ProgramFrames.h"
 #include "window/cell/PathChecks.h"
 #include "window/cell/PlanTree.h"
@@ -173,12 +174,16 @@ class CellPaths : public QObject {
   struct ProgramRequest {
     RobotPath path;
     OutdatedPath outdated;
+    ProgramChoices choices = {};
   };
   bool choosePath(const std::string& name);
   void exportAs(const QString& file, const PostProcessor& ofType, const ProgramRequest& request);
   void exportProgram(const PostProcessor& post, const QString& file, const ProgramRequest& request);
   void reportRemoved(const QString& configuration, const std::vector<std::string>& paths);
   void reportNotWritten(const std::string& path);
+  // Offers to write the program without what the language does not have. tab: null if it was closed.
+  void reportRefused(const DocumentTab* tab, const Error& error, const PostProcessor& post, const QString& file,
+                     const ProgramRequest& request);
   // tab: null if it was closed.
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
                      const QString& file, const CheckedPath& checked);

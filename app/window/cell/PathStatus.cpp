@@ -30,7 +30,7 @@ class Words {
       case BasisChange::Bodies:
         return tr("not verified since the bodies were changed");
       case BasisChange::Pairs:
-        return tr("not verified since the allowed pairs were changed");
+        return tr("not verified since the allowed pairs, or the shapes left out, were changed");
       case BasisChange::Tool:
         return tr("not verified since the tool centre point was changed");
       case BasisChange::Clearance:
@@ -54,8 +54,7 @@ class Words {
     if (!found.isCertified) return tr("%1, %2").arg(collisions(found), time(result));
     if (isOutdated) return planAgain(found.outdated);
     const QString known = tr("%1, %2").arg(clearanceText(found.leastClearance, m_unit, m_locale), time(result));
-    return withRemarks(found, found.hasShapeless ? tr("free, except for links without meshes, %1").arg(known)
-                                                 : tr("free, %1").arg(known));
+    return withRemarks(found, found.isTouching ? tr("free, but touching, %1").arg(known) : tr("free, %1").arg(known));
   }
 
   QString found(const PathResult& result) const {
@@ -67,9 +66,8 @@ class Words {
     if (!found.isCertified) return tr("%1 (%2)").arg(collisions(found), time(result));
     const QString known =
         tr("%1, clearance %2").arg(time(result), clearanceText(found.leastClearance, m_unit, m_locale));
-    return withRemarks(found, found.hasShapeless
-                                  ? tr("free of collisions, except for links without meshes (%1)").arg(known)
-                                  : tr("free of collisions (%1)").arg(known));
+    return withRemarks(found, found.isTouching ? tr("free of collisions, but touching (%1)").arg(known)
+                                               : tr("free of collisions (%1)").arg(known));
   }
 
   QStringList details(const PathResult& result) const {
@@ -82,6 +80,8 @@ class Words {
       return lines + QStringList{tr("The straight line to place %1 leaves the reach of the arm or the limits of its "
                                     "joints.")
                                      .arg(*found.stopsAt + 1)};
+    lines += missingSentences(found.missing);
+    for (const ProofGap& gap : found.gaps) lines += gapSentence(gap);
     if (!found.isCertified) return lines + listedCollisions(found, m_unit, m_locale);
     const double kept = found.clearance;
     lines += kept > 0.0 ? tr("Every motion is proven to keep a clearance of %1.")
@@ -92,7 +92,7 @@ class Words {
       lines += tr("%Ln blend(s) will be exact stops, as not every way within their zones is proven free.", nullptr,
                   static_cast<int>(stops));
     }
-    lines += tr("Cycle time: %1 s.").arg(m_locale.toString(found.seconds, 'f', 1));
+    lines += tr("Estimated cycle time: %1 s.").arg(m_locale.toString(found.seconds, 'f', 1));
     return lines;
   }
 
@@ -104,12 +104,28 @@ class Words {
                    : m_locale.toString(result.at.date(), QLocale::ShortFormat);
   }
   static QString collisions(const PathFindings& found) {
+    const auto open = std::ranges::find(found.missing, MissingShape::State::Open, &MissingShape::state);
+    if (found.collisions == 0 && open != found.missing.end())
+      return tr("not proven: the shape of %1 is missing").arg(QString::fromStdString(open->name));
+    if (found.collisions == 0 && !found.gaps.empty())
+      return found.gaps.front().kind == ProofGap::Kind::Corner ? tr("not proven: CNT")
+                                                               : tr("proven only as far as what is carried is known");
     const auto tooNear = static_cast<int>(std::min(found.tooNear, found.collisions));
     const int meeting = static_cast<int>(found.collisions) - tooNear;
     const QString nearly = tr("too near %Ln time(s)", nullptr, tooNear);
     if (meeting == 0 && tooNear > 0) return nearly;
     const QString met = tr("%Ln collision(s)", nullptr, meeting);
     return tooNear > 0 ? tr("%1, %2").arg(met, nearly) : met;
+  }
+  static QString gapSentence(const ProofGap& gap) {
+    if (gap.kind == ProofGap::Kind::Corner)
+      return tr("The controller rounds the corner at place %1 (CNT), and not everything within it is free: set its "
+                "rounding to 0, or change the places.")
+          .arg(gap.waypoint + 1);
+    return tr("The proof ends at place %1: \"%2\" may grip or release something. Say at that place that the robot "
+              "carries the same as before.")
+        .arg(gap.waypoint + 1)
+        .arg(QString::fromStdString(gap.text));
   }
   // Adds the problem of a path that is not free.
   static QString withProblem(const PathFindings& found, const QString& text) {
@@ -123,7 +139,33 @@ class Words {
       return tr("plan again: it misses %1").arg(QString::fromStdString(*outdated.targets.begin()));
     return tr("plan again: %1 was changed").arg(QString::fromStdString(*outdated.configurations.begin()));
   }
+  static QStringList missingSentences(const std::vector<MissingShape>& missing) {
+    QStringList lines;
+    for (const MissingShape& each : missing) {
+      const QString name = QString::fromStdString(each.name), what = QString::fromStdString(each.what);
+      switch (each.state) {
+        case MissingShape::State::Open:
+          lines += tr("The shape of %1 (%2) could not be read, so nothing is proven free: leave it out or replace it "
+                      "in the panel Cell.")
+                       .arg(name, what);
+          break;
+        case MissingShape::State::LeftOut:
+          lines += tr("The shape of %1 (%2) could not be read, and is left out of the proof.").arg(name, what);
+          break;
+        case MissingShape::State::Replaced:
+          lines += tr("The shape of %1 (%2) could not be read, and %3 replaces it.")
+                       .arg(name, what, QString::fromStdString(each.by));
+          break;
+      }
+    }
+    return lines;
+  }
   static QString withRemarks(const PathFindings& found, QString text) {
+    QStringList decided;
+    for (const MissingShape& each : found.missing) {
+      if (each.state == MissingShape::State::LeftOut) decided += QString::fromStdString(each.name);
+    }
+    if (!decided.isEmpty()) text = tr("%1; left out: %2").arg(text, decided.join(QStringLiteral(", ")));
     if (const QString pairs = notCheckedText(found.notChecked); !pairs.isEmpty())
       text = tr("%1; not checked: %2").arg(text, pairs);
     if (found.robotsMoved.empty()) return text;

@@ -3,6 +3,7 @@
 #include "document/cell/CellArms.h"
 
 #include "document/cell/CellErrors.h"
+#include "robot/dh/DhTable.h"
 
 #include <algorithm>
 
@@ -26,6 +27,12 @@ const RobotArm& activeArm(const CellRobot& robot, const CellPlans& plans) {
 bool isSameArm(const CellRobot& robot, std::string_view one, std::string_view other) {
   const auto first = armNumber(robot, one);
   return first && first == armNumber(robot, other);
+}
+
+std::optional<AxisCoupling> couplingOf(const RobotArm& robot, const SerialArm& arm) {
+  constexpr Eigen::Index kJoints = 6;  // joints of a whole arm of the library
+  const LibraryRobot* const known = libraryRobot(robot.title);
+  return known && arm.size() == kJoints ? known->coupling : std::nullopt;
 }
 
 Pose toolOf(const CellRobot& robot, const CellPlans& plans, std::string_view arm) {

@@ -4,6 +4,7 @@
 
 #include "base/Result.h"
 #include "document/cell/RobotCellSnapshot.h"
+#include "robot/arm/SerialArm.h"
 
 #include <optional>
 
@@ -19,6 +20,10 @@ std::size_t activeArmNumber(const CellRobot& robot, const CellPlans& plans);
 const RobotArm& activeArm(const CellRobot& robot, const CellPlans& plans);
 // Returns true if two names, as in CellPlans::arm, denote the same robot.
 bool isSameArm(const CellRobot& robot, std::string_view one, std::string_view other);
+
+// Returns how the controller of a robot couples its second and third joint; none if it does not, or if the robot does
+// not come with the program.
+std::optional<AxisCoupling> couplingOf(const RobotArm& robot, const SerialArm& arm);
 
 // Returns the tool centre point of a robot in the frame of the link that carries the tool. The result is the identity
 // if the name is unknown.

@@ -72,6 +72,8 @@ class Loading {
     Result<BodySet> bodies = readBodies(m_container, kCellFolder, m_damage, progress.part(0.5, 1.0));
     if (!bodies) return bodies.error();
     cell->bodies = std::move(bodies).value();
+    const auto known = m_document.find("resting_pairs_known");
+    cell->areRestingPairsKnown = known != m_document.end() && known->is_boolean() && known->get<bool>();
     const auto source = m_document.find("source");
     if (source != m_document.end() && source->is_string()) cell->source = source->get<std::string>();
     return SnapshotPointer(std::move(cell));
@@ -154,6 +156,7 @@ void writeCell(const RobotCellSnapshot& cell, Container& container) {
   const CellRobot& robot = *cell.robot;
   container.blobs[kDescription] = robot.description;
   document["source"] = cell.source;
+  if (cell.areRestingPairsKnown) document["resting_pairs_known"] = true;
   if (robot.arms != std::vector<RobotArm>{wholeArm(robot.model)}) {
     document["robots"] = nlohmann::json::array();
     for (const RobotArm& arm : robot.arms) {

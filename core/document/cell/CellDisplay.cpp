@@ -7,18 +7,25 @@
 #include "robot/Kinematics.h"
 
 #include <algorithm>
+#include <set>
 
 namespace handwheel {
 
 DisplayModel displayOf(const CellRobot& robot, const JointValues& joints) {
   const RobotModel& model = robot.model;
   const std::vector<Pose> poses = linkPoses(model, joints);
-  const bool hasVisuals =
-      std::any_of(model.links.begin(), model.links.end(), [](const Link& link) { return !link.visuals.empty(); });
+  const auto isSeen = [&](const PlacedShape& placed) { return robot.surfaces[placed.shape] != nullptr; };
+  // Robots that have a visual shape, as far as it could be read; the others are drawn by their collision shapes.
+  const std::vector<std::uint32_t> owners = armsOfLinks(model, robot.arms);
+  std::set<std::uint32_t> seen;
+  for (std::size_t l = 0; l < model.links.size(); ++l) {
+    if (std::ranges::any_of(model.links[l].visuals, isSeen)) seen.insert(owners[l]);
+  }
   DisplayModel display;
   for (std::size_t l = 0; l < model.links.size(); ++l) {
     const Link& link = model.links[l];
-    const auto& shapes = hasVisuals ? link.visuals : link.collisions;
+    const bool isDrawn = link.visuals.empty() ? seen.contains(owners[l]) : std::ranges::any_of(link.visuals, isSeen);
+    const auto& shapes = isDrawn ? link.visuals : link.collisions;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       if (!robot.surfaces[shapes[i].shape]) continue;
       DisplayPart part;

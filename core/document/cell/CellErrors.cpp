@@ -68,6 +68,30 @@ const ErrorDescription CellError::PathCollides{
     .sentences = {translatable("ErrorText", "the path '%1' collides in %2 places, first %3 with %4")},
     .advice = {translatable("ErrorText", "Plan it again, or see all of them with 'verify'.")}};
 
+const ErrorDescription CellError::ShapeMissing{
+    .id = "ShapeMissing",
+    .sentences = {translatable("ErrorText",
+                               "the path '%1' is not proven free: the shape of %2 (%3) could not be read")},
+    .advice = {translatable("ErrorText",
+                            "Replace it by a body that the link carries, or leave it out of proofs, in the panel Cell "
+                            "or by 'handwheel set CELL missing.LINK=…'.")}};
+
+const ErrorDescription CellError::CornerNotProven{
+    .id = "CornerNotProven",
+    .sentences = {translatable("ErrorText",
+                               "the path '%1' is not proven: CNT rounds the corner at place %2, and not everything "
+                               "within the corner is free")},
+    .advice = {translatable(
+        "ErrorText", "Set its rounding to 0 (FINE), or change the places; on the command line: --cnt-as-fine.")}};
+
+const ErrorDescription CellError::CarriedUnknown{
+    .id = "CarriedUnknown",
+    .sentences = {translatable("ErrorText",
+                               "the proof of the path '%1' ends at place %2: '%3' may grip or release something")},
+    .advice = {translatable("ErrorText",
+                            "Say at that place that the robot carries the same as before; on the command line: "
+                            "--carried same.")}};
+
 const ErrorDescription CellError::PathOutdated{
     .id = "PathOutdated",
     .sentences = {translatable("ErrorText", "the path '%1' leads along the curve where '%2' was when it was planned")},

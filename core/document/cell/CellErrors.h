@@ -18,7 +18,10 @@ extern const ErrorDescription RouteNotFound;         // {from, to, seconds}: no 
 extern const ErrorDescription OthersMoved;           // {waypoint}: a joint that is not planned, as of a finger, differs
 extern const ErrorDescription LineUnreachable;       // {waypoint, percent}: the arm cannot follow the line
 extern const ErrorDescription PoseUnreachable;       // {motion}: no joint values reach its end
+extern const ErrorDescription CornerNotProven;       // {path, waypoint}: the controller rounds the corner there
+extern const ErrorDescription CarriedUnknown;        // {path, waypoint, line of the program}: it may grip or release
 extern const ErrorDescription PathCollides;          // {path, count, link, link or body}: the first of the collisions
+extern const ErrorDescription ShapeMissing;          // {path, link or body, shape}: its shape could not be read
 extern const ErrorDescription PathOutdated;          // {path, part}: the part with the curve of the path was moved
 extern const ErrorDescription PathBaseMoved;         // {path}: the robot was moved since its curve was planned
 extern const ErrorDescription PathToolChanged;       // {path}: its curve was planned with another tool

@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/CellImport.h"
 
+#include "base/NumberText.h"
 #include "document/FileBytes.h"
 #include "document/cell/ColladaReader.h"
 #include "document/cell/SurfaceBudget.h"
+#include "document/cell/proof/RestingPairs.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/structure/Weld.h"
 #include "robot/MeshLocation.h"
 #include "robot/UrdfReader.h"
+#include "robot/UrdfValues.h"
 #include "robot/UrdfWriter.h"
 
 #include <QFile>
+#include <QtGlobal>
 #include <algorithm>
 #include <optional>
 
@@ -136,6 +140,37 @@ class Import {
   ImportedCell m_result;
 };
 
+// Adds a note on links of an unlikely size, and on joints that are unlikely far from their links: numbers in mm where a
+// description has metres.
+void noteSizes(const CellRobot& robot, std::vector<Note>& notes) {
+  constexpr double kUnlikely = 20e3;  // mm; no link of an arm is as long, and in mm a part of 20 mm would be
+  const auto text = [](double size) { return roundedText(size / kMillimetresPerMetre, 3); };
+  for (const Link& link : robot.model.links) {
+    double size = 0.0;
+    for (const auto* const shapes : {&link.visuals, &link.collisions}) {
+      for (const PlacedShape& placed : *shapes) {
+        Box box;
+        if (!robot.surfaces[placed.shape]) continue;
+        for (const Vec3& point : robot.surfaces[placed.shape]->points) box.extend(point);
+        if (!box.isEmpty()) size = std::max(size, box.sizes().maxCoeff());
+      }
+    }
+    if (size < kUnlikely) continue;
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "The link %1 is %2 m large. Descriptions are in metres: if the mesh is in mm, "
+                                       "give it scale=\"0.001 0.001 0.001\"."),
+                     {link.name, text(size)}});
+  }
+  for (const Joint& joint : robot.model.joints) {
+    const double far = joint.origin.translation().norm();
+    if (far < kUnlikely) continue;
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "The joint %1 is %2 m from the link before it. Descriptions are in metres: "
+                                       "check its origin."),
+                     {joint.name, text(far)}});
+  }
+}
+
 // The cell with the overlaps of plain shapes as pairs that may touch.
 std::shared_ptr<const RobotCellSnapshot> withOverlaps(const RobotCellSnapshot& cell, const DhTable& table) {
   CellPlans plans = *cell.plans;
@@ -154,7 +189,8 @@ std::shared_ptr<const RobotCellSnapshot> cellOf(const DhTable& robot, std::uint3
   std::string description = urdfOf(read.robot);
   Import import(std::move(read), {}, shapeSides);
   import.readSurfaces({});
-  return withOverlaps(*import.finish(std::move(description), {}).cell, robot);
+  std::vector<Note> known;
+  return withRestingPairs(withOverlaps(*import.finish(std::move(description), {}).cell, robot), known);
 }
 
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides) {
@@ -192,6 +228,8 @@ Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t
   const std::string source = QFile::decodeName(QByteArray::fromStdString(path.string())).toStdString();
   ImportedCell imported = import.finish(std::move(bytes).value(), source);
   if (table) imported.cell = withOverlaps(*imported.cell, *table);
+  noteSizes(*imported.cell->robot, imported.notes);
+  imported.cell = withRestingPairs(std::move(imported.cell), imported.notes);
   return imported;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
+#include "document/Note.h"
 #include "document/cell/RobotCellSnapshot.h"
 #include "robot/ShapeSurfaces.h"
 #include "robot/dh/DhTable.h"
@@ -20,6 +21,7 @@ struct ImportedCell {
   std::shared_ptr<const RobotCellSnapshot> cell;
   std::vector<Error> damage;  // Damage of the description and the meshes; the robot opens without the damaged parts
   std::size_t unlistedDamage = 0;
+  std::vector<Note> notes = {};  // Pairs of links that touch at rest, and links of an unlikely size
 };
 
 // Reads a robot description, a URDF file or a Denavit-Hartenberg table, and the meshes that it names. The joints are at

@@ -71,7 +71,8 @@ Result<JointValues> jointsReaching(const CellRobot& robot, const CellPlans& plan
   if (!arm) return arm.error();
   ArmValues near(static_cast<Eigen::Index>(arm->dofs.size()));
   for (std::size_t i = 0; i < arm->dofs.size(); ++i) near[static_cast<Eigen::Index>(i)] = joints[arm->dofs[i]];
-  const std::vector<ArmSolution> found = solutionsFor(arm->arm.withTool(plans.tool), pose, near);
+  const std::vector<ArmSolution> found = solutionsFor(
+      arm->arm.withTool(plans.tool).withCoupling(couplingOf(activeArm(robot, plans), arm->arm)), pose, near);
   if (found.empty()) return outOfReach(pose);
   const ArmSolution& nearest = found.front();
   if (nearest.beyond)

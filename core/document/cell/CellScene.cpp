@@ -4,6 +4,7 @@
 
 #include "document/cell/BodyCarriers.h"
 #include "document/cell/CellArms.h"
+#include "document/cell/proof/MissingShapes.h"
 #include "document/scene/BodyDisplay.h"
 #include "planning/problems/PlanningSet.h"
 #include "robot/Kinematics.h"
@@ -19,24 +20,12 @@ namespace {
 // A description without any collision shapes collides with what it shows.
 RobotModel withCollisions(const RobotModel& robot) {
   RobotModel changed = robot;
-  const bool hasAny =
-      std::any_of(robot.links.begin(), robot.links.end(), [](const Link& link) { return !link.collisions.empty(); });
+  if (!collidesWithVisuals(robot)) return changed;
   for (Link& link : changed.links) {
-    if (!hasAny) link.collisions = link.visuals;
+    link.collisions = link.visuals;
+    link.unreadCollisions = link.unreadVisuals;
   }
   return changed;
-}
-
-std::vector<std::uint32_t> shapelessLinks(const RobotModel& robot, const CellRobot& cell) {
-  std::vector<std::uint32_t> links;
-  for (std::uint32_t l = 0; l < robot.links.size(); ++l) {
-    const auto& shapes = robot.links[l].collisions;
-    const auto isMissing = [&](const PlacedShape& placed) {
-      return std::holds_alternative<MeshShape>(robot.shapes[placed.shape]) && !cell.surfaces[placed.shape];
-    };
-    if (std::any_of(shapes.begin(), shapes.end(), isMissing)) links.push_back(l);
-  }
-  return links;
 }
 
 struct AllowedPairs {
@@ -79,10 +68,24 @@ std::vector<Obstacle> takeOthers(std::vector<CollisionBody>& shapes, const std::
   return others;
 }
 
+// A body that replaces the shape of its carrier has the neighbours of that link.
+void addNeighboursOfReplaced(const RobotCellSnapshot& cell, const RobotModel& robot, std::set<LinkPair>& pairs) {
+  const std::set<LinkPair> between = pairs;
+  for (const MissingShape& missing : missingShapes(*cell.robot, cell.bodies, *cell.plans)) {
+    if (missing.state != MissingShape::State::Replaced) continue;
+    const std::uint32_t link = linkNamed(robot, missing.part);
+    const std::uint32_t body = linkNamed(robot, partOfBody(cell.bodies.withName(missing.by)->id));
+    for (const auto& [a, b] : between) {
+      if ((a == link || b == link) && a != body && b != body) pairs.insert(std::minmax(a == link ? b : a, body));
+    }
+  }
+}
+
 // robot: that of the cell with the bodies that it carries. owners: which robot each of its links belongs to.
 AllowedPairs allowedOf(const RobotCellSnapshot& cell, const RobotModel& robot,
                        const std::vector<std::uint32_t>& owners) {
   AllowedPairs pairs{neighbours(robot), {}};
+  addNeighboursOfReplaced(cell, robot, pairs.links);
   std::erase_if(pairs.links, [&](const LinkPair& pair) { return owners[pair.first] != owners[pair.second]; });
   for (const auto& [first, second] : cell.plans->allowed) {
     const std::uint32_t a = linkNamed(robot, first), b = linkNamed(robot, second);
@@ -169,10 +172,10 @@ bool CellScene::areUnplannedJointsAt(const JointValues& joints) const {
   return whole(planned(joints)) == joints;
 }
 
-bool CellScene::holdsFor(const RobotCellSnapshot& now,
-                         const std::set<std::pair<std::string, std::string>>& allowed) const {
-  return robot == now.robot && bodies == now.bodies && allowed == now.plans->allowed &&
-         areUnplannedJointsAt(now.joints) && armNumber == activeArmNumber(*now.robot, *now.plans);
+bool CellScene::holdsFor(const RobotCellSnapshot& now, const CellPlans& then) const {
+  return robot == now.robot && bodies == now.bodies && then.allowed == now.plans->allowed &&
+         then.missingAs == now.plans->missingAs && areUnplannedJointsAt(now.joints) &&
+         armNumber == activeArmNumber(*now.robot, *now.plans);
 }
 
 bool CellScene::areOwnUnplannedJointsAt(const JointValues& joints) const {
@@ -197,11 +200,16 @@ std::set<std::string> CellScene::robotsElsewhere(const RobotPath& path) const {
   return names;
 }
 
+std::string CellScene::nameOfCoupled() const {
+  return arm.coupling() ? robot->model.jointOfDof(dofs[2]).name : std::string();
+}
+
 SerialArm CellScene::armFromBase() const {
   std::vector<ArmJoint> joints(arm.joints().begin(), arm.joints().end());
   const Pose base = basePose(robot->model, plannedArm()).inverse(Eigen::Isometry);
   if (!joints.empty()) joints.front().before = base * joints.front().before;
-  return SerialArm(std::move(joints), arm.size() == 0 ? Pose(base * arm.tip()) : arm.tip());
+  return SerialArm(std::move(joints), arm.size() == 0 ? Pose(base * arm.tip()) : arm.tip())
+      .withCoupling(arm.coupling());
 }
 
 Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes) {
@@ -228,22 +236,21 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
   RobotScene scene(robot, Pose::Identity(), std::move(shapes), arm->dofs, cell.joints, allowed.links);
   if (const Status sound = scene.isSound(); !sound) return sound.error();
   // Objects that the robot carries are chosen by the user and may be turned into the arm: of these, only pairs that
-  // always meet the link next to their own are ignored.
-  const auto isOwn = [&](const LinkPair& pair) { return pair.second < cell.robot->model.links.size(); };
-  std::set<LinkPair> alwaysMeeting = scene.alwaysMeeting();
-  std::erase_if(alwaysMeeting, [&](const LinkPair& pair) { return !isOwn(pair) && scene.jointsBetween(pair) > 1; });
-  const JointValues rest = restValues(robot);
-  ArmValues atRest(static_cast<Eigen::Index>(arm->dofs.size()));
-  for (Eigen::Index i = 0; i < atRest.size(); ++i) atRest[i] = rest[arm->dofs[static_cast<std::size_t>(i)]];
-  for (const LinkPair& pair : scene.closePairsMeeting(atRest)) {
-    if (isOwn(pair)) alwaysMeeting.insert(pair);
-  }
+  // always meet the link next to their own are ignored. Pairs of links are left out only where the user knows of them
+  // (CellPlans::allowed).
+  std::set<LinkPair> alwaysMeeting;
+  if (!carried.empty()) alwaysMeeting = scene.alwaysMeeting();
+  std::erase_if(alwaysMeeting, [&](const LinkPair& pair) {
+    return pair.second < cell.robot->model.links.size() || scene.jointsBetween(pair) > 1;
+  });
   scene.allowPairs(alwaysMeeting);
   for (const BodyPointer& body : cell.bodies) {
     if (std::find(carried.begin(), carried.end(), body->id) == carried.end())
       scene.addObstacle(collisionBodyOf(*body->geometry, meshes), body->pose, body->id);
   }
   for (const auto& [link, body] : allowed.bodies) scene.allow(link, body);
+  const std::optional<AxisCoupling> coupling = couplingOf(cell.robot->arms[number], arm->arm);
+  scene.setCoupling(coupling);
   const auto ownerOf = [&](std::uint32_t link) {
     const std::size_t own = cell.robot->model.links.size();
     return link < own ? CellScene::kLinkOwners + link : carried[link - own];
@@ -254,11 +261,11 @@ Result<CellScene> sceneOf(const RobotCellSnapshot& cell, CollisionMeshes& meshes
     if (owners[b] != number) scene.allow(a, ownerOf(b));
   }
   return CellScene{std::move(scene),
-                   std::move(arm->arm),
+                   arm->arm.withCoupling(coupling),
                    std::move(arm->dofs),
                    cell.joints,
                    std::move(alwaysMeeting),
-                   shapelessLinks(robot, *cell.robot),
+                   missingShapes(*cell.robot, cell.bodies, *cell.plans),
                    cell.robot,
                    cell.bodies,
                    std::move(carried),

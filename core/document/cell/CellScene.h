@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/cell/RobotCellSnapshot.h"
+#include "document/cell/proof/MissingShape.h"
 #include "planning/PathShortcuts.h"
 #include "planning/planners/Roadmap.h"
 
@@ -35,11 +36,12 @@ CollisionBody collisionBodyOf(const BodyGeometry& geometry, CollisionMeshes& mes
 // is immutable and may be used on any thread.
 struct CellScene {
   RobotScene scene;
-  SerialArm arm;                         // Joints from the root to the link that carries the tool
-  std::vector<std::uint32_t> dofs;       // Degree of freedom of the robot for each planned joint
-  JointValues others;                    // Joint values of all robots, for the joints that are not planned
-  std::set<LinkPair> alwaysMeeting;      // Ignored pairs of links, which meet at all joint values or at rest
-  std::vector<std::uint32_t> shapeless;  // Links whose meshes are missing, so that their collisions are not found
+  SerialArm arm;                    // Joints from the root to the link that carries the tool
+  std::vector<std::uint32_t> dofs;  // Degree of freedom of the robot for each planned joint
+  JointValues others;               // Joint values of all robots, for the joints that are not planned
+  // Ignored pairs of a carried body and the link next to its carrier, which meet at all joint values.
+  std::set<LinkPair> alwaysMeeting;
+  std::vector<MissingShape> missing;  // Shapes of links and bodies that could not be read
   std::shared_ptr<const CellRobot> robot;
   BodySet bodies;
   std::vector<BodyId> carried;  // Bodies that are additional links after those of the robot, in order
@@ -66,13 +68,14 @@ struct CellScene {
   // Returns true if the unplanned joints of the planned robot itself, such as those of a gripper, have the same values
   // as in the scene.
   bool areOwnUnplannedJointsAt(const JointValues& joints) const;
-  // Returns true if the cell is unchanged since this scene was made. allowed: the pairs that were allowed to touch when
-  // it was made.
-  bool holdsFor(const RobotCellSnapshot& now, const std::set<std::pair<std::string, std::string>>& allowed) const;
+  // Returns true if the cell is unchanged since this scene was made. then: the plans when it was made.
+  bool holdsFor(const RobotCellSnapshot& now, const CellPlans& then) const;
   // Returns the names of the other robots whose joint values in the scene differ from those in a waypoint of the path,
   // or whose bases were moved since the path was planned.
   std::set<std::string> robotsElsewhere(const RobotPath& path) const;
   const RobotArm& plannedArm() const { return robot->arms[armNumber]; }
+  // Returns the name of the joint that the limits of a coupling (SerialArm::coupling()) are said of; empty: none.
+  std::string nameOfCoupled() const;
   // Returns the arm relative to its own base, as its controller measures poses.
   SerialArm armFromBase() const;
 };

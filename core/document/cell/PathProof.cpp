@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 const std::string kProofs = "cell/proofs.json";
-constexpr std::uint64_t kMethod = 1;  // Version of verification and digests; increased whenever the proof changes
+constexpr std::uint64_t kMethod = 2;  // Version of verification and digests; increased whenever the proof changes
 
 constexpr std::array<const char*, 9> kParts = {"robots", "path",      "joints",  "bodies",        "allowed",
                                                "tool",   "clearance", "targets", "configurations"};
@@ -32,7 +32,8 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"clearance_mm", found.clearance},
                  {"least_clearance_mm", found.leastClearance},
                  {"seconds", found.seconds},
-                 {"shapeless", found.hasShapeless},
+                 {"touching", found.isTouching},
+                 {"missing", json::array()},
                  {"robots_moved", found.robotsMoved},
                  {"part_moved", found.outdated.part},
                  {"base_moved", found.outdated.isBaseOther},
@@ -51,6 +52,19 @@ json toJson(const std::string& path, const PathProof& proof) {
   for (const PathFindings::Meeting& each : found.listed)
     stored["listed"].push_back(
         {{"place", each.waypoint}, {"link", each.link}, {"other", each.other}, {"distance_mm", each.distance}});
+  for (const MissingShape& each : found.missing) {
+    stored["missing"].push_back({{"part", each.part},
+                                 {"name", each.name},
+                                 {"what", each.what},
+                                 {"state", static_cast<int>(each.state)},
+                                 {"by", each.by}});
+  }
+  for (const ProofGap& each : found.gaps) {
+    stored["gaps"].push_back({{"kind", each.kind == ProofGap::Kind::Corner ? "corner" : "carried"},
+                              {"place", each.waypoint},
+                              {"text", each.text},
+                              {"line", each.line}});
+  }
   for (std::size_t i = 0; i < kParts.size(); ++i) stored["basis"][kParts[i]] = proof.basis[i];
   return stored;
 }
@@ -94,7 +108,14 @@ std::optional<PathProof> proofFrom(const json& stored) {
   const auto length = lengthAt(stored, "length_rad"), security = lengthAt(stored, "security_mm"),
              manipulability = lengthAt(stored, "manipulability");
   if (length && security && manipulability) found.measures = PathMeasures{*length, *security, *manipulability};
-  found.hasShapeless = isAt(stored, "shapeless");
+  found.isTouching = isAt(stored, "touching");
+  const auto missing = stored.find("missing");
+  for (const json& each : missing != stored.end() && missing->is_array() ? *missing : json::array()) {
+    if (!each.is_object() || found.missing.size() >= CellPlans::kMost) continue;
+    const auto state = static_cast<MissingShape::State>(std::min<std::size_t>(countAt(each, "state"), 2));
+    found.missing.push_back(
+        {stringAt(each, "part"), stringAt(each, "name"), stringAt(each, "what"), state, stringAt(each, "by")});
+  }
   found.robotsMoved = namesAt(stored, "robots_moved");
   found.outdated = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
                     namesAt(stored, "targets_moved"), namesAt(stored, "configurations_changed")};
@@ -110,8 +131,18 @@ std::optional<PathProof> proofFrom(const json& stored) {
       found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other"),
                               std::max(lengthAt(each, "distance_mm").value_or(0.0), 0.0)});
   }
+  const auto gaps = stored.find("gaps");
+  for (const json& each : gaps != stored.end() && gaps->is_array() ? *gaps : json::array()) {
+    if (!each.is_object() || found.gaps.size() >= RobotPath::kMostWaypoints) continue;
+    const bool isCorner = stringAt(each, "kind") == "corner";
+    found.gaps.push_back({isCorner ? ProofGap::Kind::Corner : ProofGap::Kind::Carried, countAt(each, "place"),
+                          stringAt(each, "text"), countAt(each, "line")});
+  }
   // Contradictory findings prove nothing.
-  if (found.isCertified && (found.collisions > 0 || found.stopsAt)) return std::nullopt;
+  const bool isOpen =
+      std::ranges::find(found.missing, MissingShape::State::Open, &MissingShape::state) != found.missing.end();
+  if (found.isCertified && (found.collisions > 0 || !found.gaps.empty() || found.stopsAt || isOpen))
+    return std::nullopt;
   return proof;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/cell/path/OutdatedReasons.h"
+#include "document/cell/proof/MissingShape.h"
 
 #include <array>
 #include <map>
@@ -33,6 +34,20 @@ struct PathMeasures {
   bool operator==(const PathMeasures&) const = default;
 };
 
+// A reason why a path that collides nowhere is not proven free.
+struct ProofGap {
+  enum class Kind {
+    Corner,   // the controller rounds the corner (Fanuc's CNT), and not everything within it is free
+    Carried,  // after a line of the program it is not known what the robot carries
+  };
+  Kind kind = Kind::Corner;
+  std::size_t waypoint = 0;  // index of the waypoint, from 0
+  std::string text = {};     // the line
+  std::size_t line = 0;      // its number in the program that was read
+
+  bool operator==(const ProofGap&) const = default;
+};
+
 // Summary of the verification of a path. Lengths are in mm, times in s.
 struct PathFindings {
   struct Meeting {
@@ -52,11 +67,13 @@ struct PathFindings {
   double leastClearance = 0.0;
   double seconds = 0.0;
   std::optional<PathMeasures> measures = {};  // Nothing: stored by a version that computed none
-  bool hasShapeless = false;                  // True if links without meshes were omitted
+  bool isTouching = false;                    // True if the robot touches something, with a clearance of 0
+  std::vector<MissingShape> missing = {};     // Shapes that could not be read
   std::set<std::string> robotsMoved = {};
   OutdatedReasons outdated = {};
   // Links and bodies, by their names at the time of the verification, that may touch and were therefore not checked.
   std::vector<std::pair<std::string, std::string>> notChecked = {};
+  std::vector<ProofGap> gaps = {};
 
   bool operator==(const PathFindings&) const = default;
 };

@@ -33,6 +33,12 @@ class PlansReading {
       if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string())
         m_plans.allowed.insert({pair[0].get<std::string>(), pair[1].get<std::string>()});
     }
+    const auto missing = stored.find("missing_as");
+    if (missing != stored.end() && missing->is_object() && missing->size() <= CellPlans::kMost) {
+      for (const auto& [part, by] : missing->items()) {
+        if (by.is_string()) m_plans.missingAs[part] = by.get<std::string>();
+      }
+    }
     m_plans.workFrame = knownFrame(stored, "work_frame").value_or(std::string());
     m_plans.arm = stringAt(stored, "arm");
     m_plans.tool = toolFrom(stored, "tool");
@@ -170,6 +176,7 @@ void writePlans(const CellPlans& plans, const RobotModel& robot, Container& cont
   if (!plans.workFrame.empty()) stored["work_frame"] = plans.workFrame;
   for (const RobotPath& path : plans.paths) stored["paths"].push_back(toJson(robot, path));
   for (const auto& [first, second] : plans.allowed) stored["allowed"].push_back({first, second});
+  if (!plans.missingAs.empty()) stored["missing_as"] = plans.missingAs;
   container.blobs[kPlans] = stored.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -11,6 +11,7 @@
 #include "document/cell/RobotChanges.h"
 #include "document/cell/RobotsEdit.h"
 #include "document/cell/WaypointProperties.h"
+#include "document/cell/proof/MissingShapes.h"
 #include "document/scene/BodyProperties.h"
 #include "scene/RigidPose.h"
 
@@ -72,6 +73,7 @@ void RobotCellDocument::setProofs(PathProofs proofs, bool isChange) {
 
 std::vector<Property> RobotCellDocument::properties() const {
   std::vector<Property> all = cellProperties(*m_robot, m_joints, *m_plans);
+  for (Property& missing : missingProperties(*m_robot, bodies(), *m_plans)) all.push_back(std::move(missing));
   for (const BodyPointer& body : bodies()) {
     for (Property& ofBody : propertiesOfBody(*body)) all.push_back(std::move(ofBody));
   }
@@ -87,6 +89,7 @@ std::vector<Property> RobotCellDocument::properties() const {
 
 std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
   std::vector<Property> all = cellProperties(*m_robot, m_joints, *m_plans);
+  for (Property& missing : missingProperties(*m_robot, bodies(), *m_plans)) all.push_back(std::move(missing));
   for (const Body& body : shown) {
     for (Property& ofBody : propertiesOfBody(body)) all.push_back(std::move(ofBody));
   }
@@ -155,6 +158,11 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
   }
   if (id == "frame" || id.starts_with("frame.") || id.starts_with("target.")) {
     Result<CellPlans> changed = changedFrameOrTarget(id, value, placement());
+    if (!changed) return changed.error();
+    return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
+  }
+  if (isMissingProperty(id)) {
+    Result<CellPlans> changed = changedMissing(id, value, *m_robot, bodies(), *m_plans);
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }

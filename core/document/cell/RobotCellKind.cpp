@@ -10,6 +10,8 @@
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/path/OutdatedReasons.h"
 #include "document/cell/path/PathDigests.h"
+#include "document/cell/proof/MissingShapes.h"
+#include "document/cell/proof/RestingPairs.h"
 #include "document/formats/MeshExport.h"
 #include "document/scene/BodyDescription.h"
 #include "document/scene/BodyDisplay.h"
@@ -81,11 +83,18 @@ std::string describedArm(const RobotCellSnapshot& cell, const std::string& arm) 
   return number ? cell.robot->arms[*number].name : arm;
 }
 
-nlohmann::json describeTool(const RobotCellSnapshot& cell) {
+// Describes the flange of the planned robot, in the frame of the cell.
+nlohmann::json describeFlange(const RobotCellSnapshot& cell) {
   const RobotModel& robot = cell.robot->model;
   const std::uint32_t link = activeArm(*cell.robot, *cell.plans).flange;
   const Pose pose = linkPoses(robot, cell.joints)[link];
   return withPose({{"link", robot.links[link].name}}, pose);
+}
+
+// Describes the tool centre point of the planned robot, in the frame of the cell and in that of the flange.
+nlohmann::json describeCentrePoint(const RobotCellSnapshot& cell) {
+  const Pose flange = linkPoses(cell.robot->model, cell.joints)[activeArm(*cell.robot, *cell.plans).flange];
+  return withPose({{"on_flange", withPose(nlohmann::json::object(), cell.plans->tool)}}, flange * cell.plans->tool);
 }
 
 nlohmann::json describeConfigurations(const RobotCellSnapshot& cell) {
@@ -133,6 +142,8 @@ nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
                               {"collisions", found.collisions - tooNear},
                               {"too_near", tooNear},
                               {"not_checked", found.notChecked},
+                              {"touching", found.isTouching},
+                              {"missing_shapes", describeMissing(found.missing)},
                               {"changed_since", nullptr}};
   if (const char* const change = keyOf(changeBetween(proof.basis, now))) described["changed_since"] = change;
   if (found.stopsAt) described["stops_at"] = *found.stopsAt;
@@ -225,6 +236,7 @@ Result<OpenedFile> RobotCellKind::import(const std::filesystem::path& path, cons
   opened.kind = this;
   opened.file.damage = std::move(imported->damage);
   opened.file.unlistedDamage = imported->unlistedDamage;
+  opened.file.notes = std::move(imported->notes);
   opened.content = std::move(imported->cell);
   return opened;
 }
@@ -260,7 +272,9 @@ SnapshotPointer RobotCellKind::withCheckedLinks(SnapshotPointer content, const s
                                                 std::vector<Note>& notes, Progress progress) const {
   auto checked = std::make_shared<RobotCellSnapshot>(cellOf(*content));
   checked->bodies = withCheckedBodyLinks(checked->bodies, folder, notes, progress);
-  return checked;
+  if (checked->areRestingPairsKnown) return checked;
+  checked->areRestingPairsKnown = true;
+  return withRestingPairs(std::move(checked), notes);
 }
 
 std::vector<std::filesystem::path> RobotCellKind::linkedFiles(const Snapshot& content) const {
@@ -291,9 +305,12 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"fixed_joints", robot.joints.size() - robot.dofs.size()},
           {"joints", describeJoints(robot, cell.joints)},
           {"robots", describeRobots(cell)},
-          {"tool", describeTool(cell)},
+          {"flange", describeFlange(cell)},
+          {"tcp", describeCentrePoint(cell)},
+          {"tool", describeFlange(cell)},  // the name of the flange in reports of former versions
           {"triangles", triangles},
           {"missing_meshes", missing},
+          {"missing_shapes", describeMissing(missingShapes(*cell.robot, cell.bodies, *cell.plans))},
           {"bodies", describeBodies(cell.bodies)},
           {"configurations", describeConfigurations(cell)},
           {"frames", describeFrames(cell)},

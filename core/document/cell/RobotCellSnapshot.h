@@ -31,6 +31,8 @@ struct RobotCellSnapshot : Snapshot {
   std::shared_ptr<const CellPlans> plans = std::make_shared<const CellPlans>();  // Never null
   // The findings of verifications, perhaps of a former state of the cell. Never null.
   std::shared_ptr<const PathProofs> proofs = std::make_shared<const PathProofs>();
+  // False: the file is of a version that did not list the pairs of links that touch at rest (withRestingPairs()).
+  bool areRestingPairsKnown = true;
 };
 
 }  // namespace handwheel

@@ -117,12 +117,11 @@ CellPlans plansWithout(const RobotCellSnapshot& cell, std::size_t arm, const Cel
     const Result<Pose> pose = poseOfFrame(frame, {*cell.plans, cell.bodies, cell.robot->model, cell.joints});
     if (isReleased && pose) frame = {frame.name, *pose};
   }
-  std::erase_if(plans.allowed, [&](const auto& pair) {
-    const auto isGone = [&](const std::string& part) {
-      return linkNamed(cell.robot->model, part) != kNone && linkNamed(rest.model, part) == kNone;
-    };
-    return isGone(pair.first) || isGone(pair.second);
-  });
+  const auto isGone = [&](const std::string& part) {
+    return linkNamed(cell.robot->model, part) != kNone && linkNamed(rest.model, part) == kNone;
+  };
+  std::erase_if(plans.allowed, [&](const auto& pair) { return isGone(pair.first) || isGone(pair.second); });
+  std::erase_if(plans.missingAs, [&](const auto& missing) { return isGone(missing.first); });
   return plans;
 }
 

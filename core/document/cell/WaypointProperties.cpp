@@ -49,7 +49,28 @@ std::vector<Property> waypointProperties(const RobotPath& path, std::size_t inde
                        .quantity = Quantity::Length,
                        .least = 0.0,
                        .largest = kLargestBlend};
-  return {motion, speed, blend};
+  const Property seconds{.id = prefix + "seconds",
+                         .group = kGroup,
+                         .label = QT_TRANSLATE_NOOP("Property", "Duration (s), 0: by the speed"),
+                         .value = at.seconds,
+                         .least = 0.0,
+                         .largest = ProgramMotion::kLongest};
+  const Property corner{.id = prefix + "corner",
+                        .group = kGroup,
+                        .label = QT_TRANSLATE_NOOP("Property", "Rounding (CNT, %)"),
+                        .value = at.corner,
+                        .least = 0.0,
+                        .largest = ProgramMotion::kLargestCorner};
+  const Property carried{.id = prefix + "carried",
+                         .group = kGroup,
+                         .label = QT_TRANSLATE_NOOP("Property", "Carries the same after its lines"),
+                         .value = at.keepsCarried};
+  std::vector<Property> all{motion, speed, blend};
+  // Properties of paths of programs are shown only where a program has set them.
+  if (at.seconds > 0.0) all.push_back(seconds);
+  if (at.corner > 0.0) all.push_back(corner);
+  if (std::ranges::any_of(at.lines, &ProgramLine::mayGrip)) all.push_back(carried);
+  return all;
 }
 
 std::optional<WaypointField> waypointOfProperty(const CellPlans& plans, std::string_view id) {
@@ -117,13 +138,17 @@ Result<CellPlans> changedWaypoint(const CellPlans& plans, const WaypointField& f
   CellPlans changed = plans;
   const auto found = std::ranges::find(changed.paths, field.path, &RobotPath::name);
   const std::string id = field.path + "." + std::to_string(field.index + 1) + "." + field.field;
-  const auto* const number = std::get_if<double>(&value);
+  const auto* const flag = std::get_if<bool>(&value);
+  const double asNumber = flag && *flag ? 1.0 : 0.0;
+  const auto* const number = flag ? &asNumber : std::get_if<double>(&value);
   if (found == changed.paths.end() || field.index >= found->waypoints.size() || !number || !std::isfinite(*number))
     return Error{ErrorCode::ElementMalformed, {id, "a number was expected"}, {}, {}};
   Waypoint& waypoint = found->waypoints[field.index];
   for (const Property& each : waypointProperties(*found, field.index)) {
     if (!each.id.ends_with("." + field.field)) continue;
-    if (!each.choices.empty()) {
+    if (std::holds_alternative<bool>(each.value)) {
+      waypoint.keepsCarried = *number != 0.0;
+    } else if (!each.choices.empty()) {
       setMotion(*found, field.index, *number >= 0.5 ? ProgramMotion::Kind::Linear : ProgramMotion::Kind::Joint);
     } else {
       const auto kept = withinShownLimits(*number, each.least, each.largest);
@@ -133,6 +158,8 @@ Result<CellPlans> changedWaypoint(const CellPlans& plans, const WaypointField& f
                      {},
                      {}};
       if (field.field == "blend") waypoint.blend = *kept;
+      if (field.field == "seconds") waypoint.seconds = *kept;
+      if (field.field == "corner") waypoint.corner = *kept;
       if (field.field == "speed") waypoint.speed = isLine(waypoint) ? *kept : *kept / kPercent;
     }
     // Planning along the curve again would bring the former values back.

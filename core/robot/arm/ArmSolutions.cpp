@@ -5,6 +5,7 @@
 #include "robot/arm/NumericalIk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -20,19 +21,19 @@ bool isKnown(const std::vector<ArmSolution>& found, const ArmValues& values, dou
                      [&](const ArmSolution& each) { return (each.values - values).cwiseAbs().maxCoeff() < apart; });
 }
 
-std::optional<Eigen::Index> firstBeyond(const SerialArm& arm, const ArmValues& values) {
-  for (Eigen::Index i = 0; i < arm.size(); ++i) {
-    if (!arm.joints()[static_cast<std::size_t>(i)].isWithin(values[i])) return i;
-  }
-  return std::nullopt;
-}
-
-// Moves values that cannot be within the limits by whole turns as near to the reference as possible.
-ArmValues nearReference(const ArmValues& values, const ArmValues& reference) {
+// Moves the values of a solution by whole turns into the limits, joint by joint. A joint that no turn brings there is
+// as near to the reference as possible, and the first of these is the one beyond its limits.
+ArmSolution turnedIntoLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference) {
   constexpr double kTurn = 2.0 * M_PI;
-  ArmValues moved = values;
-  for (Eigen::Index i = 0; i < moved.size(); ++i) moved[i] += kTurn * std::round((reference[i] - moved[i]) / kTurn);
-  return moved;
+  ArmSolution made{values};
+  for (Eigen::Index i = 0; i < arm.size(); ++i) {
+    const auto within = turnedWithin(arm.joints()[static_cast<std::size_t>(i)], values[i], reference[i]);
+    if (!within && !made.beyond) made.beyond = i;
+    made.values[i] = within.value_or(values[i] + kTurn * std::round((reference[i] - values[i]) / kTurn));
+  }
+  constexpr Eigen::Index kCoupled = 2;
+  if (!made.beyond && arm.coupling() && !arm.coupling()->isWithin(made.values)) made.beyond = kCoupled;
+  return made;
 }
 
 std::vector<ArmSolution> closedForm(const ClosedFormIk& closed, const SerialArm& arm, const Pose& tip,
@@ -41,10 +42,8 @@ std::vector<ArmSolution> closedForm(const ClosedFormIk& closed, const SerialArm&
   closed.solve(tip, reference, solutions);
   std::vector<ArmSolution> found;
   for (const IkSolutions::Solution& each : solutions) {
-    const auto within = withinLimits(arm, each.values, reference);
-    ArmSolution made{within ? *within : nearReference(each.values, reference)};
+    ArmSolution made = turnedIntoLimits(arm, each.values, reference);
     if (isKnown(found, made.values, kSameSolution)) continue;
-    if (!within) made.beyond = firstBeyond(arm, made.values);
     made.configuration = closed.configurationOf(arm, made.values);
     found.push_back(std::move(made));
   }

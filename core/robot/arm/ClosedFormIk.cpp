@@ -258,19 +258,24 @@ ArmConfiguration ClosedFormIk::configurationOf(const SerialArm& arm, const ArmVa
   return configuration;
 }
 
-std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference) {
+std::optional<double> turnedWithin(const ArmJoint& joint, double value, double reference) {
   constexpr double kTurn = 2.0 * M_PI;
+  if (!joint.isPrismatic) {
+    value += kTurn * std::round((reference - value) / kTurn);
+    if (value > joint.upper) value -= kTurn * std::ceil((value - joint.upper) / kTurn - kSame);
+    if (value < joint.lower) value += kTurn * std::ceil((joint.lower - value) / kTurn - kSame);
+  }
+  return joint.isWithin(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference) {
   ArmValues moved = values;
   for (Eigen::Index i = 0; i < arm.size(); ++i) {
-    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
-    if (!joint.isPrismatic) {
-      moved[i] += kTurn * std::round((reference[i] - moved[i]) / kTurn);
-      if (moved[i] > joint.upper) moved[i] -= kTurn * std::ceil((moved[i] - joint.upper) / kTurn - kSame);
-      if (moved[i] < joint.lower) moved[i] += kTurn * std::ceil((joint.lower - moved[i]) / kTurn - kSame);
-    }
-    if (!joint.isWithin(moved[i])) return std::nullopt;
+    const auto turned = turnedWithin(arm.joints()[static_cast<std::size_t>(i)], values[i], reference[i]);
+    if (!turned) return std::nullopt;
+    moved[i] = *turned;
   }
-  return moved;
+  return arm.isWithinLimits(moved) ? std::optional(moved) : std::nullopt;
 }
 
 double jointDistance(std::span<const Pose> from, std::span<const Pose> to) {

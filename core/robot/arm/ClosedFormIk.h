@@ -95,8 +95,11 @@ class ClosedFormIk {
   Wave m_third, m_fifth;
 };
 
+// Moves the value of a joint by whole turns into its limits, as near to the reference as possible. Returns nothing if
+// no turn brings it there.
+std::optional<double> turnedWithin(const ArmJoint& joint, double value, double reference);
 // Moves joint values by whole turns into the limits, as near to the reference as possible. Returns nothing if a joint
-// cannot be brought within its limits.
+// cannot be brought within its limits, or if the coupled third axis is beyond its own.
 std::optional<ArmValues> withinLimits(const SerialArm& arm, const ArmValues& values, const ArmValues& reference);
 
 // Returns the sum of the distances of the joints in space (He 2008, equation 6-14). This distance selects the nearest

@@ -160,12 +160,13 @@ NumericalIkResult solvedNumerically(const SerialArm& arm, const Pose& tip, const
       const Error6 error = search.measure(values);
       const double size = error.norm();
       ++result.iterations;
-      result.isSolved = search.isReached(error);
+      const bool isReached = search.isReached(error);
+      result.isSolved = isReached && (!arm.coupling() || arm.coupling()->isWithin(values));
       if (result.isSolved || size < least) {
         least = size;
         result.values = values;
       }
-      if (result.isSolved) break;
+      if (isReached) break;
       stalls = size < 0.99 * nearest ? 0 : stalls + 1;
       nearest = std::min(nearest, size);
       if (!search.step(error, values)) break;

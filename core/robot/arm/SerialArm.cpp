@@ -83,7 +83,7 @@ bool SerialArm::isWithinLimits(const ArmValues& values, double slack) const {
   for (Eigen::Index i = 0; i < size(); ++i) {
     if (!m_joints[static_cast<std::size_t>(i)].isWithin(values[i], slack)) return false;
   }
-  return true;
+  return !m_coupling || m_coupling->isWithin(values, slack);
 }
 
 ArmValues SerialArm::middle() const {

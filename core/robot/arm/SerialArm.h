@@ -26,6 +26,20 @@ inline constexpr int kMostArmJoints = 24;
 using ArmValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostArmJoints, 1>;
 using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostArmJoints>;
 
+// The third axis as a controller has it that couples the second and third joint: joint 3 + factor · joint 2. Its limits
+// hold together with those of the joints.
+struct AxisCoupling {
+  double factor = 0.0;                                      // 1 for the parallel linkages of ABB, -1 for Fanuc
+  double lower = -std::numeric_limits<double>::infinity();  // rad
+  double upper = std::numeric_limits<double>::infinity();
+
+  double third(const ArmValues& values) const { return values[2] + factor * values[1]; }
+  bool isWithin(const ArmValues& values, double slack = 1e-9) const {
+    return third(values) >= lower - slack && third(values) <= upper + slack;
+  }
+  bool operator==(const AxisCoupling&) const = default;
+};
+
 // A kinematic chain of joints from a base to a tip, for fast computation. An arm is immutable and may be used on any
 // thread. Only of() and withTool() allocate.
 class SerialArm {
@@ -52,7 +66,14 @@ class SerialArm {
   void jointPoses(const ArmValues& values, std::span<Pose> poses) const;
 
   // Returns an arm with the same joints and another tip. tool: the new tip in the frame of the present one.
-  SerialArm withTool(const Pose& tool) const { return {m_joints, m_tip * tool}; }
+  SerialArm withTool(const Pose& tool) const { return SerialArm(m_joints, m_tip * tool).withCoupling(m_coupling); }
+  // Returns the same arm with another coupling. An arm with a coupling has at least three joints.
+  SerialArm withCoupling(const std::optional<AxisCoupling>& coupling) const {
+    SerialArm arm = *this;
+    arm.m_coupling = coupling;
+    return arm;
+  }
+  const std::optional<AxisCoupling>& coupling() const { return m_coupling; }  // none: every joint is counted by itself
 
   bool isWithinLimits(const ArmValues& values, double slack = 1e-9) const;
   // Returns the middle of the range of each joint; 0 for a joint that is not bounded on both sides.
@@ -63,6 +84,7 @@ class SerialArm {
  private:
   std::vector<ArmJoint> m_joints;
   Pose m_tip;
+  std::optional<AxisCoupling> m_coupling = {};
 };
 
 struct SerialArm::InRobot {

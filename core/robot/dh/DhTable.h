@@ -40,9 +40,12 @@ bool looksLikeDhTable(std::string_view head);
 
 // A robot that is supplied with the program, according to the published table of its manufacturer.
 struct LibraryRobot {
-  const char* id;     // "irb120"
-  const char* title;  // "ABB IRB 120-3/0.6"
-  double payload;     // kg
+  const char* id;                             // "irb120"
+  const char* title;                          // "ABB IRB 120-3/0.6"
+  double payload;                             // kg
+  const char* conventions = "";               // the zeros, signs and couplings of its joints, in a sentence for reports
+  const char* source = "";                    // the documents that lengths, limits and conventions are from
+  std::optional<AxisCoupling> coupling = {};  // none: the controller counts each joint by itself
 };
 std::span<const LibraryRobot> robotLibrary();
 // Returns the library robot with this model name; null if there is none.

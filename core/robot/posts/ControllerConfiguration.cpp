@@ -57,6 +57,7 @@ std::optional<ArmValues> nearestOfConfiguration(const WantedConfiguration& wante
       values[i] = value.value_or(0.0);
     }
     if (!isWithin || !wanted.takes(values)) continue;
+    if (arm.coupling() && !arm.coupling()->isWithin(values, kLimitSlack)) continue;
     if (!nearest || (values - reference).squaredNorm() < (*nearest - reference).squaredNorm()) nearest = values;
   }
   return nearest;
@@ -82,6 +83,20 @@ std::optional<ClosedFormIk> closedFormOfSphericalWrist(const SerialArm& arm) {
   const bool isSpherical =
       shoulder == ArmConfiguration::Shoulder::Front || shoulder == ArmConfiguration::Shoulder::Rear;
   return isSpherical ? closed : std::nullopt;
+}
+
+ArmValues countedByController(const SerialArm& arm, ArmValues values) {
+  if (arm.coupling()) values[2] = arm.coupling()->third(values);
+  return values;
+}
+
+ArmValues countedByModel(const SerialArm& arm, ArmValues values) {
+  if (arm.coupling()) values[2] -= arm.coupling()->factor * values[1];
+  return values;
+}
+
+bool hasParallelLinkage(const SerialArm& arm) {
+  return arm.coupling() && arm.coupling()->factor > 0.0;
 }
 
 bool isWristInLine(const ArmValues& values) {

@@ -26,6 +26,13 @@ ControllerConfiguration controllerConfigurationOf(const SerialArm& arm, const Ar
 // Returns nothing for other arms.
 std::optional<ClosedFormIk> closedFormOfSphericalWrist(const SerialArm& arm);
 
+// Returns joint values as the controller of an arm counts them (SerialArm::coupling()), and back.
+ArmValues countedByController(const SerialArm& arm, ArmValues values);
+ArmValues countedByModel(const SerialArm& arm, ArmValues values);
+
+// Returns true if a linkage keeps the upper arm level while the second joint moves, as in some robots of ABB.
+bool hasParallelLinkage(const SerialArm& arm);
+
 // Orientation error of the tip, rad, that the rounding of poses in files may cause.
 inline constexpr double kPoseRounding = 1e-4;
 

@@ -25,6 +25,7 @@ class RapidPost : public ControllerPost {
   const char* ending() const override { return ".mod"; }
   const char* maker() const override { return "ABB"; }
   double fastestLine() const override { return 7'000.0; }  // v7000 is the fastest predefined speed
+  std::vector<Error> refusals(const RobotProgram& program) const override;
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;
 };
@@ -52,6 +53,7 @@ class FanucPost : public ControllerPost {
   const char* title() const override { return "Fanuc LS"; }
   const char* ending() const override { return ".ls"; }
   const char* maker() const override { return "Fanuc"; }
+  bool hasCorners() const override { return true; }
   double fastestLine() const override { return 2'000.0; }  // limit of linear instructions
   std::string write(const RobotProgram& program) const override;
   Result<std::vector<ParsedMotion>> read(std::string_view text, const RobotProgram& frame) const override;

@@ -29,7 +29,7 @@ std::string FanucConfiguration::text() const {
 
 FanucConfiguration fanucConfigurationOf(const SerialArm& arm, const ArmValues& values) {
   const ControllerConfiguration how = controllerConfigurationOf(arm, values);
-  FanucConfiguration configuration{how.isFlipped, how.isElbowDown == how.isRear, how.isRear, {}};
+  FanucConfiguration configuration{values[4] > 0.0, !how.isElbowDown, how.isRear, {}};
   for (std::size_t i = 0; i < kTurningJoints.size(); ++i) configuration.turns[i] = turnsOf(values[kTurningJoints[i]]);
   return configuration;
 }

@@ -14,8 +14,8 @@ namespace handwheel {
 // The CONFIG of Fanuc programs. A configuration distinguishes the solutions of a robot with a spherical wrist for a
 // pose.
 struct FanucConfiguration {
-  bool isFlipped = false;      // F, otherwise N; F: axis 5 is below 0
-  bool isUp = true;            // U, otherwise D; U: the elbow is up
+  bool isFlipped = false;      // F, otherwise N; N: axis 5 is below 0, or 0
+  bool isUp = true;            // U, otherwise D; U: the wrist is ahead of the line from the second to the third axis
   bool isBack = false;         // B, otherwise T; B: the wrist is behind axis 1
   std::array<int, 3> turns{};  // whole turns of the axes 1, 4 and 6; 0: from -180 to 180 degrees
 

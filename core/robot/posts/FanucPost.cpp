@@ -22,10 +22,10 @@ constexpr std::size_t kLongestFanucRemark = 25;  // with its sign; teach pendant
 constexpr int kOwnFrame = 9;
 constexpr const char* kSetsFrame = "!Sets UFRAME[";
 
-// Converts the third joint to this maker's convention, which measures it from the horizontal: minus the second.
-ArmValues counted(ArmValues values, double sign) {
-  values[2] -= sign * values[1];
-  return values;
+// Returns the arm as this maker's controllers count its joints: the third from the horizontal, which is that of the
+// model minus the second. Only the arms that come with the program have limits for that.
+SerialArm coupled(const SerialArm& arm) {
+  return arm.coupling() && arm.coupling()->factor < 0.0 ? arm : arm.withCoupling(AxisCoupling{.factor = -1.0});
 }
 
 // Returns the world frame in the base, which this maker puts at the height of the second axis.
@@ -43,7 +43,7 @@ std::string positionText(const RobotProgram& program, const ProgramMotion& motio
   std::string text = "   GP1:\n   UF : " + std::to_string(isInFrame ? kOwnFrame : 0) + ", UT : 1,";
   if (motion.kind == ProgramMotion::Kind::Joint) {
     text += "\n";
-    const std::vector<double> degrees = degreesOf(counted(motion.joints, 1.0));
+    const std::vector<double> degrees = degreesOf(countedByController(coupled(program.arm), motion.joints));
     for (std::size_t i = 0; i < degrees.size(); ++i) {
       text += (i % 3 == 0 ? "   J" : " J") + std::to_string(i + 1) + " = " + fixedText(degrees[i], 6) + " deg" +
               (i + 1 < degrees.size() ? "," : "") + (i % 3 == 2 ? "\n" : "");
@@ -61,6 +61,9 @@ std::string positionText(const RobotProgram& program, const ProgramMotion& motio
 }
 
 std::string fanucSpeed(const ProgramMotion& motion) {
+  constexpr double kLongestMilliseconds = 32.0;  // s
+  if (motion.seconds > kLongestMilliseconds) return fixedText(motion.seconds, 1) + "sec";
+  if (motion.seconds > 0.0) return fixedText(std::max(1e3 * motion.seconds, 1.0), 0) + "msec";
   if (motion.kind == ProgramMotion::Kind::Joint)
     return std::to_string(std::clamp(static_cast<int>(std::lround(100.0 * motion.speed)), 1, 100)) + "%";
   const std::string tenths = fixedText(std::max(motion.speed, 0.1), 1);
@@ -164,10 +167,16 @@ std::string_view positionRemark(std::string_view position) {
   return begin < end && end != position.npos ? position.substr(begin + 1, end - begin - 1) : std::string_view();
 }
 
-// Parses the speed after the target: "50%", "100mm/sec", "60cm/min", "4inch/min". None: another unit, as seconds.
-std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
+// Parses the speed after the target: "50%", "100mm/sec", "60cm/min", "4inch/min", or the duration in "2sec",
+// "500msec", which becomes `seconds`. None: another unit.
+std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint, double& seconds) {
   const auto value = line.number();
   if (!value || !(*value > 0.0)) return std::nullopt;
+  const bool isInSeconds = line.takeWord("sec");
+  if (isInSeconds || line.takeWord("msec")) {
+    seconds = isInSeconds ? *value : 1e-3 * *value;
+    return std::nullopt;
+  }
   if (isJoint) return line.take("%") ? std::optional(std::min(1.0, 0.01 * *value)) : std::nullopt;
   if (line.take("mm/sec")) return *value;
   if (line.take("cm/min")) return *value * 10.0 / 60.0;
@@ -177,9 +186,15 @@ std::optional<double> fanucSpeedFrom(LineReader line, bool isJoint) {
 
 // Beginnings of statements that neither move the robot nor change the effect of others. Anything that is in no list is
 // refused.
-constexpr std::array kFanucStill = {"UFRAME_NUM", "UTOOL_NUM", "WAIT",    "DO[",  "RO[",
-                                    "GO[",        "AO[",       "F[",      "R[",   "PAYLOAD",
-                                    "TIMER",      "OVERRIDE",  "MESSAGE", "COL ", "$WAITTMOUT"};
+constexpr std::array kFanucStill = {"WAIT", "F[", "R[", "TIMER", "OVERRIDE", "MESSAGE", "COL ", "$WAITTMOUT"};
+// Statements of this kind by which a tool may grip or release.
+constexpr std::array kFanucGripping = {"DO[", "RO[", "GO[", "AO[", "PAYLOAD"};
+
+bool beginsWithOneOf(const LineReader& line, std::span<const char* const> beginnings) {
+  return std::ranges::any_of(beginnings, [&](const char* beginning) { return LineReader(line).take(beginning); });
+}
+
+constexpr std::string_view kOwnFanucComment = "\"HANDWHEEL\"";  // in the head of programs that we wrote
 
 class FanucReading {
  public:
@@ -194,6 +209,7 @@ class FanucReading {
       return Done{};
     }
     if (m_isInPositions) readPosition(line);
+    m_isInOwnHead = m_isInOwnHead || (!m_isInLines && statement.text.find(kOwnFanucComment) != std::string_view::npos);
     return m_isInLines ? readLine(statement) : Status(Done{});
   }
 
@@ -206,7 +222,7 @@ class FanucReading {
       const FanucPosition& position = m_positions[number];
       if (const auto joints = valuesOf(position, {"J1", "J2", "J3", "J4", "J5", "J6"});
           joints && m_program.arm.size() == 6) {
-        motion.joints = counted(radiansOf(*joints), -1.0);
+        motion.joints = countedByModel(coupled(m_program.arm), radiansOf(*joints));
         if (const auto set = m_frames.find(frameNumber(position)); set != m_frames.end()) setFrame(*set, motion);
       } else if (const auto pose = valuesOf(position, {"X", "Y", "Z", "R", "P", "W"})) {
         // User frames except the world are on the controller, unless the program sets them.
@@ -235,6 +251,7 @@ class FanucReading {
         return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
       }
       if (motion.joints) reference = *motion.joints;
+      if (all.empty()) motion.before = std::move(m_before);
       all.push_back(std::move(motion));
     }
     return all;
@@ -262,14 +279,21 @@ class FanucReading {
   }
 
   // Reads "!Sets UFRAME[9], PR[9] to", and in the next line "!NAME".
-  void readRemark(LineReader line) {
+  void readRemark(LineReader line, std::size_t number) {
+    const std::string_view remark = line.rest();
     if (m_named) {
       line.take("!");
       if (const std::string_view name = line.name(); !name.empty()) m_frameNames[*m_named] = readName(name);
       m_named.reset();
     } else if (line.take(kSetsFrame)) {
       m_named = line.number();
+    } else if (!m_isInOwnHead) {
+      keep(ProgramLine::Kind::Comment, remark.substr(remark.starts_with("//") ? 2 : 1), number);
     }
+  }
+
+  void keep(ProgramLine::Kind kind, std::string_view text, std::size_t number, bool mayGrip = false) {
+    (m_motions.empty() ? m_before : m_motions.back().second.lines).push_back(keptLine(kind, text, number, mayGrip));
   }
 
   void readPosition(LineReader& line) {
@@ -298,16 +322,21 @@ class FanucReading {
     line.take(":");
     line.skipSpace();
     if (line.rest().empty()) return Done{};
-    if (line.rest()[0] == '!') {
-      readRemark(line);
+    if (line.rest()[0] == '!' || line.rest().starts_with("//")) {
+      readRemark(line, statement.line);
       return Done{};
     }
     m_named.reset();
+    if (LineReader(line).take("UTOOL_NUM")) m_isInOwnHead = false;
+    // Each position has the numbers of its frame and tool.
+    if (LineReader(line).take("UFRAME_NUM") || LineReader(line).take("UTOOL_NUM")) return Done{};
     // A time-out jumps elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
     if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
       return unread(line.rest(), statement.line);
-    for (const char* const still : kFanucStill) {
-      if (LineReader(line).take(still)) return Done{};
+    const bool mayGrip = beginsWithOneOf(line, kFanucGripping);
+    if (mayGrip || beginsWithOneOf(line, kFanucStill)) {
+      keep(ProgramLine::Kind::Statement, line.rest(), statement.line, mayGrip);
+      return Done{};
     }
     const std::string_view whole = line.rest();
     if (LineReader(line).take("PR[") || LineReader(line).take("UFRAME["))
@@ -321,8 +350,8 @@ class FanucReading {
     ParsedMotion motion{
         isJoint ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, statement.line};
     motion.name = readName(positionRemark(position));
-    motion.speed = fanucSpeedFrom(line, isJoint);
-    if (const Status options = readOptions(line, statement.line); !options) return options.error();
+    motion.speed = fanucSpeedFrom(line, isJoint, motion.seconds);
+    if (const Status options = readOptions(line, statement.line, motion); !options) return options.error();
     m_motions.emplace_back(number, std::move(motion));
     return Done{};
   }
@@ -374,16 +403,20 @@ class FanucReading {
     return false;
   }
 
-  // Reads the words after the speed: "FINE", "CNT50", "ACC80", "Wjnt", "PTH"; others, as Offset, Tool_Offset or INC,
-  // change the position.
-  static Status readOptions(LineReader line, std::size_t number) {
+  // Reads the words after the speed: "FINE", "CNT50", "ACC80", "PTH"; others, as Offset, Tool_Offset or INC, change the
+  // position, or, as Wjnt in lines, the configurations on the way.
+  static Status readOptions(LineReader line, std::size_t number, ParsedMotion& motion) {
     line.number();
     line.skip(std::min(line.rest().find_first_of(" \t"), line.rest().size()));  // unit of the speed
     for (line.skipSpace(); !line.rest().empty(); line.skipSpace()) {
-      if (line.takeWord("FINE") || line.takeWord("Wjnt") || line.takeWord("PTH")) continue;
+      const bool isJoint = motion.kind == ProgramMotion::Kind::Joint;
+      if (line.takeWord("FINE") || (isJoint && line.takeWord("Wjnt")) || line.takeWord("PTH")) continue;
       LineReader valued = line;
-      const bool isValued = valued.take("CNT") || valued.take("ACC");
-      if (!isValued || !valued.number()) return unread(line.rest(), number);
+      const bool isCorner = valued.take("CNT");
+      const auto value = isCorner || valued.take("ACC") ? valued.number() : std::nullopt;
+      if (!value || (isCorner && !(*value >= 0.0 && *value <= ProgramMotion::kLargestCorner)))
+        return unread(line.rest(), number);
+      if (isCorner) motion.corner = *value;
       line = valued;
     }
     return Done{};
@@ -398,8 +431,9 @@ class FanucReading {
   std::map<std::size_t, FanucConfiguration> m_configurations;  // by numbers of positions
   std::optional<ClosedFormIk> m_closed;
   std::vector<std::pair<std::size_t, ParsedMotion>> m_motions;  // by the numbers of their positions
+  std::vector<ProgramLine> m_before;                            // lines before the first motion
   std::size_t m_open = 0;
-  bool m_isInLines = true, m_isInPositions = false, m_isOwnGroup = true;
+  bool m_isInLines = true, m_isInPositions = false, m_isOwnGroup = true, m_isInOwnHead = false;
 };
 
 }  // namespace
@@ -411,13 +445,32 @@ std::string FanucPost::write(const RobotProgram& program) const {
   const std::vector<std::string> head = headLines(program);
   std::string lines, positions;
   std::size_t count = 0;
-  for (const std::string& line : head) lines += "   " + std::to_string(++count) + ":  " + line + " ;\n";
+  const auto addLine = [&](const std::string& line) {
+    lines += "   " + std::to_string(++count) + ":  " + line + " ;\n";
+  };
+  const auto addKept = [&](const std::vector<ProgramLine>& kept) {
+    for (const ProgramLine& each : kept) {
+      std::vector<std::string> parts;
+      if (each.kind == ProgramLine::Kind::Comment && program.language != id())
+        addRemark(each.text, parts);
+      else
+        parts = {keptText(each, "!")};
+      for (std::string& part : parts) {
+        std::ranges::replace(part, ';', ',');
+        addLine(part);
+      }
+    }
+  };
+  for (const std::string& line : head) addLine(line);
+  addKept(program.head);
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const ProgramMotion& motion = program.motions[i];
     const std::string number = std::to_string(i + 1);
     const std::string remark = motion.name.empty() ? "" : identifierOf(motion.name, kLongestPositionName);
     lines += "   " + std::to_string(++count) + (motion.kind == ProgramMotion::Kind::Joint ? ":J P[" : ":L P[") +
-             number + (remark.empty() ? "" : ":" + remark) + "] " + fanucSpeed(motion) + " FINE    ;\n";
+             number + (remark.empty() ? "" : ":" + remark) + "] " + fanucSpeed(motion) + " " +
+             (motion.corner > 0.0 ? "CNT" + fixedText(motion.corner, 0) : "FINE") + "    ;\n";
+    addKept(motion.lines);
     positions +=
         "P[" + number + (remark.empty() ? "" : ":\"" + remark + "\"") + "]{\n" + positionText(program, motion) + "};\n";
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/arm/ClosedFormIk.h"
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/KrlData.h"
 #include "robot/posts/KrlStatus.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace handwheel {
 
@@ -149,17 +151,17 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
 
 // First words of statements that neither move the robot nor change the effect of others. Anything that is in no list is
 // refused.
-constexpr std::array kKrlStill = {"DEF",  "DECL", "INT",     "REAL",     "BOOL",     "CHAR",
-                                  "EXT",  "INI",  "WAIT",    "CONTINUE", "HALT",     "PULSE",
-                                  "ELSE", "CASE", "DEFAULT", "SIGNAL",   "PDAT_ACT", "LDAT_ACT"};
+constexpr std::array kKrlStill = {"WAIT", "CONTINUE", "HALT"};
+// Beginnings of statements of this kind by which a tool may grip or release.
+constexpr std::array kKrlGripping = {"PULSE", "$OUT", "$ANOUT", "$LOAD"};
+constexpr std::array kKrlDeclarations = {"DECL", "INT", "REAL", "BOOL", "CHAR", "SIGNAL"};
+// Statements that a program needs at its begin, and settings of KUKA's dialogues that only act through BAS.
+constexpr std::array kKrlOwn = {"DEF", "EXT", "INI", "PDAT_ACT", "LDAT_ACT"};
 // Functions without side effects, and words before brackets. Others may be routines that move the robot.
 constexpr const char* kKrlFunctions[] = {"abs",     "acos", "and",  "atan2", "b_and",    "b_exor", "b_not",
                                          "b_or",    "bas",  "case", "cos",   "exor",     "for",    "if",
                                          "inv_pos", "not",  "or",   "pulse", "sec",      "sin",    "sqrt",
                                          "switch",  "tan",  "to",   "until", "varstate", "wait",   "while"};
-constexpr std::array kKrlBlocks = {"IF", "FOR", "WHILE", "LOOP", "REPEAT", "SWITCH"};
-constexpr std::array kKrlBlockEnds = {"ENDIF", "ENDFOR", "ENDWHILE", "ENDLOOP", "UNTIL", "ENDSWITCH"};
-
 bool takesOneOf(LineReader& line, std::span<const char* const> words) {
   return std::any_of(words.begin(), words.end(), [&](const char* word) { return line.takeWord(word); });
 }
@@ -171,14 +173,29 @@ class KrlReading {
         m_closed(ClosedFormIk::of(program.arm)),
         m_reference(ArmValues::Zero(program.arm.size())),
         m_base(program.frame),
-        m_tool(program.tool) {}
+        m_tool(program.tool),
+        m_data(program.data) {}
 
-  std::vector<ParsedMotion> motions;
+  std::vector<ParsedMotion> takeMotions() {
+    flushName();
+    if (!m_motions.empty()) m_motions.front().before = std::move(m_before);
+    return std::move(m_motions);
+  }
   bool isOver() const { return m_isOver; }  // at the end of the first routine: calls of others are refused
 
-  // Reads the name of the next base from a remark.
-  void readRemark(std::string_view whole) {
-    if (whole.starts_with(kBaseName)) m_nextBase = readName(LineReader(whole.substr(kBaseName.size()), 0).name());
+  // Reads the comment of a line; in the head of our own programs only the name of the next base.
+  void readComment(std::string_view comment, std::size_t number) {
+    if (comment.starts_with(kBaseName)) m_nextBase = readName(LineReader(comment.substr(kBaseName.size()), 0).name());
+    if (comment.find(kWrittenByUs) != comment.npos) {
+      m_isOwn = m_isInOwnHead = true;
+      m_before.clear();
+    }
+    if (m_isInOwnHead || comment.starts_with(kBaseName)) return;
+    flushName();
+    if (const std::string name = m_isOwn ? nameInComment(comment) : std::string(); !name.empty())
+      m_nextName = {ProgramLine::Kind::Comment, name, number};
+    else
+      keep(ProgramLine::Kind::Comment, comment.substr(1), number);
   }
 
   Status readLine(std::string_view text, std::size_t number) {
@@ -189,12 +206,15 @@ class KrlReading {
     if (line.takeWord("INTERRUPT")) return isHarmlessInterrupt(line) ? Status(Done{}) : unread(text, number);
     const bool isDeclared = LineReader(line).takeWord("DEF") || LineReader(line).takeWord("EXT");
     if (!isDeclared && callsOther(line.rest(), kKrlFunctions)) return unread(text, number);
-    if (takesOneOf(line, kKrlBlocks)) {
-      m_blocks.push_back({text, number});
+    // A loop may set the speeds of the axes, which is read; other loops are refused.
+    if (line.takeWord("ENDFOR") && m_axisLoop) {
+      m_axisLoop.reset();
       return Done{};
     }
-    if (takesOneOf(line, kKrlBlockEnds)) {
-      if (!m_blocks.empty()) m_blocks.pop_back();
+    const bool isOfAxes = LineReader(line).take("$VEL_AXIS[") || LineReader(line).take("$ACC_AXIS[");
+    if (m_axisLoop && !isOfAxes) return unread(m_axisLoop->text, m_axisLoop->line);
+    if (line.takeWord("FOR")) {
+      m_axisLoop = ProgramStatement{text, number};
       return Done{};
     }
     if (line.takeWord("END")) {
@@ -202,17 +222,30 @@ class KrlReading {
       return Done{};
     }
     const bool isTool = line.takeWord("$TOOL"), isBase = !isTool && line.takeWord("$BASE");
-    if (isBase) m_baseName = std::exchange(m_nextBase, kAnyBase);
+    if (isBase) {
+      m_baseName = std::exchange(m_nextBase, kAnyBase);
+      m_isInOwnHead = false;
+    }
     m_isToolSet = m_isToolSet || isTool;
     if (isTool || isBase) return setFrame(line, isTool ? m_tool : m_base);
-    if (readsOver(line)) return Done{};
+    if (readsOver(line, number)) return Done{};
     const bool isPtp = line.takeWord("PTP"), isLinear = !isPtp && line.takeWord("LIN");
     if (!isPtp && !isLinear) return unread(text, number);
-    if (!m_blocks.empty()) return unread(m_blocks.back().text, m_blocks.back().line);
     return readMotion(line, number, isPtp);
   }
 
  private:
+  void keep(ProgramLine::Kind kind, std::string_view text, std::size_t number, bool mayGrip = false) {
+    flushName();
+    (m_motions.empty() ? m_before : m_motions.back().lines).push_back(keptLine(kind, text, number, mayGrip));
+  }
+
+  // Keeps a comment that may have been the name of a waypoint, and was none.
+  void flushName() {
+    if (m_nextName.text.empty()) return;
+    (m_motions.empty() ? m_before : m_motions.back().lines).push_back(std::exchange(m_nextName, {}));
+  }
+
   // Recognises "OFF", or the handler of faults at the beginning of the maker's own programs: "DECL 3 WHEN
   // $STOPMESS==TRUE DO IR_STOPM()" and "ON 3". Other routines may move the robot at any time.
   bool isHarmlessInterrupt(LineReader line) {
@@ -226,38 +259,49 @@ class KrlReading {
     return true;
   }
 
-  // Returns true for statements that do not change positions: speeds, outputs, declarations, waiting.
-  bool readsOver(LineReader line) {
+  // Returns true for statements that do not change positions: speeds, outputs, declarations, waiting. Those that are
+  // not interpreted are kept.
+  bool readsOver(LineReader line, std::size_t number) {
+    line.skipSpace();
+    const std::string_view whole = line.rest();
     const bool isBas = LineReader(line).takeWord("BAS");
     for (const char* const frames : {"#TOOL", "#BASE", "#FRAMES"}) {
       if (isBas && line.rest().find(frames) != std::string_view::npos) m_tool = std::nullopt;  // by a number
     }
-    const auto blend = m_settings.blend;
-    if (m_settings.take(line)) {
-      if (!m_blocks.empty() && m_settings.blend != blend) m_settings.blend = std::nullopt;  // or not
-      return true;
-    }
+    if (m_settings.take(line)) return true;
     if (line.takeWord("FDAT_ACT")) {
       m_tool = std::nullopt;
       return true;
     }
-    if (takesOneOf(line, kKrlStill)) return true;
+    if (takesOneOf(line, kKrlOwn)) return true;
+    if (takesOneOf(line, kKrlDeclarations)) {
+      m_data.read(whole);
+      keep(ProgramLine::Kind::Declaration, whole, number);
+      return true;
+    }
+    const bool mayGrip =
+        std::ranges::any_of(kKrlGripping, [&](const char* word) { return LineReader(line).take(word); });
+    if (!mayGrip && !takesOneOf(line, kKrlStill) && !isHarmlessAssignment(line)) return false;
+    keep(ProgramLine::Kind::Statement, whole, number, mayGrip);
+    return true;
+  }
+
+  bool isHarmlessAssignment(LineReader line) const {
     if (line.take("$")) {
       LineReader name(line.name(), 0);
       if (name.takeWord("ORI_TYPE")) return line.rest().find("#CONSTANT") == std::string_view::npos;
       if (name.takeWord("IPO_MODE")) return line.rest().find("#BASE") != std::string_view::npos;
       return !name.takeWord("ROBROOT") && !name.takeWord("WORLD") && !name.takeWord("NULLFRAME");
     }
-    const bool isNamed = !line.name().empty();
+    const std::string_view named = line.name();
     line.skipSpace();
     const std::size_t sign = line.rest().find('=');
-    if (!isNamed || sign == std::string_view::npos) return false;
+    if (named.empty() || sign == std::string_view::npos || m_data.valueOf(named)) return false;
     return sign == 0 || line.rest()[0] == '.' || line.rest()[0] == '[';  // "A=1", "P.X=1", "A[1]=1"
   }
 
   // Reads "={X 1,…}" or "=$NULLFRAME"; frames on the controller are not known.
   Status setFrame(LineReader& line, std::optional<Pose>& frame) {
-    if (!m_blocks.empty()) return unread(m_blocks.back().text, m_blocks.back().line);
     frame = std::nullopt;
     if (!line.take("=")) return Done{};
     const bool isNull = line.takeWord("$NULLFRAME");
@@ -270,14 +314,31 @@ class KrlReading {
   }
 
   Status readMotion(LineReader line, std::size_t number, bool isPtp) {
-    if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("PTP", "there are too many motions");
+    if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("PTP", "there are too many motions");
     ParsedMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
     motion.frame = m_base;
     motion.frameName = m_baseName;
     if (m_isToolSet) motion.tool = m_tool;
+    // A name stands for the numbers of its declaration.
+    LineReader named = line;
+    const std::string_view name = named.name();
+    if (!name.empty()) {
+      const auto value = m_data.valueOf(name);
+      if (!value && isPtp && KrlData::isHome(name) && m_program.home)
+        motion.joints = *m_program.home;
+      else if (!value)
+        return line.malformed("target", KrlData::isHome(name)
+                                            ? "its joint values are on the controller: put $config.dat beside the "
+                                              "program, or name a configuration of the cell 'home'"
+                                            : "it has no numbers in the program or in a file of data beside it");
+      motion.name = readName(name);
+      line = LineReader(value.value_or(std::string_view()), number);
+    }
     LineReader other = line;
-    if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
+    if (motion.joints) {
+      line = LineReader({}, number);
+    } else if (const auto joints = aggregate(line, {"A1", "A2", "A3", "A4", "A5", "A6"})) {
       motion.joints = radiansOf(*joints);
     } else if (KrlStatus status; const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"}, &status)) {
       if (!m_base || !m_tool) return line.malformed("target", "its tool or base is on the controller, not in the file");
@@ -292,6 +353,7 @@ class KrlReading {
     } else {
       return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");
     }
+    if (!name.empty()) line = named;
     line.skipSpace();
     // Other zones, such as C_PTP, have no size in mm.
     const std::string_view zone = line.rest();
@@ -299,7 +361,8 @@ class KrlReading {
     line.skipSpace();
     if (!line.rest().empty()) return unread(zone, number);
     if (motion.joints) m_reference = *motion.joints;
-    motions.push_back(std::move(motion));
+    if (!m_nextName.text.empty()) motion.name = std::exchange(m_nextName, {}).text;
+    m_motions.push_back(std::move(motion));
     return Done{};
   }
 
@@ -319,7 +382,12 @@ class KrlReading {
   std::optional<Pose> m_base, m_tool;  // in the base, in the flange; none: not known
   static constexpr const char* kAnyBase = "BASE";
   std::string m_baseName, m_nextBase = kAnyBase;
-  std::vector<ProgramStatement> m_blocks;  // open blocks of control flow
+  KrlData m_data;
+  std::optional<ProgramStatement> m_axisLoop;  // the open loop over the axes
+  std::vector<ParsedMotion> m_motions;
+  std::vector<ProgramLine> m_before;  // lines before the first motion
+  ProgramLine m_nextName;             // comment that may be the name of the next motion's waypoint
+  bool m_isOwn = false, m_isInOwnHead = false;
   std::optional<double> m_faultInterrupt;  // its number
   bool m_isToolSet = false;                // by the program; else m_tool is that of the cell
   bool m_isOver = false;
@@ -331,9 +399,15 @@ std::string KrlPost::write(const RobotProgram& program) const {
   std::string text = "&ACCESS RVP\n&REL 1\nDEF " + identifierBeside(kKrlWords, program.name, kLongestKrlName) + "()\n";
   for (const std::string& remark : headRemarks(program)) text += "; " + remark + "\n";
   if (needsControllersBase(program)) text += kBaseRemark;
+  const auto isDeclaration = [](const ProgramLine& line) { return line.kind == ProgramLine::Kind::Declaration; };
+  const auto kept = [](const std::vector<ProgramLine>& lines) { return keptTexts(lines, "", ";", ""); };
+  std::vector<ProgramLine> before = program.head;
+  const auto statements = std::ranges::stable_partition(before, isDeclaration);
+  text += kept({before.begin(), statements.begin()});
   text += "BAS(#INITMOV,0)\n$TOOL={" + krlFrame(program.tool) + "}\n";
   if (!program.frameName.empty()) text += std::string(kBaseName) + frameIdentifier(program, {}, 60) + "\n";
   text += "$BASE={" + krlFrame(program.frame) + "}\n";
+  text += kept({statements.begin(), statements.end()});
   double share = -1.0, speed = -1.0;
   for (const ProgramMotion& motion : program.motions) {
     if (!motion.name.empty()) text += "; " + identifierOf(motion.name, 60) + "\n";
@@ -353,6 +427,7 @@ std::string KrlPost::write(const RobotProgram& program) const {
       text += "LIN {" + krlFrame(pose) + "," + krlStatusOf(program.arm, motion.joints).text() + "}" +
               (motion.blend > 0.0 ? " C_DIS\n" : "\n");
     }
+    text += kept(motion.lines);
   }
   return text + "END\n";
 }
@@ -363,10 +438,11 @@ Result<std::vector<ParsedMotion>> KrlPost::read(std::string_view text, const Rob
   const Result<std::vector<std::string_view>> whole = programLines(text, {});
   KrlReading reading(frame);
   for (std::size_t i = 0; i < lines->size() && !reading.isOver(); ++i) {
-    reading.readRemark((*whole)[i]);
     if (const Status read = reading.readLine((*lines)[i], i + 1); !read) return read.error();
+    const std::string_view comment = (*whole)[i].substr((*lines)[i].size());
+    if (!comment.empty()) reading.readComment(comment, i + 1);
   }
-  return std::move(reading.motions);
+  return reading.takeMotions();
 }
 
 }  // namespace handwheel

@@ -51,6 +51,34 @@ const ErrorDescription PostError::ConfigurationDiffers{
     .advice = {translatable(
         "ErrorText", "In a copy of the program, correct the configuration, or write ConfL\\Off before the line.")}};
 
+const ErrorDescription PostError::LinesOfOther{
+    .id = "PostLinesOfOther",
+    .sentences = {translatable("ErrorText", "'%1' is a line of %3, and %2 programs cannot have it (lines: %4)")},
+    .advice = {translatable("ErrorText",
+                            "Write the program in its own language, or without these lines; on the command line: "
+                            "--without-io.")}};
+
+const ErrorDescription PostError::NoCorners{
+    .id = "PostNoCorners",
+    .sentences = {translatable("ErrorText", "motion %1 ends with the rounding CNT, which %2 programs do not have")},
+    .advice = {translatable("ErrorText",
+                            "Set the rounding of the place to 0 (FINE), and a blend if need be; on the command line: "
+                            "--cnt-as-fine.")}};
+
+const ErrorDescription PostError::LinkageUnknown{
+    .id = "PostLinkageUnknown",
+    .sentences = {translatable("ErrorText",
+                               "a parallel linkage moves axis 3 of %1, and its description does not have how %2 "
+                               "controllers count that axis")},
+    .advice = {translatable("ErrorText", "Use the built-in robot irb2400, or write the path as CSV or JSON.")}};
+
+const ErrorDescription PostError::ThirdBeyond{
+    .id = "PostThirdBeyond",
+    .sentences = {translatable("ErrorText",
+                               "at the end of motion %1 the controller has axis 3 at %2°, and its limits are %3° and "
+                               "%4°, as it counts that axis from the level")},
+    .advice = {translatable("ErrorText", "Move joints 2 and 3 at that place, and verify the path again.")}};
+
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",
     .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},

@@ -15,6 +15,10 @@ extern const ErrorDescription StatementUnread;       // {beginning of a statemen
 extern const ErrorDescription TooFast;               // {motion, mm/s, language, most mm/s}: the line is too fast
 extern const ErrorDescription BaseUnknown;           // {robot}: the base of its controller is not known
 extern const ErrorDescription ConfigurationDiffers;  // {configuration}: the arm ends the line in another one
-extern const ErrorDescription MotionDiffers;         // {motion, "kind", "speed" or "blend", wanted, read}
+extern const ErrorDescription LinesOfOther;          // {first line, language, language of it, numbers of all}
+extern const ErrorDescription NoCorners;             // {motion, language}: it has no CNT
+extern const ErrorDescription LinkageUnknown;        // {robot, language}: the coupling of its axes 2 and 3 is unknown
+extern const ErrorDescription ThirdBeyond;           // {motion, degrees, lower, upper}: axis 3 as the controller has it
+extern const ErrorDescription MotionDiffers;         // {motion, what, wanted, read}
 
 }  // namespace handwheel::PostError

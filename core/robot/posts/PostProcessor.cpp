@@ -11,6 +11,34 @@
 
 namespace handwheel {
 
+namespace {
+
+// Returns the error for statements of another language, which this one cannot have.
+std::optional<Error> linesOfOther(const RobotProgram& program, const PostProcessor& post) {
+  if (program.language == post.id()) return std::nullopt;
+  constexpr std::size_t kMostListed = 10;
+  std::vector<const ProgramLine*> all;
+  const auto add = [&](const std::vector<ProgramLine>& lines) {
+    for (const ProgramLine& line : lines) {
+      if (line.kind == ProgramLine::Kind::Statement) all.push_back(&line);
+    }
+  };
+  add(program.head);
+  for (const ProgramMotion& motion : program.motions) add(motion.lines);
+  if (all.empty()) return std::nullopt;
+  std::string numbers;
+  for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i)
+    numbers += (i > 0 ? ", " : "") + std::to_string(all[i]->line);
+  if (all.size() > kMostListed) numbers += ", …";
+  const PostProcessor* const language = postCalled(program.language);
+  return Error{PostError::LinesOfOther,
+               {all.front()->text, post.title(), language ? language->title() : program.language, numbers},
+               {},
+               {}};
+}
+
+}  // namespace
+
 std::vector<Error> PostProcessor::refusals(const RobotProgram& program) const {
   std::vector<Error> all;
   if (program.motions.size() > kMostMotions) {
@@ -22,7 +50,10 @@ std::vector<Error> PostProcessor::refusals(const RobotProgram& program) const {
     const bool isSound = motion.joints.allFinite() && std::isfinite(motion.speed) && std::isfinite(motion.blend);
     if (!isSound || motion.joints.size() != program.arm.size())
       all.push_back({PostError::NotFinite, {std::to_string(i + 1)}, {}, {}});
+    if (motion.corner > 0.0 && !hasCorners())
+      all.push_back({PostError::NoCorners, {std::to_string(i + 1), title()}, {}, {}});
   }
+  if (const auto lines = linesOfOther(program, *this)) all.push_back(*lines);
   return all;
 }
 
@@ -36,6 +67,16 @@ std::vector<Error> ControllerPost::refusals(const RobotProgram& program) const {
   for (std::size_t i = 0; i < program.arm.joints().size(); ++i) {
     if (program.arm.joints()[i].isPrismatic)
       all.push_back({PostError::NoSlides, {title(), std::to_string(i + 1)}, {}, {}});
+  }
+  for (std::size_t i = 0; i < program.motions.size() && program.arm.coupling(); ++i) {
+    const AxisCoupling& coupling = *program.arm.coupling();
+    const ArmValues& joints = program.motions[i].joints;
+    if (joints.size() != program.arm.size() || coupling.isWithin(joints, 1e-6)) continue;
+    all.push_back({PostError::ThirdBeyond,
+                   {std::to_string(i + 1), shownText(coupling.third(joints) / kRadiansPerDegree),
+                    shownText(coupling.lower / kRadiansPerDegree), shownText(coupling.upper / kRadiansPerDegree)},
+                   {},
+                   {}});
   }
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const ProgramMotion& motion = program.motions[i];
@@ -115,10 +156,16 @@ std::optional<Error> differenceOf(const ProgramMotion& wanted, const ParsedMotio
   constexpr double kBlendStep = 1e-3;  // mm
   const auto word = [](ProgramMotion::Kind kind) { return kind == ProgramMotion::Kind::Joint ? "joint" : "linear"; };
   if (wanted.kind != got.kind) return differs("kind", word(wanted.kind), word(got.kind));
-  if (got.speed && !isSameSpeed(wanted.kind, wanted.speed, *got.speed))
+  if (got.speed && got.seconds <= 0.0 && !isSameSpeed(wanted.kind, wanted.speed, *got.speed))
     return differs("speed", fixedText(wanted.speed, 4), fixedText(*got.speed, 4));
   if (!(got.blend <= wanted.blend + kBlendStep))
     return differs("blend", fixedText(wanted.blend, 4), fixedText(got.blend, 4));
+  constexpr double kPercentStep = 0.51, kTimeStep = 0.06;  // s; Fanuc has tenths of long durations
+  // A larger rounding than the path has is not proven.
+  if (got.corner > wanted.corner + kPercentStep)
+    return differs("rounding", fixedText(wanted.corner, 1), fixedText(got.corner, 1));
+  if (got.seconds > 0.0 && std::abs(got.seconds - wanted.seconds) > kTimeStep)
+    return differs("duration", fixedText(wanted.seconds, 3), fixedText(got.seconds, 3));
   return std::nullopt;
 }
 

@@ -39,6 +39,10 @@ struct ParsedMotion {
   // The configuration that the controller expects at the end of a line to a pose, for arms with a spherical wrist;
   // none: any, or not specified.
   std::optional<RapidConfiguration> endsIn = {};
+  double corner = 0.0;                   // see ProgramMotion
+  double seconds = 0.0;                  // see ProgramMotion
+  std::vector<ProgramLine> before = {};  // lines before the first motion; empty for the others
+  std::vector<ProgramLine> lines = {};   // see ProgramMotion
 };
 
 // Writes programs in the language of a controller, and reads them back. docs/posts.md explains how to add a post.
@@ -55,6 +59,9 @@ class PostProcessor {
   // Returns the manufacturer of the robots, as at the beginning of the titles of the library (robot/dh/DhTable.h);
   // empty for a language of any robot.
   virtual const char* maker() const { return ""; }
+
+  // Returns true if motions can end with ProgramMotion::corner.
+  virtual bool hasCorners() const { return false; }
 
   // Returns the reasons why this controller cannot execute a program (PostErrors.h); empty if it can.
   virtual std::vector<Error> refusals(const RobotProgram& program) const;

@@ -129,6 +129,7 @@ std::vector<std::string> headRemarks(const RobotProgram& program) {
   if (program.hasPlainShapes) remarks.emplace_back("Collisions were checked with simplified shapes of the robot.");
   for (std::string& remark : proofRemarks(program)) remarks.push_back(std::move(remark));
   remarks.insert(remarks.end(), program.remarks.begin(), program.remarks.end());
+  remarks.emplace_back(kWrittenByUs);
   return remarks;
 }
 
@@ -178,6 +179,36 @@ Error unread(std::string_view statement, std::size_t line) {
   const std::size_t end = std::min(statement.find_first_of("\t\r(;", begin + 1), begin + kMostShown);
   return {
       PostError::StatementUnread, {std::string(statement.substr(begin, end - begin))}, InputPosition::line(line), {}};
+}
+
+ProgramLine keptLine(ProgramLine::Kind kind, std::string_view text, std::size_t line, bool mayGrip) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t begin = std::min(text.find_first_not_of(kSpace), text.size());
+  const std::size_t end = text.find_last_not_of(kSpace);
+  return {kind, std::string(end == text.npos ? std::string_view() : text.substr(begin, end + 1 - begin)), line,
+          mayGrip};
+}
+
+std::string keptText(const ProgramLine& line, const char* commentSign) {
+  return line.kind == ProgramLine::Kind::Comment ? commentSign + line.text : line.text;
+}
+
+std::string keptTexts(const std::vector<ProgramLine>& lines, const char* indent, const char* commentSign,
+                      const char* ending) {
+  std::string text;
+  for (const ProgramLine& each : lines) {
+    const bool isComment = each.kind == ProgramLine::Kind::Comment;
+    if (!each.text.empty()) text += indent + keptText(each, commentSign) + (isComment ? "" : ending) + "\n";
+  }
+  return text;
+}
+
+std::string nameInComment(std::string_view comment) {
+  if (comment.size() < 3 || comment[1] != ' ' || !isNameCharacter(comment[2])) return {};
+  LineReader line(comment.substr(1), 0);
+  const std::string_view name = line.name();
+  line.skipSpace();
+  return line.rest().empty() ? readName(name) : std::string();
 }
 
 bool callsOther(std::string_view text, std::span<const char* const> harmless) {

@@ -55,6 +55,8 @@ std::vector<std::string> proofRemarks(const RobotProgram& program);
 // Returns the clearance, mm, that a remark of proofRemarks() states in a program in any language; nothing if the text
 // has no such remark. O(text).
 std::optional<double> keptClearance(std::string_view text);
+// The last of the comments of headRemarks(), by which readers recognise programs that this program wrote.
+inline constexpr const char* kWrittenByUs = "Written by Handwheel.";
 // Returns the comments at the head of a program: the robot, assumptions, proofs and limitations.
 std::vector<std::string> headRemarks(const RobotProgram& program);
 
@@ -72,6 +74,19 @@ Pose poseInProgram(const RobotProgram& program, const Pose& frame, const Pose& p
 // Returns the error of a statement that is not read and may move the robot: StatementUnread {beginning of the
 // statement}.
 Error unread(std::string_view statement, std::size_t line);
+
+// Returns a line of a program that goes with a waypoint, without space at its ends.
+ProgramLine keptLine(ProgramLine::Kind kind, std::string_view text, std::size_t line, bool mayGrip = false);
+// Returns the text of such a line: a comment after the sign of the language.
+std::string keptText(const ProgramLine& line, const char* commentSign);
+// Returns the lines of a program, each with this indentation and ending; comments after the sign of the language. Lines
+// without a text are omitted.
+std::string keptTexts(const std::vector<ProgramLine>& lines, const char* indent, const char* commentSign,
+                      const char* ending);
+
+// Returns the name of a waypoint in a comment as UrScriptPost and KrlPost write it, "; NAME": the sign, a space and one
+// word. Empty: it is another comment.
+std::string nameInComment(std::string_view comment);
 
 // Returns true if the text calls a function, NAME(…) outside quotes, that is not harmless. harmless: functions that
 // only compute, and words of the language that precede brackets, in lower case.

@@ -19,7 +19,7 @@ using Called = std::function<std::string(std::string_view)>;
 
 }  // namespace
 
-std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& lines) {
+std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& lines, std::string_view comment) {
   std::vector<ProgramStatement> all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i];
@@ -27,10 +27,14 @@ std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& 
     std::size_t begin = 0;
     for (std::size_t k = 0; k <= line.size(); ++k) {
       if (k < line.size() && line[k] == '"') isQuoted = !isQuoted;
-      if (k < line.size() && (line[k] != ';' || isQuoted)) continue;
+      const bool isComment = !comment.empty() && !isQuoted && line.substr(k).starts_with(comment);
+      if (k < line.size() && !isComment && (line[k] != ';' || isQuoted)) continue;
       const std::string_view text = line.substr(begin, k - begin);
       if (text.find_first_not_of(" \t\r") != text.npos) all.push_back({text, i + 1});
       begin = k + 1;
+      if (!isComment) continue;
+      all.push_back({line.substr(k), i + 1, true});
+      break;
     }
   }
   return all;
@@ -46,6 +50,7 @@ void ProgramRoutines::end() {
 }
 
 void ProgramRoutines::add(const ProgramStatement& statement) {
+  m_hasOutside = m_hasOutside || (m_open.empty() && !statement.isComment);
   (m_open.empty() ? m_outside : m_open.back()->statements).push_back(statement);
 }
 
@@ -56,7 +61,8 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
     std::size_t next = 0;
   };
   std::vector<Frame> open;
-  if (!m_outside.empty() || m_routines.empty()) {
+  if (!m_hasOutside && !m_routines.empty()) all = m_outside;
+  if (m_hasOutside || m_routines.empty()) {
     open.push_back({&m_outside});
   } else if (const auto main = m_routines.find(first); main != m_routines.end()) {
     open.push_back({&main->second.statements});

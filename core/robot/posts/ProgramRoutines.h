@@ -16,10 +16,12 @@ namespace handwheel {
 struct ProgramStatement {
   std::string_view text;
   std::size_t line = 0;  // number of the line, from 1
+  bool isComment = false;
 };
 
-// Splits lines at semicolons outside quotes. Empty parts are omitted.
-std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& lines);
+// Splits lines at semicolons outside quotes. Empty parts are omitted. comment: the sign of comments, which become
+// statements that begin with it; empty: none are in the lines.
+std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& lines, std::string_view comment = {});
 
 // The routines of a program that call each other without arguments.
 class ProgramRoutines {
@@ -29,9 +31,10 @@ class ProgramRoutines {
   void add(const ProgramStatement& statement);
 
   // Returns the statements in the order of execution, with calls replaced by the called statements. The program begins
-  // with the statements outside routines. If there are none, it begins with the routine `first`, or else with the only
-  // routine that no routine calls. called: returns the name of the routine that a statement calls; empty: none. Errors:
-  // ElementMalformed if the first routine is ambiguous, a routine calls itself, or there are too many statements.
+  // with the statements outside routines. If these are none but comments, it goes on with the routine `first`, or else
+  // with the only routine that no routine calls. called: returns the name of the routine that a statement calls; empty:
+  // none. Errors: ElementMalformed if the first routine is ambiguous, a routine calls itself, or there are too many
+  // statements.
   Result<std::vector<ProgramStatement>> unrolled(
       const std::string& first, const std::function<std::string(std::string_view statement)>& called) const;
 
@@ -42,6 +45,7 @@ class ProgramRoutines {
   };
   std::map<std::string, Routine> m_routines;
   std::vector<ProgramStatement> m_outside;
+  bool m_hasOutside = false;     // true if these are not comments only
   std::vector<Routine*> m_open;  // the routines that were begun and not ended; in m_routines
 };
 

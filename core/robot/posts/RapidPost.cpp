@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
 #include "robot/posts/RapidNames.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -55,7 +58,8 @@ class RapidWriting {
       routines += "  LOCAL PROC " + routine + "()\n" + motionLines(begin, std::min(count, begin + kMotionsOfARoutine)) +
                   "  ENDPROC\n";
     }
-    return "MODULE " + m_name + "_module\n" + head() + m_targets + "  PROC " + m_name + "()\n    ConfL\\Off;\n" + body +
+    return "MODULE " + m_name + "_module\n" + head() + m_targets + "  PROC " + m_name + "()\n" +
+           keptTexts(partOf(m_program.head, false), "    ", "! ", ";") + "    ConfL\\Off;\n" + body +
            "    VelSet 100," + fixedText(kLargestRapidSpeed, 0) + ";\n    ConfL\\On;\n  ENDPROC\n" + routines +
            "ENDMODULE\n";
   }
@@ -65,12 +69,15 @@ class RapidWriting {
     std::string text;
     for (const std::string& remark : headRemarks(m_program)) text += "  ! " + remark + "\n";
     text += "  ! To run it: " + m_name + ";\n";
+    if (needsControllersBase(m_program) && !m_program.frameName.empty())
+      text += "  ! The frame is counted from the base of the robot's description: measure it, or test this first.\n";
     const std::string mass = fixedText(std::max(0.001, m_program.toolMass), 3);
     text += "  ! The load of the tool is an assumption (" + mass + " kg): enter mass and centre of gravity of yours.\n";
     text += "  PERS tooldata " + m_name + "_tool:=[TRUE,[" + rapidPose(m_program.tool) + "],[" + mass +
             ",[0,0,1],[1,0,0,0],0,0,0]];\n";
     const std::string frame =
         "PERS wobjdata " + m_frame + ":=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) + "],[[0,0,0],[1,0,0,0]]];\n";
+    text += keptTexts(partOf(m_program.head, true), "  ", "! ", ";");
     if (m_program.frameName.empty()) return text + "  " + frame;
     if (!m_program.declaresFrame)
       return text + "  ! Another module of the task has the frame. The path was proven with this one:\n  ! " + frame;
@@ -88,20 +95,34 @@ class RapidWriting {
       if (wanted != share)
         text += "    VelSet " + fixedText(100.0 * wanted, 2) + "," + fixedText(m_largestSpeed, 0) + ";\n";
       share = wanted;
-      text += motionLine(motion);
+      text += motionLine(motion) + keptTexts(motion.lines, "    ", "! ", ";");
     }
     return text;
+  }
+
+  // Returns the declarations among lines, or the others.
+  static std::vector<ProgramLine> partOf(const std::vector<ProgramLine>& lines, bool isDeclarations) {
+    std::vector<ProgramLine> part;
+    std::ranges::copy_if(lines, std::back_inserter(part), [&](const ProgramLine& line) {
+      return (line.kind == ProgramLine::Kind::Declaration) == isDeclarations;
+    });
+    return part;
   }
 
   std::string motionLine(const ProgramMotion& motion) {
     const std::string frame = m_name + "_tool\\WObj:=" + m_frame;
     const std::string end = zoneText(motion.blend) + "," + frame + ";\n";
-    const std::string joints = "[[" + fixedList(degreesOf(motion.joints), 7) + "]," + kNoAxes + "]";
+    const std::string time = motion.seconds > 0.0 ? "\\T:=" + fixedText(motion.seconds, 3) : "";
+    const bool hasLinkage = hasParallelLinkage(m_program.arm);
+    const ArmValues counted = hasLinkage ? countedByController(m_program.arm, motion.joints) : motion.joints;
+    const std::string joints = "[[" + fixedList(degreesOf(counted), 7) + "]," + kNoAxes + "]";
     if (motion.kind == ProgramMotion::Kind::Joint)
-      return "    MoveAbsJ " + target("jointtarget", joints, motion) + "\\NoEOffs,vmax," + end;
-    const std::string speed = ",[" + fixedText(std::max(motion.speed, 0.01), 2) + ",500,5000,1000],";
-    // If a description has turned or raised the base, a pose would be wrong: the controller computes its own.
-    if (!m_program.isBaseOfController)
+      return "    MoveAbsJ " + target("jointtarget", joints, motion) + "\\NoEOffs,vmax" + time + "," + end;
+    const std::string speed = ",[" + fixedText(std::max(motion.speed, 0.01), 2) + ",500,5000,1000]" + time + ",";
+    // If a description has turned or raised the base, a pose in it would be wrong: the controller computes its own. So
+    // it does for parallel linkages, whose configurations have other numbers. In a frame of the cell poses are written
+    // all the same, so that the path moves with the work object.
+    if ((!m_program.isBaseOfController || hasLinkage) && m_program.frameName.empty())
       return "    MoveL CalcRobT(" + target("jointtarget", joints, motion) + "," + frame + ")" + speed + end;
     const Pose toolPose = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
     const std::string pose = "[" + rapidPose(toolPose) + "," +
@@ -128,6 +149,20 @@ class RapidWriting {
 };
 
 }  // namespace
+
+// Parallel linkages of axis 3 that descriptions for ROS give without their coupling.
+std::vector<Error> RapidPost::refusals(const RobotProgram& program) const {
+  std::vector<Error> all = ControllerPost::refusals(program);
+  std::string plain;
+  for (const char letter : lowerCase(program.robot)) {
+    if ((letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z')) plain += letter;
+  }
+  const auto isNamed = [&](const char* linkage) { return plain.find(linkage) != plain.npos; };
+  constexpr std::array kLinkages = {"irb1400", "irb1410", "irb2400", "irb4400", "irb6400", "irb6660"};
+  if (!program.arm.coupling() && std::ranges::any_of(kLinkages, isNamed) && !isNamed("irb6400r"))
+    all.push_back({PostError::LinkageUnknown, {program.robot, title()}, {}, {}});
+  return all;
+}
 
 std::string RapidPost::write(const RobotProgram& program) const {
   return RapidWriting(program).text();

@@ -1,88 +1,56 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/posts/ArcPoints.h"
 #include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
-#include "robot/posts/RapidNames.h"
-#include "robot/posts/RapidStatements.h"
+#include "robot/posts/RapidTables.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <span>
 
 namespace handwheel {
 
 namespace {
 
 // Instructions that neither move the robot nor change the effect of others. Anything that is in no list is refused.
-constexpr std::array kRapidStill = {"AccSet",   "SingArea", "GripLoad",  "TPWrite", "TPErase", "SetDO",
-                                    "SetGO",    "SetAO",    "PulseDO",   "Set",     "Reset",   "InvertDO",
-                                    "WaitTime", "WaitDI",   "WaitUntil", "WaitRob", "Stop",    "ClkReset",
-                                    "ClkStart", "ClkStop",  "Incr",      "Decr"};
+constexpr std::array kRapidStill = {"AccSet",  "SingArea", "TPWrite",  "TPErase",  "WaitTime", "WaitDI", "WaitUntil",
+                                    "WaitRob", "Stop",     "ClkReset", "ClkStart", "ClkStop",  "Incr",   "Decr"};
+// Instructions of this kind by which a tool may grip or release.
+constexpr std::array kRapidGripping = {"SetDO", "SetGO", "SetAO", "PulseDO", "Set", "Reset", "InvertDO", "GripLoad"};
+constexpr const char* kOwnRapidComment = "! To run it: ";  // in the head of modules that we wrote
 
-// Functions without side effects, and operators before brackets. Others may be routines that move the robot.
-constexpr const char* kRapidFunctions[] = {
-    "abs",      "acos",    "and",       "asin",     "atan",     "atan2",    "calcjointt", "calcrobt", "clkread",
-    "cos",      "crobt",   "cjointt",   "cpos",     "ctool",    "cwobj",    "dim",        "distance", "div",
-    "dotprod",  "doutput", "dnumtonum", "eulerzyx", "exp",      "gettime",  "goutput",    "max",      "min",
-    "mod",      "not",     "numtodnum", "numtostr", "offs",     "or",       "orientzyx",  "poseinv",  "posemult",
-    "posevect", "pow",     "present",   "reltool",  "round",    "sin",      "sqrt",       "strfind",  "strlen",
-    "strpart",  "tan",     "testdi",    "trunc",    "valtostr", "vectmagn", "xor"};
-
-// Returns the size of a zone of every controller, mm; none: there is no such zone.
-std::optional<double> standardZone(const std::string& name) {
-  if (name == "fine") return 0.0;
-  if (name == "z0") return 0.3;
-  for (const int size : {1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200}) {
-    if (name == "z" + std::to_string(size)) return size;
-  }
-  return std::nullopt;
-}
-
-class RapidReading {
+class RapidReading : public RapidTables {
  public:
   explicit RapidReading(const RobotProgram& program)
-      : m_program(program),
+      : RapidTables(program),
         m_joints(static_cast<std::size_t>(program.arm.size())),
         m_closed(closedFormOfSphericalWrist(program.arm)),
-        m_reference(ArmValues::Zero(program.arm.size())) {
-    m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
-    if (!program.frameName.empty() && !program.declaresFrame) m_frames[folded(rapidFrameName(program))] = program.frame;
-    addKnownFrames();
-  }
+        m_reference(ArmValues::Zero(program.arm.size())) {}
 
-  Status readData(const ProgramStatement& statement) {
-    LineReader line(statement.text, statement.line);
-    if (callsOther(line.rest(), kRapidFunctions)) return unread(line.rest(), statement.line);
-    if (line.takeWord("zonedata")) return readZone(line);
-    if (line.takeWord("tooldata")) return readTool(line);
-    if (line.takeWord("wobjdata")) return readFrame(line);
-    Table* const table = line.takeWord("jointtarget") ? &m_jointTargets
-                         : line.takeWord("robtarget") ? &m_robTargets
-                         : line.takeWord("speeddata") ? &m_speeds
-                                                      : nullptr;
-    if (!table) return Done{};
-    const std::string name = folded(line.name());
-    const bool isTarget = table != &m_speeds;
-    if (name.empty() || !line.take(":="))
-      return isTarget ? Status(line.malformed("target", "a name and := were expected")) : Done{};
-    const auto numbers = line.numbersWithin('[', ']', 20);
-    if (numbers && !numbers->empty())
-      (*table)[name] = *numbers;
-    else if (isTarget)
-      return line.malformed("target", "numbers in brackets were expected");
-    return Done{};
+  // Keeps the comments outside of procedures, but for those of our own modules.
+  void readComments(const std::vector<ProgramStatement>& comments) {
+    const auto isOwn = [](const ProgramStatement& each) { return each.text.starts_with(kOwnRapidComment); };
+    if (std::ranges::any_of(comments, isOwn)) return;
+    for (const ProgramStatement& each : comments)
+      m_before.push_back(keptLine(ProgramLine::Kind::Comment, each.text.substr(1), each.line));
   }
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
+    if (statement.isComment) {
+      keep(ProgramLine::Kind::Comment, statement.text.substr(1), statement.line);
+      return Done{};
+    }
+    if (line.takeWord("MoveC")) return readArc(line, statement.line);
     if (line.takeWord("MoveAbsJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
     if (line.takeWord("MoveJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, false);
     if (line.takeWord("MoveL")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
     LineReader other = line;
     other.name();
-    if (callsOther(other.rest(), kRapidFunctions)) return unread(statement.text, statement.line);
+    if (callsRapidRoutine(other.rest())) return unread(statement.text, statement.line);
     if (line.takeWord("VelSet")) {
       readOverride(line);
       return Done{};
@@ -95,31 +63,28 @@ class RapidReading {
       m_isLineConfigurationGiven = !line.take("\\") || !line.takeWord("Off");
       return Done{};
     }
-    for (const char* const still : kRapidStill) {
-      if (line.takeWord(still)) return Done{};
+    const auto isOneOf = [&](std::span<const char* const> words) {
+      return std::ranges::any_of(words, [&](const char* word) { return LineReader(line).takeWord(word); });
+    };
+    const bool mayGrip = isOneOf(kRapidGripping);
+    if (mayGrip || isOneOf(kRapidStill)) {
+      keep(ProgramLine::Kind::Statement, statement.text, statement.line, mayGrip);
+      return Done{};
     }
     const std::string_view word = line.name();
-    const std::string name = folded(word);
-    const bool isKnown = m_jointTargets.contains(name) || m_robTargets.contains(name) || m_speeds.contains(name) ||
-                         m_tools.contains(name) || m_frames.contains(name) || m_zones.contains(name);
-    if (!word.empty() && !isKnown && isAssignment(line)) return Done{};
-    return unread(statement.text, statement.line);
+    if (word.empty() || isData(folded(word)) || !isAssignment(line)) return unread(statement.text, statement.line);
+    keep(ProgramLine::Kind::Statement, statement.text, statement.line);
+    return Done{};
   }
-  std::vector<ParsedMotion> motions;
+
+  std::vector<ParsedMotion> takeMotions() {
+    if (!m_motions.empty()) m_motions.front().before = std::move(m_before);
+    return std::move(m_motions);
+  }
 
  private:
-  using Numbers = std::vector<double>;
-  using Table = std::map<std::string, Numbers>;  // by names in lower case
-
-  // Adds the frames of the cell, under the names in modules of its paths. Those of the file take precedence.
-  void addKnownFrames() {
-    RobotProgram named;
-    for (const ProgramFrame& frame : m_program.knownFrames) {
-      named.frameName = frame.name;
-      named.otherFrames = m_program.otherFrames;
-      std::erase(named.otherFrames, frame.name);
-      for (const std::string& name : rapidFrameNames(named)) m_frames.emplace(folded(name), frame.pose);
-    }
+  void keep(ProgramLine::Kind kind, std::string_view text, std::size_t number, bool mayGrip = false) {
+    (m_motions.empty() ? m_before : m_motions.back().lines).push_back(keptLine(kind, text, number, mayGrip));
   }
 
   // Recognises "n:=1", "p.trans.x:=1", "a{2}:=1", after the name. Words between belong to another statement: IF a THEN
@@ -133,53 +98,6 @@ class RapidReading {
       else
         return line.take(":=");
     }
-  }
-
-  // Reads a zone: [FALSE,10,…] in mm, [TRUE,…], which is an exact stop, as 0; none: it is not understood.
-  static std::optional<double> zoneFrom(LineReader& line) {
-    if (!line.take("[")) return std::nullopt;
-    const bool isStop = line.takeWord("TRUE");
-    if ((!isStop && !line.takeWord("FALSE")) || !line.take(",")) return std::nullopt;
-    const auto size = line.number();
-    if (!size || !line.take(",")) return std::nullopt;
-    line.skip(line.rest().find(']') + 1);
-    return isStop ? 0.0 : *size;
-  }
-
-  // Reads a zone. Routines may have different zones of one name: then the zone is not known.
-  Status readZone(LineReader& line) {
-    const std::string name = folded(line.name());
-    const auto zone = line.take(":=") ? zoneFrom(line) : std::nullopt;
-    const auto [known, isNew] = m_zones.emplace(name, zone);
-    if (!isNew && known->second != zone) known->second = std::nullopt;
-    return Done{};
-  }
-
-  // Reads the pose of a tool [TRUE,[pose],[load]] in the flange; none, if the robot does not hold it.
-  Status readTool(LineReader& line) {
-    const std::string name = folded(line.name());
-    if (!line.take(":=")) return Done{};
-    const bool isHeld = line.take("[") && line.takeWord("TRUE") && line.take(",");
-    const auto numbers = isHeld ? line.numbersWithin('[', ']', 7) : std::nullopt;
-    m_tools[name] = numbers && numbers->size() == 7 ? poseFrom(*numbers) : std::nullopt;
-    return Done{};
-  }
-
-  // Reads the pose of a frame [FALSE,TRUE,"",[pose],[pose]] in the base; none, if it moves.
-  Status readFrame(LineReader& line) {
-    const std::string name = folded(line.name());
-    if (!line.take(":=")) return Done{};
-    const bool stands = line.take("[") && line.takeWord("FALSE") && line.take(",") && line.takeWord("TRUE") &&
-                        line.take(",") && line.take("\"\"") && line.take(",");
-    const auto user = stands ? line.numbersWithin('[', ']', 7) : std::nullopt;
-    const auto object = user && line.take(",") ? line.numbersWithin('[', ']', 7) : std::nullopt;
-    std::optional<Pose> first, second;
-    if (object && user->size() == 7 && object->size() == 7) {
-      first = poseFrom(*user);
-      second = poseFrom(*object);
-    }
-    m_frames[name] = first && second ? std::optional<Pose>(*first * *second) : std::nullopt;
-    return Done{};
   }
 
   // Reads VelSet: percent, largest speed of the tool's centre point. If these are no numbers no speed is known.
@@ -203,6 +121,8 @@ class RapidReading {
       m_calculatedWith = toolText(argumentsOf(rest.substr(0, end > 0 ? end - 1 : 0)), 1);
       return within;
     }
+    const bool isOffset = !isJoints && line.takeWord("Offs");
+    if (isOffset || (!isJoints && line.takeWord("RelTool"))) return displaced(line, isOffset);
     if (auto numbers = line.numbersWithin('[', ']', 20)) return std::pair(std::move(*numbers), isJoints);
     const Table& known = isJoints ? m_jointTargets : m_robTargets;
     const std::string_view called = line.name();
@@ -210,13 +130,112 @@ class RapidReading {
     // The prefix that the post writes.
     constexpr std::string_view kTargetPrefix = "p_";
     m_targetName = readName(called.substr(called.starts_with(kTargetPrefix) ? kTargetPrefix.size() : 0));
-    if (line.take("(")) return line.malformed("target", "functions as Offs are not read");
+    if (line.take("(")) return line.malformed("target", "functions but Offs and RelTool are not read");
     if (found == known.end()) return line.malformed("target", "it is neither numbers nor a name given before");
     return std::pair(found->second, isJoints);
   }
 
+  // Reads the rest of Offs(target,x,y,z), which moves a target along the axes of its frame, or of
+  // RelTool(target,x,y,z\Rx:=…\Ry:=…\Rz:=…), which moves it along the axes of the tool, then turns it about x, the new
+  // y and the new z.
+  Result<std::pair<Numbers, bool>> displaced(LineReader& line, bool isOffset) {
+    if (!line.take("(")) return line.malformed("target", "( was expected");
+    auto read = target(line, false);
+    if (!read) return read;
+    Numbers& numbers = read->first;
+    m_targetName.clear();
+    const std::string_view rest = line.rest();
+    const std::size_t end = rest.find(')');
+    const auto pose = numbers.size() >= 7 ? poseFrom(numbers) : std::nullopt;
+    const std::vector<std::string_view> arguments = argumentsOf(rest.substr(0, std::min(end, rest.size())));
+    if (!pose || end == rest.npos || arguments.size() != 4 || read->second)
+      return line.malformed("target", "a target and three numbers were expected");
+    line.skip(end + 1);
+    std::string_view last = arguments[3];
+    std::array<std::string_view, 3> turns = {};
+    const std::size_t options = std::min(last.find('\\'), last.size());
+    for (LineReader option(last.substr(options), 0); option.take("\\");) {
+      const std::string_view text = option.rest().substr(0, option.rest().find('\\'));
+      LineReader named(text, 0);
+      const std::string name = folded(named.name());
+      const std::size_t axis = name == "rx" ? 0 : name == "ry" ? 1 : name == "rz" ? 2 : turns.size();
+      if (isOffset || axis == turns.size() || !named.take(":=")) return unread(option.rest(), 0);
+      turns[axis] = named.rest();
+      option.skip(text.size());
+    }
+    last = last.substr(0, options);
+    Vec3 shift, turn = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto value = numberIn(i == 2 ? last : arguments[i + 1]);
+      const auto degrees = turns[i].empty() ? std::optional(0.0) : numberIn(turns[i]);
+      if (!value || !degrees)
+        return line.malformed("target", "its displacement is neither a number nor a CONST num of the module");
+      shift[static_cast<Eigen::Index>(i)] = *value;
+      turn[static_cast<Eigen::Index>(i)] = *degrees * kRadiansPerDegree;
+    }
+    const Vec3 at = pose->translation() + (isOffset ? shift : Vec3(pose->linear() * shift));
+    const Eigen::Quaterniond turned(pose->linear() * Eigen::AngleAxisd(turn.x(), Vec3::UnitX()) *
+                                    Eigen::AngleAxisd(turn.y(), Vec3::UnitY()) *
+                                    Eigen::AngleAxisd(turn.z(), Vec3::UnitZ()));
+    const double changed[] = {at.x(), at.y(), at.z(), turned.w(), turned.x(), turned.y(), turned.z()};
+    std::ranges::copy(changed, numbers.begin());
+    return read;
+  }
+
+  // Reads "MoveC middle,end,speed,zone,tool" as short lines.
+  Status readArc(LineReader& line, std::size_t number) {
+    constexpr double kDeviation = 0.01, kMostAngle = M_PI + 1e-6;  // mm, rad
+    while (line.take("\\")) {
+      line.name();
+      line.take(",");
+    }
+    const auto middle = target(line, false);
+    if (!middle) return middle.error();
+    const auto middlePose = middle->first.size() >= 7 && !middle->second ? poseFrom(middle->first) : std::nullopt;
+    if (!middlePose || !line.take(",")) return line.malformed("target", "a place on the arc was expected");
+    const std::vector<std::string_view> arguments = argumentsOf(line.rest());
+    const std::string_view tool = arguments.size() > 3 ? arguments[3] : "";
+    const std::optional<Pose> from = m_flange;
+    if (!from) return line.malformed("target", "the start of the arc is not known");
+    if (const Status read = readMotion(line, number, ProgramMotion::Kind::Linear, false); !read) return read;
+    const ParsedMotion whole = std::move(m_motions.back());
+    m_motions.pop_back();
+    if (!whole.pose) return unread("MoveC", number);
+    const Result<Pose> through = placed(*middlePose, tool, number);
+    if (!through) return through.error();
+    const Pose start = m_program.frame.inverse(Eigen::Isometry) * *from * m_program.tool;
+    const Pose held = m_program.tool.inverse(Eigen::Isometry) * whole.tool.value_or(m_program.tool);  // its own tool
+    const auto arc = pointsOfArc(start * held, (*through * held).translation(), *whole.pose * held, kDeviation);
+    if (!arc) return line.malformed("target", "the three places of the arc are in a line");
+    if (arc->angle > kMostAngle)
+      return line.malformed("target", "the arc is longer than half a circle: divide it into two");
+    if (arc->turn > kMostAngle)
+      return line.malformed("target", "the tool turns by more than half a turn along the arc: divide it into two");
+    const auto count = static_cast<double>(arc->poses.size());
+    for (std::size_t i = 0; i < arc->poses.size(); ++i) {
+      if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("MoveC", "there are too many motions");
+      const bool isLast = i + 1 == arc->poses.size();
+      ParsedMotion part = whole;
+      part.pose = arc->poses[i] * held.inverse(Eigen::Isometry);
+      part.seconds = whole.seconds / count;
+      if (!isLast) {
+        part.name.clear();
+        part.endsIn.reset();
+        part.blend = 0.5 * arc->chord;
+      }
+      m_motions.push_back(std::move(part));
+    }
+    return Done{};
+  }
+
+  ArmValues jointsFrom(std::span<const double> degrees) const {
+    const ArmValues values = radiansOf(degrees);
+    return hasParallelLinkage(m_program.arm) ? countedByModel(m_program.arm, values) : values;
+  }
+
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool wantsJoints) {
-    if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("MoveAbsJ", "there are too many motions");
+    if (m_motions.size() >= PostProcessor::kMostMotions)
+      return line.malformed("MoveAbsJ", "there are too many motions");
     while (line.take("\\")) {  // such as \Conc
       line.name();
       line.take(",");
@@ -230,14 +249,16 @@ class RapidReading {
     motion.name = m_targetName;
     if (numbers.size() < (isJoints ? m_joints : 7)) return line.malformed("target", "it has too few numbers");
     if (isJoints)
-      motion.joints = radiansOf(std::span(numbers).first(m_joints));
+      motion.joints = jointsFrom(std::span(numbers).first(m_joints));
     else if (auto pose = poseFrom(numbers))
       motion.pose = *pose;
     else
       return line.malformed("target", "its quaternion has no direction");
-    if (callsOther(line.rest(), kRapidFunctions)) return unread(line.rest(), number);
+    if (callsRapidRoutine(line.rest())) return unread(line.rest(), number);
     const std::vector<std::string_view> arguments = argumentsOf(line.rest());
-    if (arguments.size() > 1) setSpeed(arguments[1], motion);
+    if (arguments.size() > 1) {
+      if (const Status set = setSpeed(arguments[1], number, motion); !set) return set;
+    }
     if (arguments.size() > 2) {
       const Result<double> blend = blendFrom(arguments[2], number);
       if (!blend) return blend.error();
@@ -258,7 +279,9 @@ class RapidReading {
         return line.malformed("target", "the robot reaches its place in no way with this configuration");
     }
     if (motion.joints) m_reference = *motion.joints;
-    motions.push_back(std::move(motion));
+    m_flange = motion.joints ? m_program.arm.tipPose(*motion.joints)
+                             : Pose(m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry));
+    m_motions.push_back(std::move(motion));
     return Done{};
   }
 
@@ -298,24 +321,6 @@ class RapidReading {
     return text;
   }
 
-  // Returns the frame of "tool" or "tool\WObj:=frame"; none: it is not known.
-  std::optional<Pose> frameIn(std::string_view text) const {
-    LineReader line(text, 0);
-    line.name();
-    const bool isNamed = line.take("\\WObj") && line.take(":=");
-    const auto frame = m_frames.find(isNamed ? folded(line.name()) : "wobj0");
-    return frame == m_frames.end() ? std::nullopt : frame->second;
-  }
-
-  // Returns the name of the frame in the text; empty: the base.
-  static std::string frameNameIn(std::string_view text) {
-    LineReader line(text, 0);
-    line.name();
-    const bool isNamed = line.take("\\WObj") && line.take(":=");
-    const std::string_view name = isNamed ? line.name() : std::string_view();
-    return folded(name) == "wobj0" ? std::string() : readName(name);
-  }
-
   // Transforms the pose of a motion with "tool" or "tool\WObj:=frame".
   Result<Pose> placed(const Pose& pose, std::string_view text, std::size_t number) const {
     LineReader line(text, number);
@@ -331,52 +336,37 @@ class RapidReading {
   }
 
   // Reads the speed: "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the
-  // joints.
-  void setSpeed(std::string_view text, ParsedMotion& motion) const {
+  // joints. "v100\T:=10" demands a duration.
+  Status setSpeed(std::string_view text, std::size_t number, ParsedMotion& motion) const {
     LineReader line(text, 0);
     std::optional<double> speed;
     if (const auto numbers = line.numbersWithin('[', ']', 20); numbers && !numbers->empty()) {
       speed = numbers->front();
     } else {
       const std::string name = folded(line.name());
-      LineReader number(std::string_view(name).substr(std::min<std::size_t>(1, name.size())), 0);
+      LineReader digits(std::string_view(name).substr(std::min<std::size_t>(1, name.size())), 0);
       const auto found = m_speeds.find(name);
       if (found != m_speeds.end())
         speed = found->second.front();
       else if (name == "vmax" && motion.kind == ProgramMotion::Kind::Joint && m_share > 0.0)
         motion.speed = std::min(1.0, m_share);
       else if (name.starts_with('v'))
-        speed = number.number();
+        speed = digits.number();
     }
-    if (line.take("\\V") && line.take(":=")) speed = line.number();
-    if (!speed || !(*speed * m_share > 0.0)) return;
+    const bool isTimed = line.takeWord("\\T");
+    if (isTimed || line.takeWord("\\V")) {
+      const auto value = line.take(":=") ? numberIn(line.rest()) : std::nullopt;
+      if (!value || !(*value > 0.0) || (isTimed && *value > ProgramMotion::kLongest)) return unread(text, number);
+      if (isTimed)
+        motion.seconds = *value;
+      else
+        speed = value;
+    }
+    if (!speed || !(*speed * m_share > 0.0)) return Done{};
     (motion.kind == ProgramMotion::Kind::Linear ? motion.speed : motion.toolSpeed) = std::min(*speed * m_share, m_most);
+    return Done{};
   }
 
-  static std::optional<Pose> poseFrom(const Numbers& n) {
-    Eigen::Quaterniond turn(n[3], n[4], n[5], n[6]);
-    if (!(turn.norm() > 1e-3) || !(turn.norm() < 1e3)) return std::nullopt;
-    Pose pose(Eigen::Translation3d(n[0], n[1], n[2]));
-    pose.linear() = turn.normalized().toRotationMatrix();
-    return pose;
-  }
-
-  // Reads a blend: "z10", "[FALSE,10,…]", a name of the file; "z10\Z:=8". 0 for fine.
-  Result<double> blendFrom(std::string_view text, std::size_t number) const {
-    LineReader line(text, number);
-    auto zone = zoneFrom(line);
-    if (!zone) {
-      const std::string name = folded(line.name());
-      const auto own = m_zones.find(name);
-      zone = own != m_zones.end() ? own->second : standardZone(name);
-    }
-    if (line.take("\\Z") && line.take(":=")) zone = line.number();
-    line.skipSpace();
-    if (!zone || !(*zone >= 0.0) || !line.rest().empty()) return unread(text, number);
-    return *zone;
-  }
-
-  const RobotProgram& m_program;
   std::size_t m_joints;
   std::optional<ClosedFormIk> m_closed;
   ArmValues m_reference;                        // joint values, as far as the program defines them
@@ -385,19 +375,19 @@ class RapidReading {
   double m_share = 1.0, m_most = 5'000.0;       // from VelSet; 0: not known
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
   std::string m_targetName;                     // target of the present motion
-  Table m_jointTargets, m_robTargets, m_speeds;
-  std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: unusable
-  std::map<std::string, std::optional<double>> m_zones;          // likewise; mm
+  std::optional<Pose> m_flange;                 // in the base, at the end of the last motion
+  std::vector<ParsedMotion> m_motions;
 };
 
 }  // namespace
 
 Result<std::vector<ParsedMotion>> RapidPost::read(std::string_view text, const RobotProgram& frame) const {
-  const Result<std::vector<std::string_view>> lines = programLines(text, "!");
+  const Result<std::vector<std::string_view>> lines = programLines(text, {});
   if (!lines) return lines.error();
   const RapidStatements statements(*lines);
   RapidReading reading(frame);
-  for (const ProgramStatement& each : statements.data()) {
+  reading.readComments(statements.comments());
+  for (const RapidData& each : statements.data()) {
     if (const Status read = reading.readData(each); !read) return read.error();
   }
   const auto unrolled = statements.routines().unrolled("main", [&](std::string_view statement) {
@@ -410,7 +400,7 @@ Result<std::vector<ParsedMotion>> RapidPost::read(std::string_view text, const R
   for (const ProgramStatement& each : *unrolled) {
     if (const Status read = reading.read(each); !read) return read.error();
   }
-  return std::move(reading.motions);
+  return reading.takeMotions();
 }
 
 }  // namespace handwheel

@@ -5,6 +5,7 @@
 #include "robot/posts/PostText.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -16,13 +17,42 @@ std::string folded(std::string_view name) {
 
 RapidStatements::RapidStatements(const std::vector<std::string_view>& lines) {
   for (const std::string_view line : lines) (m_text += line) += '\n';
+  skipBackupHead();
   for (skipSpace(); m_at < m_text.size(); skipSpace()) readNext();
   std::replace(m_text.begin(), m_text.end(), '\n', ' ');  // within statements
 }
 
+void RapidStatements::skipBackupHead() {
+  constexpr std::string_view kBorder = "%%%";
+  skipSpace();
+  if (!std::string_view(m_text).substr(m_at).starts_with(kBorder)) return;
+  const std::size_t end = m_text.find(kBorder, m_at + kBorder.size());
+  const std::size_t next = end == std::string::npos ? m_text.size() : end + kBorder.size();
+  m_line += static_cast<std::size_t>(std::count(m_text.begin() + static_cast<std::ptrdiff_t>(m_at),
+                                                m_text.begin() + static_cast<std::ptrdiff_t>(next), '\n'));
+  m_at = next;
+}
+
+bool RapidStatements::readComment() {
+  if (m_text[m_at] != '!') return false;
+  const std::size_t end = std::min(m_text.find('\n', m_at), m_text.size());
+  const ProgramStatement comment{std::string_view(m_text).substr(m_at, end - m_at), m_line, true};
+  m_at = end;
+  if (m_openRoutines > 0 || m_hasOutside)
+    m_routines.add(comment);
+  else
+    m_comments.push_back(comment);
+  return true;
+}
+
 void RapidStatements::readNext() {
+  if (readComment()) return;
   const std::size_t line = m_line;
-  if (takeWord("LOCAL") || takeWord("TASK")) return;
+  if (takeWord("TASK")) return;
+  if (takeWord("LOCAL")) {
+    m_isLocal = true;
+    return;
+  }
   if (takeWord("MODULE")) {
     name();
     return skipBrackets();
@@ -30,31 +60,54 @@ void RapidStatements::readNext() {
   if (takeWord("ENDMODULE")) return;
   if (takeWord("PROC")) {
     m_routines.begin(folded(name()), line);
+    m_isLocal = false;
+    ++m_openRoutines;
     return skipBrackets();
   }
-  if (takeWord("ENDPROC")) return m_routines.end();
+  if (takeWord("ENDPROC")) return endRoutine();
   if (takeWord("FUNC")) return skipTo("ENDFUNC");
   if (takeWord("TRAP")) return skipTo("ENDTRAP");
   if (takeWord("RECORD")) return skipTo("ENDRECORD");
   if (takeWord("ERROR") || takeWord("UNDO") || takeWord("BACKWARD")) {
     skipTo("ENDPROC");
-    return m_routines.end();
+    return endRoutine();
   }
-  const bool isData = takeWord("CONST") || takeWord("PERS") || takeWord("VAR");
+  for (const char* const storage : {"CONST", "PERS", "VAR"}) {
+    if (takeWord(storage)) return readStatement(line, storage);
+  }
+  readStatement(line, nullptr);
+}
+
+void RapidStatements::endRoutine() {
+  m_routines.end();
+  if (m_openRoutines > 0) --m_openRoutines;
+}
+
+void RapidStatements::readStatement(std::size_t line, const char* storage) {
   skipSpace();
   const std::size_t begin = m_at;
   bool isQuoted = false;
   for (; m_at < m_text.size() && (m_text[m_at] != ';' || isQuoted); ++m_at) {
     if (m_text[m_at] == '"') isQuoted = !isQuoted;
-    if (m_text[m_at] == '\n') ++m_line;
+    for (; m_at < m_text.size() && m_text[m_at] == '!' && !isQuoted;) {  // a comment within the statement
+      for (; m_at < m_text.size() && m_text[m_at] != '\n'; ++m_at) m_text[m_at] = ' ';
+    }
+    if (m_at < m_text.size() && m_text[m_at] == '\n') {
+      ++m_line;
+      isQuoted = false;
+    }
   }
+  m_at = std::min(m_at, m_text.size());
   const std::string_view text = std::string_view(m_text).substr(begin, m_at - begin);
   if (m_at < m_text.size()) ++m_at;
+  const bool isLocal = std::exchange(m_isLocal, false);
   if (text.empty()) return;
-  if (isData)
-    m_data.push_back({text, line});
-  else
+  if (storage) {
+    m_data.push_back({{text, line}, isLocal, storage});
+  } else {
+    m_hasOutside = m_hasOutside || m_openRoutines == 0;
     m_routines.add({text, line});
+  }
 }
 
 void RapidStatements::skipSpace() {
@@ -81,7 +134,10 @@ bool RapidStatements::takeWord(std::string_view word) {
 
 void RapidStatements::skipTo(std::string_view word) {
   while (m_at < m_text.size() && !takeWord(word)) {
-    if (name().empty() && m_at < m_text.size()) ++m_at;
+    if (m_at < m_text.size() && m_text[m_at] == '!')
+      m_at = std::min(m_text.find('\n', m_at), m_text.size());
+    else if (name().empty() && m_at < m_text.size())
+      ++m_at;
   }
 }
 

@@ -61,6 +61,12 @@ CsvFrame csvFrame(const std::vector<std::string_view>& lines) {
 
 constexpr const char* kCsvUnnamed = "place";
 
+std::vector<std::string> textsOf(const std::vector<ProgramLine>& lines) {
+  std::vector<std::string> texts;
+  for (const ProgramLine& line : lines) texts.push_back(line.text);
+  return texts;
+}
+
 const char* wordFor(ProgramMotion::Kind kind) {
   return kind == ProgramMotion::Kind::Joint ? "joint" : "linear";
 }
@@ -84,12 +90,14 @@ class CsvPost : public PostProcessor {
     if (!program.frameName.empty())
       text += std::string(kCsvFrame) + identifierOf(program.frameName, 60) + "," +
               fixedList(poseNumbers(program.frame), 9) + "\n";
+    text += keptTexts(program.head, "", "# ", "");
     for (std::size_t i = 0; i < program.motions.size(); ++i) {
       const ProgramMotion& motion = program.motions[i];
       const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
       text += std::to_string(i + 1) + "," + identifierOf(motion.name.empty() ? kCsvUnnamed : motion.name, 60) + "," +
               wordFor(motion.kind) + "," + fixedText(motion.speed, 6) + "," + fixedText(motion.blend, 3) + "," +
-              fixedList(jointNumbers(program, motion), 9) + "," + fixedList(poseNumbers(pose), 9) + "\n";
+              fixedList(jointNumbers(program, motion), 9) + "," + fixedList(poseNumbers(pose), 9) + "\n" +
+              keptTexts(motion.lines, "", "# ", "");
     }
     return text;
   }
@@ -152,16 +160,18 @@ class JsonPost : public PostProcessor {
                                    {"collision_shapes", program.hasPlainShapes ? "simplified" : "of the robot"}};
     if (program.clearance) json["clearance_mm"] = *program.clearance;
     if (!program.remarks.empty()) json["remarks"] = program.remarks;
+    if (!program.head.empty()) json["comments"] = textsOf(program.head);
     std::string motions;
     for (const ProgramMotion& motion : program.motions) {
       const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
-      const nlohmann::ordered_json one = {{"kind", wordFor(motion.kind)},
-                                          {"name", motion.name},
-                                          {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
-                                          {"q_deg", jointNumbers(program, motion)},
-                                          {"pose", poseNumbers(pose)},
-                                          {"speed", motion.speed},
-                                          {"blend_mm", motion.blend}};
+      nlohmann::ordered_json one = {{"kind", wordFor(motion.kind)},
+                                    {"name", motion.name},
+                                    {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
+                                    {"q_deg", jointNumbers(program, motion)},
+                                    {"pose", poseNumbers(pose)},
+                                    {"speed", motion.speed},
+                                    {"blend_mm", motion.blend}};
+      if (!motion.lines.empty()) one["comments"] = textsOf(motion.lines);
       motions += (motions.empty() ? "\n  " : ",\n  ") + one.dump(-1, ' ', false, kReplace);
     }
     std::string text = json.dump(1, ' ', false, kReplace);

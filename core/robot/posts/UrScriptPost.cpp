@@ -130,35 +130,58 @@ Pose urPoseOf(std::span<const double> n) {
   return pose;
 }
 
-using UrFrames = std::map<std::string, Pose, std::less<>>;  // variables that a program has given poses, in the base
+// The variables to which a program has assigned numbers: poses in the base, joint values.
+struct UrVariables {
+  std::map<std::string, Pose, std::less<>> poses;
+  std::map<std::string, ArmValues, std::less<>> joints;
+};
 
 constexpr std::string_view kUrFramePrefix = "frame_";  // prefix of our frames
+
+// Reads "p[…]", "[…]" or the name of a variable into the motion. Errors: ElementMalformed.
+Status urNumbers(LineReader& line, const UrVariables& variables, ParsedMotion& motion) {
+  LineReader named = line;
+  const std::string_view name = named.name();
+  named.skipSpace();
+  if (!name.empty() && !(name == "p" && named.rest().starts_with('['))) {
+    const auto pose = variables.poses.find(name);
+    const auto joints = variables.joints.find(name);
+    if (pose != variables.poses.end())
+      motion.pose = pose->second;
+    else if (joints != variables.joints.end())
+      motion.joints = joints->second;
+    else
+      return line.malformed("target", "it is neither numbers nor a variable that was given numbers before");
+    line = named;
+    return Done{};
+  }
+  const bool isPose = line.take("p");
+  const auto numbers = line.numbersWithin('[', ']', 6);
+  if (!numbers || numbers->size() != 6) return line.malformed("target", "six numbers in brackets were expected");
+  if (isPose)
+    motion.pose = urPoseOf(*numbers);
+  else
+    motion.joints = Eigen::Map<const Eigen::VectorXd>(numbers->data(), 6);
+  return Done{};
+}
 
 // Reads a target. movep(pose, a, v, r) has no time; the others are movej(q, a, v, t, r). A pose may be
 // pose_trans(frame,p[…]).
 Result<ParsedMotion> urTarget(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime,
-                              const UrFrames& frames) {
+                              const UrVariables& variables) {
   ParsedMotion motion{kind, {}, {}, 0.0, number};
   const std::string_view call = line.rest();
   if (!line.take("(")) return line.malformed("target", "numbers in brackets were expected");
   const bool isInFrame = line.takeWord("pose_trans");
   if (isInFrame) {
-    const auto frame = line.take("(") ? frames.find(line.name()) : frames.end();
-    if (frame == frames.end() || !line.take(",")) return unread(call, number);
+    const auto frame = line.take("(") ? variables.poses.find(line.name()) : variables.poses.end();
+    if (frame == variables.poses.end() || !line.take(",")) return unread(call, number);
     motion.frame = frame->second;
     const std::string_view name = frame->first;
     motion.frameName = readName(name.substr(name.starts_with(kUrFramePrefix) ? kUrFramePrefix.size() : 0));
   }
-  const bool isPose = line.take("p");
-  const auto numbers = line.numbersWithin('[', ']', 6);
-  if (!numbers || numbers->size() != 6) return line.malformed("target", "six numbers in brackets were expected");
-  if (isInFrame && (!isPose || !line.take(")"))) return unread(call, number);
-  const auto& n = *numbers;
-  if (isPose) {
-    motion.pose = urPoseOf(n);
-  } else {
-    motion.joints = Eigen::Map<const Eigen::VectorXd>(n.data(), 6);
-  }
+  if (const Status read = urNumbers(line, variables, motion); !read) return read.error();
+  if (isInFrame && (!motion.pose || !line.take(")"))) return unread(call, number);
   const UrArguments arguments(line.rest());
   if (!arguments.isWhole() || callsOther(line.rest(), kUrFunctions)) return unread(call, number);
   const std::string_view zone = arguments.text("r", hasTime ? 4 : 3).value_or("0");
@@ -166,8 +189,11 @@ Result<ParsedMotion> urTarget(LineReader& line, std::size_t number, ProgramMotio
   if (!radius || !(*radius >= 0.0)) return unread(zone, number);
   motion.blend = *radius / kMetresOfMillimetre;
   motion.speed = numberAlone(arguments.text("v", 2).value_or(""));
-  const bool isByTime = hasTime && numberAlone(arguments.text("t", 3).value_or("0")) != 0.0;
-  if (isByTime || !(motion.speed.value_or(0.0) > 0.0)) motion.speed = std::nullopt;
+  const std::string_view time = hasTime ? arguments.text("t", 3).value_or("0") : "0";
+  const auto seconds = numberAlone(time);
+  if (!seconds || !(*seconds >= 0.0 && *seconds <= ProgramMotion::kLongest)) return unread(time, number);
+  motion.seconds = *seconds;
+  if (motion.seconds > 0.0 || !(motion.speed.value_or(0.0) > 0.0)) motion.speed = std::nullopt;
   return motion;
 }
 
@@ -200,61 +226,94 @@ std::string urMotion(const RobotProgram& program, std::size_t i) {
   } else {
     text += std::string(isJoint ? "  movej([" : "  movel([") + fixedList(std::span(motion.joints.data(), 6), 9) + "]";
   }
+  if (motion.seconds > 0.0) text += ",t=" + fixedText(motion.seconds, 3);
   text += ",a=" + fixedText(kRampsASecond * speed, 7) + ",v=" + fixedText(speed, 7);
   return text + ",r=" + fixedText(kMetresOfMillimetre * zoneOf(program, i), 6) + ")\n";
 }
 
 // Calls of the language that neither move the robot nor change the effect of others. Anything that is in no list is
 // refused.
-constexpr std::array kUrStill = {"set_payload",
-                                 "set_target_payload",
-                                 "set_gravity",
-                                 "sleep",
-                                 "sync",
-                                 "textmsg",
-                                 "popup",
-                                 "stopj",
-                                 "stopl",
-                                 "set_digital_out",
-                                 "set_standard_digital_out",
-                                 "set_configurable_digital_out",
-                                 "set_tool_digital_out",
-                                 "set_analog_out",
-                                 "set_standard_analog_out",
-                                 "set_tool_voltage"};
+constexpr std::array kUrStill = {"set_gravity", "sleep", "sync", "textmsg", "popup", "stopj", "stopl"};
+// Calls of this kind by which a tool may grip or release.
+constexpr std::array kUrGripping = {"set_payload",
+                                    "set_target_payload",
+                                    "set_digital_out",
+                                    "set_standard_digital_out",
+                                    "set_configurable_digital_out",
+                                    "set_tool_digital_out",
+                                    "set_analog_out",
+                                    "set_standard_analog_out",
+                                    "set_tool_voltage"};
+// Comments that we write into programs; kAssumedLoad, and kUnusedFrame for the frame of a program without lines in it.
+constexpr std::string_view kAssumedLoad = "# The load is that of the installation.", kUnusedFrame = "# The frame ";
 
 class UrScriptReading {
  public:
-  explicit UrScriptReading(const RobotProgram& program) : m_program(program), m_tool(program.tool) {}
+  UrScriptReading(const RobotProgram& program, bool isOwn) : m_program(program), m_tool(program.tool), m_isOwn(isOwn) {}
 
-  std::vector<ParsedMotion> motions;
+  std::vector<ParsedMotion> takeMotions() {
+    if (!m_motions.empty()) m_motions.front().before = std::move(m_before);
+    return std::move(m_motions);
+  }
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
+    if (statement.isComment) {
+      readComment(statement);
+      return Done{};
+    }
     if (line.takeWord("movej")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
     if (line.takeWord("movel")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, true);
     if (line.takeWord("movep")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
     if (line.takeWord("set_tcp")) return setTool(line);
-    for (const char* const still : kUrStill) {
-      if (!line.takeWord(still)) continue;
-      return callsOther(line.rest(), kUrFunctions) ? Status(unread(statement.text, statement.line)) : Done{};
+    const auto takesOneOf = [&](std::span<const char* const> words) {
+      return std::ranges::any_of(words, [&](const char* word) { return line.takeWord(word); });
+    };
+    const bool mayGrip = takesOneOf(kUrGripping);
+    if (mayGrip || takesOneOf(kUrStill)) {
+      if (callsOther(line.rest(), kUrFunctions)) return unread(statement.text, statement.line);
+      keep(ProgramLine::Kind::Statement, statement.text, statement.line, mayGrip);
+      return Done{};
     }
     line.takeWord("global");
     line.takeWord("local");
     const std::string name(line.name());
     const bool isAssignment = !name.empty() && line.take("=") && !line.take("=");
-    if (isAssignment) takeFrame(name, line);
-    const bool isCalculation = isAssignment && !callsOther(line.rest(), kUrFunctions);
-    return isCalculation ? Status(Done{}) : unread(statement.text, statement.line);
+    if (!isAssignment || callsOther(line.rest(), kUrFunctions)) return unread(statement.text, statement.line);
+    const bool isConstant = assign(name, line);
+    const bool isOwnFrame = m_isOwn && isConstant && name.starts_with(kUrFramePrefix);
+    if (!isOwnFrame)
+      keep(isConstant ? ProgramLine::Kind::Declaration : ProgramLine::Kind::Statement, statement.text, statement.line);
+    return Done{};
   }
 
  private:
-  // Assigns a variable, which is a pose in numbers from now on, or something else.
-  void takeFrame(const std::string& name, LineReader value) {
-    const auto numbers = value.take("p") ? value.numbersWithin('[', ']', 6) : std::nullopt;
+  // Assigns a variable. Returns true if it is a pose or joint values in numbers from now on.
+  bool assign(const std::string& name, LineReader value) {
+    const bool isPose = value.take("p");
+    const auto numbers = value.numbersWithin('[', ']', 6);
     value.skipSpace();
-    m_frames.erase(name);
-    if (numbers && numbers->size() == 6 && value.rest().empty()) m_frames[name] = urPoseOf(*numbers);
+    m_variables.poses.erase(name);
+    m_variables.joints.erase(name);
+    if (!numbers || numbers->size() != 6 || !value.rest().empty()) return false;
+    if (isPose)
+      m_variables.poses[name] = urPoseOf(*numbers);
+    else
+      m_variables.joints[name] = Eigen::Map<const Eigen::VectorXd>(numbers->data(), 6);
+    return true;
+  }
+
+  void readComment(const ProgramStatement& comment) {
+    if (m_isOwn && (comment.text.starts_with(kAssumedLoad) || comment.text.starts_with(kUnusedFrame))) return;
+    const std::string name = m_isOwn ? nameInComment(comment.text) : std::string();
+    if (name.empty())
+      keep(ProgramLine::Kind::Comment, comment.text.substr(1), comment.line);
+    else
+      m_nextName = name;
+  }
+
+  void keep(ProgramLine::Kind kind, std::string_view text, std::size_t number, bool mayGrip = false) {
+    (m_motions.empty() ? m_before : m_motions.back().lines).push_back(keptLine(kind, text, number, mayGrip));
   }
 
   Status setTool(LineReader& line) {
@@ -266,9 +325,10 @@ class UrScriptReading {
   }
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
-    if (motions.size() >= PostProcessor::kMostMotions) return line.malformed("movej", "there are too many motions");
-    Result<ParsedMotion> motion = urTarget(line, number, kind, hasTime, m_frames);
+    if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("movej", "there are too many motions");
+    Result<ParsedMotion> motion = urTarget(line, number, kind, hasTime, m_variables);
     if (!motion) return motion.error();
+    motion->name = std::exchange(m_nextName, {});
     if (motion->speed && kind == ProgramMotion::Kind::Joint)
       motion->speed = std::min(1.0, *motion->speed / urFullSpeed(m_program));
     else if (motion->speed)
@@ -277,22 +337,27 @@ class UrScriptReading {
       motion->pose = poseInProgram(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
     if (m_isToolSet) motion->tool = m_tool;
     motion->isInControllersBase = motion->pose.has_value();
-    motions.push_back(std::move(motion).value());
+    m_motions.push_back(std::move(motion).value());
     return Done{};
   }
 
   const RobotProgram& m_program;
   Pose m_tool;  // in the flange: that of the cell until the program sets another
-  bool m_isToolSet = false;
-  UrFrames m_frames;
+  bool m_isToolSet = false, m_isOwn;
+  UrVariables m_variables;
+  std::string m_nextName;  // name of the next motion's waypoint
+  std::vector<ParsedMotion> m_motions;
+  std::vector<ProgramLine> m_before;  // lines before the first motion
 };
 
-// Splits the program into functions. Blocks within them end like these do.
-ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements) {
+// Splits the program into functions. Blocks within them end like these do. isOwn: comments outside of functions are
+// those that we wrote.
+ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements, bool isOwn) {
   ProgramRoutines routines;
   std::vector<bool> areBlocks;  // open statements
   for (const ProgramStatement& statement : statements) {
     LineReader line(statement.text, statement.line);
+    if (statement.isComment && areBlocks.empty() && isOwn) continue;
     if (line.takeWord("def")) {
       areBlocks.push_back(false);
       routines.begin(std::string(line.name()), statement.line);
@@ -317,22 +382,25 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
   std::string text;
   for (const std::string& remark : headRemarks(head)) text += "# " + remark + "\n";
   text += "def " + name + "():\n  set_tcp(" + urPose(program.tool) + ")\n";
-  text += "  # The load is that of the installation. An assumption was: set_payload(" +
+  text += "  " + std::string(kAssumedLoad) + " An assumption was: set_payload(" +
           fixedText(std::max(0.001, program.toolMass), 3) + ")\n";
   if (isInUrFrame(program))
     text += "  " + urFrameName(program) + " = " + urPose(program.frame) + "\n";
   else if (!program.frameName.empty())
-    text += "  # The frame " + identifierOf(program.frameName, 60) +
+    text += "  " + std::string(kUnusedFrame) + identifierOf(program.frameName, 60) +
             " in the base of the robot's description, not used here: " + urPose(program.frame) + "\n";
-  for (std::size_t i = 0; i < program.motions.size(); ++i) text += urMotion(program, i);
+  text += keptTexts(program.head, "  ", "#", "");
+  for (std::size_t i = 0; i < program.motions.size(); ++i)
+    text += urMotion(program, i) + keptTexts(program.motions[i].lines, "  ", "#", "");
   return text + "end\n\n# Leave this call out where the file is sent to a port of the controller.\n" + name + "()\n";
 }
 
 // Poses of URScript are in the controller's base, which is treated here as the arm's, and in the program's frame.
 Result<std::vector<ParsedMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
-  const Result<std::vector<std::string_view>> lines = programLines(text, "#");
+  const Result<std::vector<std::string_view>> lines = programLines(text, {});
   if (!lines) return lines.error();
-  const auto unrolled = urRoutines(statementsOf(*lines)).unrolled({}, [](std::string_view statement) {
+  const bool isOwn = text.find(std::string("# ") + kWrittenByUs) != std::string_view::npos;
+  const auto unrolled = urRoutines(statementsOf(*lines, "#"), isOwn).unrolled({}, [](std::string_view statement) {
     LineReader line(statement, 0);
     const std::string name(line.name());
     const bool isCall = line.take("(") && line.take(")");
@@ -340,11 +408,11 @@ Result<std::vector<ParsedMotion>> UrScriptPost::read(std::string_view text, cons
     return isCall && line.rest().empty() ? name : std::string();
   });
   if (!unrolled) return unrolled.error();
-  UrScriptReading reading(frame);
+  UrScriptReading reading(frame, isOwn);
   for (const ProgramStatement& each : *unrolled) {
     if (const Status read = reading.read(each); !read) return read.error();
   }
-  return std::move(reading.motions);
+  return reading.takeMotions();
 }
 
 }  // namespace handwheel

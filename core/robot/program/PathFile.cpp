@@ -6,6 +6,7 @@
 #include "base/NumberText.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -92,6 +93,37 @@ std::optional<WaypointTarget> waypointTargetFrom(const Json& json) {
   return inTool ? std::optional(WaypointTarget{name, *inTool}) : std::nullopt;
 }
 
+constexpr std::array kLineKinds = {"statement", "comment", "declaration"};  // in the order of ProgramLine::Kind
+
+Json linesJson(const std::vector<ProgramLine>& lines) {
+  Json list = Json::array();
+  for (const ProgramLine& each : lines) {
+    list.push_back(
+        {{"text", each.text}, {"kind", kLineKinds[static_cast<std::size_t>(each.kind)]}, {"line", each.line}});
+    if (each.mayGrip) list.back()["may_grip"] = true;
+  }
+  return list;
+}
+
+// Reads lines of a program. Errors: ElementMalformed, as a line that is left out may be one that grips.
+Result<std::vector<ProgramLine>> linesFrom(const Json& json, const char* key, const std::string& element) {
+  constexpr std::size_t kMostLines = 10'000;
+  std::vector<ProgramLine> lines;
+  const auto list = json.find(key);
+  if (list == json.end()) return lines;
+  const auto malformed = [&] { return malformedPath(element + "." + key, "a list of lines was expected"); };
+  if (!list->is_array() || list->size() > kMostLines) return malformed();
+  for (const Json& each : *list) {
+    if (!each.is_object()) return malformed();
+    const auto kind = std::ranges::find(kLineKinds, stringAt(each, "kind", kLineKinds[0]));
+    const std::string text = stringAt(each, "text");
+    if (kind == kLineKinds.end() || text.find_first_of("\r\n") != text.npos) return malformed();
+    lines.push_back({static_cast<ProgramLine::Kind>(kind - kLineKinds.begin()), text, countAt(each, "line"),
+                     isAt(each, "may_grip")});
+  }
+  return lines;
+}
+
 Result<Waypoint> waypointFrom(const Json& json, const std::string& element, const RobotModel& robot,
                               const JointValues& others) {
   if (!json.is_object()) return malformedPath(element, "an object was expected");
@@ -113,6 +145,12 @@ Result<Waypoint> waypointFrom(const Json& json, const std::string& element, cons
   waypoint.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
   if (const auto target = json.find("target"); target != json.end()) waypoint.target = waypointTargetFrom(*target);
   waypoint.configuration = stringAt(json, "configuration");
+  waypoint.corner = numberAt(json, "corner_percent", 0.0, 0.0, ProgramMotion::kLargestCorner);
+  waypoint.seconds = numberAt(json, "seconds", 0.0, 0.0, ProgramMotion::kLongest);
+  waypoint.keepsCarried = isAt(json, "keeps_carried");
+  Result<std::vector<ProgramLine>> lines = linesFrom(json, "lines", element);
+  if (!lines) return lines.error();
+  waypoint.lines = std::move(lines).value();
   return waypoint;
 }
 
@@ -205,12 +243,18 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
     if (waypoint.target)
       list.back()["target"] = {{"name", waypoint.target->name}, {"in_tool", numbersOfPose(waypoint.target->inTool)}};
     if (!waypoint.configuration.empty()) list.back()["configuration"] = waypoint.configuration;
+    if (waypoint.corner > 0.0) list.back()["corner_percent"] = waypoint.corner;
+    if (waypoint.seconds > 0.0) list.back()["seconds"] = waypoint.seconds;
+    if (!waypoint.lines.empty()) list.back()["lines"] = linesJson(waypoint.lines);
+    if (waypoint.keepsCarried) list.back()["keeps_carried"] = true;
     if (!begin || waypoint.isCritical) begin = &waypoint;
   }
   Json json = {{"name", path.name}, {"places", list}};
   if (!path.arm.empty()) json["arm"] = path.arm;
   if (path.process) json["process"] = processJson(*path.process);
   if (path.clearance) json["clearance_mm"] = *path.clearance;
+  if (!path.language.empty()) json["language"] = path.language;
+  if (!path.head.empty()) json["head"] = linesJson(path.head);
   for (const auto& [name, base] : path.bases) json["bases"][name] = numbersOfPose(base);
   return json;
 }
@@ -221,6 +265,10 @@ Result<RobotPath> pathFrom(const Json& json, const RobotModel& robot, const Join
   RobotPath path;
   path.name = stringAt(json, "name", "path");
   path.arm = stringAt(json, "arm");
+  path.language = stringAt(json, "language");
+  Result<std::vector<ProgramLine>> head = linesFrom(json, "head", "path");
+  if (!head) return head.error();
+  path.head = std::move(head).value();
   if (const auto process = json.find("process"); process != json.end()) path.process = processFrom(*process);
   if (const auto kept = json.find("clearance_mm"); kept != json.end() && kept->is_number())
     path.clearance = numberAt(json, "clearance_mm", 0.0, 0.0, RobotPath::kLargestClearance);

@@ -39,6 +39,11 @@ bool Waypoint::isPlannedFrom(const Waypoint& begin) const {
          isSame((*plannedBetween)[1], joints);
 }
 
+const ProgramLine* Waypoint::gripping() const {
+  const auto found = std::ranges::find_if(lines, &ProgramLine::mayGrip);
+  return keepsCarried || found == lines.end() ? nullptr : &*found;
+}
+
 bool WaypointTarget::operator==(const WaypointTarget& other) const {
   return name == other.name && inTool.matrix() == other.inTool.matrix();
 }
@@ -46,7 +51,8 @@ bool WaypointTarget::operator==(const WaypointTarget& other) const {
 bool Waypoint::operator==(const Waypoint& other) const {
   return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
          isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend &&
-         target == other.target && configuration == other.configuration;
+         target == other.target && configuration == other.configuration && corner == other.corner &&
+         seconds == other.seconds && lines == other.lines && keepsCarried == other.keepsCarried;
 }
 
 bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
@@ -63,7 +69,8 @@ bool PathProcess::operator==(const PathProcess& other) const {
 
 bool RobotPath::operator==(const RobotPath& other) const {
   return name == other.name && waypoints == other.waypoints && arm == other.arm && process == other.process &&
-         areSame(bases, other.bases) && clearance == other.clearance;
+         areSame(bases, other.bases) && clearance == other.clearance && head == other.head &&
+         language == other.language;
 }
 
 bool NamedFrame::operator==(const NamedFrame& other) const {
@@ -119,6 +126,7 @@ std::size_t CellPlans::bytes() const {
   for (const NamedFrame& each : frames) sum += sizeof each + each.name.size() + each.link.size();
   for (const RobotPath& path : paths) {
     sum += sizeof path + path.name.size();
+    for (const ProgramLine& line : path.head) sum += sizeof line + line.text.size();
     if (!path.process) continue;
     for (const auto& [name, value] : path.process->values) {
       const auto* const text = std::get_if<std::string>(&value);
@@ -129,6 +137,7 @@ std::size_t CellPlans::bytes() const {
     for (const Waypoint& waypoint : path.waypoints) {
       sum += sizeof waypoint + waypoint.name.size() + waypoint.configuration.size() + ofValues(waypoint.joints);
       if (waypoint.target) sum += waypoint.target->name.size();
+      for (const ProgramLine& line : waypoint.lines) sum += sizeof line + line.text.size();
     }
   }
   return sum;
@@ -146,8 +155,9 @@ void CellPlans::choose(const std::string& other, const std::string& present) {
 
 bool CellPlans::operator==(const CellPlans& other) const {
   return configurations == other.configurations && targets == other.targets && paths == other.paths &&
-         frames == other.frames && workFrame == other.workFrame && allowed == other.allowed && arm == other.arm &&
-         tool.matrix() == other.tool.matrix() && areSame(otherTools, other.otherTools) && clearance == other.clearance;
+         frames == other.frames && workFrame == other.workFrame && allowed == other.allowed &&
+         missingAs == other.missingAs && arm == other.arm && tool.matrix() == other.tool.matrix() &&
+         areSame(otherTools, other.otherTools) && clearance == other.clearance;
 }
 
 }  // namespace handwheel

@@ -43,7 +43,14 @@ struct Waypoint {
   std::optional<WaypointTarget> target = {};  // none: it was given as joint values, or edited by hand since
   // The name of the configuration that it was created from; empty: none, or edited by hand since.
   std::string configuration = {};
+  double corner = 0.0;                  // see ProgramMotion
+  double seconds = 0.0;                 // s, see ProgramMotion
+  std::vector<ProgramLine> lines = {};  // lines of a program that follow the motion, in RobotPath::language
+  // True if a person has said that the robot carries after the lines what it carried before.
+  bool keepsCarried = false;
 
+  // Returns the first line by which the robot may grip or release something that nobody knows; null: there is none.
+  const ProgramLine* gripping() const;
   // Returns true if the planner made the motions that lead from the critical waypoint `begin` to this one.
   bool isPlannedFrom(const Waypoint& begin) const;
   // Waypoints of cells with different robots may be compared, too.
@@ -79,6 +86,10 @@ struct RobotPath {
   // the names of the robots.
   std::map<std::string, Pose, std::less<>> bases = {};
   std::optional<double> clearance = {};  // mm; none: that of the cell
+  // Lines of the program that the path was read from, before its first motion, and the language of these and of the
+  // lines of waypoints (PostProcessor::id()); empty: there are none.
+  std::vector<ProgramLine> head = {};
+  std::string language = {};
 
   bool operator==(const RobotPath& other) const;
 };
@@ -141,6 +152,9 @@ struct CellPlans {
   std::string workFrame = {};
   // Pairs of links, or of a link and a body ("body.3"), between which collisions are ignored.
   std::set<std::pair<std::string, std::string>> allowed;
+  // Links and bodies ("body.3") whose shapes could not be read, and the body that replaces them: a body that the link
+  // carries, or "", if the user left the shapes out of the proofs.
+  std::map<std::string, std::string> missingAs = {};
   std::string arm = {};          // the name of the robot that is planned for; empty: the first
   Pose tool = Pose::Identity();  // the centre point of its tool in the link that carries the tool
   // Centre points of the tools of the other robots, by the names of the robots; the origin of the link for missing

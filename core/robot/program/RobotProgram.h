@@ -10,17 +10,34 @@
 
 namespace handwheel {
 
+// A line of a program that is not interpreted and goes with a waypoint.
+struct ProgramLine {
+  enum class Kind { Statement, Comment, Declaration };
+  Kind kind = Kind::Statement;
+  std::string text;      // without its separator; of a comment without its sign
+  std::size_t line = 0;  // line of the program that it was read from, from 1
+  bool mayGrip = false;  // true if a tool may grip or release something by it
+
+  bool operator==(const ProgramLine&) const = default;
+};
+
 // A motion of a program, from the end of the previous one.
 struct ProgramMotion {
   enum class Kind {
     Joint,   // all joints move together, straight in joint space
     Linear,  // the tool's centre point moves along a straight line, and its rotation along the shortest turn
   };
+  static constexpr double kLargestCorner = 100.0;  // percent
+  static constexpr double kLongest = 1e5;          // s
   Kind kind = Kind::Joint;
   ArmValues joints;     // joint values at the end of the motion; rad, mm; within the limits
   double speed = 0.25;  // mm/s for a line, otherwise a fraction of the largest joint speeds, 0…1
   double blend = 0.0;   // mm: allowed distance from the end of the motion; 0: an exact stop
   std::string name;     // name of its waypoint; may be empty
+  // Percent of the rounding at the end of the motion, as CNT of Fanuc, whose path no length describes; 0: none.
+  double corner = 0.0;
+  double seconds = 0.0;                 // s: duration that the program demands; 0: the speed decides
+  std::vector<ProgramLine> lines = {};  // lines between this motion and the next one
 };
 
 // A frame of a cell that programs may refer to.
@@ -42,6 +59,14 @@ struct RobotProgram {
   std::vector<std::string> otherPaths = {};   // names of the other paths of the cell
   // True if the program declares the frame. Otherwise the controller has to know it, if the language can refer to it.
   bool declaresFrame = true;
+  // Lines of the program that the path was read from, before its first motion, and the language of these and of the
+  // lines of motions (PostProcessor::id()); empty: there are none.
+  std::vector<ProgramLine> head = {};
+  std::string language = {};
+  // Reading: the text of the controller's data files beside the program, and the joint values of the cell's
+  // configuration "home" (rad).
+  std::string data = {};
+  std::optional<ArmValues> home = {};
   // The frames that programs may refer to without declaring them.
   std::vector<ProgramFrame> knownFrames = {};
   double toolMass = 1.0;  // kg; an assumption, which programs state

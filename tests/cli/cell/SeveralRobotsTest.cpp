@@ -128,7 +128,13 @@ class SeveralRobotsTest : public QObject {
     run({"post", "one.handwheel", "p", "--controller", "krl", "-o", "one.src"});
     run({"post", "two.handwheel", "p", "--controller", "krl", "-o", "two.src"});
     QVERIFY(cell.read("one.src").contains("LIN {"));
-    QCOMPARE(cell.read("two.src"), cell.read("one.src"));
+    // The heads name the links that may touch, which have other names beside another robot.
+    const auto motions = [&](const char* name) {
+      QList<QByteArray> lines = cell.read(name).split('\n');
+      lines.removeIf([](const QByteArray& line) { return line.startsWith("; Not checked: "); });
+      return lines;
+    };
+    QCOMPARE(motions("two.src"), motions("one.src"));
   }
 
   void chosenMovedAndRemoved() {

@@ -21,6 +21,7 @@ std::vector<ToolPosition> toolPositions(const QByteArray& table) {
   const QList<QByteArray> lines = table.trimmed().split('\n');
   qsizetype x = -1;
   for (const QByteArray& line : lines) {
+    if (line.startsWith('#')) continue;
     const QList<QByteArray> words = line.split(',');
     if (x < 0) {
       x = words.indexOf("x_mm");

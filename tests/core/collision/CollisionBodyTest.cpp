@@ -6,6 +6,7 @@
 #include "TestClass.h"
 
 #include <QtTest>
+#include <limits>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -111,6 +112,23 @@ class CollisionBodyTest : public QObject {
         }
       }
     }));
+  }
+
+  // Callers that only ask whether bodies meet pass the smallest limit, whose square is 0.
+  void smallestLimit() {
+    const TriangleSoup box = boxSoup({20, 20, 20});
+    const auto mesh = CollisionPiece::ofMesh(Pose::Identity(), std::make_shared<const CollisionMesh>(box));
+    const CollisionPiece pieces[] = {mesh, CollisionPiece::box(Pose::Identity(), Vec3::Constant(10.0)),
+                                     CollisionPiece::cylinder(Pose::Identity(), 10.0, 10.0),
+                                     CollisionPiece::sphere(Vec3::Zero(), 10.0)};
+    constexpr double kSmallest = std::numeric_limits<double>::min();
+    for (const CollisionPiece& a : pieces) {
+      for (const CollisionPiece& b : pieces) {
+        const Pose over(Eigen::Translation3d(3.0, 4.0, 5.0)), beside(Eigen::Translation3d(60.0, 0.0, 0.0));
+        QVERIFY(distanceBetween(CollisionBody({a}), Pose::Identity(), CollisionBody({b}), over, kSmallest) <= 0.0);
+        QVERIFY(distanceBetween(CollisionBody({a}), Pose::Identity(), CollisionBody({b}), beside, kSmallest) > 0.0);
+      }
+    }
   }
 
   void nothing() {

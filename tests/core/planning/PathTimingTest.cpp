@@ -128,6 +128,76 @@ class PathTimingTest : public QObject {
     QCOMPARE(TimedPath(scene, {path[0], path[0]}, {}).duration(), 0.0);
   }
 
+  // Differences of the timed path: with zones every joint keeps velocity and acceleration in corners, too, and a
+  // reversal costs time. At corners the path stays within the zone.
+  void cornersKeepLimits() {
+    RobotModel robot = planarArm({500.0, 500.0}, 30.0);
+    for (std::size_t i = 0; i < 2; ++i) robot.joints[robot.dofs[i]].limits.velocity = 2.0;
+    const RobotScene scene = sceneOf(robot);
+    const Eigen::Array2d velocity(2.0, 2.0), acceleration = velocity / 0.25;
+    const auto go = [](std::initializer_list<std::array<double, 2>> points) {
+      JointPath path;
+      for (const auto& [a, b] : points) {
+        path.emplace_back(2);
+        path.back() << a, b;
+      }
+      return path;
+    };
+    const JointPath straight = go({{0, 0}, {0.4, 0}, {0.8, 0}, {1.2, 0}}),
+                    zigzag = go({{0, 0}, {0.4, 0}, {0, 0}, {0.4, 0}}),
+                    around = go({{0, 0}, {0.4, 0}, {0.4, 0.5}, {0.1, 0.9}});
+    const auto timedOf = [&](const JointPath& path) {
+      std::vector<MotionPace> paces(3, {.length = 400.0, .toolSpeed = 300.0, .isContinued = true, .zone = 20.0});
+      return TimedPath(scene, path, {}, paces);
+    };
+    for (const JointPath& path : {straight, zigzag, around}) {
+      const TimedPath timed = timedOf(path);
+      const double step = 1e-3;
+      for (double t = 0.0; t <= timed.duration() + 3.0 * step; t += step) {
+        const auto valuesAgo = [&](int back) -> Eigen::Array2d { return timed.valuesAt(t - back * step).array(); };
+        QVERIFY((((valuesAgo(0) - valuesAgo(1)) / step).abs() <= velocity * (1.0 + 1e-9)).all());
+        const Eigen::Array2d a = ((valuesAgo(0) - 2.0 * valuesAgo(1) + valuesAgo(2)) / (step * step)).abs();
+        QVERIFY2((a <= acceleration * (1.0 + 1e-3)).all(), qPrintable(QString::number(a.maxCoeff())));
+      }
+      QVERIFY(timed.valuesAt(0.0) == path.front() && timed.valuesAt(timed.duration()) == path.back());
+      // 20 of 400 mm: the path leaves the corner by a share of 0.05 at most.
+      for (std::size_t i = 1; i < 3; ++i) {
+        double nearest = 1.0;
+        for (double t = 0.0; t < timed.duration(); t += step)
+          nearest = std::min(nearest, (timed.valuesAt(t) - path[i]).norm());
+        QVERIFY(nearest <= 0.05 * 0.5 + 1e-9);
+      }
+    }
+    QVERIFY(timedOf(zigzag).duration() > timedOf(straight).duration() + 0.02);
+    // With stops it takes longer than with zones.
+    const std::vector<MotionPace> stops(3, {.length = 400.0, .toolSpeed = 300.0});
+    QVERIFY(TimedPath(scene, around, {}, stops).duration() > timedOf(around).duration());
+  }
+
+  // A curved line of the tool between stops, by its points: velocity, acceleration and jerk.
+  void curvesKeepJerk() {
+    RobotModel robot = planarArm({500.0, 500.0}, 30.0);
+    for (std::size_t i = 0; i < 2; ++i) robot.joints[robot.dofs[i]].limits.velocity = 1.0;
+    const RobotScene scene = sceneOf(robot);
+    JointPath path;
+    for (int i = 0; i <= 40; ++i) {
+      path.emplace_back(2);
+      path.back() << 0.02 * i, 0.3 * std::sin(0.1 * i);
+    }
+    const std::vector<MotionPace> paces(40, {.length = 10.0, .toolSpeed = 1000.0, .isContinued = true});
+    const TimedPath timed(scene, path, {}, paces);
+    const double step = 2e-3, velocity = 1.0, acceleration = velocity / 0.25, jerk = acceleration / 0.1;
+    for (double t = 0.0; t <= timed.duration(); t += step) {
+      const auto valuesAgo = [&](int back) -> Eigen::Array2d { return timed.valuesAt(t - back * step).array(); };
+      QVERIFY((((valuesAgo(0) - valuesAgo(1)) / step).abs() <= velocity * (1.0 + 1e-9)).all());
+      const Eigen::Array2d a = (valuesAgo(0) - 2.0 * valuesAgo(1) + valuesAgo(2)).abs() / (step * step);
+      QVERIFY((a <= acceleration * (1.0 + 1e-6)).all());
+      const Eigen::Array2d j =
+          (valuesAgo(0) - 3.0 * valuesAgo(1) + 3.0 * valuesAgo(2) - valuesAgo(3)).abs() / (step * step * step);
+      QVERIFY2((j <= jerk * (1.0 + 1e-3)).all(), qPrintable(QString::number(j.maxCoeff())));
+    }
+  }
+
   // A line of the tool in three motions: its own speed, by the profile of the whole, and that of the joints if they are
   // the limit.
   void aLineHasItsSpeed() {

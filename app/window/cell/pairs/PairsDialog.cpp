@@ -22,8 +22,8 @@ PairsDialog::PairsDialog(const CellPlans& plans, const std::set<PairNames>& foun
   for (const PairNames& each : plans.allowed) add(each, bodies, true);
   auto* const remark =
       new QLabel(m_pairs.empty() ? tr("Nothing meets where the robot is, nor on the selected path.")
-                                 : tr("Checked pairs may touch: nothing is proven about them. Neighbouring links, "
-                                      "and those that always meet, may touch anyway."),
+                                 : tr("Checked pairs may touch: nothing is proven about them. Neighbouring links "
+                                      "may touch anyway."),
                  this);
   remark->setWordWrap(true);
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);

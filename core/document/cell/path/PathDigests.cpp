@@ -98,11 +98,18 @@ std::string ofBodies(const BodySet& bodies) {
   return digest.text();
 }
 
-std::string ofPairs(const std::set<std::pair<std::string, std::string>>& pairs) {
+// Digest of what proofs leave out: pairs, and shapes that could not be read.
+std::string ofLeftOut(const CellPlans& plans) {
   Digest digest;
-  for (const auto& [first, second] : pairs) {
+  for (const auto& [first, second] : plans.allowed) {
     digest.add(first);
     digest.add(second);
+  }
+  if (plans.missingAs.empty()) return digest.text();
+  digest.add(std::string("missing"));
+  for (const auto& [part, by] : plans.missingAs) {
+    digest.add(part);
+    digest.add(by);
   }
   return digest.text();
 }
@@ -135,6 +142,23 @@ std::string ofPath(const RobotPath& path) {
     digest.add(std::uint64_t{i});
     digest.add(path.waypoints[i].configuration);
   }
+  const auto addLines = [&](std::size_t i, const std::vector<ProgramLine>& lines) {
+    for (const ProgramLine& line : lines) {
+      digest.add(std::uint64_t{i});
+      digest.add(line.text);
+      digest.add(std::uint64_t{line.mayGrip ? 1u : 0u});
+    }
+  };
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const Waypoint& waypoint = path.waypoints[i];
+    addLines(i, waypoint.lines);
+    if (waypoint.corner <= 0.0 && waypoint.seconds <= 0.0 && !waypoint.keepsCarried) continue;
+    digest.add(std::uint64_t{i});
+    digest.addNumber(waypoint.corner);
+    digest.addNumber(waypoint.seconds);
+    digest.add(std::uint64_t{waypoint.keepsCarried ? 1u : 0u});
+  }
+  addLines(path.waypoints.size(), path.head);
   return digest.text();
 }
 
@@ -190,7 +214,7 @@ PathDigests::PathDigests(std::shared_ptr<const RobotCellSnapshot> cell, const Pa
     : m_cell(std::move(cell)),
       m_robots(former && former->m_cell->robot == m_cell->robot ? former->m_robots : ofRobots(*m_cell->robot)),
       m_bodies(former && former->m_cell->bodies == m_cell->bodies ? former->m_bodies : ofBodies(m_cell->bodies)),
-      m_allowed(ofPairs(m_cell->plans->allowed)) {}
+      m_allowed(ofLeftOut(*m_cell->plans)) {}
 
 BasisDigests PathDigests::of(const RobotPath& path) const {
   const CellPlans& plans = *m_cell->plans;

@@ -73,17 +73,19 @@ std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<Pai
   const RobotModel& robot = scene.robot->model;
   const std::vector<std::uint32_t> owners = armsOfLinks(robot, scene.robot->arms);
   const auto isOwn = [&](const PairPart& part) { return part.link != kNone && owners[part.link] == scene.armNumber; };
+  const std::set<LinkPair> between = neighbours(robot);
   std::set<PairNames> known;
   std::vector<PairNames> pairs;
   for (const PairNames& each : allowed) {
     const auto first = partNamed(scene, each.first), second = partNamed(scene, each.second);
     if (!first || !second || !(isOwn(*first) || isOwn(*second))) continue;
     if (first->link == second->link) continue;  // a body and what carries it, or both carried by one
-    if (!first->isBody && !second->isBody) {
-      const bool areOfOneRobot = isOwn(*first) && isOwn(*second);
-      if (areOfOneRobot || scene.alwaysMeeting.contains(std::minmax(first->link, second->link))) continue;
-    }
+    if (!first->isBody && !second->isBody && between.contains(std::minmax(first->link, second->link))) continue;
     if (known.insert(std::minmax(each.first, each.second)).second) pairs.push_back(shownNames(each, scene.bodies));
+  }
+  for (const auto& [a, b] : scene.alwaysMeeting) {
+    const PairNames pair = *pairNamesOf(scene, {0.0, a, b});
+    if (known.insert(std::minmax(pair.first, pair.second)).second) pairs.push_back(shownNames(pair, scene.bodies));
   }
   return pairs;
 }

@@ -25,10 +25,9 @@ void setAllowed(CellPlans& plans, const PairNames& pair, bool mayTouch);
 std::optional<PairNames> bodiesCalled(const std::string& one, const std::string& other, const BodySet& bodies,
                                       const RobotModel& robot);
 
-// Returns the pairs that only the user has excluded from the proofs of a scene, each once, with the names for the user.
-// The objects of a pair must exist, and the planned robot must move one of them. The result does not contain pairs of
-// links of one robot, which its description or table allows to touch, and pairs in CellScene::alwaysMeeting. allowed:
-// as in CellPlans.
+// Returns the pairs that are left out of the proofs of a scene, each once, with the names for the user: those that may
+// touch, and those in CellScene::alwaysMeeting. The objects of a pair must exist, and the planned robot must move one
+// of them. Neighbours, which always touch, are not in the result. allowed: as in CellPlans.
 std::vector<PairNames> uncheckedPairs(const CellScene& scene, const std::set<PairNames>& allowed);
 
 }  // namespace handwheel

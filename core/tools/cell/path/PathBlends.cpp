@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/PathBlends.h"
 
-#include "robot/arm/NumericalIk.h"
+#include "planning/CartesianLine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,69 +11,110 @@ namespace handwheel {
 
 namespace {
 
-// The part of a motion that is within a zone, starting at the waypoint.
-struct ZoneSide {
-  ArmValues spread;  // Change of each joint from the waypoint
-  ArmValues end;     // Values at the end of the zone
+// The way from a waypoint along one of its motions.
+class ZoneSide {
+ public:
+  // stretch: the joint values starting at the waypoint.
+  ZoneSide(const CellScene& scene, const Pose& tool, std::span<const ArmValues> stretch) : m_stretch(stretch) {
+    const auto toolAt = [&](const ArmValues& values) { return Vec3((scene.arm.tipPose(values) * tool).translation()); };
+    for (std::size_t i = 1; i < stretch.size(); ++i) {
+      constexpr int kParts = 16;
+      Vec3 before = toolAt(stretch[i - 1]);
+      double length = 1e-9;  // if the tool does not move, the index counts
+      for (int k = 1; k <= kParts; ++k) {
+        const Vec3 now = toolAt(stretch[i - 1] + static_cast<double>(k) / kParts * (stretch[i] - stretch[i - 1]));
+        length += (now - before).norm();
+        before = now;
+      }
+      m_along.push_back(m_along.back() + length);
+    }
+  }
+
+  double length() const { return m_along.back(); }  // mm, of the tool's way
+
+  // Returns the values at a share of the way of the tool.
+  ArmValues valuesAt(double share) const {
+    const double wanted = share * length();
+    const auto after = std::upper_bound(m_along.begin() + 1, m_along.end() - 1, wanted);
+    const auto i = static_cast<std::size_t>(after - m_along.begin());
+    return m_stretch[i - 1] +
+           (wanted - m_along[i - 1]) / (m_along[i] - m_along[i - 1]) * (m_stretch[i] - m_stretch[i - 1]);
+  }
+
+  // Returns the largest change of each joint from the waypoint up to a share of the way.
+  ArmValues spreadTo(double share) const {
+    constexpr int kParts = 16;
+    ArmValues spread = ArmValues::Zero(m_stretch[0].size());
+    for (int k = 1; k <= kParts; ++k)
+      spread = spread.cwiseMax((valuesAt(share * k / kParts) - m_stretch[0]).cwiseAbs());
+    return spread;
+  }
+
+ private:
+  std::span<const ArmValues> m_stretch;
+  std::vector<double> m_along{0.0};  // mm
 };
 
-// stretch: the joint values starting at the waypoint. Controllers give a zone half of a motion at most.
-ZoneSide sideOf(const CellScene& scene, const Pose& tool, std::span<const ArmValues> stretch, double radius) {
-  constexpr int kParts = 64;
-  const auto toolAt = [&](const ArmValues& values) { return Vec3((scene.arm.tipPose(values) * tool).translation()); };
-  // Position of each value along the motion: by the path of the tool, or, if it does not move, by index.
-  std::vector<double> along{0.0};
-  for (std::size_t i = 1; i < stretch.size(); ++i)
-    along.push_back(along.back() + (toolAt(stretch[i]) - toolAt(stretch[i - 1])).norm() + 1e-9);
-  const auto valuesAt = [&](double share) {
-    const double wanted = share * along.back();
-    const auto after = std::upper_bound(along.begin() + 1, along.end() - 1, wanted);
-    const auto i = static_cast<std::size_t>(after - along.begin());
-    return ArmValues(stretch[i - 1] +
-                     (wanted - along[i - 1]) / (along[i] - along[i - 1]) * (stretch[i] - stretch[i - 1]));
-  };
-  const Vec3 centre = toolAt(stretch[0]);
-  const auto isOutside = [&](double share) { return (toolAt(valuesAt(share)) - centre).norm() > radius; };
-  constexpr double kMost = 0.5;
-  double end = kMost;
-  for (int k = 1; k <= kParts; ++k) {
-    if (!isOutside(kMost * k / kParts)) continue;
-    double inside = kMost * (k - 1) / kParts;
-    end = kMost * k / kParts;
-    for (int halving = 0; halving < 10; ++halving)
-      (isOutside(0.5 * (inside + end)) ? end : inside) = 0.5 * (inside + end);
-    break;
+// The proof of the triangle between a waypoint and the ends of its zone, in joint space or, if the tool goes along a
+// line, in space: rows across it are proven free with as much room as lies between them.
+class ZoneProof {
+ public:
+  ZoneProof(const CellScene& scene, const Pose& tool, bool hasLine, double clearance)
+      : m_scene(scene), m_tool(tool), m_hasLine(hasLine) {
+    m_check.clearance = clearance;
   }
-  // Up to the first share that is outside, so that the zone ends before.
-  ZoneSide side{ArmValues::Zero(stretch[0].size()), valuesAt(end)};
-  for (int k = 1; k <= kParts; ++k)
-    side.spread = side.spread.cwiseMax((valuesAt(end * k / kParts) - stretch[0]).cwiseAbs());
-  return side;
-}
 
-Pose halfway(const Pose& a, const Pose& b) {
-  Pose pose(Eigen::Translation3d(0.5 * (a.translation() + b.translation())));
-  pose.linear() = Eigen::Quaterniond(a.linear()).slerp(0.5, Eigen::Quaterniond(b.linear())).toRotationMatrix();
-  return pose;
-}
-
-// Returns true if the arm is within the spread while the tool cuts the corner: midway between both ends of the zone,
-// and between these and the waypoint.
-bool coversCorner(const CellScene& scene, const ArmValues& at, const ArmValues& in, const ArmValues& out,
-                  const ArmValues& spread) {
-  const Pose middle = scene.arm.tipPose(at), before = scene.arm.tipPose(in), after = scene.arm.tipPose(out);
-  const Pose across = halfway(before, after);
-  NumericalIkSettings ik;
-  ik.mostStarts = 1;
-  ik.tolerance = 1e-7;
-  for (const Pose& pose : {across, halfway(middle, across), halfway(before, across), halfway(across, after)}) {
-    const NumericalIkResult found = solvedNumerically(scene.arm, pose, at, ik);
-    constexpr double kMostOff = 1e-3;  // mm, rad
-    if (found.distance > kMostOff || found.angle > kMostOff) return false;
-    if (((found.values - at).cwiseAbs().array() > spread.array()).any()) return false;
+  bool isFree(const ZoneSide& in, const ZoneSide& out, double shareIn, double shareOut,
+              const Progress& progress) const {
+    // In joint space the lines of the tool are curved.
+    const ArmValues spread =
+        (m_hasLine ? 1.5 : 1.0) * in.spreadTo(shareIn).cwiseMax(out.spreadTo(shareOut)).array() + kRounding;
+    constexpr int kMostRows = 16;
+    for (int rows = 1; rows <= kMostRows && !progress.cancelled(); rows *= 2) {
+      bool isFree = true;
+      for (int row = rows; row >= 1 && isFree; --row) {
+        const double share = (row - 0.5) / rows;
+        isFree =
+            isRowFree(in.valuesAt(share * shareIn), out.valuesAt(share * shareOut), spread / (2.0 * rows), progress);
+      }
+      if (isFree) return true;
+      if (!m_mayHelp) return false;
+    }
+    return false;
   }
-  return true;
-}
+
+ private:
+  static constexpr double kRounding = 1e-6;  // rad, mm: of joints that stand still, as inverse kinematics finds them
+
+  bool isRowFree(const ArmValues& from, const ArmValues& to, const ArmValues& spread, const Progress& progress) const {
+    m_mayHelp = true;
+    if (!m_hasLine) return isMotionFree(from, to, spread, progress);
+    const FollowedLine row = followLine(m_scene.arm, m_tool, from, to, {}, progress);
+    m_mayHelp = row.reached >= 1.0;
+    if (!m_mayHelp) return false;
+    for (std::size_t i = 1; i < row.path.size(); ++i) {
+      const ArmValues off = spread + row.offs[i - 1];
+      if (!isMotionFree(row.path[i - 1], row.path[i], off, progress)) return false;
+    }
+    return true;
+  }
+
+  // More rows help where the motion itself is free.
+  bool isMotionFree(const ArmValues& from, const ArmValues& to, const ArmValues& spread,
+                    const Progress& progress) const {
+    const double off = m_scene.scene.travelBound(from, to, spread);
+    if (MotionCheck(m_scene.scene, from, to, widened(m_check, off)).run(progress) == MotionCheck::State::Free)
+      return true;
+    m_mayHelp = isFreeAt(m_scene.scene, 0.5 * (from + to), m_check);
+    return false;
+  }
+
+  const CellScene& m_scene;
+  const Pose& m_tool;
+  bool m_hasLine;
+  MotionCheckSettings m_check;
+  mutable bool m_mayHelp = true;  // more rows may prove what one row did not
+};
 
 }  // namespace
 
@@ -92,13 +133,13 @@ std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& pla
                      resolvedPath.joints.begin() + static_cast<std::ptrdiff_t>(valueOf[i]) + 1);
     std::reverse(before.begin(), before.end());
     const std::span<const ArmValues> after(resolvedPath.joints.data() + valueOf[i], valueOf[i + 1] - valueOf[i] + 1);
-    const ArmValues& at = before.front();
-    for (double radius = waypoint.blend; radius > 0.05 * waypoint.blend; radius *= 0.7) {
-      const ZoneSide in = sideOf(scene, plans.tool, before, radius), out = sideOf(scene, plans.tool, after, radius);
-      constexpr double kRounding = 1e-6;  // rad, mm: of joints that stand still, as inverse kinematics finds them
-      const ArmValues spread = ((hasLine ? 1.5 : 1.0) * (in.spread + out.spread)).array() + kRounding;
-      if (!scene.scene.isFreeAround(at, spread, clearance, 0.0)) continue;
-      if (hasLine && !coversCorner(scene, at, in.end, out.end, spread)) continue;
+    const ZoneSide in(scene, plans.tool, before), out(scene, plans.tool, after);
+    const ZoneProof proof(scene, plans.tool, hasLine, clearance);
+    // Controllers give a zone half of a motion at most.
+    const double wanted = std::min(waypoint.blend, 0.5 * std::min(in.length(), out.length()));
+    constexpr double kLeast = 1e-3;  // mm: languages write no smaller zone
+    for (double radius = wanted; radius > std::max(kLeast, 0.05 * wanted); radius *= 0.7) {
+      if (!proof.isFree(in, out, radius / in.length(), radius / out.length(), progress)) continue;
       blends[i] = radius;
       break;
     }

@@ -3,6 +3,7 @@
 #include "tools/cell/path/PathCheck.h"
 
 #include "base/NumberText.h"
+#include "base/ShownDistance.h"
 #include "document/cell/CellArms.h"
 #include "document/cell/CellErrors.h"
 #include "planning/CartesianLine.h"
@@ -10,6 +11,7 @@
 #include "robot/dh/DhTable.h"
 #include "robot/posts/PostText.h"
 #include "tools/cell/path/PathBlends.h"
+#include "tools/cell/path/PathGaps.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +23,8 @@ namespace handwheel {
 ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const RobotPath& path, Progress progress) {
   ResolvedPath resolvedPath;
   for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
-    const ArmValues values = scene.planned(path.waypoints[i].joints);
+    ArmValues values = scene.planned(path.waypoints[i].joints);
+    if (i > 0) values = byShortestTurn(scene.scene, resolvedPath.joints.back(), values);
     if (i > 0 && path.waypoints[i].motion == ProgramMotion::Kind::Linear) {
       const FollowedLine line = followLine(scene.arm, plans.tool, resolvedPath.joints.back(), values, {}, progress);
       for (std::size_t k = 1; k < line.path.size(); ++k)
@@ -58,6 +61,14 @@ std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, cons
   return points;
 }
 
+bool CheckedPath::hasMissing() const {
+  return std::ranges::find(missing, MissingShape::State::Open, &MissingShape::state) != missing.end();
+}
+
+bool CheckedPath::isTouching() const {
+  return !metrics.samples.empty() && !(shownDistance(metrics.leastClearance) > 0.0);
+}
+
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress) {
   if (path.waypoints.size() < 2) return Error{CellError::PathTooShort, {path.name}, {}, {}};
@@ -65,14 +76,18 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
     return Error{CellError::OfOtherArm, {path.name, path.arm}, {}, {}};
   for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
     const Waypoint& waypoint = path.waypoints[i];
-    if (scene.areOwnUnplannedJointsAt(waypoint.joints)) continue;
-    return Error{CellError::OthersMoved, {waypoint.name.empty() ? std::to_string(i + 1) : waypoint.name}, {}, {}};
+    const std::string name = waypoint.name.empty() ? std::to_string(i + 1) : waypoint.name;
+    if (!scene.areOwnUnplannedJointsAt(waypoint.joints)) return Error{CellError::OthersMoved, {name}, {}, {}};
+    constexpr double kRounding = 1e-6;  // rad: of files
+    if (scene.arm.coupling() && !scene.arm.coupling()->isWithin(scene.planned(waypoint.joints), kRounding))
+      return Error{CellError::WaypointBeyondLimits, {name, scene.nameOfCoupled()}, {}, {}};
   }
   CheckedPath checked;
   checked.robotsMoved = scene.robotsElsewhere(path);
   checked.outdated = outdatedReasonsOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
   checked.clearance = settings.clearance;
   checked.notChecked = uncheckedPairs(scene, plans.allowed);
+  checked.missing = scene.missing;
   checked.resolved = resolved(scene, plans, path, progress.part(0.0, 0.1));
   MotionCheckSettings check;
   check.clearance = settings.clearance;
@@ -80,6 +95,7 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   checked.verification = verified(scene.scene, checked.resolved.joints, check, settings.step, progress.part(0.1, 0.6),
                                   checked.resolved.offs);
   checked.metrics = metricsOf(scene.scene, scene.arm, checked.resolved.joints, {}, progress.part(0.6, 0.95));
+  checked.gaps = gapsOf(scene, plans, path, checked.resolved, settings.clearance, progress);
   checked.blends = certifiedBlends(scene, plans, path, checked.resolved, settings.clearance, progress);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   checked.seconds = timed(scene, plans, path, checked.resolved, checked.blends).duration();
@@ -163,10 +179,12 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
       .leastClearance = checked.metrics.leastClearance,
       .seconds = checked.seconds,
       .measures = PathMeasures{checked.metrics.length, checked.metrics.security, checked.metrics.manipulability},
-      .hasShapeless = !scene.shapeless.empty(),
+      .isTouching = checked.isTouching(),
+      .missing = checked.missing,
       .robotsMoved = checked.robotsMoved,
       .outdated = checked.outdated,
-      .notChecked = checked.notChecked};
+      .notChecked = checked.notChecked,
+      .gaps = checked.gaps};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
     found.listed.push_back(
@@ -174,6 +192,41 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
   }
   return found;
 }
+
+namespace {
+
+// Returns the times of a path whose motions to some waypoints last as long as their programs demand, if the robot can
+// move as fast.
+TimedPath withDurations(const CellScene& scene, const RobotPath& path, const ResolvedPath& resolvedPath,
+                        std::vector<MotionPace>& paces) {
+  constexpr int kMostRounds = 12;
+  constexpr double kSame = 1e-3, kLeastFactor = 0.05, kMostFactor = 20.0;  // shares
+  const auto& waypointOf = resolvedPath.waypointOf;
+  TimedPath result(scene.scene, resolvedPath.joints, {}, paces);
+  for (int round = 0; round < kMostRounds; ++round) {
+    bool isDone = true;
+    for (std::size_t begin = 0, end = 0; begin < waypointOf.size(); begin = end) {
+      for (end = begin; end < waypointOf.size() && waypointOf[end] == waypointOf[begin];) ++end;
+      const double wanted = path.waypoints[waypointOf[begin]].seconds;
+      const double lasts = result.beginOf(end) - result.beginOf(begin);
+      if (wanted <= 0.0 || !(lasts > 0.0) || std::abs(lasts - wanted) <= kSame * wanted) continue;
+      const double factor = std::clamp(lasts / wanted, kLeastFactor, kMostFactor);
+      for (std::size_t i = begin; i < end; ++i) {
+        const bool isOfTool = paces[i].length > 0.0 && paces[i].toolSpeed > 0.0;
+        double& speed = isOfTool ? paces[i].toolSpeed : paces[i].speed;
+        const double before = speed;
+        speed *= factor;
+        if (!isOfTool) speed = std::clamp(speed, 1e-6, 1.0);
+        isDone = isDone && before == speed;
+      }
+    }
+    if (isDone) break;
+    result = TimedPath(scene.scene, resolvedPath.joints, {}, paces);
+  }
+  return result;
+}
+
+}  // namespace
 
 TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& resolvedPath,
                 std::span<const double> blends) {
@@ -184,18 +237,24 @@ TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath&
   for (std::size_t i = 0; i < resolvedPath.waypointOf.size(); ++i) {
     const std::size_t leadsTo = resolvedPath.waypointOf[i];
     const Waypoint& to = path.waypoints[leadsTo];
-    if (to.motion == ProgramMotion::Kind::Joint) {
-      paces.push_back({.speed = to.speed});
-      continue;
-    }
+    const ArmValues &begin = resolvedPath.joints[i], &end = resolvedPath.joints[i + 1];
     const bool isLast = i + 1 == resolvedPath.waypointOf.size() || resolvedPath.waypointOf[i + 1] != leadsTo;
-    const double length = (positionAt(resolvedPath.joints[i + 1]) - positionAt(resolvedPath.joints[i])).norm();
+    const bool isJoint = to.motion == ProgramMotion::Kind::Joint;
+    const int parts = isJoint ? 8 : 1;  // a joint motion bends the way of the tool
+    double length = 0.0;
+    for (int k = 0; k < parts; ++k)
+      length += (positionAt(begin + (k + 1.0) / parts * (end - begin)) -
+                 positionAt(begin + static_cast<double>(k) / parts * (end - begin)))
+                    .norm();
     constexpr double kStill = 1e-6;  // mm: where the tool only turns the joints count
-    paces.push_back({.length = length > kStill ? length : 0.0,
-                     .toolSpeed = to.speed,
-                     .isContinued = !isLast || (leadsTo < blends.size() && blends[leadsTo] > 0.0)});
+    const double zone = isLast && leadsTo < blends.size() ? blends[leadsTo] : 0.0;
+    paces.push_back({.speed = isJoint ? to.speed : 1.0,
+                     .length = length > kStill ? length : 0.0,
+                     .toolSpeed = isJoint ? 0.0 : to.speed,
+                     .isContinued = !isLast || zone > 0.0,
+                     .zone = zone});
   }
-  return TimedPath(scene.scene, resolvedPath.joints, {}, paces);
+  return withDurations(scene, path, resolvedPath, paces);
 }
 
 std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked) {
@@ -214,20 +273,33 @@ std::vector<SmallerBlend> smallerBlends(const RobotPath& path, const CheckedPath
   return all;
 }
 
+std::string smallerBlendsText(std::span<const SmallerBlend> smaller) {
+  if (smaller.empty()) return {};
+  const auto [least, most] =
+      std::ranges::minmax_element(smaller, {}, [](const SmallerBlend& each) { return each.kept; });
+  const auto kept = [](const SmallerBlend& each) {
+    return roundedText(each.kept, 3) + " mm in place of " + roundedText(each.wanted, 6) + " mm at place " +
+           std::to_string(each.waypoint + 1);
+  };
+  const std::string range = smaller.size() == 1 ? kept(*least) : "from " + kept(*least) + " to " + kept(*most);
+  return "Smaller blends than asked: " + std::to_string(smaller.size()) + ", " + range +
+         ". A blend has half of the shorter motion beside it at most, and only where it is proven free.";
+}
+
 namespace {
 
-std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
-  constexpr std::size_t kLongestName = 60, kMostBlends = 20;
+std::vector<std::string> remarksOn(const RobotPath& path, const CheckedPath& checked) {
+  constexpr std::size_t kLongestName = 60, kMostPairs = 50;
   std::vector<std::string> remarks;
-  for (const auto& [one, other] : checked.notChecked)
+  const auto& pairs = checked.notChecked;
+  for (const auto& [one, other] : std::span(pairs).first(std::min(pairs.size(), kMostPairs)))
     remarks.push_back("Not checked: " + identifierOf(one, kLongestName) + " with " + identifierOf(other, kLongestName) +
                       ".");
-  const std::vector<SmallerBlend> smaller = smallerBlends(path, checked);
-  for (const SmallerBlend& each : std::span(smaller).first(std::min(smaller.size(), kMostBlends)))
-    remarks.push_back("Blend at place " + std::to_string(each.waypoint + 1) + ": at most " + roundedText(each.kept, 4) +
-                      " mm in place of " + roundedText(each.wanted, 6) + " mm, which is not proven free.");
-  if (smaller.size() > kMostBlends)
-    remarks.push_back("Smaller blends at " + std::to_string(smaller.size() - kMostBlends) + " more places.");
+  if (pairs.size() > kMostPairs)
+    remarks.push_back("Not checked: " + std::to_string(pairs.size() - kMostPairs) + " more pairs.");
+  if (checked.isTouching()) remarks.emplace_back("Touching: the least clearance is 0 mm.");
+  if (const std::string blends = smallerBlendsText(smallerBlends(path, checked)); !blends.empty())
+    remarks.push_back(blends);
   if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
     remarks.push_back("Exact stops in place of blends: " + std::to_string(stops) +
                       ". Not every way within their zones is proven free.");
@@ -248,9 +320,13 @@ std::vector<std::string> remarksOn(const CellScene& scene, const RobotPath& path
   for (const std::string& robot : checked.robotsMoved)
     remarks.push_back("Proven with the robot " + identifierOf(robot, kLongestName) +
                       " where it stood at export: it has moved since the path was made.");
-  for (const std::uint32_t link : scene.shapeless)
-    remarks.push_back("Not proven of the link " + identifierOf(scene.robot->model.links[link].name, kLongestName) +
-                      ": its mesh is missing.");
+  for (const MissingShape& each : checked.missing) {
+    const std::string decided = each.state == MissingShape::State::Replaced
+                                    ? "replaced by " + identifierOf(each.by, kLongestName)
+                                    : "left out of the proof";
+    remarks.push_back("Shape not read: " + identifierOf(each.name, kLongestName) + " (" +
+                      identifierOf(each.what, kLongestName) + "), " + decided + ".");
+  }
   return remarks;
 }
 
@@ -266,11 +342,15 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
   program.clearance = checked.clearance;
-  program.remarks = remarksOn(scene, path, checked);
+  program.remarks = remarksOn(path, checked);
+  program.head = path.head;
+  program.language = path.language;
   for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
     const Waypoint& waypoint = path.waypoints[i];
-    ProgramMotion motion{waypoint.motion, scene.planned(waypoint.joints), waypoint.speed, checked.blends[i],
-                         waypoint.name};
+    ArmValues joints = scene.planned(waypoint.joints);
+    if (i > 0) joints = byShortestTurn(scene.scene, program.motions.back().joints, joints);
+    ProgramMotion motion{waypoint.motion, joints,          waypoint.speed,   checked.blends[i],
+                         waypoint.name,   waypoint.corner, waypoint.seconds, waypoint.lines};
     if (i == 0) motion.kind = ProgramMotion::Kind::Joint;
     program.motions.push_back(std::move(motion));
   }

@@ -35,7 +35,7 @@ struct CheckedPath {
   PathMetrics metrics;
   // mm, for each waypoint: radius within which all motions are free; 0: an exact stop.
   std::vector<double> blends;
-  double seconds = 0.0;  // Duration with a stop at each waypoint, except between blended lines
+  double seconds = 0.0;  // Estimated duration, with a stop at each waypoint without a blend
   // Other robots whose joint values or bases differ from those when the path was made. The results are valid for their
   // present poses.
   std::set<std::string> robotsMoved = {};
@@ -43,10 +43,17 @@ struct CheckedPath {
   OutdatedReasons outdated = {};
   double clearance = 0.0;                  // mm, required clearance
   std::vector<PairNames> notChecked = {};  // The result of uncheckedPairs()
+  std::vector<MissingShape> missing = {};  // Shapes that could not be read
+  std::vector<ProofGap> gaps = {};         // The result of gapsOf()
 
+  // Returns true if all motions are proven, and nothing is missing that was not left out or replaced.
   bool isCertified() const {
-    return !resolved.stopsAt && !verification.certified.empty() && verification.isCertified();
+    return !resolved.stopsAt && !verification.certified.empty() && verification.isCertified() && !hasMissing() &&
+           gaps.empty();
   }
+  bool hasMissing() const;
+  // Returns true if the robot touches something on the path: its clearance is 0, as it is displayed.
+  bool isTouching() const;
   // Returns the index of the waypoint at the end of a motion of the verification. The index is at least 1.
   std::size_t waypointOf(std::size_t motion) const { return resolved.waypointOf[motion]; }
 };
@@ -76,12 +83,13 @@ struct PathCheckSettings {
 };
 
 // Verifies and measures a path of the scene's robot, with the other robots at their present joint values. The check
-// does not end at the first collision. Errors: PathTooShort, OthersMoved, OfOtherArm, Cancelled.
+// does not end at the first collision. Errors: PathTooShort, OthersMoved, OfOtherArm,
+// WaypointBeyondLimits, Cancelled.
 Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                               const PathCheckSettings& settings, Progress progress = {});
 
-// Returns the times of a path when the robot executes it. blends: certified radius of each waypoint; blended lines
-// continue without a stop.
+// Returns the estimated times of a path when the robot executes it. blends: certified radius of each waypoint, at which
+// the robot goes on without a stop.
 TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath& path, const ResolvedPath& resolvedPath,
                 std::span<const double> blends);
 
@@ -95,6 +103,8 @@ struct SmallerBlend {
   double wanted, kept;
 };
 std::vector<SmallerBlend> smallerBlends(const RobotPath& path, const CheckedPath& checked);
+// Returns one English sentence about all of them, for programs and the command line; empty if there are none.
+std::string smallerBlendsText(std::span<const SmallerBlend> smaller);
 
 // Returns the program of a path for a controller. Blends that are not certified become exact stops.
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,

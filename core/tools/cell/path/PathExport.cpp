@@ -35,7 +35,18 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
     const std::string waypoint = std::to_string(*checked.resolved.stopsAt + 1);
     return Error{CellError::LineUnreachable, {waypoint, roundedText(100.0 * checked.resolved.reached, 3)}, {}, {}};
   }
+  if (checked.verification.isCertified()) {
+    const auto open = std::ranges::find(checked.missing, MissingShape::State::Open, &MissingShape::state);
+    if (open != checked.missing.end())
+      return Error{CellError::ShapeMissing, {path.name, open->name, open->what}, {}, {}};
+  }
   const auto& collisions = checked.verification.collisions;
+  if (collisions.empty() && !checked.gaps.empty()) {
+    const ProofGap& gap = checked.gaps.front();
+    const std::string number = std::to_string(gap.waypoint + 1);
+    return gap.kind == ProofGap::Kind::Corner ? Error{CellError::CornerNotProven, {path.name, number}, {}, {}}
+                                              : Error{CellError::CarriedUnknown, {path.name, number, gap.text}, {}, {}};
+  }
   const auto [link, other] =
       collisions.empty() ? std::pair<std::string, std::string>() : scene.namesOf(collisions.front().deepest);
   return Error{CellError::PathCollides, {path.name, std::to_string(collisions.size()), link, other}, {}, {}};
@@ -56,12 +67,23 @@ std::string otherRobot(const CellScene& scene, const PostProcessor& post) {
   return robot && !std::string_view(robot->title).starts_with(post.maker()) ? robot->title : "";
 }
 
+// Returns how long a joint motion takes at the largest speeds, s.
+double fastestOf(const SerialArm& arm, const ArmValues& from, const ArmValues& to) {
+  double fastest = 0.0;
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
+    const double usual = joint.isPrismatic ? 1e3 : M_PI;  // mm/s, rad/s
+    fastest = std::max(fastest, std::abs(to[i] - from[i]) / joint.velocity.value_or(usual));
+  }
+  return fastest;
+}
+
 // The share of the largest joint speeds at which the tool's centre point takes a joint motion with this speed (mm/s) on
 // average. None: it stays where it is.
 std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const ArmValues& from, const ArmValues& to,
                                double toolSpeed) {
   constexpr int kParts = 32;
-  double length = 0.0, fastest = 0.0;  // mm, s
+  double length = 0.0;  // mm
   Vec3 before = (arm.tipPose(from) * tool).translation();
   for (int i = 1; i <= kParts; ++i) {
     const ArmValues at = from + (static_cast<double>(i) / kParts) * (to - from);
@@ -69,14 +91,22 @@ std::optional<double> shareFor(const SerialArm& arm, const Pose& tool, const Arm
     length += (now - before).norm();
     before = now;
   }
-  for (Eigen::Index i = 0; i < to.size(); ++i) {
-    const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
-    const double usual = joint.isPrismatic ? 1e3 : M_PI;  // mm/s, rad/s
-    fastest = std::max(fastest, std::abs(to[i] - from[i]) / joint.velocity.value_or(usual));
-  }
   constexpr double kLeastLength = 1e-3;  // mm
   if (length < kLeastLength) return std::nullopt;
-  return fastest * toolSpeed / length;
+  return fastestOf(arm, from, to) * toolSpeed / length;
+}
+
+// Sets the speed at which a motion takes the duration of its waypoint on average, for languages that have no durations.
+void setAverageSpeed(const RobotProgram& program, const ArmValues& from, const ArmValues& to, Waypoint& waypoint) {
+  const auto toolAt = [&](const ArmValues& values) {
+    return Vec3((program.arm.tipPose(values) * program.tool).translation());
+  };
+  const double length = (toolAt(to) - toolAt(from)).norm();
+  constexpr double kLeastLength = 1e-3;  // mm
+  if (waypoint.motion == ProgramMotion::Kind::Linear && length > kLeastLength)
+    waypoint.speed = std::clamp(length / waypoint.seconds, 1e-3, 1e5);
+  if (waypoint.motion == ProgramMotion::Kind::Joint)
+    waypoint.speed = std::clamp(fastestOf(program.arm, from, to) / waypoint.seconds, 1e-3, 1.0);
 }
 
 // Returns the speed in the range of paths: of a joint motion 0.001 to 1, of a line up to 100 m/s.
@@ -119,6 +149,31 @@ std::vector<ProgramFrame> framesBeside(const CellScene& scene, const RobotCellSn
   return frames;
 }
 
+// Drops the declarations of the lines of a program, which other languages do not need.
+void dropDeclarations(RobotProgram& program) {
+  const auto isDeclaration = [](const ProgramLine& line) { return line.kind == ProgramLine::Kind::Declaration; };
+  std::erase_if(program.head, isDeclaration);
+  for (ProgramMotion& motion : program.motions) std::erase_if(motion.lines, isDeclaration);
+}
+
+// Returns an arm that is counted from another base. base: pose of that in the present base.
+SerialArm countedFrom(const Pose& base, const SerialArm& arm) {
+  std::vector<ArmJoint> joints(arm.joints().begin(), arm.joints().end());
+  if (!joints.empty()) joints.front().before = base.inverse(Eigen::Isometry) * joints.front().before;
+  return SerialArm(std::move(joints), arm.tip()).withCoupling(arm.coupling());
+}
+
+// Reads the file of this name in a folder, whatever the case of its letters; empty if there is none.
+std::string dataIn(const std::filesystem::path& folder, const std::string& name) {
+  std::error_code failed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+    if (lowerCase(entry.path().filename().string()) != lowerCase(name)) continue;
+    const Result<std::string> bytes = readFileHead(entry.path(), PostProcessor::kLargestText);
+    if (bytes) return *bytes + "\n";
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans) {
@@ -155,6 +210,14 @@ const PostProcessor& usualPost(const RobotArm& arm) {
   return any == posts().end() ? *posts().front() : **any;
 }
 
+Status canBeWritten(const CellScene& scene, const PostProcessor& post) {
+  RobotProgram program;
+  program.robot = scene.plannedArm().title;
+  program.arm = scene.armFromBase();
+  const std::vector<Error> refusals = post.refusals(program);
+  return refusals.empty() ? Status(Done{}) : Status(refusals.front());
+}
+
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
                                     const std::filesystem::path& output, OutdatedPath outdated, FrameData frameData) {
@@ -166,6 +229,12 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   if (!frame) return frame.error();
   RobotProgram program = programOf(scene, plans, path, checked);
   program.frame = *frame;
+  if (const auto base = controllerBaseFrame(scene.robot->model, scene.plannedArm())) {
+    program.arm = countedFrom(*base, program.arm);
+    program.frame = base->inverse(Eigen::Isometry) * program.frame;
+    program.isBaseOfController = true;
+  }
+  if (program.language != post.id()) dropDeclarations(program);
   program.frameName = plans.workFrame;
   for (const NamedFrame& other : plans.frames) {
     if (other.name != plans.workFrame) program.otherFrames.push_back(other.name);
@@ -194,17 +263,25 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
 }
 
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
-                                    std::string_view text, Progress progress) {
+                                    std::string_view text, Progress progress, std::string data) {
   RobotProgram frame;
-  frame.arm = scene.armFromBase();
+  const std::optional<Pose> controllers = controllerBaseFrame(cell.robot->model, scene.plannedArm());
+  const Pose counted = controllers.value_or(Pose(Pose::Identity()));  // base of the program
+  frame.robot = scene.plannedArm().title;
+  frame.arm = countedFrom(counted, scene.armFromBase());
   frame.tool = cell.plans->tool;
   frame.knownFrames = framesBeside(scene, cell);
+  for (ProgramFrame& each : frame.knownFrames) each.pose = counted.inverse(Eigen::Isometry) * each.pose;
+  frame.data = std::move(data);
+  const auto home = std::ranges::find_if(cell.plans->configurations, [&](const NamedConfiguration& each) {
+    return lowerCase(each.name) == "home" && armNumber(*cell.robot, each.arm) == scene.armNumber;
+  });
+  if (home != cell.plans->configurations.end()) frame.home = scene.planned(home->joints);
   for (const NamedFrame& each : cell.plans->frames) frame.otherFrames.push_back(each.name);
   // Readers of controllers with six joints count on six.
   if (const std::vector<Error> refusals = post.refusals(frame); !refusals.empty()) return refusals.front();
   Result<std::vector<ParsedMotion>> motions = post.read(text, frame);
   if (!motions) return motions.error();
-  const std::optional<Pose> controllers = controllerBaseFrame(cell.robot->model, scene.plannedArm());
   RobotPath path{"program", {}, cell.plans->arm};
   path.clearance = keptClearance(text);
   std::vector<std::size_t> openConfigurations;
@@ -222,8 +299,6 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     };
     if (motion.isInControllersBase && !controllers)
       return located({PostError::BaseUnknown, {scene.plannedArm().title}, {}, {}});
-    if (motion.isInControllersBase && motion.pose) motion.pose = *controllers * *motion.pose;
-    if (motion.isInControllersBase && motion.frame) motion.frame = *controllers * *motion.frame;
     const bool isSound = motion.joints ? motion.joints->size() == scene.arm.size() && motion.joints->allFinite()
                                        : motion.pose && motion.pose->matrix().allFinite();
     if (!isSound)
@@ -249,11 +324,18 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
         speedOf(motion, waypoint.motion,
                 hasShare ? shareFor(frame.arm, frame.tool, from, before, *motion.toolSpeed) : std::nullopt);
     waypoint.blend = std::max(0.0, motion.blend);
+    waypoint.corner = motion.corner;
+    waypoint.seconds = path.waypoints.empty() ? 0.0 : motion.seconds;
+    if (waypoint.seconds > 0.0) setAverageSpeed(frame, from, before, waypoint);
+    if (path.waypoints.empty()) path.head = std::move(motion.before);
+    waypoint.lines = std::move(motion.lines);
     path.waypoints.push_back(std::move(waypoint));
   }
+  const auto hasLines = [](const Waypoint& waypoint) { return !waypoint.lines.empty(); };
+  if (!path.head.empty() || std::ranges::any_of(path.waypoints, hasLines)) path.language = post.id();
   std::sort(openConfigurations.begin(), openConfigurations.end());
   openConfigurations.erase(std::unique(openConfigurations.begin(), openConfigurations.end()), openConfigurations.end());
-  return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm())),
+  return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()) * counted),
                      std::move(openConfigurations), otherTool};
 }
 
@@ -262,8 +344,13 @@ Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot
   const auto read = [&]() -> Result<ProgramPath> {
     const Result<std::string> bytes = readFileHead(file, PostProcessor::kLargestText + 1);  // Larger ones are refused
     if (!bytes) return bytes.error();
-    if (const PostProcessor* const post = postForEnding(file.string()))
-      return pathFromProgram(scene, cell, *post, *bytes, progress);
+    if (const PostProcessor* const post = postForEnding(file.string())) {
+      std::string data;
+      const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+      if (post->id() == std::string_view("krl"))
+        data = dataIn(folder, file.stem().string() + ".dat") + dataIn(folder, "$config.dat");
+      return pathFromProgram(scene, cell, *post, *bytes, progress, std::move(data));
+    }
     Result<RobotPath> path = readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
     if (!path) return path.error();
     return ProgramPath{std::move(path).value()};

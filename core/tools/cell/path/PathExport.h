@@ -31,6 +31,10 @@ enum class FrameData { InProgram, AtController };
 // scene's robot. Errors: the errors of poseOfFrame(); FrameMoves if this robot moves the frame.
 Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans);
 
+// Returns the first reason why no path of the scene's robot can be written in a language: other joints, such as a rail,
+// than its controller moves.
+Status canBeWritten(const CellScene& scene, const PostProcessor& post);
+
 // Writes a certified path as a program, with its waypoints in CellPlans::workFrame, and with remarks about everything
 // that is not proven or not valid any more. Motions that the controller cannot execute are errors before anything is
 // written. Errors: CheckFailed if the text does not read back as the path (1e-3 mm, 1e-3°); PathCollides,
@@ -64,11 +68,13 @@ struct ProgramPath {
 // (keptClearance()). Errors: the errors of PostProcessor::refusals() and PostProcessor::read(); PoseUnreachable
 // {motion}, ConfigurationDiffers {configuration}, BaseUnknown if the description of the robot does not contain the base
 // of its controller, ElementMalformed, ValueOutOfRange, Cancelled.
+// data: the text of the controller's data files beside the program (RobotProgram::data).
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
-                                    std::string_view text, Progress progress = {});
+                                    std::string_view text, Progress progress = {}, std::string data = {});
 
 // Reads a path from a file: a program, recognised by its extension, or a path file (PathFile.h). The path belongs to
-// the robot that the cell plans for. Errors: the errors of pathFromProgram(), readFileHead() and readPath(), with the
+// the robot that the cell plans for. With a program for KUKA robots the files of data beside it are read: that of its
+// name, and $config.dat. Errors: the errors of pathFromProgram(), readFileHead() and readPath(), with the
 // file as subject.
 Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,
                                  const std::filesystem::path& file, Progress progress = {});

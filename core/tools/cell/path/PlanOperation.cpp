@@ -98,6 +98,20 @@ Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> waypoints, con
   return all;
 }
 
+// Divides motions in which a joint without limits turns by more than half a turn, which the shortest turn would not be.
+JointPath withShortTurns(const RobotScene& scene, const JointPath& leg) {
+  JointPath all{leg.front()};
+  for (std::size_t i = 1; i < leg.size(); ++i) {
+    const bool isShort = byShortestTurn(scene, leg[i - 1], leg[i]) == leg[i];
+    const double largest = isShort ? 0.0 : (leg[i] - leg[i - 1]).cwiseAbs().maxCoeff();
+    const int parts = 1 + static_cast<int>(largest / 3.0);
+    for (int k = 1; k < parts; ++k)
+      all.emplace_back(leg[i - 1] + static_cast<double>(k) / parts * (leg[i] - leg[i - 1]));
+    all.push_back(leg[i]);
+  }
+  return all;
+}
+
 // Plans between two waypoints of a path.
 class LegPlanning {
  public:
@@ -114,7 +128,8 @@ class LegPlanning {
     if (!leg.back().isPlannedFrom(leg.front())) return false;
     for (std::size_t i = 1; i < leg.size(); ++i) {
       if (leg[i].motion != ProgramMotion::Kind::Joint || !m_scene.areOwnUnplannedJointsAt(leg[i].joints)) return false;
-      const ArmValues begin = m_scene.planned(leg[i - 1].joints), end = m_scene.planned(leg[i].joints);
+      const ArmValues begin = m_scene.planned(leg[i - 1].joints),
+                      end = byShortestTurn(m_scene.scene, begin, m_scene.planned(leg[i].joints));
       if (!m_scene.scene.isWithinLimits(begin) || !m_scene.scene.isWithinLimits(end)) return false;
       MotionCheck check(m_scene.scene, begin, end, m_settings.plan.check);
       const bool isFree = check.run(progress) == MotionCheck::State::Free;
@@ -132,13 +147,14 @@ class LegPlanning {
   // Adds the waypoints after `from`, up to `to`. names: of both, for errors.
   Status plan(const Waypoint& from, const Waypoint& to, const std::array<std::string, 2>& names, RobotPath& path,
               Progress progress) {
-    const ArmValues begin = m_scene.planned(from.joints), end = m_scene.planned(to.joints);
+    const ArmValues begin = m_scene.planned(from.joints),
+                    end = byShortestTurn(m_scene.scene, begin, m_scene.planned(to.joints));
     if (to.motion == ProgramMotion::Kind::Linear) return follow(begin, end, to, names[1], path, progress);
     const std::array<ArmValues, 2> ends{begin, end};
     const Route route = planRoute(m_scene.scene, ends, m_settings, progress);
     m_steps += route.steps;
     if (!route.isSolved()) return problemOf(route, begin, end, names);
-    const JointPath& leg = route.legs.front();
+    const JointPath leg = withShortTurns(m_scene.scene, route.legs.front());
     for (std::size_t i = 1; i + 1 < leg.size(); ++i) {
       Waypoint between{.joints = m_scene.whole(leg[i]), .isCritical = false, .speed = to.speed, .blend = to.blend};
       path.waypoints.push_back(std::move(between));
@@ -196,7 +212,7 @@ class LegPlanning {
       if (!m_scene.scene.joint(i).isWithin(values[i]))
         return m_scene.robot->model.jointOfDof(m_scene.dofs[static_cast<std::size_t>(i)]).name;
     }
-    return {};
+    return m_scene.nameOfCoupled();
   }
 
   const CellScene& m_scene;

@@ -53,7 +53,7 @@ class CellSceneTest : public QObject {
     QVERIFY(std::abs(nearest.distance - 100.0) < 1e-3);
     QCOMPARE(scene->namesOf(nearest).first, std::string("upper"));
     QCOMPARE(scene->namesOf(nearest).second, std::string("thing"));
-    QVERIFY(scene->shapeless.empty());
+    QVERIFY(scene->missing.empty());
   }
 
   void allowedPairs() {

@@ -130,6 +130,28 @@ class ArmSolutionsTest : public QObject {
     QVERIFY(solutionsFor(arm, turned, values).empty());
   }
 
+  // The joint that is blamed is the one that no turn brings within its limits: joint 1 may go on by whole turns, and is
+  // within its own.
+  void theJointThatFails() {
+    const DhTable& table = *libraryTable("irb120");
+    std::vector<DhRow> rows(table.joints.begin(), table.joints.end());
+    rows[0].lower = -400.0 * M_PI / 180.0;
+    rows[0].upper = 400.0 * M_PI / 180.0;
+    rows[5].lower = 0.01;
+    rows[5].upper = 0.02;
+    const SerialArm arm = armOf(rows);
+    ArmValues values(6), reference(6);
+    values << 1.75, 0.2, 0.1, 0.3, 0.5, 1.0;
+    reference << 6.8, 0.2, 0.1, 0.3, 0.5, 1.0;  // 390 degrees: one turn on, joint 1 would be at 460
+    const auto found = solutionsFor(arm, arm.tipPose(values), reference);
+    QVERIFY(!found.empty());
+    for (const ArmSolution& each : found) {
+      QVERIFY(each.beyond && *each.beyond > 0);
+      QVERIFY(arm.joints()[0].isWithin(each.values[0]));
+      QVERIFY(!arm.joints()[static_cast<std::size_t>(*each.beyond)].isWithin(each.values[*each.beyond]));
+    }
+  }
+
   // Without a closed form: the known solution is found, and others that are different.
   void byIteration() {
     std::vector<DhRow> rows(7, DhRow{.a = 100.0, .alpha = 1.2, .d = 60.0, .lower = -2.5, .upper = 2.5});

@@ -13,7 +13,8 @@ namespace handwheel::test {
 
 inline SerialArm armCalled(const char* id) {
   const DhTable& table = *libraryTable(id);
-  return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()));
+  return armOf(std::vector<DhRow>(table.joints.begin(), table.joints.end()))
+      .withCoupling(libraryRobot(table.name)->coupling);
 }
 
 inline RobotProgram programOf(const char* id) {
@@ -32,6 +33,12 @@ inline ProgramMotion anyMotion(const SerialArm& arm) {
   for (Eigen::Index i = 0; i < arm.size(); ++i) {
     const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
     motion.joints[i] = anyNumber(std::max(joint.lower, -M_PI), std::min(joint.upper, M_PI));
+  }
+  if (arm.coupling()) {
+    const double shift = arm.coupling()->factor * motion.joints[1];
+    const ArmJoint& third = arm.joints()[2];
+    motion.joints[2] = anyNumber(std::max(third.lower, arm.coupling()->lower - shift),
+                                 std::min(third.upper, arm.coupling()->upper - shift));
   }
   motion.kind = *rc::gen::arbitrary<bool>() ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear;
   motion.speed = motion.kind == ProgramMotion::Kind::Joint ? anyNumber(0.01, 1.0) : anyNumber(1.0, 2000.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnyProgram.h"
 #include "TestClass.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 
 #include <QRegularExpression>
@@ -230,6 +231,51 @@ class PostLanguagesTest : public QObject {
     QVERIFY(text.find("LINE_COUNT\t= 7;") != text.npos);  // four remarks, two numbers, a motion
     QVERIFY(text.find("7:J P[1] 50% FINE") != text.npos);
     QVERIFY(text.find("/PROG  WELD_S_1\n") != text.npos);
+  }
+
+  // Both values of the third axis have limits: that of the arm, and that of the controller (-140.43 to 280 degrees).
+  void fanucLimits() {
+    RobotProgram program = programOf("lrmate200id");
+    const auto isRefusedAt = [&](double second, double third) {
+      ArmValues joints = ArmValues::Zero(6);
+      joints[1] = second * kRadiansPerDegree;
+      joints[2] = third * kRadiansPerDegree;
+      program.motions = {{ProgramMotion::Kind::Joint, joints, 0.5, 0.0, {}}};
+      return !postCalled("fanuc")->refusals(program).empty();
+    };
+    QVERIFY(!isRefusedAt(90, -50));   // -140 from the level
+    QVERIFY(isRefusedAt(90, -51));    // -141
+    QVERIFY(!isRefusedAt(-80, 200));  // 280
+    QVERIFY(isRefusedAt(-81, 200));   // 281
+  }
+
+  // The linkage of the IRB 2400 keeps its upper arm level while axis 2 moves: with axis 3 at 0 the flange stays level.
+  // By hand for axes 2 and 3 at 30 and 0 degrees: 100 + 705 sin 30 + 755 + 85 ahead, and 615 + 705 cos 30 + 135 above.
+  void parallelLinkage() {
+    RobotProgram program = programOf("irb2400");
+    ArmValues joints = ArmValues::Zero(6);
+    joints[1] = 30.0 * kRadiansPerDegree;
+    joints[2] = -30.0 * kRadiansPerDegree;
+    program.motions = {{ProgramMotion::Kind::Joint, joints, 0.5, 0.0, {}}};
+    const Vec3 flange = program.arm.tipPose(joints).translation();
+    QVERIFY((flange - Vec3(1292.5, 0.0, 615.0 + 705.0 * std::cos(M_PI / 6.0) + 135.0)).norm() < 1e-9);
+    const std::string text = postCalled("rapid")->write(program);
+    QVERIFY2(text.find("MoveAbsJ [[0.0000000,30.0000000,0.0000000,") != text.npos, text.c_str());
+    const auto read = postCalled("rapid")->read(text, program);
+    QVERIFY(read.hasValue() && (*(*read)[0].joints - joints).cwiseAbs().maxCoeff() < 1e-8);
+    QVERIFY(postCalled("rapid")->refusals(program).empty());
+    // -60 to 65 degrees are of the axis as the controller has it.
+    program.motions[0].joints[2] = 36.0 * kRadiansPerDegree;
+    QVERIFY(postCalled("rapid")->refusals(program).at(0).code == PostError::ThirdBeyond);
+    // A description for ROS has no coupling.
+    program.motions[0].joints = joints;
+    program.arm = program.arm.withCoupling(std::nullopt);
+    program.robot = "abb_irb2400";
+    QVERIFY(postCalled("rapid")->refusals(program).at(0).code == PostError::LinkageUnknown);
+    for (const char* const serial : {"abb_irb2600", "abb_irb6640", "abb_irb4600", "irb120"}) {
+      program.robot = serial;
+      QVERIFY(postCalled("rapid")->refusals(program).empty());
+    }
   }
 
   // The world of the LR Mate is 330 mm above its foot: with all joints at 0 the flange is 50 + 335 + 80 mm ahead, and

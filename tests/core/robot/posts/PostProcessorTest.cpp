@@ -122,7 +122,7 @@ class PostProcessorTest : public QObject {
     row("rapid", "MoveL Offs(p10,0,0,10),v100,fine,tool0;", "ElementMalformed");
     row("rapid", "MoveL [[1,2,3],[0,0,0,0],[0,0,0,0],[9E9]],v100,fine,tool0;", "ElementMalformed");
     row("rapid", "MoveL [[1,2,3],[1,0", "ElementMalformed");
-    row("rapid", "MoveC p1,p2,v100,fine,tool0;", "PostStatementUnread");
+    row("rapid", "MoveC p1,p2,v100,fine,tool0;", "ElementMalformed");
     row("rapid", "MoveAbsJ [[1e999,0,0,0,0,0],[9E9]],v1,fine,t;", "ElementMalformed");
     row("krl", "PTP {A1 0,A2 0}", "ElementMalformed");
     row("krl", "PTP HOME", "ElementMalformed");

@@ -86,6 +86,7 @@ class RapidConfigurationTest : public QObject {
         const ArmJoint& joint = program.arm.joints()[static_cast<std::size_t>(i)];
         joints[i] = anyNumber(joint.lower, joint.upper);
       }
+      RC_PRE(program.arm.isWithinLimits(joints));  // also those of a coupled axis
       ArmJacobian jacobian;
       program.arm.tipPose(joints, jacobian);
       jacobian.topRows(3) *= 1e-3;  // m

@@ -23,6 +23,7 @@ class ArmCell {
     opened.kind = &m_kind;
     opened.content = cellOf(table);
     m_document = std::make_unique<RobotCellDocument>(std::move(opened));
+    m_resting = m_document->plans()->allowed;
   }
 
   RobotCellDocument& document() { return *m_document; }
@@ -48,13 +49,16 @@ class ArmCell {
   }
   Pose tool() { return toolPose(document().robot(), *document().plans(), document().joints()); }
   int steps() { return document().history()->count(); }
+  // Replaces the plans. Pairs of links that touch at rest may still touch.
   void plan(CellPlans plans) {
+    plans.allowed.insert(m_resting.begin(), m_resting.end());
     if (auto edit = document().plansEdit(std::move(plans))) document().commit("Plan", std::move(edit));
   }
 
  private:
   RobotCellKind m_kind;
   std::unique_ptr<RobotCellDocument> m_document;
+  std::set<std::pair<std::string, std::string>> m_resting;
   CollisionMeshes m_meshes;
   std::shared_ptr<const CellScene> m_scene;
 };

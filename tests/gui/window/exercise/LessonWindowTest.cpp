@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 
 #include <QLabel>

@@ -104,8 +104,32 @@ class PathBlendsTest : public QObject {
     QVERIFY(fixture.blends(path)[1] > 0.5);
   }
 
-  // A ball so near to the flange at the waypoint that a motion across the zone may collide: the zone shrinks
-  // accordingly.
+  // A process path with waypoints 1 mm apart, whose blends reach half of the distance to the next one: 0.5 mm of 5 mm,
+  // and with 3 mm between tool and part they stay.
+  void closeWaypoints() {
+    const JointValues a = jointValues({0.2, 0.3, 0.1, 0.1, 0.8, 0.0});
+    const BlendFixture open;
+    const Vec3 flange = open.scene().arm.tipPose(open.scene().planned(a)).translation();
+    for (const bool isBeside : {false, true}) {
+      std::optional<std::pair<Vec3, double>> ball;
+      if (isBeside) ball = std::pair{Vec3(flange + Vec3(0.0, 0.0, -200.0)), 20.0};
+      const BlendFixture fixture(ball);
+      const double distance =
+          isBeside ? fixture.scene().scene.nearestObstacle(fixture.scene().planned(a), 1e3).distance : 4.0;
+      RobotPath path{"p", {{.joints = a}}};
+      for (int i = 1; i <= 4; ++i)
+        path.waypoints.push_back(
+            {.joints = fixture.moved(path.waypoints.back().joints, {0.0, i % 2 ? 1.0 : 0.0, i % 2 ? 0.0 : 1.0}),
+             .motion = ProgramMotion::Kind::Linear,
+             .blend = 5.0});
+      const auto blends = fixture.blends(path, std::max(0.0, distance - 4.0));
+      for (const std::size_t i : {1, 2, 3})
+        QVERIFY2(blends[i] > 0.49 && blends[i] <= 0.5 + 1e-6, qPrintable(QString::number(blends[i])));
+    }
+  }
+
+  // A ball beside the flange at the waypoint: everything within the triangle of the corner keeps clear of it, and a
+  // waypoint without the clearance has no zone.
   void besideABall() {
     const JointValues a = jointValues({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = jointValues({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
                       c = jointValues({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
@@ -118,8 +142,19 @@ class PathBlendsTest : public QObject {
       const double distance = fixture.scene().scene.nearestObstacle(fixture.scene().planned(b), 1e3).distance;
       if (distance <= 0.0) continue;
       const double blend = fixture.blends(path)[1];
-      // The flange moves by the blend at least on each side.
-      QVERIFY2(blend < distance, qPrintable(QString("%1 of %2").arg(blend).arg(distance)));
+      const CellScene& scene = fixture.scene();
+      const ArmValues at = scene.planned(b), in = scene.planned(a) - at, out = scene.planned(c) - at;
+      const auto shareOf = [&](const ArmValues& side) {
+        double share = 0.0;
+        while (share < 0.5 && (scene.arm.tipPose(at + share * side).translation() - flange).norm() < 0.98 * blend)
+          share += 1e-4;
+        return share;
+      };
+      const double first = shareOf(in), second = shareOf(out);
+      for (int i = 0; i <= 20 && blend > 0.0; ++i) {
+        for (int k = 0; i + k <= 20; ++k)
+          QVERIFY(scene.scene.nearest(at + 0.05 * i * first * in + 0.05 * k * second * out, 1.0).distance > 0.0);
+      }
       QCOMPARE(fixture.blends(path, distance)[1], 0.0);
       ++near;
     }

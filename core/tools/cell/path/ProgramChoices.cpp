@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/ProgramChoices.h"
+
+namespace handwheel {
+
+RobotPath chosen(RobotPath path, const ProgramChoices& choices) {
+  const auto isNoComment = [](const ProgramLine& line) { return line.kind != ProgramLine::Kind::Comment; };
+  if (choices.withoutLines) std::erase_if(path.head, isNoComment);
+  for (Waypoint& waypoint : path.waypoints) {
+    if (choices.cornersAsStops) waypoint.corner = 0.0;
+    if (choices.withoutLines) std::erase_if(waypoint.lines, isNoComment);
+    if (choices.keepsCarried) waypoint.keepsCarried = true;
+  }
+  return path;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/cell/path/PathGaps.h"
+
+#include "../ArmCell.h"
+#include "TestClass.h"
+#include "document/cell/CellErrors.h"
+#include "robot/arm/NumericalIk.h"
+#include "robot/posts/PostErrors.h"
+#include "tools/cell/path/PathExport.h"
+#include "tools/cell/path/ProgramChoices.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+Waypoint proofWaypoint(std::initializer_list<double> list, ProgramMotion::Kind motion = ProgramMotion::Kind::Joint) {
+  Waypoint waypoint{.joints = JointValues(static_cast<Eigen::Index>(list.size())), .motion = motion};
+  std::copy(list.begin(), list.end(), waypoint.joints.begin());
+  if (motion == ProgramMotion::Kind::Linear) waypoint.speed = 100.0;
+  return waypoint;
+}
+
+// Joint 1 turns by 1 rad, then joint 2 by 0.7 rad.
+RobotPath cornerPath(double corner) {
+  RobotPath path{"corner",
+                 {proofWaypoint({0.0, 0.0, 0.0, 0.0, 0.5, 0.0}), proofWaypoint({1.0, 0.0, 0.0, 0.0, 0.5, 0.0}),
+                  proofWaypoint({1.0, 0.7, 0.0, 0.0, 0.5, 0.0})}};
+  path.waypoints[1].corner = corner;
+  return path;
+}
+
+}  // namespace
+
+// Tests what is proven of paths that programs of controllers describe.
+class ProgramProofTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { m_cell = std::make_unique<ArmCell>(); }
+
+  // A box stands where the arm is in the middle between both ends of the path, more than 100 mm from the path itself:
+  // the sharp corner is free, the rounded one is not.
+  void roundedCorners() {
+    QVERIFY(checked(cornerPath(100.0)).isCertified());  // nothing is near
+    const auto scene = m_cell->scene();
+    const Vec3 within =
+        scene->arm.tipPose(scene->planned(proofWaypoint({0.5, 0.35, 0.0, 0.0, 0.5, 0.0}).joints)).translation();
+    m_cell->addBox({40, 40, 40}, within);
+    QVERIFY(checked(cornerPath(0.0)).isCertified());
+    const CheckedPath met = checked(cornerPath(100.0));
+    QVERIFY(!met.isCertified() && met.verification.isCertified());
+    QCOMPARE(met.gaps, std::vector<ProofGap>{{.waypoint = 1}});
+    QVERIFY(errorOf(cornerPath(100.0), "fanuc").code == CellError::CornerNotProven);
+    // At the ends of the path there is no corner.
+    RobotPath ends = cornerPath(0.0);
+    ends.waypoints[0].corner = ends.waypoints[2].corner = 100.0;
+    QVERIFY(checked(ends).isCertified());
+    QVERIFY(checked(chosen(cornerPath(100.0), {.cornersAsStops = true})).isCertified());
+  }
+
+  // Two lines at a right angle of 120 mm each: a ball of 10 mm in the middle of their triangle, 40 mm from both.
+  void roundedCornersOfLines() {
+    RobotPath path{"lines", {proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    const auto scene = m_cell->scene();
+    const Pose start = scene->arm.tipPose(scene->planned(path.waypoints[0].joints));
+    for (const Vec3& by : {Vec3(0, 120, 0), Vec3(0, 120, 120)}) {
+      Pose tip = start;
+      tip.translation() += by;
+      const auto found = solvedNumerically(scene->arm, tip, scene->planned(path.waypoints.back().joints), {});
+      QVERIFY(found.isSolved);
+      Waypoint waypoint{.joints = scene->whole(found.values), .motion = ProgramMotion::Kind::Linear, .speed = 100.0};
+      waypoint.corner = 50.0;
+      path.waypoints.push_back(waypoint);
+    }
+    QVERIFY(checked(path).isCertified());
+    // Beyond the flange, so that only the tool's side of the arm comes near.
+    m_cell->addBox({4, 4, 4}, start.translation() + Vec3(0, 60, 60));
+    CheckedPath met = checked(path);
+    QVERIFY(!met.gaps.empty());
+    QVERIFY(met.gaps.front().kind == ProofGap::Kind::Corner);
+  }
+
+  // Fanuc's writer keeps the rounding that is proven; other languages refuse it.
+  void writtenRounding() {
+    QVERIFY(errorOf(cornerPath(100.0), "rapid").code == PostError::NoCorners);
+    QVERIFY(writtenText(cornerPath(100.0), "fanuc").contains("CNT100"));
+    QVERIFY(writtenText(chosen(cornerPath(100.0), {.cornersAsStops = true}), "rapid").contains("fine"));
+  }
+
+  // The proof ends at the first line that may grip, unless a person says that the robot carries the same.
+  void gripping() {
+    RobotPath path = cornerPath(0.0);
+    path.language = "rapid";
+    path.waypoints[0].lines = {{.text = "WaitDI di1,1", .line = 8}};
+    QVERIFY(checked(path).isCertified());
+    path.waypoints[1].lines = {{.text = "Set doGrip", .line = 9, .mayGrip = true}};
+    QCOMPARE(checked(path).gaps, (std::vector<ProofGap>{{ProofGap::Kind::Carried, 1, "Set doGrip", 9}}));
+    const Error error = errorOf(path, "rapid");
+    QVERIFY(error.code == CellError::CarriedUnknown);
+    QCOMPARE(error.arguments, (std::vector<std::string>{"corner", "2", "Set doGrip"}));
+    const RobotPath same = chosen(path, {.keepsCarried = true});
+    QVERIFY(checked(same).isCertified());
+    QVERIFY(writtenText(same, "rapid").contains("Set doGrip;\n"));
+    const Error refused = errorOf(same, "krl");
+    QVERIFY(refused.code == PostError::LinesOfOther);
+    QCOMPARE(refused.arguments[3], std::string("8, 9"));
+    QVERIFY(!writtenText(chosen(path, {.withoutLines = true}), "krl").contains("doGrip"));
+    // Behind the last motion it changes nothing that is proven.
+    std::swap(path.waypoints[1].lines, path.waypoints[2].lines);
+    QVERIFY(checked(path).isCertified());
+  }
+
+  // The time that the program demands, if the robot is as fast; other motions are not changed.
+  void durations() {
+    RobotPath path = cornerPath(0.0);
+    const double first = checked(path).seconds;
+    path.waypoints[2].seconds = 10.0;
+    const double usual = first - beginOfLast(path);
+    QVERIFY(usual > 0.1 && usual < 5.0);
+    QVERIFY(std::abs(checked(path).seconds - (first - usual + 10.0)) < 0.05);
+    path.waypoints[2].seconds = 0.01;
+    QVERIFY(checked(path).seconds > first - usual + 0.1);
+  }
+
+  // Lines of a robot that does not come with the program are places in the frame, so that they move with it.
+  void workObjectOfAnyRobot() {
+    DhTable table = *libraryTable("irb120");
+    table.name = "an arm of our own";
+    m_cell = std::make_unique<ArmCell>(table);
+    CellPlans plans;
+    plans.frames = {{"jig", Pose(Eigen::Translation3d(300, 100, 0))}};
+    plans.workFrame = "jig";
+    m_cell->plan(plans);
+    RobotPath path{"seam",
+                   {proofWaypoint({0.4, 0.3, 0.1, 0.0, 0.8, 0.0}),
+                    proofWaypoint({0.43, 0.3, 0.1, 0.0, 0.8, 0.0}, ProgramMotion::Kind::Linear)}};
+    QByteArray text = writtenText(path, "rapid");
+    QVERIFY2(!text.contains("CalcRobT"), text);
+    const auto endOf = [&](const QByteArray& program) {
+      const auto read =
+          pathFromProgram(*m_cell->scene(), m_cell->content(), *postCalled("rapid"), program.toStdString());
+      if (!read) qFatal("not read: %s", read.error().code->id);
+      return Vec3(
+          m_cell->scene()->arm.tipPose(m_cell->scene()->planned(read->path.waypoints.back().joints)).translation());
+    };
+    const Vec3 before = endOf(text);
+    QVERIFY(text.contains("[[300.00000,100.00000,0.00000]"));
+    text.replace("[[300.00000,100.00000,0.00000]", "[[300.00000,100.00000,5.00000]");
+    QVERIFY((endOf(text) - before - Vec3(0, 0, 5)).norm() < 1e-3);
+  }
+
+  // The controller counts axis 3 from the level: joint 2 + joint 3 = 0.4 rad = 22.918°.
+  void linkageReadBack() {
+    m_cell = std::make_unique<ArmCell>("irb2400");
+    RobotPath path{"bow",
+                   {proofWaypoint({0.4, 0.3, 0.1, 0.0, 0.8, 0.0}), proofWaypoint({0.5, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    const QByteArray text = writtenText(path, "rapid");
+    QVERIFY2(text.contains("17.1887") && text.contains("22.9183"), text);
+    const auto read = pathFromProgram(*m_cell->scene(), m_cell->content(), *postCalled("rapid"), text.toStdString());
+    QVERIFY2(read.hasValue(), read ? "" : read.error().code->id);
+    for (std::size_t i = 0; i < path.waypoints.size(); ++i)
+      QVERIFY((read->path.waypoints[i].joints - path.waypoints[i].joints).norm() < 1e-6);
+  }
+
+  // The file of data beside a program, whatever the case of its name.
+  void dataBesideProgram() {
+    m_cell = std::make_unique<ArmCell>("kr6r900");
+    put("weld.src", "DEF weld()\nPTP XHOME\nPTP XP1\nEND\n");
+    put("$config.dat", "DEFDAT $CONFIG PUBLIC\nE6AXIS XHOME={A1 5,A2 -90,A3 90,A4 0,A5 0,A6 0}\nENDDAT\n");
+    QVERIFY(!pathFromFile(*m_cell->scene(), m_cell->content(), file("weld.src").toStdString()).hasValue());
+    put("WELD.DAT", "DEFDAT weld\nDECL E6AXIS XP1={A1 10,A2 -90,A3 90,A4 0,A5 20,A6 0}\nENDDAT\n");
+    const auto read = pathFromFile(*m_cell->scene(), m_cell->content(), file("weld.src").toStdString());
+    QVERIFY2(read.hasValue(), read ? "" : read.error().code->id);
+    QVERIFY(std::abs(read->path.waypoints[0].joints[0] - 5.0 * M_PI / 180.0) < 1e-9);
+    QVERIFY(std::abs(read->path.waypoints[1].joints[0] - 10.0 * M_PI / 180.0) < 1e-9);
+  }
+
+ private:
+  QString file(const QString& name) const { return m_folder.filePath(name); }
+  void put(const QString& name, const QByteArray& text) const {
+    QFile output(file(name));
+    QVERIFY(output.open(QIODevice::WriteOnly));
+    output.write(text);
+  }
+  CheckedPath checked(const RobotPath& path) {
+    auto known = checkPath(*m_cell->scene(), *m_cell->content().plans, path, {});
+    if (!known) qFatal("not checked: %s", known.error().code->id);
+    return std::move(known).value();
+  }
+  double beginOfLast(const RobotPath& path) {
+    const CheckedPath known = checked(path);
+    return timed(*m_cell->scene(), *m_cell->content().plans, path, known.resolved, known.blends).beginOf(1);
+  }
+  Result<WrittenProgram> written(const RobotPath& path, const char* post) {
+    return writeProgram(*m_cell->scene(), *m_cell->content().plans, path, checked(path), *postCalled(post),
+                        file("program").toStdString());
+  }
+  Error errorOf(const RobotPath& path, const char* post) {
+    const auto done = written(path, post);
+    return done ? Error{} : done.error();
+  }
+  QByteArray writtenText(const RobotPath& path, const char* post) {
+    const auto done = written(path, post);
+    if (!done) qFatal("not written: %s", done.error().code->id);
+    QFile input(file("program"));
+    return input.open(QIODevice::ReadOnly) ? input.readAll() : QByteArray();
+  }
+
+  QTemporaryDir m_folder;
+  std::unique_ptr<ArmCell> m_cell;
+};
+
+HANDWHEEL_TEST(ProgramProofTest)
+#include "ProgramProofTest.moc"
