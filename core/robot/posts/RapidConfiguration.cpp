@@ -23,6 +23,7 @@ bool isInQuarter(double value, int quarter, double off) {
 
 // Compares cfx, with the sign of axis 5 within the rounding of files.
 bool hasCfx(int wanted, const SerialArm& arm, const ArmValues& values) {
+  if (hasParallelLinkage(arm)) return !controllerConfigurationOf(arm, values).isElbowDown;
   const int different = wanted ^ rapidConfigurationOf(arm, values).cfx;
   return different == 0 || (different == 1 && isWristInLine(values));
 }
@@ -39,6 +40,7 @@ RapidConfiguration rapidConfigurationOf(const SerialArm& arm, const ArmValues& v
   RapidConfiguration configuration;
   for (std::size_t i = 0; i < kQuarterJoints.size(); ++i)
     configuration.quarters[i] = static_cast<int>(std::floor(values[kQuarterJoints[i]] / kQuarter));
+  if (hasParallelLinkage(arm)) return configuration;
   const ControllerConfiguration how = controllerConfigurationOf(arm, values);
   configuration.cfx = (how.isRear ? 4 : 0) + (how.isElbowDown ? 2 : 0) + (how.isFlipped ? 1 : 0);
   return configuration;

@@ -16,6 +16,8 @@ struct RapidConfiguration {
   // The values cf1, cf4 and cf6: the quarter turns of the axes 1, 4 and 6. 0: from 0 to 90 degrees; -1: from -90 to 0.
   std::array<int, 3> quarters{};
   // The value cfx, a sum. 4: the wrist is behind axis 1. 2: the wrist is behind the lower arm. 1: axis 5 is below 0.
+  // Controllers of parallel linkages do not use it, as these cannot bend backwards: it is 0, and the wrist is never
+  // behind the lower arm.
   int cfx = 0;
 
   std::string text() const;  // "[0,-1,1,2]"

@@ -27,19 +27,25 @@ inline RobotProgram programOf(const char* id) {
   return program;
 }
 
-inline ProgramMotion anyMotion(const SerialArm& arm) {
-  ProgramMotion motion;
-  motion.joints.resize(arm.size());
+// Returns any joint values within the limits, also those of a coupled axis, and of at most this size.
+inline ArmValues anyJointsOf(const SerialArm& arm, double largest = HUGE_VAL) {
+  ArmValues joints(arm.size());
   for (Eigen::Index i = 0; i < arm.size(); ++i) {
     const ArmJoint& joint = arm.joints()[static_cast<std::size_t>(i)];
-    motion.joints[i] = anyNumber(std::max(joint.lower, -M_PI), std::min(joint.upper, M_PI));
+    joints[i] = anyNumber(std::max(joint.lower, -largest), std::min(joint.upper, largest));
   }
   if (arm.coupling()) {
-    const double shift = arm.coupling()->factor * motion.joints[1];
+    const double shift = arm.coupling()->factor * joints[1];
     const ArmJoint& third = arm.joints()[2];
-    motion.joints[2] = anyNumber(std::max(third.lower, arm.coupling()->lower - shift),
-                                 std::min(third.upper, arm.coupling()->upper - shift));
+    joints[2] = anyNumber(std::max(third.lower, arm.coupling()->lower - shift),
+                          std::min(third.upper, arm.coupling()->upper - shift));
   }
+  return joints;
+}
+
+inline ProgramMotion anyMotion(const SerialArm& arm) {
+  ProgramMotion motion;
+  motion.joints = anyJointsOf(arm, M_PI);
   motion.kind = *rc::gen::arbitrary<bool>() ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear;
   motion.speed = motion.kind == ProgramMotion::Kind::Joint ? anyNumber(0.01, 1.0) : anyNumber(1.0, 2000.0);
   motion.blend = *rc::gen::arbitrary<bool>() ? anyNumber(0.5, 20.0) : 0.0;

@@ -81,12 +81,9 @@ class RapidConfigurationTest : public QObject {
     const RobotProgram program = programOf(robot.constData());
     const bool isUniversal = robot.startsWith("ur");
     QVERIFY(rc::check("joints of a way", [&] {
-      ArmValues joints(program.arm.size());
-      for (Eigen::Index i = 0; i < joints.size(); ++i) {
-        const ArmJoint& joint = program.arm.joints()[static_cast<std::size_t>(i)];
-        joints[i] = anyNumber(joint.lower, joint.upper);
-      }
-      RC_PRE(program.arm.isWithinLimits(joints));  // also those of a coupled axis
+      const ArmValues joints = anyJointsOf(program.arm);
+      // A linkage does not bend backwards, so that confdata do not tell it.
+      RC_PRE(!program.arm.coupling() || program.arm.coupling()->factor < 0.0 || joints[2] > std::atan2(-755.0, 135.0));
       ArmJacobian jacobian;
       program.arm.tipPose(joints, jacobian);
       jacobian.topRows(3) *= 1e-3;  // m
@@ -98,6 +95,37 @@ class RapidConfigurationTest : public QObject {
       RC_ASSERT(motion.isConfigurationOpen == isUniversal);  // confdata distinguish the solutions of spherical wrists
       if (!isUniversal) RC_ASSERT((*motion.joints - joints).cwiseAbs().maxCoeff() < 1e-4);
     }));
+  }
+
+  // The parallel linkage of an IRB 2400: cfx is 0 and not used, also with the wrist behind axis 1 or axis 5 below 0. In
+  // a frame of the cell lines are poses, after ConfL\Off. By hand for axes 2 and 3 at -60 and -30 degrees: the wrist is
+  // 100 + 705 sin -60 + 755 cos 30 - 135 sin 30 = 75.8 mm ahead of axis 1; at -90 and -60 it is 344.4 mm behind it.
+  void parallelLinkage() {
+    RobotProgram program = programOf("irb2400");
+    program.frameName = "table";
+    const auto posture = [](double second, double third, double fifth) {
+      return rapidJointsOf({20, second, third - second, -100, fifth, 30});
+    };
+    const Pose wrist = Pose(Eigen::Translation3d(0.0, 0.0, -85.0));
+    const auto ahead = [&](const ArmValues& joints) {
+      const Vec3 at = (program.arm.tipPose(joints) * wrist).translation();
+      return at.x() * std::cos(joints[0]) + at.y() * std::sin(joints[0]);
+    };
+    QVERIFY(std::abs(ahead(posture(-60, -30, 40)) - 75.80) < 0.01);
+    QVERIFY(std::abs(ahead(posture(-90, -60, -40)) + 344.41) < 0.01);
+    for (const ArmValues& joints : {posture(-60, -30, 40), posture(-90, -60, -40), posture(30, 10, -50)}) {
+      const std::string text = rapidMoveJ(program, joints);
+      QVERIFY2(text.find(",[0,-2,0,0],[9E9") != text.npos, text.c_str());
+      QVERIFY(text.find("ConfL\\Off") < text.find("MoveJ"));
+      for (const char* const cfx : {"0", "4", "7"}) {
+        const auto read = postCalled("rapid")->read(
+            textWith(text, "[0,-2,0,0],[9E9", std::string("[0,-2,0,") + cfx + "],[9E9"), program);
+        QVERIFY(read.hasValue() && (*read)[0].joints && !(*read)[0].isConfigurationOpen);
+        QVERIFY((*(*read)[0].joints - joints).cwiseAbs().maxCoeff() < 1e-5);
+      }
+      const auto line = postCalled("rapid")->read(textWith(text, "MoveJ", "MoveL"), program);
+      QVERIFY(line.hasValue() && (*line)[0].pose && !(*line)[0].endsIn);
+    }
   }
 
   // All solutions for one pose have confdata of their own, and confdata without a solution are refused with their line.
