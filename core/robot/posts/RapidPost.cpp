@@ -120,8 +120,8 @@ class RapidWriting {
       return "    MoveAbsJ " + target("jointtarget", joints, motion) + "\\NoEOffs,vmax" + time + "," + end;
     const std::string speed = ",[" + fixedText(std::max(motion.speed, 0.01), 2) + ",500,5000,1000]" + time + ",";
     // If a description has turned or raised the base, a pose in it would be wrong: the controller computes its own, as
-    // for parallel linkages. In a frame of the cell poses are written all the same, so that the path moves with the work
-    // object; after ConfL\Off lines go on in the configuration of the joint motion before them.
+    // for parallel linkages. In a frame of the cell poses are written all the same, so that the path moves with the
+    // work object; after ConfL\Off lines go on in the configuration of the joint motion before them.
     if ((!m_program.isBaseOfController || hasLinkage) && m_program.frameName.empty())
       return "    MoveL CalcRobT(" + target("jointtarget", joints, motion) + "," + frame + ")" + speed + end;
     const Pose toolPose = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
