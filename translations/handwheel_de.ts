@@ -5959,6 +5959,10 @@
         <source>%1; left out: %2</source>
         <translation>%1; weggelassen: %2</translation>
     </message>
+    <message>
+        <source>not verified since what is assumed for the times was changed</source>
+        <translation>nicht geprüft, seit die Annahmen für die Zeiten geändert wurden</translation>
+    </message>
 </context>
 <context>
     <name>PlaceBodyTool</name>
@@ -8287,6 +8291,26 @@
     <message>
         <source>Carries the same after its lines</source>
         <translation>Trägt nach seinen Zeilen dasselbe</translation>
+    </message>
+    <message>
+        <source>Speed of joints without one (per second)</source>
+        <translation>Geschwindigkeit von Gelenken ohne Angabe (je Sekunde)</translation>
+    </message>
+    <message>
+        <source>Speed of slides without one (per second)</source>
+        <translation>Geschwindigkeit von Schubgelenken ohne Angabe (je Sekunde)</translation>
+    </message>
+    <message>
+        <source>From rest to full speed (s)</source>
+        <translation>Aus dem Stand zur vollen Geschwindigkeit (s)</translation>
+    </message>
+    <message>
+        <source>From rest to full acceleration (s)</source>
+        <translation>Aus der Ruhe zur vollen Beschleunigung (s)</translation>
+    </message>
+    <message>
+        <source>Assumed for the times of paths</source>
+        <translation>Für die Zeiten von Bahnen angenommen</translation>
     </message>
 </context>
 <context>

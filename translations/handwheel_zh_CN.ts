@@ -5955,6 +5955,10 @@
         <source>%1; left out: %2</source>
         <translation>%1；略去：%2</translation>
     </message>
+    <message>
+        <source>not verified since what is assumed for the times was changed</source>
+        <translation>更改时间假设后未验证</translation>
+    </message>
 </context>
 <context>
     <name>PlaceBodyTool</name>
@@ -8283,6 +8287,26 @@
     <message>
         <source>Carries the same after its lines</source>
         <translation>执行其语句后携带的物体不变</translation>
+    </message>
+    <message>
+        <source>Speed of joints without one (per second)</source>
+        <translation>未给出速度的关节的速度（每秒）</translation>
+    </message>
+    <message>
+        <source>Speed of slides without one (per second)</source>
+        <translation>未给出速度的滑动轴的速度（每秒）</translation>
+    </message>
+    <message>
+        <source>From rest to full speed (s)</source>
+        <translation>从静止到全速（秒）</translation>
+    </message>
+    <message>
+        <source>From rest to full acceleration (s)</source>
+        <translation>从静止到最大加速度（秒）</translation>
+    </message>
+    <message>
+        <source>Assumed for the times of paths</source>
+        <translation>路径时间的假设值</translation>
     </message>
 </context>
 <context>

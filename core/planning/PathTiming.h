@@ -4,16 +4,13 @@
 
 #include "planning/Plan.h"
 #include "planning/TimedRun.h"
+#include "robot/program/AssumedRates.h"
 
 namespace handwheel {
 
 // The limits of the motion of a robot.
-struct PathTimingSettings {
-  double speed = 1.0;         // fraction of the largest velocities, 0…1
-  double turning = M_PI;      // rad/s: velocity of revolute joints whose velocity is unknown or 0
-  double sliding = 500.0;     // mm/s: velocity of slides whose velocity is unknown or 0
-  double timeToSpeed = 0.25;  // s from rest to the largest velocity; determines the acceleration, whatever the speed
-  double timeToRamp = 0.1;    // s until the full acceleration; determines the jerk
+struct PathTimingSettings : AssumedRates {
+  double speed = 1.0;  // fraction of the largest velocities, 0…1
 };
 
 // The speed of one motion of a path.

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace handwheel {
 
 namespace {
+
+constexpr double kNothing = 1e-12;
 
 // The points of a run without motions in which nothing moves.
 struct Moving {
@@ -30,6 +33,60 @@ Moving movingOf(std::span<const ArmValues> points, std::span<const double> exten
 // Returns the largest share of the limits that a joint reaches, squared for accelerations and so on.
 double largestRatio(const ArmValues& reached, const ArmValues& most) {
   return reached.size() == 0 ? 0.0 : (reached.array().abs() / most.array()).maxCoeff();
+}
+
+// The largest derivatives of the joints along a curve, by its extent.
+struct Derivatives {
+  ArmValues first, second, third;
+};
+
+// Returns the fastest motion from rest to rest along a curve that keeps all rates. Along curves joints accelerate at an
+// even speed, too: with speed v, acceleration a and jerk j of the extent, a joint has at most a first + v² second, and
+// j first + 3 v a second + v³ third. The most that a joint may have is divided among these: lower speeds and
+// accelerations leave more for the others.
+RestToRest fastestProfile(double extent, double speed, const Derivatives& most, const JointRates& rates) {
+  constexpr int kMostSpeeds = 40, kAccelerations = 12;
+  constexpr double kSlower = 0.85;
+  const auto fastest = std::min(speed, 1.0 / largestRatio(most.first, rates.velocity));
+  const bool isStraight = most.second.isZero(0.0) && most.third.isZero(0.0);
+  std::optional<RestToRest> best;
+  double velocity = fastest;
+  for (int i = 0; i < kMostSpeeds; ++i, velocity *= kSlower) {
+    double hardest = std::numeric_limits<double>::infinity();
+    for (Eigen::Index k = 0; k < most.first.size(); ++k) {
+      const double left = rates.acceleration[k] - velocity * velocity * most.second[k];
+      hardest = std::min(hardest, left <= 0.0 ? 0.0 : left / std::max(most.first[k], kNothing));
+    }
+    const double before = best ? best->duration() : std::numeric_limits<double>::infinity();
+    for (int n = 0; n < (isStraight ? 1 : kAccelerations) && hardest > 0.0; ++n, hardest *= kSlower) {
+      double jerk = std::numeric_limits<double>::infinity();
+      for (Eigen::Index k = 0; k < most.first.size(); ++k) {
+        const double left =
+            rates.jerk[k] - velocity * (3.0 * hardest * most.second[k] + velocity * velocity * most.third[k]);
+        jerk = std::min(jerk, left <= 0.0 ? 0.0 : left / std::max(most.first[k], kNothing));
+      }
+      if (!(jerk > 0.0)) continue;
+      const RestToRest motion(extent, velocity, hardest, jerk);
+      if (!best || motion.duration() < best->duration()) best = motion;
+    }
+    if (isStraight || (best && best->duration() >= before)) break;
+  }
+  if (best) return *best;
+  // All of it is made slower in time.
+  const double acceleration = 1.0 / largestRatio(most.first, rates.acceleration);
+  const double jerk = 1.0 / largestRatio(most.first, rates.jerk);
+  const ArmValues turning = fastest * fastest * most.second + acceleration * most.first;
+  const ArmValues jerking =
+      fastest * (fastest * fastest * most.third + 3.0 * acceleration * most.second) + jerk * most.first;
+  const double slower = std::max(
+      {1.0, std::sqrt(largestRatio(turning, rates.acceleration)), std::cbrt(largestRatio(jerking, rates.jerk))});
+  return {extent, fastest / slower, acceleration / (slower * slower), jerk / (slower * slower * slower)};
+}
+
+// Returns the mean acceleration of a ramp from rest to a speed that keeps acceleration and jerk.
+double meanAcceleration(double speed, double acceleration, double jerk) {
+  if (!(acceleration * acceleration < speed * jerk)) return 0.5 * std::sqrt(speed * jerk);
+  return speed / (speed / acceleration + acceleration / jerk);
 }
 
 }  // namespace
@@ -85,18 +142,7 @@ TimedRun TimedRun::stopping(std::span<const ArmValues> points, std::span<const d
       first[k] = std::max({first[k], at(0.0), at(turn), at(extent)});
     }
   }
-  double velocity = std::min(speed, 1.0 / largestRatio(first, most.velocity));
-  double acceleration = 1.0 / largestRatio(first, most.acceleration), jerk = 1.0 / largestRatio(first, most.jerk);
-  // Along curves joints accelerate at an even speed, too: all of it is made slower in time.
-  const ArmValues turning = velocity * velocity * second + acceleration * first;
-  const ArmValues jerking =
-      velocity * velocity * velocity * third + 3.0 * velocity * acceleration * second + jerk * first;
-  const double slower =
-      std::max({1.0, std::sqrt(largestRatio(turning, most.acceleration)), std::cbrt(largestRatio(jerking, most.jerk))});
-  velocity /= slower;
-  acceleration /= slower * slower;
-  jerk /= slower * slower * slower;
-  run.m_profile = RestToRest(run.m_extent, velocity, acceleration, jerk);
+  run.m_profile = fastestProfile(run.m_extent, speed, {first, second, third}, most);
   return run;
 }
 
@@ -185,67 +231,80 @@ TimedRun TimedRun::blended(std::span<const ArmValues> points, std::span<const do
   return run;
 }
 
-// The largest speed at each point of a grid, forwards and backwards, with velocities and accelerations within the
-// limits. In a rounded corner half of the acceleration is for the direction, at the largest speed there.
+// The largest speed along the run, forwards and backwards, with velocities and accelerations within the limits. In a
+// rounded corner half of the acceleration is for the direction, at the largest speed there. Ramps take as long as those
+// that keep the jerk, so that a path with blends is no faster than a line without corners.
 void TimedRun::findSpeeds(std::span<const double> ends, std::span<const double> fastest, const JointRates& most) {
-  constexpr std::size_t kMostPoints = 20'000;
-  const std::size_t parts = std::clamp<std::size_t>(kMostPoints / ends.size(), 1, 32);
+  constexpr double kUnlimited = 1e12;
   struct Limits {
-    double squaredSpeed, acceleration;
+    double length, squaredSpeed, acceleration;
   };
-  std::vector<Limits> limits;  // limits of each part of the grid
-  m_grid.push_back({0.0, 0.0, 0.0});
+  std::vector<Limits> limits;  // one for each piece
   for (std::size_t i = 0; i < m_pieces.size(); ++i) {
     const Piece& piece = m_pieces[i];
     const double length = ends[i] - piece.begin;
     const ArmValues after = piece.first + length * piece.second;
     const ArmValues first = piece.first.cwiseAbs().cwiseMax(after.cwiseAbs()), second = piece.second.cwiseAbs();
-    constexpr double kNothing = 1e-12;
     const double velocity = std::min({1.0, fastest[i], 1.0 / std::max(kNothing, largestRatio(first, most.velocity))});
     const double squared =
         std::min(velocity * velocity, 0.5 / std::max(kNothing, largestRatio(second, most.acceleration)));
-    double acceleration = std::numeric_limits<double>::infinity();
+    double acceleration = kUnlimited, jerk = kUnlimited;
     for (Eigen::Index k = 0; k < first.size(); ++k) {
-      if (first[k] > kNothing)
-        acceleration = std::min(acceleration, (most.acceleration[k] - second[k] * squared) / first[k]);
+      if (!(first[k] > kNothing)) continue;
+      acceleration = std::min(acceleration, (most.acceleration[k] - second[k] * squared) / first[k]);
+      jerk = std::min(jerk, most.jerk[k] / first[k]);
     }
-    for (std::size_t part = 1; part <= parts; ++part) {
-      m_grid.push_back({piece.begin + length * static_cast<double>(part) / static_cast<double>(parts), 0.0, 0.0});
-      limits.push_back({squared, std::min(acceleration, 1e12)});
-    }
+    acceleration = std::min(acceleration, meanAcceleration(std::sqrt(squared), acceleration, jerk));
+    limits.push_back({length, squared, acceleration});
   }
-  const auto reached = [&](std::size_t part, double from) {
-    return std::min(limits[part].squaredSpeed,
-                    from + 2.0 * limits[part].acceleration * (m_grid[part + 1].extent - m_grid[part].extent));
+  std::vector<double> squared(limits.size() + 1, 0.0);  // squared speeds where pieces meet
+  const auto reached = [&](std::size_t i, double from) {
+    return std::min(limits[i].squaredSpeed, from + 2.0 * limits[i].acceleration * limits[i].length);
   };
-  for (std::size_t i = 1; i + 1 < m_grid.size(); ++i)
-    m_grid[i].squaredSpeed = std::min(limits[i].squaredSpeed, reached(i - 1, m_grid[i - 1].squaredSpeed));
-  for (std::size_t i = m_grid.size() - 1; i-- > 1;)
-    m_grid[i].squaredSpeed = std::min(m_grid[i].squaredSpeed, reached(i, m_grid[i + 1].squaredSpeed));
-  for (std::size_t i = 1; i < m_grid.size(); ++i) {
-    const double speeds = std::sqrt(m_grid[i - 1].squaredSpeed) + std::sqrt(m_grid[i].squaredSpeed);
-    m_grid[i].time = m_grid[i - 1].time + 2.0 * (m_grid[i].extent - m_grid[i - 1].extent) / speeds;
+  for (std::size_t i = 1; i < limits.size(); ++i)
+    squared[i] = std::min(limits[i].squaredSpeed, reached(i - 1, squared[i - 1]));
+  for (std::size_t i = limits.size(); i-- > 1;) squared[i] = std::min(squared[i], reached(i, squared[i + 1]));
+  m_speeds.push_back({0.0, 0.0, 0.0});
+  const auto add = [&](double extent, double squaredSpeed) {
+    const SpeedPoint& last = m_speeds.back();
+    const double speeds = std::sqrt(last.squaredSpeed) + std::sqrt(squaredSpeed);
+    if (extent > last.extent && speeds > 0.0)
+      m_speeds.push_back({extent, squaredSpeed, last.time + 2.0 * (extent - last.extent) / speeds});
+  };
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    // Up to the largest speed and down from it, or up and down to where the ramps meet.
+    const auto& [length, largest, acceleration] = limits[i];
+    const double begin = m_pieces[i].begin, from = squared[i], to = squared[i + 1];
+    const double up = (largest - from) / (2.0 * acceleration), down = (largest - to) / (2.0 * acceleration);
+    if (up + down <= length) {
+      add(begin + up, largest);
+      add(begin + length - down, largest);
+    } else {
+      const double meet = std::clamp(0.5 * (length + (to - from) / (2.0 * acceleration)), 0.0, length);
+      add(begin + meet, std::min(largest, from + 2.0 * acceleration * meet));
+    }
+    add(ends[i], to);
   }
 }
 
 double TimedRun::extentAt(double time) const {
-  if (m_grid.empty()) return m_profile.at(time);
+  if (m_speeds.empty()) return m_profile.at(time);
   if (!(time > 0.0)) return 0.0;
   if (time >= duration()) return m_extent;
-  const auto after = std::upper_bound(m_grid.begin() + 1, m_grid.end() - 1, time,
-                                      [](double t, const GridPoint& point) { return t < point.time; });
-  const GridPoint &from = *(after - 1), &to = *after;
+  const auto after = std::upper_bound(m_speeds.begin() + 1, m_speeds.end() - 1, time,
+                                      [](double t, const SpeedPoint& point) { return t < point.time; });
+  const SpeedPoint &from = *(after - 1), &to = *after;
   const double passed = time - from.time, speed = std::sqrt(from.squaredSpeed);
   const double acceleration = (to.squaredSpeed - from.squaredSpeed) / (2.0 * (to.extent - from.extent));
   return std::clamp(from.extent + passed * (speed + 0.5 * acceleration * passed), from.extent, to.extent);
 }
 
 double TimedRun::timeOf(double extent) const {
-  if (m_grid.empty()) return m_profile.timeOf(extent);
+  if (m_speeds.empty()) return m_profile.timeOf(extent);
   if (extent >= m_extent) return duration();
-  const auto after = std::upper_bound(m_grid.begin() + 1, m_grid.end() - 1, extent,
-                                      [](double e, const GridPoint& point) { return e < point.extent; });
-  const GridPoint &from = *(after - 1), &to = *after;
+  const auto after = std::upper_bound(m_speeds.begin() + 1, m_speeds.end() - 1, extent,
+                                      [](double e, const SpeedPoint& point) { return e < point.extent; });
+  const SpeedPoint &from = *(after - 1), &to = *after;
   const double passed = std::max(0.0, extent - from.extent);
   if (!(passed > 0.0)) return from.time;
   const double acceleration = (to.squaredSpeed - from.squaredSpeed) / (2.0 * (to.extent - from.extent));

@@ -30,7 +30,7 @@ class TimedRun {
   static TimedRun blended(std::span<const ArmValues> points, std::span<const double> extents,
                           std::span<const double> zones, const JointRates& most);
 
-  double duration() const { return m_grid.empty() ? m_profile.duration() : m_grid.back().time; }
+  double duration() const { return m_speeds.empty() ? m_profile.duration() : m_speeds.back().time; }
   double extentAt(double time) const;  // clamped before and after the run
   double timeOf(double extent) const;  // 0 ≤ extent ≤ that of the whole run
   ArmValues valuesAt(double extent) const;
@@ -41,8 +41,8 @@ class TimedRun {
     double begin;
     ArmValues value, first, second, third;  // derivatives at the beginning
   };
-  // Between two points of the grid the extent is accelerated evenly.
-  struct GridPoint {
+  // Between two of these points the extent is accelerated evenly.
+  struct SpeedPoint {
     double extent, squaredSpeed, time;
   };
 
@@ -53,7 +53,7 @@ class TimedRun {
   std::vector<Piece> m_pieces;
   double m_extent = 0.0;
   RestToRest m_profile{0.0, 1.0, 1.0, 1.0};
-  std::vector<GridPoint> m_grid;  // empty: the profile counts
+  std::vector<SpeedPoint> m_speeds;  // empty: the profile counts
 };
 
 }  // namespace handwheel

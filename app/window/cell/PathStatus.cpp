@@ -39,6 +39,8 @@ class Words {
         return tr("not verified since its targets were moved");
       case BasisChange::Configurations:
         return tr("not verified since its configurations were changed");
+      case BasisChange::Rates:
+        return tr("not verified since what is assumed for the times was changed");
       case BasisChange::Nothing:
         break;
     }

@@ -11,6 +11,7 @@
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
 #include "document/cell/WaypointProperties.h"
+#include "document/cell/path/RateProperties.h"
 #include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyProperties.h"
 #include "fidelity/Cases.h"
@@ -361,7 +362,7 @@ std::vector<Property> RobotCellUi::panelProperties(const Document& document) con
   const std::string base = "robot." + selectedRobot() + '.';
   std::erase_if(all, [&](const Property& each) {
     return !each.id.starts_with("joint") && !each.id.starts_with(base) && !each.id.starts_with("tcp.") &&
-           each.group != "Tool" && each.id != "frame";
+           !isRateProperty(each.id) && each.group != "Tool" && each.id != "frame";
   });
   // The base of the selected robot, then its joints.
   const auto end = std::stable_partition(all.begin(), all.end(),

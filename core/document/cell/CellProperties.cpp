@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/cell/CellReach.h"
+#include "document/cell/path/RateProperties.h"
 #include "scene/RigidPose.h"
 
 #include <QtGlobal>
@@ -251,6 +252,7 @@ std::vector<Property> cellProperties(const CellRobot& cell, const JointValues& j
   for (Property& each : toolProperties(toolPose(cell, plans, joints))) all.push_back(std::move(each));
   const char* const kCentre = QT_TRANSLATE_NOOP("Property", "Tool centre point, on the flange");
   for (Property& each : poseProperties("tcp.", kCentre, plans.tool)) all.push_back(std::move(each));
+  for (Property& each : rateProperties(plans.rates)) all.push_back(std::move(each));
   return all;
 }
 

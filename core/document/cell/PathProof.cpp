@@ -19,8 +19,8 @@ using nlohmann::json;
 const std::string kProofs = "cell/proofs.json";
 constexpr std::uint64_t kMethod = 2;  // Version of verification and digests; increased whenever the proof changes
 
-constexpr std::array<const char*, 9> kParts = {"robots", "path",      "joints",  "bodies",        "allowed",
-                                               "tool",   "clearance", "targets", "configurations"};
+constexpr std::array<const char*, 10> kParts = {"robots", "path",      "joints",  "bodies",         "allowed",
+                                                "tool",   "clearance", "targets", "configurations", "rates"};
 
 json toJson(const std::string& path, const PathProof& proof) {
   const PathFindings& found = proof.found;

@@ -18,13 +18,25 @@ namespace handwheel {
 struct Container;
 
 // The inputs of a path's verification, in the order in which their changes are reported. Nothing: no input has changed.
-enum class BasisChange { Nothing, Robots, Path, Joints, Bodies, Pairs, Tool, Clearance, Targets, Configurations };
+enum class BasisChange {
+  Nothing,
+  Robots,
+  Path,
+  Joints,
+  Bodies,
+  Pairs,
+  Tool,
+  Clearance,
+  Targets,
+  Configurations,
+  Rates,
+};
 
 // Returns the name of the input in files and reports; null for Nothing.
 const char* keyOf(BasisChange change);
 
 // A digest of each input (SHA-256, hexadecimal digits), in the order of BasisChange, without Nothing.
-using BasisDigests = std::array<std::string, 9>;
+using BasisDigests = std::array<std::string, 10>;
 
 // Measures of a whole path, from PathMetrics.
 struct PathMeasures {

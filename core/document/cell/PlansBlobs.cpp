@@ -3,6 +3,7 @@
 #include "document/cell/PlansBlobs.h"
 
 #include "base/JsonText.h"
+#include "document/cell/path/RateProperties.h"
 #include "robot/program/PathFile.h"
 #include "scene/RigidPose.h"
 
@@ -49,10 +50,23 @@ class PlansReading {
     const auto clearance = stored.find("clearance_mm");
     if (clearance != stored.end() && clearance->is_number())
       m_plans.clearance = std::clamp(clearance->get<double>(), 0.0, 1e4);
+    readRates(stored);
     return std::move(m_plans);
   }
 
  private:
+  // Sets rates that are missing, or beyond what can be set, to those of a new cell.
+  void readRates(const json& stored) {
+    const auto rates = stored.find("rates");
+    if (rates == stored.end() || !rates->is_object()) return;
+    for (const RateField& field : rateFields()) {
+      const auto value = rates->find(field.key);
+      if (value == rates->end() || !value->is_number()) continue;
+      const double number = value->get<double>();
+      if (number >= field.least && number <= field.largest) m_plans.rates.*field.value = number;
+    }
+  }
+
   // No more than a cell can hold; that others are left out is noted.
   std::span<const json> listAt(const json& object, const char* key, std::size_t most = CellPlans::kMost) {
     const auto found = object.find(key);
@@ -177,6 +191,9 @@ void writePlans(const CellPlans& plans, const RobotModel& robot, Container& cont
   for (const RobotPath& path : plans.paths) stored["paths"].push_back(toJson(robot, path));
   for (const auto& [first, second] : plans.allowed) stored["allowed"].push_back({first, second});
   if (!plans.missingAs.empty()) stored["missing_as"] = plans.missingAs;
+  for (const RateField& field : rateFields()) {
+    if (plans.rates.*field.value != AssumedRates().*field.value) stored["rates"][field.key] = plans.rates.*field.value;
+  }
   container.blobs[kPlans] = stored.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

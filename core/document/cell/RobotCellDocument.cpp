@@ -11,6 +11,7 @@
 #include "document/cell/RobotChanges.h"
 #include "document/cell/RobotsEdit.h"
 #include "document/cell/WaypointProperties.h"
+#include "document/cell/path/RateProperties.h"
 #include "document/cell/proof/MissingShapes.h"
 #include "document/scene/BodyProperties.h"
 #include "scene/RigidPose.h"
@@ -158,6 +159,11 @@ Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string&
   }
   if (id == "frame" || id.starts_with("frame.") || id.starts_with("target.")) {
     Result<CellPlans> changed = changedFrameOrTarget(id, value, placement());
+    if (!changed) return changed.error();
+    return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
+  }
+  if (isRateProperty(id)) {
+    Result<CellPlans> changed = changedRate(*m_plans, id, value);
     if (!changed) return changed.error();
     return std::unique_ptr<Edit>(plansEdit(std::move(changed).value()));
   }

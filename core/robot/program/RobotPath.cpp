@@ -157,7 +157,7 @@ bool CellPlans::operator==(const CellPlans& other) const {
   return configurations == other.configurations && targets == other.targets && paths == other.paths &&
          frames == other.frames && workFrame == other.workFrame && allowed == other.allowed &&
          missingAs == other.missingAs && arm == other.arm && tool.matrix() == other.tool.matrix() &&
-         areSame(otherTools, other.otherTools) && clearance == other.clearance;
+         areSame(otherTools, other.otherTools) && clearance == other.clearance && rates == other.rates;
 }
 
 }  // namespace handwheel

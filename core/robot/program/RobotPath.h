@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robot/RobotModel.h"
+#include "robot/program/AssumedRates.h"
 #include "robot/program/RobotProgram.h"
 
 #include <array>
@@ -161,6 +162,7 @@ struct CellPlans {
   // ones.
   std::map<std::string, Pose, std::less<>> otherTools = {};
   double clearance = 0.0;  // mm: clearance of paths that have none of their own
+  AssumedRates rates = {};
 
   const NamedConfiguration* configuration(std::string_view name) const;  // null: there is none
   const NamedTarget* target(std::string_view name) const;                // null: there is none

@@ -45,7 +45,8 @@ PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path) {
           toolOf(*cell.robot, *cell.plans, path.arm),
           cell.plans->clearanceOf(path),
           targetsOf(*cell.plans, path),
-          configurationsOf(*cell.robot, *cell.plans, path)};
+          configurationsOf(*cell.robot, *cell.plans, path),
+          cell.plans->rates};
 }
 
 std::vector<std::vector<double>> configurationsOf(const CellRobot& robot, const CellPlans& plans,
@@ -85,6 +86,7 @@ BasisChange changeSince(const PathBasis& basis, const RobotCellSnapshot& cell, c
   if (basis.clearance != cell.plans->clearanceOf(path)) return BasisChange::Clearance;
   if (basis.targets != targetsOf(*cell.plans, path)) return BasisChange::Targets;
   if (basis.configurations != configurationsOf(*cell.robot, *cell.plans, path)) return BasisChange::Configurations;
+  if (basis.rates != cell.plans->rates) return BasisChange::Rates;
   return BasisChange::Nothing;
 }
 

@@ -21,7 +21,8 @@ struct PathBasis {
   // omitted.
   std::vector<std::pair<NamedTarget, NamedFrame>> targets;
   std::vector<std::vector<double>>
-      configurations;  // Joint values of the path's robot in the configurations of the waypoints, in order
+      configurations;       // Joint values of the path's robot in the configurations of the waypoints, in order
+  AssumedRates rates = {};  // Times depend on these
 };
 PathBasis basisOf(const RobotCellSnapshot& cell, const RobotPath& path);
 

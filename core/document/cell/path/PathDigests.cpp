@@ -189,6 +189,15 @@ std::string ofConfigurations(const RobotCellSnapshot& cell, const RobotPath& pat
   return digest.text();
 }
 
+// Empty for the rates that proofs were made with before these could be set.
+std::string ofRates(const AssumedRates& rates) {
+  if (rates == AssumedRates()) return {};
+  Digest digest;
+  for (const double value : {rates.turning, rates.sliding, rates.timeToSpeed, rates.timeToRamp})
+    digest.addNumber(value);
+  return digest.text();
+}
+
 // The values of the joints that the path sets do not count.
 std::string ofJoints(const RobotCellSnapshot& cell, const std::string& arm) {
   JointValues others = cell.joints;
@@ -226,7 +235,8 @@ BasisDigests PathDigests::of(const RobotPath& path) const {
           ofValue(toolOf(*m_cell->robot, plans, path.arm)),
           ofValue(plans.clearanceOf(path)),
           ofTargets(plans, path),
-          ofConfigurations(*m_cell, path)};
+          ofConfigurations(*m_cell, path),
+          ofRates(plans.rates)};
 }
 
 BasisChange changeBetween(const BasisDigests& then, const BasisDigests& now) {

@@ -154,7 +154,8 @@ class OptimisePathOperation {
   double secondsOf(JointPath path, const Visit& to) const {
     const Stop& stop = m_stops[to.stop];
     const std::vector<MotionPace> paces(path.size(), {.speed = (*m_waypoints)[stop.waypoints.front()].speed});
-    return TimedPath(m_scene.scene, std::move(path), {}, paces).duration() + stop.choices[to.alternative].seconds;
+    return TimedPath(m_scene.scene, std::move(path), {m_plans.rates}, paces).duration() +
+           stop.choices[to.alternative].seconds;
   }
 
   // No motion is faster than the straight one: each begins and ends at rest, and no joint exceeds its speed.

@@ -198,11 +198,11 @@ namespace {
 // Returns the times of a path whose motions to some waypoints last as long as their programs demand, if the robot can
 // move as fast.
 TimedPath withDurations(const CellScene& scene, const RobotPath& path, const ResolvedPath& resolvedPath,
-                        std::vector<MotionPace>& paces) {
+                        const PathTimingSettings& settings, std::vector<MotionPace>& paces) {
   constexpr int kMostRounds = 12;
   constexpr double kSame = 1e-3, kLeastFactor = 0.05, kMostFactor = 20.0;  // shares
   const auto& waypointOf = resolvedPath.waypointOf;
-  TimedPath result(scene.scene, resolvedPath.joints, {}, paces);
+  TimedPath result(scene.scene, resolvedPath.joints, settings, paces);
   for (int round = 0; round < kMostRounds; ++round) {
     bool isDone = true;
     for (std::size_t begin = 0, end = 0; begin < waypointOf.size(); begin = end) {
@@ -221,7 +221,7 @@ TimedPath withDurations(const CellScene& scene, const RobotPath& path, const Res
       }
     }
     if (isDone) break;
-    result = TimedPath(scene.scene, resolvedPath.joints, {}, paces);
+    result = TimedPath(scene.scene, resolvedPath.joints, settings, paces);
   }
   return result;
 }
@@ -254,7 +254,7 @@ TimedPath timed(const CellScene& scene, const CellPlans& plans, const RobotPath&
                      .isContinued = !isLast || zone > 0.0,
                      .zone = zone});
   }
-  return withDurations(scene, path, resolvedPath, paces);
+  return withDurations(scene, path, resolvedPath, {plans.rates}, paces);
 }
 
 std::size_t stoppedBlends(const RobotPath& path, const CheckedPath& checked) {

@@ -3,6 +3,7 @@
 #include "Cells.h"
 #include "TestClass.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/PlansBlobs.h"
 #include "document/cell/PlansEdit.h"
 #include "document/cell/WaypointProperties.h"
 #include "scene/RigidPose.h"
@@ -52,6 +53,8 @@ CellPlans anyPlans() {
   if (*rc::gen::arbitrary<bool>()) plans.allowed.insert({"upper", "body.3"});
   if (*rc::gen::arbitrary<bool>()) plans.tool = Pose(Eigen::Translation3d(1.0, 2.0, 3.5));
   plans.clearance = *rc::gen::inRange(0, 100) / 10.0;
+  if (*rc::gen::arbitrary<bool>()) plans.rates.turning = *rc::gen::inRange(1, 100) / 7.0;
+  if (*rc::gen::arbitrary<bool>()) plans.rates.timeToRamp = *rc::gen::inRange(1, 100) / 90.0;
   return plans;
 }
 
@@ -76,6 +79,32 @@ class CellPlansTest : public QObject {
       RC_ASSERT(again && damage.empty());
       RC_ASSERT(*again->plans == *planned->plans);
     }));
+  }
+
+  // Fields of the cell, and what a file may have in their stead.
+  void rates() {
+    RobotCellDocument document(importOrThrow(m_package.urdf()));
+    const auto set = [&](const char* id, double value) {
+      auto edit = document.propertyEdit(id, value);
+      if (!edit) return false;
+      if (*edit) document.commit("Set", std::move(edit).value());
+      return true;
+    };
+    for (const char* const id : {"rates.turning", "rates.sliding", "rates.to_speed_s", "rates.to_acceleration_s"})
+      QVERIFY2(document.property(id) && document.property(id)->editable, id);
+    QVERIFY(set("rates.turning", 2.0) && set("rates.sliding", 800.0) && set("rates.to_speed_s", 0.5));
+    QVERIFY(!set("rates.to_acceleration_s", 0.0) && !set("rates.turning", -1.0) && !set("rates.other", 1.0));
+    QCOMPARE(document.plans()->rates.turning, 2.0);
+    QCOMPARE(document.plans()->rates.sliding, 800.0);
+    QCOMPARE(document.plans()->rates.timeToSpeed, 0.5);
+    document.history()->undo();
+    QCOMPARE(document.plans()->rates.timeToSpeed, 0.25);
+    Container container;
+    container.blobs["cell/plans.json"] =
+        R"({"rates": {"turning": -1, "sliding": "fast", "to_speed_s": 0.4, "to_acceleration_s": 1e9}})";
+    std::vector<Error> damage;
+    const auto read = readPlans(container, document.robot().model, document.joints(), damage);
+    QVERIFY(read->rates == (AssumedRates{.timeToSpeed = 0.4}));
   }
 
   void undo() {

@@ -38,6 +38,7 @@ class PathBasisTest : public QObject {
     QTest::newRow("a pair") << 3 << BasisChange::Pairs;
     QTest::newRow("a name") << 4 << BasisChange::Nothing;
     QTest::newRow("another path") << 5 << BasisChange::Nothing;
+    QTest::newRow("the rates") << 6 << BasisChange::Rates;
   }
   void whatItSees() {
     QFETCH(int, what);
@@ -48,6 +49,7 @@ class PathBasisTest : public QObject {
     if (what == 2) plans.clearance = 3.0;
     if (what == 3) plans.allowed.insert({"a", "b"});
     if (what == 4) plans.paths[0].name = "other";
+    if (what == 6) plans.rates.timeToSpeed = 0.5;
     if (what == 5) plans.paths.push_back({"more", plans.paths[0].waypoints});
     m_cell->plan(plans);
     QCOMPARE(change(), seen);

@@ -157,7 +157,7 @@ class PathDigestsTest : public QObject {
   }
 
  private:
-  static constexpr int kChanges = 19;
+  static constexpr int kChanges = 20;
 
   Cell now() { return std::static_pointer_cast<const RobotCellSnapshot>(m_cell->document().snapshot()); }
   static const RobotPath& pathOf(const RobotCellSnapshot& cell) { return cell.plans->paths.front(); }
@@ -240,6 +240,9 @@ class PathDigestsTest : public QObject {
         break;
       case 18:
         plans.configurations.front().joints[0] = beside(1.0 / 3.0, up);
+        break;
+      case 19:
+        plans.rates.sliding = beside(plans.rates.sliding, up);
         break;
     }
     if (isBodies) cell.bodies = cell.bodies.with(std::make_shared<const Body>(box));
