@@ -8312,6 +8312,10 @@
         <source>Assumed for the times of paths</source>
         <translation>Für die Zeiten von Bahnen angenommen</translation>
     </message>
+    <message>
+        <source>At a device</source>
+        <translation>An einem Gerät</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

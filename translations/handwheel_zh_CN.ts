@@ -8308,6 +8308,10 @@
         <source>Assumed for the times of paths</source>
         <translation>路径时间的假设值</translation>
     </message>
+    <message>
+        <source>At a device</source>
+        <translation>在设备上</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

@@ -250,6 +250,44 @@ ProximityQuery RobotScene::approachQuery(std::vector<std::uint32_t>& joints) con
   return {std::move(bodies), pairs};
 }
 
+ProximityQuery RobotScene::heldQuery(const ArmValues& values, const std::function<HeldRole(const Object&)>& role,
+                                     std::uint32_t& held) const {
+  Poses poses;
+  posesAt(values, poses);
+  struct Item {
+    Object object;
+    CollisionBody body;                      // in the world
+    std::span<const std::uint32_t> leftOut;  // owners
+  };
+  std::vector<Item> items[2];  // held, near
+  const auto add = [&](Item item) {
+    const HeldRole of = role(item.object);
+    if (of != HeldRole::LeftOut) items[of == HeldRole::Held ? 0 : 1].push_back(std::move(item));
+  };
+  for (const Part& part : m_parts) {
+    std::vector<CollisionPiece> pieces;
+    for (const CollisionPiece& piece : part.body.pieces()) pieces.push_back(piece.moved(poses.of(part.joint)));
+    add({{.link = part.link}, CollisionBody(std::move(pieces)), part.leftOut});
+  }
+  for (auto& [owner, body] : m_obstacles.bodies()) add({{.owner = owner}, body, {}});
+  const auto isAllowed = [](const Item& a, const Item& b) {
+    return std::ranges::find(a.leftOut, b.object.owner) != a.leftOut.end();
+  };
+  std::vector<BodyPair> pairs;
+  std::vector<CollisionBody> bodies;
+  held = static_cast<std::uint32_t>(items[0].size());
+  for (std::uint32_t i = 0; i < held; ++i) {
+    for (std::uint32_t j = 0; j < items[1].size(); ++j) {
+      const Item &own = items[0][i], &other = items[1][j];
+      if (!isAllowed(own, other) && !isAllowed(other, own)) pairs.push_back({i, held + j});
+    }
+  }
+  for (std::vector<Item>& list : items) {
+    for (Item& item : list) bodies.push_back(std::move(item.body));
+  }
+  return {std::move(bodies), pairs};
+}
+
 ArmValues byShortestTurn(const RobotScene& scene, const ArmValues& from, ArmValues to) {
   for (Eigen::Index i = 0; i < to.size(); ++i) {
     const ArmJoint& joint = scene.joint(i);

@@ -95,6 +95,16 @@ class RobotScene {
   // Returns a query of the distances of the moving links from the obstacles. joints: receives the joint that moves each
   // of the query's first bodies; the other bodies do not move.
   ProximityQuery approachQuery(std::vector<std::uint32_t>& joints) const;
+  // An object of the scene: a link, or all obstacles of an owner.
+  struct Object {
+    std::uint32_t link = kNone, owner = kNone;
+  };
+  enum class HeldRole { Held, Near, LeftOut };
+  // Returns a query of the distances between the objects that a hand holds and those near them, at these values. The
+  // poses of its bodies are displacements. Pairs in which a collision is ignored are not tested (see allow()). role:
+  // the role of each object. held: receives the number of held objects, which are the query's first bodies.
+  ProximityQuery heldQuery(const ArmValues& values, const std::function<HeldRole(const Object&)>& role,
+                           std::uint32_t& held) const;
   // Returns the next joint towards the base; kNone for the first joint.
   std::uint32_t parentOf(std::uint32_t joint) const { return m_joints[joint].parent; }
   // Returns an upper bound of the deviation of any point of the robot at these values, if each joint deviates by at

@@ -3,6 +3,7 @@
 #include "tools/ToolProperty.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace handwheel {
@@ -32,6 +33,14 @@ Property switchSetting(const char* id, const char* label, bool value) {
   property.id = id;
   property.label = label;
   property.value = value;
+  return property;
+}
+
+Property shownLength(const char* id, const char* label, double value) {
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+  Property property =
+      numberSetting(id, label, std::round(100.0 * value) / 100.0, Quantity::Length, {-kUnlimited, kUnlimited});
+  property.editable = false;
   return property;
 }
 

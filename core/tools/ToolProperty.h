@@ -20,6 +20,8 @@ struct Limits {
 Property numberSetting(const char* id, const char* label, double value, Quantity quantity, const Limits& limits);
 Property choiceSetting(const char* id, const char* label, int chosen, std::vector<std::string> choices);
 Property switchSetting(const char* id, const char* label, bool value);
+// Creates a read-only length (mm) that is read while the hand moves: it is rounded to a hundredth.
+Property shownLength(const char* id, const char* label, double value);
 
 // Assign a property value to a number or a switch. They return false and change nothing if the value is of another type
 // or NaN; numbers are clamped to the limits.

@@ -119,8 +119,19 @@ std::unique_ptr<Tool> RobotCellUi::ikSolutionsTool() {
   return std::make_unique<IkSolutionsTool>(static_cast<RobotCellDocument&>(document()->document), std::move(services));
 }
 
+HeldApproachServices RobotCellUi::approachServices() {
+  HeldApproachServices services;
+  services.scene = [this](std::optional<std::size_t> robot) {
+    return robot ? m_collisions.sceneFor(*robot) : m_collisions.scene();
+  };
+  services.tolerance = parts().fidelity.values().of(proximityToleranceSetting());
+  services.settings = m_approach;
+  return services;
+}
+
 PlaceBodyServices RobotCellUi::placeServices() {
   PlaceBodyServices services;
+  services.approach = approachServices();
   services.pick = [this](const Ray& ray) { return pickCell(ray); };
   services.mark = [this](DisplayModel& shown, const Body& moved) {
     markShown(shown, static_cast<const RobotCellDocument&>(document()->document).joints(), &moved);
@@ -174,8 +185,8 @@ std::unique_ptr<Tool> RobotCellUi::handTool() {
   const auto mark = [this](DisplayModel& shown, const JointValues& joints, const Body* moved) {
     markShown(shown, joints, moved);
   };
-  return std::make_unique<CellTool>(cell, m_bodies.selection(), pick, mark,
-                                    [this](std::uint32_t link) { selectRobot(link); });
+  return std::make_unique<CellTool>(
+      cell, m_bodies.selection(), pick, mark, [this](std::uint32_t link) { selectRobot(link); }, approachServices());
 }
 
 }  // namespace handwheel

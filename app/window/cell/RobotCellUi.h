@@ -60,6 +60,7 @@ class RobotCellUi : public RigidPartsUi {
   std::unique_ptr<Tool> ikSolutionsTool();
   std::unique_ptr<Tool> placeBodyTool();
   std::unique_ptr<Tool> faceMateTool();
+  HeldApproachServices approachServices();
   PlaceBodyServices placeServices();
   std::optional<RobotCellPick> pickCell(const Ray& ray) const;
   std::vector<Property> panelProperties(const Document& document) const override;
@@ -106,6 +107,8 @@ class RobotCellUi : public RigidPartsUi {
   QTimer m_replayFields;      // Runs until the fields show the joint values of the time line
   bool m_isReplayed = false;  // True if the view shows the robot on a path
   std::map<const DocumentTab*, std::vector<HandGuidingTrial>> m_trials;
+  // The settings of the force near objects that a hand holds, for all tools and documents
+  const std::shared_ptr<ApproachSettings> m_approach = std::make_shared<ApproachSettings>();
   bool m_showsRow = true;         // True if the panel shows the selected row of the plans instead of the body
   bool m_isCovered = false;       // True if the selected body was covered at the last test
   std::optional<Body> m_dragged;  // The dragged body at its present pose

@@ -26,14 +26,15 @@ BodyDragTool::Pick bodyPick(const RobotCellDocument& document, const JointDragTo
 }  // namespace
 
 CellTool::CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark,
-                   Pressed pressed)
+                   Pressed pressed, HeldApproachServices approach)
     : m_document(document),
       m_pick(std::move(pick)),
       m_mark(std::move(mark)),
       m_pressed(std::move(pressed)),
       m_selection(selection),
       m_joints(document, m_pick),
-      m_bodies(document, selection, bodyPick(document, m_pick)) {}
+      m_bodies(document, selection, bodyPick(document, m_pick)),
+      m_approach(document, std::move(approach)) {}
 
 std::span<const ToolKey> CellTool::keys() {
   static const std::vector<ToolKey> all = [] {
@@ -47,9 +48,16 @@ std::span<const ToolKey> CellTool::keys() {
 }
 
 ToolReply CellTool::pointer(const PointerEvent& event) {
-  if (m_bodies.isDragging()) return m_bodies.pointer(event);
+  if (m_bodies.isDragging()) {
+    const ToolReply reply = m_bodies.pointer(event);
+    feel(event);
+    return reply;
+  }
   const bool begins = event.kind == PointerEvent::Kind::Press && !m_joints.isDragging();
-  if (begins && m_bodies.pointer(event) == ToolReply::Used) return ToolReply::Used;
+  if (begins && m_bodies.pointer(event) == ToolReply::Used) {
+    if (m_bodies.isDragging() && m_selection.body()) m_approach.hold(*m_selection.body());
+    return ToolReply::Used;
+  }
   const ToolReply reply = m_joints.pointer(event);
   if (begins && reply == ToolReply::Used) {  // the robot is what one works on now, or what it carries
     const auto hit = m_pick(event.ray);
@@ -59,6 +67,25 @@ ToolReply CellTool::pointer(const PointerEvent& event) {
     if (!carried && link != kNone && m_pressed) m_pressed(link);
   }
   return reply;
+}
+
+void CellTool::feel(const PointerEvent& event) {
+  m_push.reset();
+  const Body* const moved = event.device ? m_bodies.moved() : nullptr;
+  const BodyPointer before = moved ? m_document.bodies().withId(moved->id) : nullptr;
+  if (!before) return;
+  const Pose displacement = moved->pose * before->pose.inverse(Eigen::Isometry);
+  Vec3 force = m_approach.follow(displacement, event.device->translation()).wrench.force;
+  if (m_bodies.isUpright())
+    force.head<2>().setZero();
+  else
+    force.z() = 0.0;
+  if (!force.isZero(0.0)) m_push = approachSpring(*event.device, force, std::nullopt);
+}
+
+std::vector<DeviceSpring> CellTool::forces() const {
+  if (!m_bodies.isDragging() || !m_push || !m_approach.settings().isFelt) return {};
+  return {*m_push};
 }
 
 ToolReply CellTool::perform(std::string_view action) {
@@ -110,12 +137,17 @@ ToolPreview CellTool::preview() const {
 }
 
 std::vector<Property> CellTool::settings() const {
-  return m_bodies.isDragging() ? m_bodies.settings() : m_joints.settings();
+  if (!m_bodies.isDragging()) return m_joints.settings();
+  std::vector<Property> all = m_bodies.settings();
+  for (Property& property : m_approach.figures()) all.push_back(std::move(property));
+  return all;
 }
 
 void CellTool::documentChanged() {
   m_joints.documentChanged();
   m_bodies.documentChanged();
+  m_approach.release();
+  m_push.reset();
 }
 
 }  // namespace handwheel

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tools/cell/HeldApproach.h"
 #include "tools/cell/JointDragTool.h"
 #include "tools/scene/BodyDragTool.h"
 
 namespace handwheel {
 
-// Tool that moves the links of a robot, and bodies beside it, by hand.
+// Tool that moves the links of a robot, and bodies beside it, by hand. A device that drags a body is pushed away from
+// what is near to the body, in the directions of the drag.
 class CellTool : public Tool {
  public:
   // Marks the collisions of the displayed cell: those of the robot at these joint values, and those of a body that is
@@ -17,7 +19,7 @@ class CellTool : public Tool {
   using Pressed = std::function<void(std::uint32_t link)>;
   // The selection must outlive the tool.
   CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick, Mark mark = {},
-           Pressed pressed = {});
+           Pressed pressed = {}, HeldApproachServices approach = {});
 
   static std::span<const ToolKey> keys();
   std::string id() const override { return m_joints.id(); }
@@ -26,11 +28,13 @@ class CellTool : public Tool {
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
+  std::vector<DeviceSpring> forces() const override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return m_joints.needs(); }
 
  private:
   std::vector<ToolAction> withPlacing(std::vector<ToolAction> actions) const;
+  void feel(const PointerEvent& event);
 
   const RobotCellDocument& m_document;
   JointDragTool::Pick m_pick;
@@ -39,6 +43,8 @@ class CellTool : public Tool {
   BodySelection& m_selection;
   JointDragTool m_joints;
   BodyDragTool m_bodies;
+  HeldApproach m_approach;
+  std::optional<DeviceSpring> m_push;  // The force at a device; nothing: nothing is near
 };
 
 }  // namespace handwheel

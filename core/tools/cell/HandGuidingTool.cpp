@@ -22,10 +22,6 @@ constexpr ToolKey kHandGuidingKeys[] = {
 
 constexpr double kHandRange = 100.0;    // mm of the hand that turn a joint through half of its range
 constexpr double kTurnOfPixel = 0.005;  // rad
-constexpr double kStiffness = 0.2;      // N/mm at the device
-constexpr double kDamping = 0.0005;     // N·s/mm at the device
-constexpr double kTurning = 150.0;      // N·mm/rad at the device
-constexpr double kLargestPush = 0.5;    // rad: no torque of what is near draws the hand further aside
 constexpr double kUnlimitedRange = M_PI;
 constexpr double kShownAxis = 60.0;  // mm
 
@@ -108,10 +104,8 @@ void HandGuidingTool::beginAt(const PointerEvent& event, const std::shared_ptr<c
   TeleoperationSettings settings;
   settings.check.clearance = m_document.plans()->clearance;
   settings.tolerance = m_services.ikTolerance;
-  const DistanceForceSettings approach{.reach = settings.check.clearance + m_reach,
-                                       .tolerance = m_services.tolerance,
-                                       .stiffness = kStiffness,
-                                       .largestForce = m_largestForce};
+  DistanceForceSettings approach = m_approach.law(m_services.tolerance);
+  approach.reach += settings.check.clearance;
   m_guidance = std::make_shared<Guidance>(
       Guidance{scene, Teleoperation(scene->scene, scene->arm, centre, start, settings),
                ApproachForce(scene->scene, scene->arm, centre, approach), start, tool, event.device, event.ray,
@@ -193,9 +187,9 @@ void HandGuidingTool::follow(const PointerEvent& event) {
 ToolReply HandGuidingTool::release() {
   const std::shared_ptr<Guidance> guidance = std::exchange(m_guidance, nullptr);
   if (guidance->following && guidance->following->hasBegun() && m_services.trials) {
-    const HandGuidingTrial::Help help = m_snapDistance > 0.0         ? HandGuidingTrial::Help::Fixture
-                                        : m_isFelt && guidance->hand ? HandGuidingTrial::Help::Force
-                                                                     : HandGuidingTrial::Help::Eyes;
+    const HandGuidingTrial::Help help = m_snapDistance > 0.0                  ? HandGuidingTrial::Help::Fixture
+                                        : m_approach.isFelt && guidance->hand ? HandGuidingTrial::Help::Force
+                                                                              : HandGuidingTrial::Help::Eyes;
     m_services.trials->push_back({m_path, help, guidance->following->figures()});
   }
   if ((guidance->robot.values() - guidance->start).cwiseAbs().maxCoeff() < tolerance::kStillJoint)
@@ -268,25 +262,20 @@ ToolPreview HandGuidingTool::preview() const {
 // the press it is drawn to a waypoint that it could take: not at all at the boundary of its range, so that the force is
 // continuous.
 std::vector<DeviceSpring> HandGuidingTool::forces() const {
-  if (!m_guidance && m_near && m_tip && m_isFelt) {
+  if (!m_guidance && m_near && m_tip && m_approach.isFelt) {
     const Vec3 displacement = m_near->point - *m_tip;
     const double share = std::min(1.0, displacement.norm() / m_grasp);
-    return {{*m_tip + (1.0 - share * share) * displacement, kStiffness, kDamping}};
+    return {{*m_tip + (1.0 - share * share) * displacement, kHandStiffness, kHandDamping}};
   }
-  if (!m_guidance || !m_guidance->hand || !m_guidance->hasMoved || !m_isFelt || m_mode == Mode::Joints) return {};
+  if (!m_guidance || !m_guidance->hand || !m_guidance->hasMoved || !m_approach.isFelt || m_mode == Mode::Joints)
+    return {};
   const Vec3 there = m_guidance->hand->translation() +
                      (m_guidance->robot.tool().translation() - m_guidance->tool.translation()) / m_scale;
-  const Vec3 push = m_guidance->felt.force / kStiffness;
-  DeviceSpring spring{there + push, kStiffness, kDamping};
-  if (m_turns) {
-    const Vec3 aside = m_guidance->felt.torque / kTurning;
-    const double angle = std::min(aside.norm(), kLargestPush);
-    const Eigen::Matrix3d turned = m_guidance->robot.tool().linear() * m_guidance->tool.linear().transpose();
-    spring.turn = Eigen::AngleAxisd(angle, aside.stableNormalized()) *
-                  Eigen::Quaterniond(turned * m_guidance->hand->linear()).normalized();
-    spring.turning = kTurning;
-  }
-  return {spring};
+  const Eigen::Matrix3d turned = m_guidance->robot.tool().linear() * m_guidance->tool.linear().transpose();
+  Pose hand(Eigen::Translation3d{there});
+  hand.linear() = turned * m_guidance->hand->linear();
+  return {
+      approachSpring(hand, m_guidance->felt.force, m_turns ? std::optional(m_guidance->felt.torque) : std::nullopt)};
 }
 
 void HandGuidingTool::documentChanged() {

@@ -8,6 +8,7 @@
 #include "planning/GuideCurve.h"
 #include "planning/Teleoperation.h"
 #include "tools/ToolKey.h"
+#include "tools/cell/ApproachSettings.h"
 
 #include <functional>
 
@@ -102,9 +103,7 @@ class HandGuidingTool : public Tool {
   Mode m_mode = Mode::Tool;
   double m_scale = 1.0;         // Motion of the tool per motion of the hand
   bool m_turns = true;          // True if the tool turns with the hand
-  bool m_isFelt = true;         // True if the hand feels the robot
-  double m_largestForce = 4.0;  // N
-  double m_reach = 10.0;        // mm: distance within which obstacles push the hand away
+  ApproachSettings m_approach;  // Also for the force of the robot itself
   double m_snapDistance = 0.0;  // mm; 0: no fixture
   double m_grasp = 15.0;        // mm: distance within which a press takes a waypoint
   // All waypoints that can be pulled, and the plans, scene and path that they were determined for.

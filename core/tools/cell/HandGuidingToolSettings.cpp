@@ -9,26 +9,14 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace handwheel {
 
 namespace {
 
 constexpr Limits kScales{0.01, 100.0};
-constexpr Limits kForces{0.1, 20.0};          // N; the safety chain bounds it further
-constexpr Limits kReaches{0.0, 100.0};        // mm
 constexpr Limits kSnapDistances{0.0, 100.0};  // mm
 constexpr Limits kGrasps{1.0, 100.0};         // mm
-
-// A length to be read while the hand moves: to a hundredth.
-Property shownLength(const char* id, const char* label, double value) {
-  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-  Property property =
-      numberSetting(id, label, std::round(100.0 * value) / 100.0, Quantity::Length, {-kUnlimited, kUnlimited});
-  property.editable = false;
-  return property;
-}
 
 }  // namespace
 
@@ -50,11 +38,8 @@ std::vector<Property> HandGuidingTool::settings() const {
                     {QT_TRANSLATE_NOOP("Property", "The tool"), QT_TRANSLATE_NOOP("Property", "Joint by joint"),
                      QT_TRANSLATE_NOOP("Property", "Places of paths")}),
       numberSetting("scale", QT_TRANSLATE_NOOP("Property", "Tool to hand"), m_scale, Quantity::Number, kScales),
-      switchSetting("turns", QT_TRANSLATE_NOOP("Property", "Turns with the hand"), m_turns),
-      switchSetting("felt", QT_TRANSLATE_NOOP("Property", "Force"), m_isFelt),
-      numberSetting("force", QT_TRANSLATE_NOOP("Property", "Largest force (N)"), m_largestForce, Quantity::Number,
-                    kForces),
-      numberSetting("reach", QT_TRANSLATE_NOOP("Property", "Felt from"), m_reach, Quantity::Length, kReaches)};
+      switchSetting("turns", QT_TRANSLATE_NOOP("Property", "Turns with the hand"), m_turns)};
+  for (Property& property : m_approach.properties()) all.push_back(std::move(property));
   const std::vector<std::string> names = pathNames();
   std::vector<std::string> choices{QT_TRANSLATE_NOOP("Property", "None")};
   choices.insert(choices.end(), names.begin(), names.end());
@@ -74,10 +59,7 @@ std::vector<Property> HandGuidingTool::settings() const {
 // Adds the cause that holds the robot back, and the best trial of each kind along the path.
 void HandGuidingTool::addFigures(std::vector<Property>& all) const {
   if (m_guidance && m_guidance->hasMoved) {
-    if (std::isfinite(m_guidance->felt.distance)) {
-      all.push_back(shownLength("clearance", QT_TRANSLATE_NOOP("Property", "Clearance"),
-                                std::max(0.0, m_guidance->felt.distance)));
-    }
+    if (std::isfinite(m_guidance->felt.distance)) all.push_back(clearanceProperty(m_guidance->felt.distance));
     all.push_back(
         shownLength("behind", QT_TRANSLATE_NOOP("Property", "Distance behind the hand"), m_guidance->step.behind));
     if (m_guidance->step.isBlocked)
@@ -114,12 +96,10 @@ void HandGuidingTool::addFigures(std::vector<Property>& all) const {
 
 void HandGuidingTool::setSetting(std::string_view id, const PropertyValue& value) {
   m_near.reset();
+  m_approach.set(id, value);
   if (id == "way") assignChoice(m_mode, value, 3);
   if (id == "scale") assignNumber(m_scale, value, kScales);
   if (id == "turns") assignSwitch(m_turns, value);
-  if (id == "felt") assignSwitch(m_isFelt, value);
-  if (id == "force") assignNumber(m_largestForce, value, kForces);
-  if (id == "reach") assignNumber(m_reach, value, kReaches);
   if (id == "snap") assignNumber(m_snapDistance, value, kSnapDistances);
   if (id == "grasp") assignNumber(m_grasp, value, kGrasps);
   if (id != "path") return;

@@ -47,7 +47,10 @@ QString placeText(const char* text) {
 }  // namespace
 
 PlaceBodyTool::PlaceBodyTool(RobotCellDocument& document, BodySelection& selection, PlaceBodyServices services)
-    : m_document(document), m_selection(selection), m_services(std::move(services)) {}
+    : m_document(document),
+      m_selection(selection),
+      m_services(std::move(services)),
+      m_approach(document, m_services.approach) {}
 
 std::span<const ToolKey> PlaceBodyTool::keys() {
   return kPlaceKeys;
@@ -135,6 +138,7 @@ ToolReply PlaceBodyTool::pointer(const PointerEvent& given) {
     case PointerEvent::Kind::Drag:
       if (!m_drag) return ToolReply::Ignored;
       follow(event);
+      feel(event);
       return ToolReply::Used;
     case PointerEvent::Kind::Release: {
       if (!m_drag || event.button != PointerButton::First) return ToolReply::Ignored;
@@ -207,6 +211,9 @@ ToolReply PlaceBodyTool::press(const PointerEvent& event) {
   }
   m_shown = drag.start;
   m_drag = std::move(drag);
+  const Subject placed = *subject();
+  if (placed.body) m_approach.hold(placed.body->id);
+  if (placed.robot) m_approach.holdRobot(*placed.robot);
   return ToolReply::Used;
 }
 
@@ -274,7 +281,7 @@ void PlaceBodyTool::follow(const PointerEvent& event) {
 
 // pose: in the base. What stays where it is keeps every bit.
 ToolReply PlaceBodyTool::commit(const Pose& pose, const QString& text) {
-  m_drag.reset();
+  letGo();
   m_moveBy = m_turnBy = Vec3::Zero();
   const auto placed = subject();
   if (!placed || pose.matrix() == placed->pose.matrix()) return ToolReply::Used;
@@ -312,7 +319,7 @@ ToolReply PlaceBodyTool::perform(std::string_view action) {
   }
   if (action != "revert") return ToolReply::Ignored;
   if (!m_drag && !isTyped) return ToolReply::Finished;
-  m_drag.reset();
+  letGo();
   m_moveBy = m_turnBy = Vec3::Zero();
   return ToolReply::Used;
 }
@@ -419,10 +426,16 @@ std::vector<Property> PlaceBodyTool::settings() const {
     all.push_back(numberSetting(kTurnIds[axis], kTurnLabels[axis], turned, Quantity::Angle, kTurns));
     all.back().group = kTurn;
   }
+  for (Property& property : m_approach.settings().properties()) {
+    property.group = QT_TRANSLATE_NOOP("Property", "At a device");
+    all.push_back(std::move(property));
+  }
+  for (Property& property : m_approach.figures()) all.push_back(std::move(property));
   return all;
 }
 
 void PlaceBodyTool::setSetting(std::string_view id, const PropertyValue& value) {
+  m_approach.settings().set(id, value);
   if (id == "frame") assignChoice(m_frame, value, 2);
   if (id == "centre") assignChoice(m_centre, value, 2);
   for (int i = 0; i < 3; ++i) {
@@ -432,7 +445,7 @@ void PlaceBodyTool::setSetting(std::string_view id, const PropertyValue& value) 
 }
 
 void PlaceBodyTool::documentChanged() {
-  m_drag.reset();
+  letGo();
   m_hovered.reset();
   m_moveBy = m_turnBy = Vec3::Zero();
   m_selection.keepOnly(m_document.bodies());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/cell/RobotCellDocument.h"
+#include "tools/cell/HeldApproach.h"
 #include "tools/cell/JointDragTool.h"
 #include "tools/scene/BodySelection.h"
 #include "tools/scene/FloorDrag.h"
@@ -24,6 +25,7 @@ struct PlaceBodyServices {
   // Returns the name of the selected frame, which takes precedence over bodies and robots; empty: none. If null, frames
   // cannot be placed.
   std::function<std::string()> frame = {};
+  HeldApproachServices approach = {};  // For the forces at a device
 };
 
 // Tool that places the selected body, or else the selected robot, by handles. Arrows along three axes move it, and
@@ -33,7 +35,8 @@ struct PlaceBodyServices {
 // turn it from its present pose; they are previewed and take effect on commit. A selected frame is placed by its
 // handles or numbers, even if it is attached to another object. Each release or commit is one edit. A body that a robot
 // carries keeps its carrier; only its pose on the carrier changes. The robot whose base is the root of the cell has no
-// handles, because all poses are measured from its base.
+// handles, because all poses are measured from its base. A device is pushed away from what is near to the body or robot
+// that it holds, by force and torque; a device that drags a handle, along or about its axis only.
 class PlaceBodyTool : public Tool {
  public:
   // The selection must outlive the tool.
@@ -47,8 +50,9 @@ class PlaceBodyTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
+  std::vector<DeviceSpring> forces() const override;
   void documentChanged() override;
-  bool remembersSettings() const override { return false; }
+  bool remembersSettings() const override { return false; }  // The owner of the services keeps those of the force
   std::vector<std::string> needs() const override { return {"picking"}; }
 
   // Returns the handles of the subject; nothing unless exactly one body, or a robot or frame, is selected.
@@ -66,6 +70,7 @@ class PlaceBodyTool : public Tool {
     std::optional<Pose> hand;                      // Pose of a device at the press
     double travel = 0.0;                           // mm, rad
     std::optional<FloorDrag> floor = {};           // Set if dragged directly
+    std::optional<DeviceSpring> push = {};         // The force at a device; nothing: nothing is near
   };
 
   // The body, robot or frame that is placed.
@@ -88,6 +93,8 @@ class PlaceBodyTool : public Tool {
   ToolReply press(const PointerEvent& event);
   void follow(const PointerEvent& event);
   void followFreely(const PointerEvent& event);
+  void feel(const PointerEvent& event);
+  void letGo();
   std::optional<double> travelUnder(const PointerEvent& event) const;
   double snapped(double travel, const PointerEvent& event) const;
   ToolReply commit(const Pose& pose, const QString& text);
@@ -96,6 +103,7 @@ class PlaceBodyTool : public Tool {
   RobotCellDocument& m_document;
   BodySelection& m_selection;
   PlaceBodyServices m_services;
+  HeldApproach m_approach;
   Frame m_frame = Frame::World;
   Centre m_centre = Centre::Middle;
   double m_length = 0.0;         // mm, length of the arrows; 0: as large as the body

@@ -37,6 +37,9 @@ class BodyDragTool : public Tool {
   // Returns the body at its dragged pose; null if no body is dragged, or the dragged body has not moved.
   const Body* moved() const { return m_drag && m_drag->floor.hasMoved() ? &m_drag->body : nullptr; }
 
+  // Returns true if the body is dragged along Z instead of over the floor.
+  bool isUpright() const { return m_drag && m_drag->floor.isUpright(); }
+
   static std::span<const ToolKey> keys();
   std::string id() const override { return "bodies"; }
   ToolReply pointer(const PointerEvent& given) override;

@@ -18,12 +18,13 @@ class FloorDrag {
   // does not move the object stay the same to the last bit.
   std::optional<Vec3> positionFor(const PointerEvent& event, const Vec3& now, double shownUnit);
   bool hasMoved() const { return m_hasMoved; }
+  bool isUpright() const { return m_isUpright; }  // Returns true if the drag moves along Z
 
  private:
   Vec3 m_grip, m_start;
   Ray m_ray;                  // ray of the pointer when the button was pressed
   bool m_isFlatView = false;  // true if the horizontal plane is seen from the side
-  bool m_isUpright = false;   // true if the drag moves along Z
+  bool m_isUpright = false;
   bool m_hasMoved = false;
 };
 

@@ -4,6 +4,7 @@
 #include "../cell/PlanningWindow.h"
 #include "HandFixture.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QTemporaryDir>
@@ -123,6 +124,47 @@ class CellHandTest : public QObject {
       QVERIFY2((at[1] - at[0] - aside).norm() < 3.0, qPrintable(QString::number((at[1] - at[0] - aside).norm())));
       b.tree()->setCurrentItem(b.paths()->child(0));
     }
+  }
+
+  // A box that the hand holds is pushed away from another one before they meet.
+  void aHeldBoxFeelsAnother() {
+    HandInCell b;
+    const Vec3 stood = b.position("body.1.");
+    b.choose("add-box");
+    QVERIFY(b.settle());
+    constexpr double kSize = 100.0, kGap = 40.0;  // mm
+    b.edit("body.2.x", QString::number(stood.x() + kSize + kGap));
+    b.edit("body.2.y", QString::number(stood.y()));
+    b.edit("body.2.z", QString::number(stood.z()));
+    b.showAll();
+    QTest::keyClick(b.view(), Qt::Key_Escape);
+    b.choose("placeTool");
+    QVERIFY(b.settle());
+    const Vec3 grip = b.before("body.1");
+    QVERIFY(b.goTo(grip));
+    QVERIFY(b.goTo(grip, kFirstButton));
+    const auto forceAt = [&](double gap) {
+      bringHandTo(b.session, grip + Vec3(kGap - gap, 0.0, 0.0), kFirstButton);
+      return b.session.latest()->felt.force;
+    };
+    QVERIFY(b.goTo(grip + Vec3(kGap - 20.0, 0.0, 0.0), kFirstButton));
+    QVERIFY(forceAt(20.0).norm() < 1e-9);
+    // 0.2 N/mm at the device, from 10 mm on.
+    const auto isAsTheLaw = [&] {
+      const Vec3 force = forceAt(4.0), hand = b.session.latest()->tip.position - grip;
+      const double expected = -b.session.mappingInScene().sceneStiffness(0.2) * (10.0 - (kGap - hand.x()));
+      return hand.x() > kGap - 8.0 && (force - Vec3(expected, 0.0, 0.0)).norm() < 0.1 * std::abs(expected);
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isAsTheLaw(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(forceAt(20.0).norm() < 1e-9, kPatienceMs);
+    auto* felt = b.find<QDockWidget>("toolDock")->findChild<QWidget*>("property/felt")->findChild<QCheckBox*>();
+    felt->click();
+    QVERIFY(b.goTo(grip + Vec3(kGap - 3.0, 0.0, 0.0), kFirstButton));
+    QVERIFY(forceAt(3.0).norm() < 1e-9);
+    felt->click();  // the next test begins as this one
+    QVERIFY(b.goTo(grip + Vec3(kGap - 3.0, 0.0, 0.0)));
+    QTRY_VERIFY(b.find<QAction>("undo")->text().contains("Move box"));
+    QVERIFY(std::abs(b.position("body.1.").x() - stood.x() - (kGap - 3.0)) < 1.0);
   }
 
   // Near the tool's centre point at a waypoint the hand is drawn to it; a point that it grips there moves with it.
