@@ -8316,6 +8316,10 @@
         <source>At a device</source>
         <translation>An einem Gerät</translation>
     </message>
+    <message>
+        <source>Near below</source>
+        <translation>Nahe unter</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -16024,6 +16028,136 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProximityDock</name>
+    <message>
+        <source>Distance &amp;queries…</source>
+        <translation>Abstands&amp;abfragen…</translation>
+    </message>
+    <message>
+        <source>Measures what the distances of the robot from its obstacles cost, in three scenarios</source>
+        <translation>Misst, was die Abstände des Roboters von seinen Hindernissen kosten, in drei Szenarien</translation>
+    </message>
+    <message>
+        <source>Distance queries</source>
+        <translation>Abstandsabfragen</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Where it stands</source>
+        <translation>Wo er steht</translation>
+    </message>
+    <message>
+        <source>1: apart by more than the tolerance</source>
+        <translation>1: weiter entfernt als die Toleranz</translation>
+    </message>
+    <message>
+        <source>2: nearer than the tolerance</source>
+        <translation>2: näher als die Toleranz</translation>
+    </message>
+    <message>
+        <source>3: colliding</source>
+        <translation>3: in Kollision</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the distance queries</source>
+        <translation>Abstandsabfragen &amp;messen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Costs of the distance queries</source>
+        <translation>Kosten der Abstandsabfragen</translation>
+    </message>
+    <message>
+        <source>CPU time (µs)</source>
+        <translation>CPU-Zeit (µs)</translation>
+    </message>
+    <message>
+        <source>At most (µs)</source>
+        <translation>Höchstens (µs)</translation>
+    </message>
+    <message>
+        <source>C1 closest points</source>
+        <translation>C1 nächste Punkte</translation>
+    </message>
+    <message>
+        <source>C2 nearer than tolerance</source>
+        <translation>C2 näher als die Toleranz</translation>
+    </message>
+    <message>
+        <source>C3 colliding</source>
+        <translation>C3 in Kollision</translation>
+    </message>
+    <message>
+        <source>C4 all contacts</source>
+        <translation>C4 alle Kontakte</translation>
+    </message>
+    <message>
+        <source>CPU time of a step: the median, and the largest. Pairs of bounding volumes, and of triangles or solids, that were compared in a step: the mean</source>
+        <translation>CPU-Zeit eines Schritts: der Median und die größte. Paare von Hüllkörpern und von Dreiecken oder Körpern, die in einem Schritt verglichen wurden: das Mittel</translation>
+    </message>
+    <message>
+        <source>The cell is being prepared.</source>
+        <translation>Die Zelle wird vorbereitet.</translation>
+    </message>
+    <message>
+        <source>The queries are being measured.</source>
+        <translation>Die Abfragen werden gemessen.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>Noch ist nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 The cell was changed since.</source>
+        <translation>%1 Die Zelle wurde seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>The cell could not be prepared.</source>
+        <translation>Die Zelle konnte nicht vorbereitet werden.</translation>
+    </message>
+    <message>
+        <source>Measuring the distance queries</source>
+        <translation>Abstandsabfragen werden gemessen</translation>
+    </message>
+    <message>
+        <source>The robot does not get into scenario %1.</source>
+        <translation>Der Roboter kommt nicht in das Szenario %1.</translation>
+    </message>
+    <message>
+        <source>Scenario 1, apart: there is no obstacle.</source>
+        <translation>Szenario 1, entfernt: Es gibt kein Hindernis.</translation>
+    </message>
+    <message>
+        <source>Scenario 1, apart: %1 from the nearest obstacle.</source>
+        <translation>Szenario 1, entfernt: %1 vom nächsten Hindernis.</translation>
+    </message>
+    <message>
+        <source>Scenario 2, near: %1 from the nearest obstacle.</source>
+        <translation>Szenario 2, nahe: %1 vom nächsten Hindernis.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Scenario 3, colliding: %Ln pair(s) of triangles or solids meet.</source>
+        <translation>
+            <numerusform>Szenario 3, in Kollision: %Ln Paar von Dreiecken oder Körpern trifft sich.</numerusform>
+            <numerusform>Szenario 3, in Kollision: %Ln Paare von Dreiecken oder Körpern treffen sich.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Hüllkörper</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
     </message>
 </context>
 <context>

@@ -8312,6 +8312,10 @@
         <source>At a device</source>
         <translation>在设备上</translation>
     </message>
+    <message>
+        <source>Near below</source>
+        <translation>近距离阈值</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>
@@ -15923,6 +15927,135 @@
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ProximityDock</name>
+    <message>
+        <source>Distance &amp;queries…</source>
+        <translation>距离查询(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Measures what the distances of the robot from its obstacles cost, in three scenarios</source>
+        <translation>在三种情形下测量机器人与障碍物之间距离查询的开销</translation>
+    </message>
+    <message>
+        <source>Distance queries</source>
+        <translation>距离查询</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>情形</translation>
+    </message>
+    <message>
+        <source>Where it stands</source>
+        <translation>当前位置</translation>
+    </message>
+    <message>
+        <source>1: apart by more than the tolerance</source>
+        <translation>1：距离大于容差</translation>
+    </message>
+    <message>
+        <source>2: nearer than the tolerance</source>
+        <translation>2：距离小于容差</translation>
+    </message>
+    <message>
+        <source>3: colliding</source>
+        <translation>3：碰撞</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the distance queries</source>
+        <translation>测量距离查询(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Costs of the distance queries</source>
+        <translation>距离查询的开销</translation>
+    </message>
+    <message>
+        <source>CPU time (µs)</source>
+        <translation>CPU时间(µs)</translation>
+    </message>
+    <message>
+        <source>At most (µs)</source>
+        <translation>最大(µs)</translation>
+    </message>
+    <message>
+        <source>C1 closest points</source>
+        <translation>C1 最近点</translation>
+    </message>
+    <message>
+        <source>C2 nearer than tolerance</source>
+        <translation>C2 小于容差</translation>
+    </message>
+    <message>
+        <source>C3 colliding</source>
+        <translation>C3 碰撞</translation>
+    </message>
+    <message>
+        <source>C4 all contacts</source>
+        <translation>C4 所有接触</translation>
+    </message>
+    <message>
+        <source>CPU time of a step: the median, and the largest. Pairs of bounding volumes, and of triangles or solids, that were compared in a step: the mean</source>
+        <translation>每步的CPU时间：中位数和最大值。每步比较的包围体对数以及三角形或实体对数：平均值</translation>
+    </message>
+    <message>
+        <source>The cell is being prepared.</source>
+        <translation>正在准备单元。</translation>
+    </message>
+    <message>
+        <source>The queries are being measured.</source>
+        <translation>正在测量查询。</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>尚未测量。</translation>
+    </message>
+    <message>
+        <source>%1 The cell was changed since.</source>
+        <translation>%1此后单元已更改。</translation>
+    </message>
+    <message>
+        <source>The cell could not be prepared.</source>
+        <translation>无法准备单元。</translation>
+    </message>
+    <message>
+        <source>Measuring the distance queries</source>
+        <translation>正在测量距离查询</translation>
+    </message>
+    <message>
+        <source>The robot does not get into scenario %1.</source>
+        <translation>机器人无法进入情形%1。</translation>
+    </message>
+    <message>
+        <source>Scenario 1, apart: there is no obstacle.</source>
+        <translation>情形1，分离：没有障碍物。</translation>
+    </message>
+    <message>
+        <source>Scenario 1, apart: %1 from the nearest obstacle.</source>
+        <translation>情形1，分离：距最近障碍物%1。</translation>
+    </message>
+    <message>
+        <source>Scenario 2, near: %1 from the nearest obstacle.</source>
+        <translation>情形2，接近：距最近障碍物%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Scenario 3, colliding: %Ln pair(s) of triangles or solids meet.</source>
+        <translation>
+            <numerusform>情形3，碰撞：%Ln对三角形或实体相交。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>包围体</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>对数</translation>
     </message>
 </context>
 <context>

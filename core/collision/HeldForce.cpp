@@ -12,9 +12,9 @@ HeldForce::HeldForce(ProximityQuery query, std::uint32_t held, const DistanceFor
 }
 
 void HeldForce::leaveOutTouching() {
-  constexpr double kTouching = 1e-9;  // mm
+  constexpr double kNearlyTouching = 1e-9;  // mm
   for (std::uint32_t body = 0; body < m_held; ++body) m_query.place(body, Pose::Identity());
-  m_query.findNear(kTouching, m_near);
+  m_query.findNear(kNearlyTouching, m_near);
   for (const NearPair& near : m_near) m_leftOut.push_back(near.bodies);
 }
 

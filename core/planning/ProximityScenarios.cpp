@@ -113,4 +113,16 @@ std::optional<ProximityCosts> measureProximity(const RobotScene& scene, const Ar
   return costs;
 }
 
+MeasuredScenario measuredScenario(const RobotScene& scene, const ArmValues& present,
+                                  std::optional<ProximityScenario> wanted, const ProximityRequest& request,
+                                  Progress progress) {
+  constexpr double kSearch = 0.5;  // share of the progress
+  MeasuredScenario one{wanted, present, std::nullopt};
+  if (wanted) one.values = valuesInScenario(scene, *wanted, request.tolerance, progress.part(0.0, kSearch));
+  if (one.values) {
+    one.costs = measureProximity(scene, *one.values, request.tolerance, request.steps, progress.part(kSearch, 1.0));
+  }
+  return one;
+}
+
 }  // namespace handwheel

@@ -44,4 +44,21 @@ struct ProximityCosts {
 std::optional<ProximityCosts> measureProximity(const RobotScene& scene, const ArmValues& values, double tolerance,
                                                int steps, Progress progress = {});
 
+// Parameters of a measurement.
+struct ProximityRequest {
+  double tolerance = 20.0;  // mm
+  int steps = 200;
+};
+
+// The measurement in one scenario.
+struct MeasuredScenario {
+  std::optional<ProximityScenario> wanted;  // Nothing: the robot as it stands
+  std::optional<ArmValues> values;          // Nothing: the robot does not get there
+  std::optional<ProximityCosts> costs;      // Nothing: it does not get there, or the measurement was cancelled
+};
+// Measures the queries in a scenario. wanted: nothing for the scenario at the present joint values.
+MeasuredScenario measuredScenario(const RobotScene& scene, const ArmValues& present,
+                                  std::optional<ProximityScenario> wanted, const ProximityRequest& request,
+                                  Progress progress = {});
+
 }  // namespace handwheel

@@ -17,22 +17,14 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kTolerance = 20.0;  // mm
-constexpr int kSteps = 200, kMostSteps = 100'000;
+constexpr int kMostSteps = 100'000;
 
 constexpr std::array<const char*, ProximityCosts::kQueries> kQueries{"C1 closest points", "C2 nearer than tolerance",
                                                                      "C3 colliding", "C4 all contacts"};
 
-struct MeasuredScenario {
-  std::optional<ProximityScenario> wanted;  // nothing: the cell as it stands
-  std::optional<ArmValues> values;          // nothing: the robot does not get there
-  std::optional<ProximityCosts> costs;
-};
-
-struct ProximityRequest {
-  double tolerance = kTolerance;
-  int steps = kSteps;
-  std::vector<std::optional<ProximityScenario>> wanted;
+struct ProximityOptions {
+  ProximityRequest request;
+  std::vector<std::optional<ProximityScenario>> wanted;  // Nothing: the cell as it stands
 };
 
 std::string stateOf(ProximityScenario scenario) {
@@ -48,19 +40,12 @@ std::string stateOf(ProximityScenario scenario) {
 }
 
 std::vector<MeasuredScenario> measured(const CellScene& scene, const RobotCellSnapshot& cell,
-                                       const ProximityRequest& request, Progress progress) {
+                                       const ProximityOptions& options, Progress progress) {
   std::vector<MeasuredScenario> all;
-  for (std::size_t i = 0; i < request.wanted.size(); ++i) {
-    const auto share = [&](double at) {
-      return (static_cast<double>(i) + at) / static_cast<double>(request.wanted.size());
-    };
-    MeasuredScenario one{request.wanted[i], scene.planned(cell.joints), std::nullopt};
-    if (one.wanted)
-      one.values = valuesInScenario(scene.scene, *one.wanted, request.tolerance, progress.part(share(0.0), share(0.5)));
-    if (one.values)
-      one.costs = measureProximity(scene.scene, *one.values, request.tolerance, request.steps,
-                                   progress.part(share(0.5), share(1.0)));
-    all.push_back(one);
+  const auto count = static_cast<double>(options.wanted.size());
+  for (std::size_t i = 0; i < options.wanted.size(); ++i) {
+    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    all.push_back(measuredScenario(scene.scene, scene.planned(cell.joints), options.wanted[i], options.request, part));
   }
   return all;
 }
@@ -112,27 +97,27 @@ std::string scenarioText(const MeasuredScenario& one, double tolerance) {
   return text;
 }
 
-std::string problemOf(const Arguments& arguments, ProximityRequest& request) {
+std::string problemOf(const Arguments& arguments, ProximityOptions& options) {
   int scenario = 0;
   if (arguments.has("tolerance") &&
-      (!readNumber(arguments.valueOf("tolerance"), request.tolerance) || !(request.tolerance > 0.0)))
+      (!readNumber(arguments.valueOf("tolerance"), options.request.tolerance) || !(options.request.tolerance > 0.0)))
     return "The option --tolerance takes a length in mm above 0.";
-  if (arguments.has("steps") &&
-      (!readNumber(arguments.valueOf("steps"), request.steps) || request.steps < 1 || request.steps > kMostSteps))
+  if (arguments.has("steps") && (!readNumber(arguments.valueOf("steps"), options.request.steps) ||
+                                 options.request.steps < 1 || options.request.steps > kMostSteps))
     return "The option --steps takes a number from 1 to 100000.";
   if (arguments.has("scenario") &&
       (!readNumber(arguments.valueOf("scenario"), scenario) || scenario < 1 || scenario > 3))
     return "The option --scenario takes 1 (apart), 2 (near) or 3 (colliding).";
   if (scenario > 0)
-    request.wanted = {static_cast<ProximityScenario>(scenario)};
+    options.wanted = {static_cast<ProximityScenario>(scenario)};
   else
-    request.wanted = {std::nullopt, ProximityScenario::Apart, ProximityScenario::Near, ProximityScenario::Colliding};
+    options.wanted = {std::nullopt, ProximityScenario::Apart, ProximityScenario::Near, ProximityScenario::Colliding};
   return {};
 }
 
 int runProximity(const Arguments& arguments, const DocumentKinds& kinds) {
-  ProximityRequest request;
-  if (const std::string problem = problemOf(arguments, request); !problem.empty())
+  ProximityOptions options;
+  if (const std::string problem = problemOf(arguments, options); !problem.empty())
     return failUsage(problem, "proximity");
   const Result<CellFile> file = openCellForArm(arguments, kinds);
   if (!file) return fail(file.error());
@@ -141,17 +126,18 @@ int runProximity(const Arguments& arguments, const DocumentKinds& kinds) {
   std::vector<MeasuredScenario> all;
   runInterruptible("Measuring", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) all = measured(*scene, *file->cell, request, job.progress());
+    if (scene) all = measured(*scene, *file->cell, options, job.progress());
   });
   if (!scene) return fail(scene.error());
   warnOfShapes(*scene);
-  nlohmann::ordered_json json = {{"tolerance_mm", request.tolerance}, {"steps", request.steps}, {"scenarios", {}}};
+  nlohmann::ordered_json json = {
+      {"tolerance_mm", options.request.tolerance}, {"steps", options.request.steps}, {"scenarios", {}}};
   std::string text;
   bool isAll = true;
   for (const MeasuredScenario& one : all) {
     isAll = isAll && one.costs;
     json["scenarios"].push_back(scenarioJson(*scene, *file->cell, one));
-    text += scenarioText(one, request.tolerance);
+    text += scenarioText(one, options.request.tolerance);
   }
   const int code = print(arguments.has("json") ? textOf(json) : text);
   return code == kExitDone && !isAll ? kExitSomethingLeft : code;

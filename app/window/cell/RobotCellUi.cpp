@@ -53,6 +53,7 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
       m_paths(
           window, m_collisions, m_targets, m_robots, [this] { return m_bodies.selected(); }, this),
       m_pathDock(window, m_paths, this),
+      m_proximity(window, m_collisions, this),
       m_surfaces(window.jobs, this),
       m_guides(window.jobs, m_collisions, this),
       m_panel(makePanel()) {
@@ -159,6 +160,7 @@ void RobotCellUi::setDocument(DocumentTab* document) {
   m_bodies.setDocument(document);
   m_robots.setDocument(document);
   m_collisions.setDocument(document);
+  m_proximity.setDocument(document);
   m_targets.setDocument(document);
   m_reach.setDocument(document);
   m_toolCamera.setDocument(nullptr);  // before the camera of the document is kept
@@ -235,7 +237,8 @@ QList<QAction*> RobotCellUi::menu() {
       {tr("&Bodies"), m_bodies.all()},
       {tr("C&onfigurations, targets and frames"), m_paths.ofConfigurations()},
       {tr("P&aths"), m_paths.ofPaths()},
-      {tr("Verif&ication"), m_paths.ofVerification() + QList<QAction*>{m_pathDock.action(), m_contacts->action()}},
+      {tr("Verif&ication"),
+       m_paths.ofVerification() + QList<QAction*>{m_pathDock.action(), m_contacts->action(), m_proximity.action()}},
       {tr("Pro&grams"), m_paths.ofPrograms()}};
   QList<QAction*> entries;
   for (const auto& [title, actions] : groups) {

@@ -15,6 +15,7 @@
 #include "window/cell/PathDock.h"
 #include "window/cell/PathGuides.h"
 #include "window/cell/ToolCamera.h"
+#include "window/cell/proximity/ProximityDock.h"
 #include "window/kinds/RigidPartsUi.h"
 
 #include <QElapsedTimer>
@@ -100,6 +101,7 @@ class RobotCellUi : public RigidPartsUi {
   ToolCamera m_toolCamera;
   CellPaths m_paths;
   PathDock m_pathDock;
+  ProximityDock m_proximity;
   PartSurfaces m_surfaces;
   PathGuides m_guides;
   QPointer<QWidget> m_panel;

@@ -52,6 +52,22 @@ class ProximityScenariosTest : public QObject {
     }
   }
 
+  // A measurement where the robot stands is at these very values; in a scenario, at those found for it.
+  void measuredInAScenario() {
+    const RobotModel robot = planarArm({100.0, 80.0}, kBall);
+    RobotScene scene = sceneOf(robot);
+    addBall(scene, kAt, kObstacle, 1);
+    const ArmValues present = ArmValues::Zero(2);
+    const ProximityRequest request{kTolerance, 5};
+    const MeasuredScenario here = measuredScenario(scene, present, std::nullopt, request);
+    QVERIFY(here.costs && *here.values == present);
+    QVERIFY(std::abs(here.costs->distance - distanceByHand(robot, present)) < 1e-9);
+    const MeasuredScenario near = measuredScenario(scene, present, ProximityScenario::Near, request);
+    QVERIFY(near.costs && near.costs->scenario == ProximityScenario::Near && near.costs->isNear);
+    const MeasuredScenario none = measuredScenario(sceneOf(robot), present, ProximityScenario::Colliding, request);
+    QVERIFY(!none.values && !none.costs && none.wanted == ProximityScenario::Colliding);
+  }
+
   // Without obstacles a robot is apart from everything, and gets nowhere else.
   void withoutObstacles() {
     const RobotScene scene = sceneOf(planarArm({100.0}, kBall));
