@@ -61,6 +61,15 @@ PathMetrics metricsOf(const RobotScene& scene, const SerialArm& arm, const Joint
   PathMetrics metrics;
   if (path.empty()) return metrics;
   metrics.length = lengthOf(scene, path);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    double turned = 0.0, slid = 0.0;  // squared
+    for (Eigen::Index k = 0; k < scene.size(); ++k) {
+      const double moved = path[i][k] - path[i - 1][k];
+      (scene.joint(k).isPrismatic ? slid : turned) += moved * moved;
+    }
+    metrics.turned += std::sqrt(turned);
+    metrics.slid += std::sqrt(slid);
+  }
   const double length = settings.length > 0.0 ? settings.length : std::max(arm.reach(), 1e-3);
   double moves = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) moves += largestMove(scene, path[i - 1], path[i]);

@@ -30,6 +30,8 @@ struct PathSample {
 // The quality measures of a path.
 struct PathMetrics {
   double length = 0.0;          // rad; for slides a metre counts as a radian
+  double turned = 0.0;          // rad: length of the path of the joints that turn
+  double slid = 0.0;            // mm: length of the path of the slides
   double manipulability = 0.0;  // mean over the samples (He 2008, equations 6-21 to 6-23)
   double leastManipulability = 0.0;
   // Harmonic mean of the clearances, mm (He 2008, equation 6-24); 0 if a clearance is not above 0.

@@ -58,6 +58,10 @@ std::string share(double value) {
   return roundedText(100.0 * value, 3) + " %";
 }
 
+bool hasSlides(const CellScene& scene) {
+  return std::ranges::any_of(scene.arm.joints(), &ArmJoint::isPrismatic);
+}
+
 }  // namespace
 
 std::vector<std::string> reasonsOf(const OutdatedReasons& outdated) {
@@ -80,11 +84,12 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   nlohmann::ordered_json collisions = nlohmann::ordered_json::array();
   for (const PathStretch& each : stretchesOf(checked, scene)) collisions.push_back(toJson(scene, checked, each));
   nlohmann::ordered_json json = {
-      {"certified", checked.isCertified()},       {"length_rad", metrics.length},
+      {"certified", checked.isCertified()},       {"length_rad", metrics.turned},
       {"waypoints", path.waypoints.size()},       {"min_clearance_mm", metrics.leastClearance},
       {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
       {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
       {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
+  if (hasSlides(scene)) json["length_mm"] = metrics.slid;
   const OutdatedReasons& outdated = checked.outdated;
   json["outdated"] = outdated.isAny();
   if (!outdated.part.empty()) json["part_moved"] = outdated.part;
@@ -108,14 +113,15 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
 
 std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
   const PathMetrics& metrics = checked.metrics;
-  std::string text = path.name + ": " + std::to_string(path.waypoints.size()) + " places, " +
-                     roundedText(metrics.length, 4) + " rad, " + roundedText(checked.seconds, 3) + " s, " +
-                     (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") +
-                     (checked.isCertified() && checked.isTouching() ? ", but touching\n" : "\n") + "least clearance " +
-                     shownText(shownDistance(metrics.leastClearance)) + " mm, security index " +
-                     roundedText(metrics.security, 4) + " mm, manipulability " +
-                     roundedText(metrics.manipulability, 3) + ", margin to the limits " + share(metrics.leastMargin) +
-                     "\n";
+  std::string text =
+      path.name + ": " + std::to_string(path.waypoints.size()) + " places, " + roundedText(metrics.turned, 4) +
+      " rad, " + (hasSlides(scene) ? roundedText(metrics.slid, 4) + " mm of slides, " : "") +
+      roundedText(checked.seconds, 3) + " s, " +
+      (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") +
+      (checked.isCertified() && checked.isTouching() ? ", but touching\n" : "\n") + "least clearance " +
+      shownText(shownDistance(metrics.leastClearance)) + " mm, security index " + roundedText(metrics.security, 4) +
+      " mm, manipulability " + roundedText(metrics.manipulability, 3) + ", margin to the limits " +
+      share(metrics.leastMargin) + "\n";
   const auto& pairs = checked.notChecked;
   for (const auto& [one, other] : std::span(pairs).first(std::min(pairs.size(), kMostListedPairs)))
     text += "not checked, as they may touch: " + one + " with " + other + "\n";

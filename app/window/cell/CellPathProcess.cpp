@@ -30,9 +30,10 @@ std::vector<Property> measuresOf(const PathFindings& found, LengthUnit unit) {
   std::vector<Property> all{measureToRead("path.time", QT_TRANSLATE_NOOP("Property", "Cycle time"),
                                           locale.toString(found.seconds, 'f', 2) + QStringLiteral(" s"))};
   if (!found.measures) return all;
-  const auto& [length, security, manipulability] = *found.measures;
+  const auto& [length, security, manipulability, slid] = *found.measures;
+  const QString ofSlides = slid > 0.0 ? QStringLiteral(", %1 mm").arg(locale.toString(slid, 'f', 1)) : QString();
   all.push_back(measureToRead("path.length", QT_TRANSLATE_NOOP("Property", "Length"),
-                              locale.toString(length, 'f', 3) + QStringLiteral(" rad")));
+                              locale.toString(length, 'f', 3) + QStringLiteral(" rad") + ofSlides));
   all.push_back(measureToRead("path.security", QT_TRANSLATE_NOOP("Property", "Security index"),
                               clearanceText(security + kSumRounding, unit, locale)));
   all.push_back(measureToRead("path.manipulability", QT_TRANSLATE_NOOP("Property", "Manipulability"),

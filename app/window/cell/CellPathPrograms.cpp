@@ -125,8 +125,14 @@ void CellPaths::askForProgram(OutdatedPath outdated) {
   if (!prepared) return reportUnprepared();
   if (!checked()) return requestProgram();  // it has changed since
   QStringList filters;
-  for (const auto& post : posts()) filters += filterOf(*post);
-  const PostProcessor& usual = usualPost(prepared->plannedArm());
+  const PostProcessor* first = nullptr;
+  for (const auto& post : posts()) {
+    if (!canBeWritten(*prepared, *post)) continue;  // it has a rail, say
+    filters += filterOf(*post);
+    if (!first) first = post.get();
+  }
+  const PostProcessor& ofMaker = usualPost(prepared->plannedArm());
+  const PostProcessor& usual = canBeWritten(*prepared, ofMaker) || !first ? ofMaker : *first;
   auto* dialog = new QFileDialog(m_parts.window, tr("Export a robot program"), folderFor(m_document->document),
                                  filters.join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("exportProgramDialog"));
@@ -177,6 +183,7 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
   const auto scene = m_collisions.scene();
   if (!scene) return reportUnprepared();
   if (!path() || !(*path() == request.path)) return reportNotWritten(request.path.name);
+  if (const Status possible = canBeWritten(*scene, post); !possible) return report(m_document, possible.error());
   const auto known = checked();
   if (!known) return requestProgram();
   DocumentTab& tab = *m_document;

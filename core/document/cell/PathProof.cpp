@@ -47,6 +47,7 @@ json toJson(const std::string& path, const PathProof& proof) {
     stored["length_rad"] = found.measures->length;
     stored["security_mm"] = found.measures->security;
     stored["manipulability"] = found.measures->manipulability;
+    if (found.measures->slid > 0.0) stored["length_mm"] = found.measures->slid;
   }
   if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
   for (const PathFindings::Meeting& each : found.listed)
@@ -107,7 +108,8 @@ std::optional<PathProof> proofFrom(const json& stored) {
   found.seconds = *seconds;
   const auto length = lengthAt(stored, "length_rad"), security = lengthAt(stored, "security_mm"),
              manipulability = lengthAt(stored, "manipulability");
-  if (length && security && manipulability) found.measures = PathMeasures{*length, *security, *manipulability};
+  if (length && security && manipulability)
+    found.measures = PathMeasures{*length, *security, *manipulability, lengthAt(stored, "length_mm").value_or(0.0)};
   found.isTouching = isAt(stored, "touching");
   const auto missing = stored.find("missing");
   for (const json& each : missing != stored.end() && missing->is_array() ? *missing : json::array()) {

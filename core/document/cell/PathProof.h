@@ -40,9 +40,10 @@ using BasisDigests = std::array<std::string, 10>;
 
 // Measures of a whole path, from PathMetrics.
 struct PathMeasures {
-  double length = 0.0;    // length of the path in joint space, rad; a metre of a prismatic joint counts as a radian
+  double length = 0.0;    // length of the path of the joints that turn, rad
   double security = 0.0;  // mm
   double manipulability = 0.0;
+  double slid = 0.0;  // length of the path of prismatic joints, mm
   bool operator==(const PathMeasures&) const = default;
 };
 

@@ -161,13 +161,19 @@ class JsonPost : public PostProcessor {
     if (program.clearance) json["clearance_mm"] = *program.clearance;
     if (!program.remarks.empty()) json["remarks"] = program.remarks;
     if (!program.head.empty()) json["comments"] = textsOf(program.head);
+    // The numbers of an arm with slides are not all degrees.
+    std::vector<std::string> units;
+    for (const ArmJoint& joint : program.arm.joints()) units.emplace_back(joint.isPrismatic ? "mm" : "deg");
+    const bool hasSlides = std::ranges::find(units, "mm") != units.end();
+    if (hasSlides) json["q_units"] = units;
+    const char* const shown = hasSlides ? "q_mm_deg" : "q_deg";
     std::string motions;
     for (const ProgramMotion& motion : program.motions) {
       const Pose pose = program.frame.inverse(Eigen::Isometry) * program.tipOf(motion);
       nlohmann::ordered_json one = {{"kind", wordFor(motion.kind)},
                                     {"name", motion.name},
                                     {"q", std::vector<double>(motion.joints.begin(), motion.joints.end())},
-                                    {"q_deg", jointNumbers(program, motion)},
+                                    {shown, jointNumbers(program, motion)},
                                     {"pose", poseNumbers(pose)},
                                     {"speed", motion.speed},
                                     {"blend_mm", motion.blend}};

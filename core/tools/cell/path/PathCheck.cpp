@@ -169,22 +169,22 @@ std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene
 
 PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, double clearance) {
   const std::vector<PathStretch> all = stretchesOf(checked, scene);
-  PathFindings found{
-      .isCertified = checked.isCertified(),
-      .stopsAt = checked.resolved.stopsAt,
-      .collisions = all.size(),
-      .tooNear = static_cast<std::size_t>(
-          std::count_if(all.begin(), all.end(), [](const PathStretch& each) { return !each.meets(); })),
-      .clearance = clearance,
-      .leastClearance = checked.metrics.leastClearance,
-      .seconds = checked.seconds,
-      .measures = PathMeasures{checked.metrics.length, checked.metrics.security, checked.metrics.manipulability},
-      .isTouching = checked.isTouching(),
-      .missing = checked.missing,
-      .robotsMoved = checked.robotsMoved,
-      .outdated = checked.outdated,
-      .notChecked = checked.notChecked,
-      .gaps = checked.gaps};
+  PathFindings found{.isCertified = checked.isCertified(),
+                     .stopsAt = checked.resolved.stopsAt,
+                     .collisions = all.size(),
+                     .tooNear = static_cast<std::size_t>(
+                         std::count_if(all.begin(), all.end(), [](const PathStretch& each) { return !each.meets(); })),
+                     .clearance = clearance,
+                     .leastClearance = checked.metrics.leastClearance,
+                     .seconds = checked.seconds,
+                     .measures = PathMeasures{checked.metrics.turned, checked.metrics.security,
+                                              checked.metrics.manipulability, checked.metrics.slid},
+                     .isTouching = checked.isTouching(),
+                     .missing = checked.missing,
+                     .robotsMoved = checked.robotsMoved,
+                     .outdated = checked.outdated,
+                     .notChecked = checked.notChecked,
+                     .gaps = checked.gaps};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
     found.listed.push_back(

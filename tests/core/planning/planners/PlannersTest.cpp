@@ -4,6 +4,8 @@
 
 #include "../Scenes.h"
 #include "TestClass.h"
+#include "planning/PathShortcuts.h"
+#include "planning/RoutePlanning.h"
 
 #include <QtTest>
 
@@ -70,6 +72,31 @@ class PlannersTest : public QObject {
       }
     }
     QVERIFY(result.steps > 0 && result.milestones > 1);
+  }
+
+  // Over many queries the paths of our own planner are no longer than those of RRTConnect, after shortcuts.
+  void lengths() {
+    const RobotScene scene = walled(430.0);
+    double sums[] = {0.0, 0.0};
+    int queries = 0;
+    for (int i = 0; i < 30; ++i) {
+      const ArmValues start = Eigen::Vector3d(0.7 + 0.02 * i, 0.5 - 0.05 * i, 0.04 * i - 0.5);
+      const ArmValues goal = Eigen::Vector3d(-0.6 - 0.025 * (30 - i), 0.6 - 0.03 * i, 0.3 - 0.03 * i);
+      std::optional<double> found[2];
+      for (const auto& [n, id] : {std::pair(0, "sbl"), std::pair(1, "rrtconnect")}) {
+        const ArmValues ends[] = {start, goal};
+        RouteSettings settings{.plan = longer(), .planner = id};
+        settings.plan.seed = static_cast<std::uint64_t>(i) + 1;
+        const Route route = planRoute(scene, ends, settings);
+        if (route.isSolved()) found[n] = lengthOf(scene, route.legs.front());
+      }
+      if (!found[0] || !found[1]) continue;
+      ++queries;
+      sums[0] += *found[0];
+      sums[1] += *found[1];
+    }
+    QVERIFY2(queries >= 20, qPrintable(QString::number(queries)));
+    QVERIFY2(sums[0] <= 1.1 * sums[1], qPrintable(QString("%1 and %2 of %3").arg(sums[0]).arg(sums[1]).arg(queries)));
   }
 
   void theSeedRepeats_data() { eachPlanner(); }
