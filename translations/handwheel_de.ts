@@ -1667,20 +1667,20 @@
         <translation>Die Verrundung der Stelle auf 0 setzen (FINE) und nötigenfalls ein Überschleifen; auf der Befehlszeile: --cnt-as-fine.</translation>
     </message>
     <message>
-        <source>a parallel linkage moves axis 3 of %1, and its description does not have how %2 controllers count that axis</source>
-        <translation>ein Parallelgestänge bewegt Achse 3 von %1, und in der Beschreibung steht nicht, wie Steuerungen mit %2 diese Achse zählen</translation>
-    </message>
-    <message>
         <source>Use the built-in robot irb2400, or write the path as CSV or JSON.</source>
         <translation>Nehmen Sie den eingebauten Roboter irb2400, oder schreiben Sie den Pfad als CSV oder JSON.</translation>
     </message>
     <message>
-        <source>at the end of motion %1 the controller has axis 3 at %2°, and its limits are %3° and %4°, as it counts that axis from the level</source>
-        <translation>am Ende der Bewegung %1 hat die Steuerung Achse 3 bei %2°, und ihre Grenzen sind %3° und %4°, da sie diese Achse von der Waagerechten aus zählt</translation>
-    </message>
-    <message>
         <source>Move joints 2 and 3 at that place, and verify the path again.</source>
         <translation>Bewegen Sie dort die Gelenke 2 und 3, und prüfen Sie den Pfad noch einmal.</translation>
+    </message>
+    <message>
+        <source>the description of %1 lacks its parallel linkage, which %2 counts with</source>
+        <translation>der Beschreibung von %1 fehlt das Parallelgestänge, mit dem %2 zählt</translation>
+    </message>
+    <message>
+        <source>motion %1 ends with axis 3 at %2° from the level, beyond %3° to %4°</source>
+        <translation>Bewegung %1 endet mit Achse 3 bei %2° gegen die Waagerechte, außerhalb von %3° bis %4°</translation>
     </message>
 </context>
 <context>

@@ -1667,20 +1667,20 @@
         <translation>将该位置的圆滑值设为 0（FINE），必要时设置过渡；在命令行中：--cnt-as-fine。</translation>
     </message>
     <message>
-        <source>a parallel linkage moves axis 3 of %1, and its description does not have how %2 controllers count that axis</source>
-        <translation>%1 的第 3 轴由平行连杆驱动，而其描述文件未说明 %2 控制器如何计算该轴</translation>
-    </message>
-    <message>
         <source>Use the built-in robot irb2400, or write the path as CSV or JSON.</source>
         <translation>请使用内置机器人 irb2400，或将路径写为 CSV 或 JSON。</translation>
     </message>
     <message>
-        <source>at the end of motion %1 the controller has axis 3 at %2°, and its limits are %3° and %4°, as it counts that axis from the level</source>
-        <translation>在运动 %1 的终点，控制器的第 3 轴为 %2°，而其极限为 %3° 和 %4°，因为控制器从水平方向计算该轴</translation>
-    </message>
-    <message>
         <source>Move joints 2 and 3 at that place, and verify the path again.</source>
         <translation>请调整该处的关节 2 和 3，然后重新验证路径。</translation>
+    </message>
+    <message>
+        <source>the description of %1 lacks its parallel linkage, which %2 counts with</source>
+        <translation>%1的描述缺少平行连杆机构，而%2按该机构计数</translation>
+    </message>
+    <message>
+        <source>motion %1 ends with axis 3 at %2° from the level, beyond %3° to %4°</source>
+        <translation>运动%1结束时，轴3相对水平面为%2°，超出%3°至%4°</translation>
     </message>
 </context>
 <context>

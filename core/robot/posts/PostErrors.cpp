@@ -67,16 +67,12 @@ const ErrorDescription PostError::NoCorners{
 
 const ErrorDescription PostError::LinkageUnknown{
     .id = "PostLinkageUnknown",
-    .sentences = {translatable("ErrorText",
-                               "a parallel linkage moves axis 3 of %1, and its description does not have how %2 "
-                               "controllers count that axis")},
+    .sentences = {translatable("ErrorText", "the description of %1 lacks its parallel linkage, which %2 counts with")},
     .advice = {translatable("ErrorText", "Use the built-in robot irb2400, or write the path as CSV or JSON.")}};
 
 const ErrorDescription PostError::ThirdBeyond{
     .id = "PostThirdBeyond",
-    .sentences = {translatable("ErrorText",
-                               "at the end of motion %1 the controller has axis 3 at %2°, and its limits are %3° and "
-                               "%4°, as it counts that axis from the level")},
+    .sentences = {translatable("ErrorText", "motion %1 ends with axis 3 at %2° from the level, beyond %3° to %4°")},
     .advice = {translatable("ErrorText", "Move joints 2 and 3 at that place, and verify the path again.")}};
 
 const ErrorDescription PostError::MotionDiffers{
