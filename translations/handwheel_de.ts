@@ -1682,6 +1682,14 @@
         <source>motion %1 ends with axis 3 at %2° from the level, beyond %3° to %4°</source>
         <translation>Bewegung %1 endet mit Achse 3 bei %2° gegen die Waagerechte, außerhalb von %3° bis %4°</translation>
     </message>
+    <message>
+        <source>the motion turns joint %1 by %2°, and the description of the robot has no limits for it, so that paths turn it the shorter way</source>
+        <translation>die Bewegung dreht Gelenk %1 um %2°, und die Beschreibung des Roboters hat keine Grenzen dafür, sodass Bahnen es auf dem kürzeren Weg drehen</translation>
+    </message>
+    <message>
+        <source>Give the joint its limits in the description, or divide the motion.</source>
+        <translation>Geben Sie dem Gelenk in der Beschreibung seine Grenzen, oder teilen Sie die Bewegung.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -5962,6 +5970,18 @@
     <message>
         <source>not verified since what is assumed for the times was changed</source>
         <translation>nicht geprüft, seit die Annahmen für die Zeiten geändert wurden</translation>
+    </message>
+    <message>
+        <source>not proven: blend at place %1</source>
+        <translation>nicht bewiesen: Überschleifen an Stelle %1</translation>
+    </message>
+    <message>
+        <source>Not everything within the blend of the program at place %1 is free: an export writes %2.</source>
+        <translation>Nicht alles innerhalb der Überschleifzone des Programms an Stelle %1 ist frei: Ein Export schreibt %2.</translation>
+    </message>
+    <message>
+        <source>Not everything within the blend of the program at place %1 is free: an export writes an exact stop.</source>
+        <translation>Nicht alles innerhalb der Überschleifzone des Programms an Stelle %1 ist frei: Ein Export schreibt einen genauen Halt.</translation>
     </message>
 </context>
 <context>

@@ -1682,6 +1682,14 @@
         <source>motion %1 ends with axis 3 at %2° from the level, beyond %3° to %4°</source>
         <translation>运动%1结束时，轴3相对水平面为%2°，超出%3°至%4°</translation>
     </message>
+    <message>
+        <source>the motion turns joint %1 by %2°, and the description of the robot has no limits for it, so that paths turn it the shorter way</source>
+        <translation>该运动将关节 %1 转动 %2°，而机器人描述中没有其限位，因此路径按较短方向转动它</translation>
+    </message>
+    <message>
+        <source>Give the joint its limits in the description, or divide the motion.</source>
+        <translation>请在描述中给出该关节的限位，或将运动分段。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -5958,6 +5966,18 @@
     <message>
         <source>not verified since what is assumed for the times was changed</source>
         <translation>更改时间假设后未验证</translation>
+    </message>
+    <message>
+        <source>not proven: blend at place %1</source>
+        <translation>未证明：位置 %1 处的过渡</translation>
+    </message>
+    <message>
+        <source>Not everything within the blend of the program at place %1 is free: an export writes %2.</source>
+        <translation>程序在位置 %1 处的过渡区内并非处处无碰撞：导出时写入 %2。</translation>
+    </message>
+    <message>
+        <source>Not everything within the blend of the program at place %1 is free: an export writes an exact stop.</source>
+        <translation>程序在位置 %1 处的过渡区内并非处处无碰撞：导出时写入精确停止。</translation>
     </message>
 </context>
 <context>

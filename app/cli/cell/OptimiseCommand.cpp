@@ -49,9 +49,9 @@ int runOptimise(const Arguments& arguments, const DocumentKinds& kinds) {
   Result<PlannedAndChecked> result = Error{};
   runInterruptible("Optimising", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
+    CellPlans plans = *file->cell->plans;
+    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], plans, remarks);
     if (!path) return;
-    const CellPlans& plans = *file->cell->plans;
     optimised =
         optimisedPath(*scene, plans, *path, optimisationSettingsOf(values, plans, *path), job.progress().part(0, 0.9));
     if (!optimised) return;

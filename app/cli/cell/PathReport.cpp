@@ -102,9 +102,12 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   json["missing_shapes"] = describeMissing(checked.missing);
   json["not_proven"] = nlohmann::ordered_json::array();
   for (const ProofGap& gap : checked.gaps) {
-    const bool isCorner = gap.kind == ProofGap::Kind::Corner;
-    json["not_proven"].push_back({{"place", gap.waypoint}, {"reason", isCorner ? "cnt" : "carried"}});
-    if (!isCorner) json["not_proven"].back().update({{"text", gap.text}, {"line", gap.line}});
+    nlohmann::ordered_json each = {{"place", gap.waypoint}};
+    if (gap.kind == ProofGap::Kind::Corner) each["reason"] = "cnt";
+    if (gap.kind == ProofGap::Kind::Zone) each.update({{"reason", "zone"}, {"kept_mm", gap.kept}});
+    if (gap.kind == ProofGap::Kind::Carried)
+      each.update({{"reason", "carried"}, {"text", gap.text}, {"line", gap.line}});
+    json["not_proven"].push_back(std::move(each));
   }
   if (checked.resolved.stopsAt)
     json["stops_at"] = {{"place", *checked.resolved.stopsAt}, {"share", checked.resolved.reached}};
@@ -134,10 +137,14 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   }
   for (const ProofGap& gap : checked.gaps) {
     const std::string waypoint = "place " + std::to_string(gap.waypoint + 1);
-    text += gap.kind == ProofGap::Kind::Corner
-                ? "not proven: CNT rounds the corner at " + waypoint + ", and not everything within it is free\n"
-                : "not proven after " + waypoint + ": line " + std::to_string(gap.line) + ", '" + gap.text +
-                      "', may grip or release; say what is carried (--carried same: as before)\n";
+    if (gap.kind == ProofGap::Kind::Corner)
+      text += "not proven: CNT rounds the corner at " + waypoint + ", and not everything within it is free\n";
+    if (gap.kind == ProofGap::Kind::Zone)
+      text += "not proven: not everything within the zone at " + waypoint + " is free; an export writes " +
+              (gap.kept > 0.0 ? "a zone of " + roundedText(gap.kept, 3) + " mm\n" : "an exact stop\n");
+    if (gap.kind == ProofGap::Kind::Carried)
+      text += "not proven after " + waypoint + ": line " + std::to_string(gap.line) + ", '" + gap.text +
+              "', may grip or release; say what is carried (--carried same: as before)\n";
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
@@ -194,12 +201,19 @@ nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const Che
 }
 
 Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name,
-                             std::vector<std::string>& remarks) {
+                             CellPlans& plans, std::vector<std::string>& remarks) {
   if (const RobotPath* path = cell.plans->path(name)) return *path;
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored)) return Error{CellError::PathMissing, {name}, {}, {}};
   Result<ProgramPath> read = pathFromFile(scene, cell, name);
   if (!read) return read.error();
+  if (read->otherTool && read->isOnlyTool) {
+    plans.tool = *read->otherTool;
+    const Vec3 at = plans.tool.translation();
+    remarks.push_back("The tool centre point is that of the program, " + roundedText(at.x(), 6) + ", " +
+                      roundedText(at.y(), 6) + ", " + roundedText(at.z(), 6) + " mm, and not that of the cell.");
+    read->otherTool.reset();
+  }
   for (const QString& remark : programRemarks(*read, cell.plans->tool)) remarks.push_back(remark.toStdString());
   return std::move(read->path);
 }

@@ -31,9 +31,10 @@ OptionSpec resolutionOption();
 nlohmann::json pathFile(const CellScene& scene, const RobotPath& path, const CheckedPath& checked);
 
 // Returns a path of a cell by its name, or a path that is read from a file: JSON, or the program of a controller.
-// remarks: receives the remarks of programRemarks(). Errors: PathMissing, the errors of pathFromFile().
+// plans: those of the cell; they receive the tool centre point of a program that has another one. remarks: receives the
+// remarks of programRemarks(). Errors: PathMissing, the errors of pathFromFile().
 Result<RobotPath> pathCalled(const CellScene& scene, const RobotCellSnapshot& cell, const std::string& name,
-                             std::vector<std::string>& remarks);
+                             CellPlans& plans, std::vector<std::string>& remarks);
 
 // Reads the options of programChoiceOptions(). Returns the text of a usage error; empty: none.
 std::string readChoices(const Arguments& arguments, ProgramChoices& choices);

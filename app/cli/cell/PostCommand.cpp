@@ -43,14 +43,15 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   Status possible = Done{};  // an arm that the language cannot move is refused before any work
   Result<RobotPath> path = Error{};
   std::vector<std::string> remarks;
+  CellPlans plans = *file->cell->plans;
   Result<CheckedPath> checked = Error{};
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) possible = canBeWritten(*scene, *post);
-    if (scene && possible) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
+    if (scene && possible) path = pathCalled(*scene, *file->cell, arguments.operands[1], plans, remarks);
     if (path) path = chosen(std::move(path).value(), choices);
-    if (path) check.clearance = file->cell->plans->clearanceOf(*path);
-    if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
+    if (path) check.clearance = plans.clearanceOf(*path);
+    if (path) checked = checkPath(*scene, plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
   if (!possible) return fail(possible.error());
@@ -59,7 +60,6 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!checked) return fail(checked.error());
   warnOfShapes(*scene);
   const std::string output = arguments.valueOf("output");
-  CellPlans plans = *file->cell->plans;
   if (arguments.has("frame")) {
     const std::string name = arguments.valueOf("frame");
     plans.workFrame = name == kBaseFrame && !plans.frame(name) ? std::string() : name;

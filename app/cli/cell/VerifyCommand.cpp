@@ -27,13 +27,14 @@ int runVerify(const Arguments& arguments, const DocumentKinds& kinds) {
   Result<CellScene> scene = Error{};
   Result<RobotPath> path = Error{};
   std::vector<std::string> remarks;
+  CellPlans plans = *file->cell->plans;
   Result<CheckedPath> checked = Error{};
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
-    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], remarks);
+    if (scene) path = pathCalled(*scene, *file->cell, arguments.operands[1], plans, remarks);
     if (path) path = chosen(std::move(path).value(), choices);
-    if (path && !arguments.has("clearance")) clearance = file->cell->plans->clearanceOf(*path);
-    if (path) checked = checkPath(*scene, *file->cell->plans, *path, check, job.progress());
+    if (path && !arguments.has("clearance")) clearance = plans.clearanceOf(*path);
+    if (path) checked = checkPath(*scene, plans, *path, check, job.progress());
   });
   if (!scene) return fail(scene.error());
   if (!path) return fail(path.error());

@@ -175,6 +175,10 @@ void CellPaths::startPlanning(Planning planning, PlanRequest request) {
       if (!isUnchanged(tab, *scene, *content)) return reportChanged(tab, request.name, request.again);
       if (!planned) return reportHindered(tab, planned.error(), title, request);
       planned->path.name = request.name;
+      if (before) {
+        planned->path.language = before->language;
+        planned->path.head = before->head;
+      }
       takePlanned(tab, std::move(planned).value(), before, request.text);
     };
   };

@@ -398,7 +398,7 @@ void CellPaths::offerActions() {
   const auto known = checked();
   const bool isUnderWay = present && m_checks.stateOf(*present).isUnderWay;
   // An unverified path is verified first, with a question.
-  offer(m_export, known ? known->isCertified() : present && !isUnderWay && present->waypoints.size() >= 2,
+  offer(m_export, known ? known->isProvenAsWritten() : present && !isUnderWay && present->waypoints.size() >= 2,
         !present     ? noPath
         : isUnderWay ? tr("The path is being verified.")
                      : tr("Only a path that is proven free of collisions is exported."));

@@ -300,7 +300,7 @@ void CellPaths::removeCurrent() {
     commit(tr("Remove %1").arg(name), std::move(changed));
   } else if (RobotPath* const of = pathByHand(changed, entry.name);
              entry.kind == Kind::Waypoint && of && entry.waypoint < of->waypoints.size()) {
-    of->waypoints.erase(of->waypoints.begin() + static_cast<std::ptrdiff_t>(entry.waypoint));
+    removeWaypoint(*of, entry.waypoint);
     commit(tr("Remove place %1 of %2").arg(entry.waypoint + 1).arg(name), std::move(changed));
   }
 }

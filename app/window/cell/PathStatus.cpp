@@ -109,9 +109,7 @@ class Words {
     const auto open = std::ranges::find(found.missing, MissingShape::State::Open, &MissingShape::state);
     if (found.collisions == 0 && open != found.missing.end())
       return tr("not proven: the shape of %1 is missing").arg(QString::fromStdString(open->name));
-    if (found.collisions == 0 && !found.gaps.empty())
-      return found.gaps.front().kind == ProofGap::Kind::Corner ? tr("not proven: CNT")
-                                                               : tr("proven only as far as what is carried is known");
+    if (found.collisions == 0 && !found.gaps.empty()) return shortText(found.gaps.front());
     const auto tooNear = static_cast<int>(std::min(found.tooNear, found.collisions));
     const int meeting = static_cast<int>(found.collisions) - tooNear;
     const QString nearly = tr("too near %Ln time(s)", nullptr, tooNear);
@@ -119,7 +117,20 @@ class Words {
     const QString met = tr("%Ln collision(s)", nullptr, meeting);
     return tooNear > 0 ? tr("%1, %2").arg(met, nearly) : met;
   }
-  static QString gapSentence(const ProofGap& gap) {
+  static QString shortText(const ProofGap& gap) {
+    if (gap.kind == ProofGap::Kind::Corner) return tr("not proven: CNT");
+    if (gap.kind == ProofGap::Kind::Zone) return tr("not proven: blend at place %1").arg(gap.waypoint + 1);
+    return tr("proven only as far as what is carried is known");
+  }
+  QString gapSentence(const ProofGap& gap) const {
+    if (gap.kind == ProofGap::Kind::Zone)
+      return gap.kept > 0.0
+                 ? tr("Not everything within the blend of the program at place %1 is free: an export writes %2.")
+                       .arg(gap.waypoint + 1)
+                       .arg(quantityText(gap.kept, Quantity::Length, m_unit, m_locale))
+                 : tr("Not everything within the blend of the program at place %1 is free: an export writes an exact "
+                      "stop.")
+                       .arg(gap.waypoint + 1);
     if (gap.kind == ProofGap::Kind::Corner)
       return tr("The controller rounds the corner at place %1 (CNT), and not everything within it is free: set its "
                 "rounding to 0, or change the places.")

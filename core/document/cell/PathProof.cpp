@@ -19,6 +19,9 @@ using nlohmann::json;
 const std::string kProofs = "cell/proofs.json";
 constexpr std::uint64_t kMethod = 2;  // Version of verification and digests; increased whenever the proof changes
 
+// In the order of ProofGap::Kind.
+constexpr std::array<std::string_view, 3> kGapKinds = {"corner", "carried", "zone"};
+
 constexpr std::array<const char*, 10> kParts = {"robots", "path",      "joints",  "bodies",         "allowed",
                                                 "tool",   "clearance", "targets", "configurations", "rates"};
 
@@ -61,10 +64,11 @@ json toJson(const std::string& path, const PathProof& proof) {
                                  {"by", each.by}});
   }
   for (const ProofGap& each : found.gaps) {
-    stored["gaps"].push_back({{"kind", each.kind == ProofGap::Kind::Corner ? "corner" : "carried"},
+    stored["gaps"].push_back({{"kind", kGapKinds[static_cast<std::size_t>(each.kind)]},
                               {"place", each.waypoint},
                               {"text", each.text},
-                              {"line", each.line}});
+                              {"line", each.line},
+                              {"kept_mm", each.kept}});
   }
   for (std::size_t i = 0; i < kParts.size(); ++i) stored["basis"][kParts[i]] = proof.basis[i];
   return stored;
@@ -136,9 +140,11 @@ std::optional<PathProof> proofFrom(const json& stored) {
   const auto gaps = stored.find("gaps");
   for (const json& each : gaps != stored.end() && gaps->is_array() ? *gaps : json::array()) {
     if (!each.is_object() || found.gaps.size() >= RobotPath::kMostWaypoints) continue;
-    const bool isCorner = stringAt(each, "kind") == "corner";
-    found.gaps.push_back({isCorner ? ProofGap::Kind::Corner : ProofGap::Kind::Carried, countAt(each, "place"),
-                          stringAt(each, "text"), countAt(each, "line")});
+    const auto* const kind = std::ranges::find(kGapKinds, stringAt(each, "kind"));
+    if (kind == kGapKinds.end()) return std::nullopt;
+    found.gaps.push_back({static_cast<ProofGap::Kind>(kind - kGapKinds.begin()), countAt(each, "place"),
+                          stringAt(each, "text"), countAt(each, "line"),
+                          std::max(lengthAt(each, "kept_mm").value_or(0.0), 0.0)});
   }
   // Contradictory findings prove nothing.
   const bool isOpen =

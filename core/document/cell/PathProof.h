@@ -52,11 +52,13 @@ struct ProofGap {
   enum class Kind {
     Corner,   // the controller rounds the corner (Fanuc's CNT), and not everything within it is free
     Carried,  // after a line of the program it is not known what the robot carries
+    Zone,     // not everything within the zone of a program is free; written programs have a smaller one
   };
   Kind kind = Kind::Corner;
   std::size_t waypoint = 0;  // index of the waypoint, from 0
   std::string text = {};     // the line
   std::size_t line = 0;      // its number in the program that was read
+  double kept = 0.0;         // mm, of a zone: its largest proven radius
 
   bool operator==(const ProofGap&) const = default;
 };

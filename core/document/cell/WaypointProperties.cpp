@@ -26,7 +26,7 @@ bool isLine(const Waypoint& waypoint) {
 }  // namespace
 
 std::vector<Property> waypointProperties(const RobotPath& path, std::size_t index) {
-  if (index == 0 || index >= path.waypoints.size()) return {};
+  if (index >= path.waypoints.size()) return {};
   const Waypoint& at = path.waypoints[index];
   const std::string prefix = "path." + path.name + "." + std::to_string(index + 1) + ".";
   const char* const kGroup = QT_TRANSLATE_NOOP("Property", "Place of the path");
@@ -65,11 +65,14 @@ std::vector<Property> waypointProperties(const RobotPath& path, std::size_t inde
                          .group = kGroup,
                          .label = QT_TRANSLATE_NOOP("Property", "Carries the same after its lines"),
                          .value = at.keepsCarried};
-  std::vector<Property> all{motion, speed, blend};
+  const bool isFirst = index == 0;  // no motion leads to it
+  std::vector<Property> all;
+  if (!isFirst) all = {motion, speed, blend};
   // Properties of paths of programs are shown only where a program has set them.
-  if (at.seconds > 0.0) all.push_back(seconds);
+  if (at.seconds > 0.0 && !isFirst) all.push_back(seconds);
   if (at.corner > 0.0) all.push_back(corner);
-  if (std::ranges::any_of(at.lines, &ProgramLine::mayGrip)) all.push_back(carried);
+  const bool mayGripBefore = isFirst && std::ranges::any_of(path.head, &ProgramLine::mayGrip);
+  if (mayGripBefore || std::ranges::any_of(at.lines, &ProgramLine::mayGrip)) all.push_back(carried);
   return all;
 }
 
@@ -83,9 +86,14 @@ std::optional<WaypointField> waypointOfProperty(const CellPlans& plans, std::str
   const std::string_view digits = id.substr(before + 1, last - before - 1);
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const RobotPath* const path = plans.path(id.substr(0, before));
-  const bool isWaypoint = read.ec == std::errc() && read.ptr == digits.data() + digits.size() && path && number > 1 &&
+  const bool isWaypoint = read.ec == std::errc() && read.ptr == digits.data() + digits.size() && path && number > 0 &&
                           number <= path->waypoints.size();
   if (!isWaypoint) return std::nullopt;
+  const std::vector<Property> fields = waypointProperties(*path, number - 1);
+  const bool isThere = number > 1 || std::ranges::any_of(fields, [&](const Property& each) {
+                         return std::string_view(each.id).ends_with(id.substr(last));
+                       });
+  if (!isThere) return std::nullopt;
   return WaypointField{path->name, number - 1, std::string(id.substr(last + 1))};
 }
 

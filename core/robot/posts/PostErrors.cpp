@@ -75,6 +75,13 @@ const ErrorDescription PostError::ThirdBeyond{
     .sentences = {translatable("ErrorText", "motion %1 ends with axis 3 at %2° from the level, beyond %3° to %4°")},
     .advice = {translatable("ErrorText", "Move joints 2 and 3 at that place, and verify the path again.")}};
 
+const ErrorDescription PostError::TurnsTooFar{
+    .id = "PostTurnsTooFar",
+    .sentences = {translatable("ErrorText",
+                               "the motion turns joint %1 by %2°, and the description of the robot has no limits for "
+                               "it, so that paths turn it the shorter way")},
+    .advice = {translatable("ErrorText", "Give the joint its limits in the description, or divide the motion.")}};
+
 const ErrorDescription PostError::MotionDiffers{
     .id = "PostMotionDiffers",
     .sentences = {translatable("ErrorText", "the %2 of motion %1 is %4 in the program, and %3 in the path")},

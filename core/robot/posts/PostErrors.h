@@ -19,6 +19,7 @@ extern const ErrorDescription LinesOfOther;          // {first line, language, l
 extern const ErrorDescription NoCorners;             // {motion, language}: it has no CNT
 extern const ErrorDescription LinkageUnknown;        // {robot, language}: the coupling of its axes 2 and 3 is unknown
 extern const ErrorDescription ThirdBeyond;           // {motion, degrees, lower, upper}: axis 3 as the controller has it
+extern const ErrorDescription TurnsTooFar;           // {joint, degrees}: a joint without limits, by over half a turn
 extern const ErrorDescription MotionDiffers;         // {motion, what, wanted, read}
 
 }  // namespace handwheel::PostError

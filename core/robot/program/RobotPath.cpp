@@ -44,6 +44,12 @@ const ProgramLine* Waypoint::gripping() const {
   return keepsCarried || found == lines.end() ? nullptr : &*found;
 }
 
+void removeWaypoint(RobotPath& path, std::size_t index) {
+  std::vector<ProgramLine>& before = index == 0 ? path.head : path.waypoints[index - 1].lines;
+  std::ranges::move(path.waypoints[index].lines, std::back_inserter(before));
+  path.waypoints.erase(path.waypoints.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
 bool WaypointTarget::operator==(const WaypointTarget& other) const {
   return name == other.name && inTool.matrix() == other.inTool.matrix();
 }

@@ -95,6 +95,9 @@ struct RobotPath {
   bool operator==(const RobotPath& other) const;
 };
 
+// Removes a waypoint. Its lines of a program then follow the waypoint before it, or stand before the first motion.
+void removeWaypoint(RobotPath& path, std::size_t index);
+
 // Named joint values.
 struct NamedConfiguration {
   std::string name;

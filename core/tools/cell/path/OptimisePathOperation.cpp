@@ -228,17 +228,26 @@ Result<OptimisedPath> optimisedPath(const CellScene& scene, const CellPlans& pla
   std::vector<Waypoint> critical;
   for (const Waypoint& waypoint : path.waypoints) {
     const bool isEnd = &waypoint == &path.waypoints.front() || &waypoint == &path.waypoints.back();
-    if (waypoint.isCritical || isEnd) critical.push_back(waypoint);
+    if (waypoint.isCritical || isEnd || !waypoint.lines.empty()) critical.push_back(waypoint);
   }
   OptimisedPath result;
   result.before = present->seconds;
+  // Statements of a program keep their order.
+  const auto hasStatement = [](const Waypoint& waypoint) {
+    return std::ranges::any_of(waypoint.lines,
+                               [](const ProgramLine& line) { return line.kind == ProgramLine::Kind::Statement; });
+  };
+  OptimisationSettings possible = settings;
+  possible.mayReorder = settings.mayReorder && std::ranges::none_of(path.waypoints, hasStatement);
   const std::vector<Waypoint> waypoints =
-      OptimisePathOperation(scene, plans, settings).optimised(critical, result, progress.part(0.1, 0.9));
+      OptimisePathOperation(scene, plans, possible).optimised(critical, result, progress.part(0.1, 0.9));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   Result<PlannedPath> planned = plannedThrough(scene, plans, waypoints, settings.route, progress.part(0.9, 1.0));
   if (!planned) return planned.error();
   result.planned = std::move(planned).value();
   result.planned.path.name = path.name;
+  result.planned.path.language = path.language;
+  result.planned.path.head = path.head;
   // The path keeps its curve if it passes the same waypoints.
   if (result.reconfigured == 0 && std::is_sorted(result.order.begin(), result.order.end()))
     result.planned.path.process = path.process;

@@ -28,6 +28,21 @@ class ZoneSide {
       }
       m_along.push_back(m_along.back() + length);
     }
+    const Vec3 start = toolAt(stretch[0]);
+    for (int k = 1; k <= kSteps; ++k) {
+      const double reached = (toolAt(valuesAt(0.5 * k / kSteps)) - start).norm();
+      m_reach.push_back(std::max(m_reach.back(), reached));
+    }
+  }
+
+  // Returns the largest distance of the tool from the waypoint in the first half of the way, mm.
+  double reach() const { return m_reach.back(); }
+
+  // Returns the share of the way at which the tool leaves the ball of a radius about the waypoint, as controllers see
+  // zones; at most a half. The share is that of a sample behind it.
+  double shareOf(double radius) const {
+    const auto beyond = std::lower_bound(m_reach.begin(), m_reach.end(), radius);
+    return 0.5 * static_cast<double>(std::min<std::ptrdiff_t>(beyond - m_reach.begin(), kSteps)) / kSteps;
   }
 
   double length() const { return m_along.back(); }  // mm, of the tool's way
@@ -51,8 +66,11 @@ class ZoneSide {
   }
 
  private:
+  static constexpr int kSteps = 64;  // samples in the first half
+
   std::span<const ArmValues> m_stretch;
   std::vector<double> m_along{0.0};  // mm
+  std::vector<double> m_reach{0.0};  // mm, up to each step
 };
 
 // The proof of the triangle between a waypoint and the ends of its zone, in joint space or, if the tool goes along a
@@ -119,12 +137,11 @@ class ZoneProof {
 }  // namespace
 
 std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
-                                    const ResolvedPath& resolvedPath, double clearance, const Progress& progress) {
+                                    const ResolvedPath& resolvedPath, double clearance, const Progress& progress,
+                                    std::vector<std::size_t>* reduced) {
   std::vector<double> blends(path.waypoints.size(), 0.0);
   if (resolvedPath.stopsAt) return blends;
-  // Index in joints of the first value of each waypoint.
-  std::vector<std::size_t> valueOf(path.waypoints.size(), 0);
-  for (std::size_t i = 0; i < resolvedPath.waypointOf.size(); ++i) valueOf[resolvedPath.waypointOf[i]] = i + 1;
+  const std::vector<std::size_t>& valueOf = resolvedPath.valueOf;
   for (std::size_t i = 1; i + 1 < path.waypoints.size() && !progress.cancelled(); ++i) {
     const Waypoint &waypoint = path.waypoints[i], &next = path.waypoints[i + 1];
     if (waypoint.blend <= 0.0) continue;
@@ -136,13 +153,14 @@ std::vector<double> certifiedBlends(const CellScene& scene, const CellPlans& pla
     const ZoneSide in(scene, plans.tool, before), out(scene, plans.tool, after);
     const ZoneProof proof(scene, plans.tool, hasLine, clearance);
     // Controllers give a zone half of a motion at most.
-    const double wanted = std::min(waypoint.blend, 0.5 * std::min(in.length(), out.length()));
+    const double wanted = std::min({waypoint.blend, in.reach(), out.reach()});
     constexpr double kLeast = 1e-3;  // mm: languages write no smaller zone
     for (double radius = wanted; radius > std::max(kLeast, 0.05 * wanted); radius *= 0.7) {
-      if (!proof.isFree(in, out, radius / in.length(), radius / out.length(), progress)) continue;
+      if (!proof.isFree(in, out, in.shareOf(radius), out.shareOf(radius), progress)) continue;
       blends[i] = radius;
       break;
     }
+    if (reduced && blends[i] < wanted && wanted > kLeast) reduced->push_back(i);
   }
   return blends;
 }

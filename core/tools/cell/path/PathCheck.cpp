@@ -31,12 +31,14 @@ ResolvedPath resolved(const CellScene& scene, const CellPlans& plans, const Robo
         resolvedPath.offs.push_back(scene.scene.travelBound(line.path[k - 1], line.path[k], line.offs[k - 1]));
       resolvedPath.joints.insert(resolvedPath.joints.end(), line.path.begin() + 1, line.path.end());
       resolvedPath.waypointOf.resize(resolvedPath.joints.size() - 1, i);
+      resolvedPath.valueOf.push_back(resolvedPath.joints.size() - 1);
       if (line.reached >= 1.0) continue;
       resolvedPath.stopsAt = i;
       resolvedPath.reached = line.reached;
       return resolvedPath;
     }
     resolvedPath.joints.push_back(values);
+    resolvedPath.valueOf.push_back(resolvedPath.joints.size() - 1);
     if (i == 0) continue;
     resolvedPath.waypointOf.push_back(i);
     resolvedPath.offs.push_back(0.0);
@@ -63,6 +65,12 @@ std::vector<Vec3> toolCurve(const CellScene& scene, const CellPlans& plans, cons
 
 bool CheckedPath::hasMissing() const {
   return std::ranges::find(missing, MissingShape::State::Open, &MissingShape::state) != missing.end();
+}
+
+bool CheckedPath::isProvenAsWritten() const {
+  const auto isWritten = [](const ProofGap& gap) { return gap.kind == ProofGap::Kind::Zone; };
+  return !resolved.stopsAt && !verification.certified.empty() && verification.isCertified() && !hasMissing() &&
+         std::ranges::all_of(gaps, isWritten);
 }
 
 bool CheckedPath::isTouching() const {
@@ -96,7 +104,11 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
                                   checked.resolved.offs);
   checked.metrics = metricsOf(scene.scene, scene.arm, checked.resolved.joints, {}, progress.part(0.6, 0.95));
   checked.gaps = gapsOf(scene, plans, path, checked.resolved, settings.clearance, progress);
-  checked.blends = certifiedBlends(scene, plans, path, checked.resolved, settings.clearance, progress);
+  std::vector<std::size_t> reduced;
+  checked.blends = certifiedBlends(scene, plans, path, checked.resolved, settings.clearance, progress, &reduced);
+  // A program that was read runs with its own zones.
+  for (const std::size_t i : path.language.empty() ? std::vector<std::size_t>() : reduced)
+    checked.gaps.push_back({.kind = ProofGap::Kind::Zone, .waypoint = i, .kept = checked.blends[i]});
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   checked.seconds = timed(scene, plans, path, checked.resolved, checked.blends).duration();
   return checked;
@@ -300,6 +312,8 @@ std::vector<std::string> remarksOn(const RobotPath& path, const CheckedPath& che
   if (checked.isTouching()) remarks.emplace_back("Touching: the least clearance is 0 mm.");
   if (const std::string blends = smallerBlendsText(smallerBlends(path, checked)); !blends.empty())
     remarks.push_back(blends);
+  if (!path.waypoints.empty() && path.waypoints.front().corner > 0.0)
+    remarks.emplace_back("Exact stop at the first place in place of its rounding: the motion to it is not checked.");
   if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
     remarks.push_back("Exact stops in place of blends: " + std::to_string(stops) +
                       ". Not every way within their zones is proven free.");
@@ -351,7 +365,10 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
     if (i > 0) joints = byShortestTurn(scene.scene, program.motions.back().joints, joints);
     ProgramMotion motion{waypoint.motion, joints,          waypoint.speed,   checked.blends[i],
                          waypoint.name,   waypoint.corner, waypoint.seconds, waypoint.lines};
-    if (i == 0) motion.kind = ProgramMotion::Kind::Joint;
+    if (i == 0) {
+      motion.kind = ProgramMotion::Kind::Joint;
+      motion.corner = 0.0;  // the motion to the first place is not known
+    }
     program.motions.push_back(std::move(motion));
   }
   return program;

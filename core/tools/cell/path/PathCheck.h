@@ -17,6 +17,7 @@ namespace handwheel {
 struct ResolvedPath {
   JointPath joints;
   std::vector<std::size_t> waypointOf;      // Index of the waypoint at the end of each motion, at least 1
+  std::vector<std::size_t> valueOf = {};    // Index in joints of each waypoint up to stopsAt
   std::optional<std::size_t> stopsAt = {};  // Waypoint to which a line cannot be followed; the path ends before it
   double reached = 1.0;                     // Fraction of the line to stopsAt that can be followed
   std::vector<double> offs = {};  // mm, for each motion: the maximum deviation of a point of the robot from the line
@@ -47,10 +48,9 @@ struct CheckedPath {
   std::vector<ProofGap> gaps = {};         // The result of gapsOf()
 
   // Returns true if all motions are proven, and nothing is missing that was not left out or replaced.
-  bool isCertified() const {
-    return !resolved.stopsAt && !verification.certified.empty() && verification.isCertified() && !hasMissing() &&
-           gaps.empty();
-  }
+  bool isCertified() const { return isProvenAsWritten() && gaps.empty(); }
+  // Returns true if the path is proven as programs are written, with zones that are as small as their proof needs.
+  bool isProvenAsWritten() const;
   bool hasMissing() const;
   // Returns true if the robot touches something on the path: its clearance is 0, as it is displayed.
   bool isTouching() const;

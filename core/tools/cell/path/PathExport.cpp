@@ -30,7 +30,7 @@ namespace {
 constexpr double kMostOff = 1e-3;  // mm, degrees
 
 std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, const CheckedPath& checked) {
-  if (checked.isCertified()) return std::nullopt;
+  if (checked.isProvenAsWritten()) return std::nullopt;
   if (checked.resolved.stopsAt) {
     const std::string waypoint = std::to_string(*checked.resolved.stopsAt + 1);
     return Error{CellError::LineUnreachable, {waypoint, roundedText(100.0 * checked.resolved.reached, 3)}, {}, {}};
@@ -41,7 +41,7 @@ std::optional<Error> problemOf(const CellScene& scene, const RobotPath& path, co
       return Error{CellError::ShapeMissing, {path.name, open->name, open->what}, {}, {}};
   }
   const auto& collisions = checked.verification.collisions;
-  if (collisions.empty() && !checked.gaps.empty()) {
+  if (collisions.empty() && !checked.gaps.empty()) {  // those of zones come last
     const ProofGap& gap = checked.gaps.front();
     const std::string number = std::to_string(gap.waypoint + 1);
     return gap.kind == ProofGap::Kind::Corner ? Error{CellError::CornerNotProven, {path.name, number}, {}, {}}
@@ -161,6 +161,19 @@ SerialArm countedFrom(const Pose& base, const SerialArm& arm) {
   std::vector<ArmJoint> joints(arm.joints().begin(), arm.joints().end());
   if (!joints.empty()) joints.front().before = base.inverse(Eigen::Isometry) * joints.front().before;
   return SerialArm(std::move(joints), arm.tip()).withCoupling(arm.coupling());
+}
+
+// Returns the first joint without limits that a motion turns by more than half a turn, and the turn in degrees. Paths
+// of such joints take the shorter way.
+std::optional<std::pair<std::string, double>> longTurn(const CellScene& scene, const ArmValues& from,
+                                                       const ArmValues& to) {
+  const ArmValues shortest = byShortestTurn(scene.scene, from, to);
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    if (shortest[i] != to[i])
+      return std::pair(scene.robot->model.jointOfDof(scene.dofs[static_cast<std::size_t>(i)]).name,
+                       std::abs(to[i] - from[i]) / kRadiansPerDegree);
+  }
+  return std::nullopt;
 }
 
 // Reads the file of this name in a folder, whatever the case of its letters; empty if there is none.
@@ -285,11 +298,14 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   RobotPath path{"program", {}, cell.plans->arm};
   path.clearance = keptClearance(text);
   std::vector<std::size_t> openConfigurations;
-  std::optional<Pose> otherTool;
+  std::optional<Pose> otherTool, firstTool;
+  bool isOnlyTool = true;
   ArmValues before = scene.planned(cell.joints);
   for (ParsedMotion& motion : *motions) {
     if (motion.isConfigurationOpen) openConfigurations.push_back(motion.line);
     if (!otherTool && motion.tool && !isSameTool(*motion.tool, frame.tool)) otherTool = motion.tool;
+    if (!firstTool) firstTool = motion.tool;
+    if (motion.tool && !isSameTool(*motion.tool, *firstTool)) isOnlyTool = false;
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     progress.set(static_cast<double>(path.waypoints.size()) / static_cast<double>(motions->size()));
     const ArmValues from = before;
@@ -305,6 +321,8 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
       return located({ErrorCode::ElementMalformed, {"motion", "a number for each joint was expected"}, {}, {}});
     if (motion.joints) {
       before = *motion.joints;
+      if (const auto turned = longTurn(scene, from, before); turned && !path.waypoints.empty())
+        return located({PostError::TurnsTooFar, {turned->first, roundedText(turned->second, 4)}, {}, {}});
     } else {
       const Pose tip = *motion.pose * frame.tool.inverse(Eigen::Isometry);
       const NumericalIkResult found = solvedNumerically(frame.arm, tip, before, {.tolerance = 1e-8, .seconds = 0.05});
@@ -331,12 +349,11 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     waypoint.lines = std::move(motion.lines);
     path.waypoints.push_back(std::move(waypoint));
   }
-  const auto hasLines = [](const Waypoint& waypoint) { return !waypoint.lines.empty(); };
-  if (!path.head.empty() || std::ranges::any_of(path.waypoints, hasLines)) path.language = post.id();
+  if (*post.maker()) path.language = post.id();
   std::sort(openConfigurations.begin(), openConfigurations.end());
   openConfigurations.erase(std::unique(openConfigurations.begin(), openConfigurations.end()), openConfigurations.end());
   return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()) * counted),
-                     std::move(openConfigurations), otherTool};
+                     std::move(openConfigurations), otherTool, isOnlyTool};
 }
 
 Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,

@@ -59,6 +59,8 @@ struct ProgramPath {
   // all waypoints have the tool of the cell, or none. The arm still reaches the waypoints, but straight lines are those
   // of the cell's tool.
   std::optional<Pose> otherTool = {};
+  // True if all waypoints with a tool have that one.
+  bool isOnlyTool = true;
 };
 
 // Reads a program in the language of a controller as a path. Poses become the joint values nearest to those of the

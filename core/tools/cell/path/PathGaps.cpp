@@ -136,14 +136,18 @@ std::vector<ProofGap> gapsOf(const CellScene& scene, const CellPlans& plans, con
     const Waypoint &at = path.waypoints[i], &next = path.waypoints[i + 1];
     if (at.corner <= 0.0) continue;
     const auto isOf = [&](ProgramMotion::Kind kind) { return at.motion == kind || next.motion == kind; };
-    const ArmValues before = scene.planned(path.waypoints[i - 1].joints), here = scene.planned(at.joints),
-                    after = scene.planned(next.joints);
+    const auto valuesAt = [&](std::size_t index) { return resolvedPath.joints[resolvedPath.valueOf[index]]; };
+    const ArmValues before = valuesAt(i - 1), here = valuesAt(i), after = valuesAt(i + 1);
     const bool isFree = (!isOf(ProgramMotion::Kind::Joint) || proof.isFree(before, here, after)) &&
                         (!isOf(ProgramMotion::Kind::Linear) || proof.isFreeInSpace(plans.tool, before, here, after));
     if (!isFree) gaps.push_back({.kind = ProofGap::Kind::Corner, .waypoint = i});
   }
   for (std::size_t i = 0; i + 1 < path.waypoints.size(); ++i) {
-    const ProgramLine* const line = path.waypoints[i].gripping();
+    const ProgramLine* line = path.waypoints[i].gripping();
+    if (i == 0 && !line && !path.waypoints[0].keepsCarried) {
+      const auto found = std::ranges::find_if(path.head, &ProgramLine::mayGrip);
+      if (found != path.head.end()) line = &*found;
+    }
     if (!line) continue;
     gaps.push_back({.kind = ProofGap::Kind::Carried, .waypoint = i, .text = line->text, .line = line->line});
     break;

@@ -358,7 +358,7 @@ Result<PlannedPath> plannedThrough(const CellScene& scene, const CellPlans& plan
   std::vector<const Waypoint*> kept;
   for (const Waypoint& waypoint : waypoints) {
     const bool isEnd = &waypoint == &waypoints.front() || &waypoint == &waypoints.back();
-    if (waypoint.isCritical || isEnd) kept.push_back(&waypoint);
+    if (waypoint.isCritical || isEnd || !waypoint.lines.empty()) kept.push_back(&waypoint);
   }
   PlannedPath planned;
   // Other robots are where they stand now; whether a leg can be kept is judged with them there.

@@ -129,13 +129,21 @@ class PathBlendsTest : public QObject {
   }
 
   // A ball beside the flange at the waypoint: everything within the triangle of the corner keeps clear of it, and a
-  // waypoint without the clearance has no zone.
+  // waypoint without the clearance has no zone. The triangle ends where the tool leaves the ball of the zone, which on
+  // an arc is farther along it than the radius.
+  void besideABall_data() {
+    QTest::addColumn<double>("wanted");
+    QTest::newRow("5 mm") << 5.0;
+    QTest::newRow("150 mm") << 150.0;
+    QTest::newRow("400 mm") << 400.0;
+  }
   void besideABall() {
+    QFETCH(double, wanted);
     const JointValues a = jointValues({-1.5, 0.6, 0.0, 0.0, 0.5, 0.0}), b = jointValues({0.0, 0.6, 0.0, 0.0, 0.5, 0.0}),
                       c = jointValues({0.0, -0.6, 0.0, 0.0, 0.5, 0.0});
     const BlendFixture open;
     const Vec3 flange = open.scene().arm.tipPose(open.scene().planned(b)).translation();
-    const RobotPath path{"p", {{.joints = a}, {.joints = b, .blend = 5.0}, {.joints = c}}};
+    const RobotPath path{"p", {{.joints = a}, {.joints = b, .blend = wanted}, {.joints = c}}};
     int near = 0;
     for (const double away : {120.0, 90.0, 75.0, 66.0, 62.0}) {
       const BlendFixture fixture(std::pair{Vec3(flange + Vec3(0.6 * away, 0.0, -0.8 * away)), 30.0});
@@ -146,7 +154,7 @@ class PathBlendsTest : public QObject {
       const ArmValues at = scene.planned(b), in = scene.planned(a) - at, out = scene.planned(c) - at;
       const auto shareOf = [&](const ArmValues& side) {
         double share = 0.0;
-        while (share < 0.5 && (scene.arm.tipPose(at + share * side).translation() - flange).norm() < 0.98 * blend)
+        while (share < 0.5 && (scene.arm.tipPose(at + share * side).translation() - flange).norm() < blend)
           share += 1e-4;
         return share;
       };

@@ -5,6 +5,7 @@
 #include "../ArmCell.h"
 #include "TestClass.h"
 #include "document/cell/CellErrors.h"
+#include "document/cell/WaypointProperties.h"
 #include "robot/arm/NumericalIk.h"
 #include "robot/posts/PostErrors.h"
 #include "tools/cell/path/PathExport.h"
@@ -42,6 +43,25 @@ RobotPath cornerPath(double corner) {
 class ProgramProofTest : public QObject {
   Q_OBJECT
 
+  Vec3 flangeAt(const Waypoint& waypoint) {
+    return m_cell->scene()->arm.tipPose(m_cell->scene()->planned(waypoint.joints)).translation();
+  }
+  // Two lines of 120 mm at a right angle, along y and then along z.
+  RobotPath linesPath() {
+    RobotPath path{"lines", {proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    const auto scene = m_cell->scene();
+    const Pose start = scene->arm.tipPose(scene->planned(path.waypoints[0].joints));
+    for (const Vec3& by : {Vec3(0, 120, 0), Vec3(0, 120, 120)}) {
+      Pose tip = start;
+      tip.translation() += by;
+      const auto found = solvedNumerically(scene->arm, tip, scene->planned(path.waypoints.back().joints), {});
+      if (!found.isSolved) qFatal("out of reach");
+      path.waypoints.push_back(
+          {.joints = scene->whole(found.values), .motion = ProgramMotion::Kind::Linear, .speed = 100.0});
+    }
+    return path;
+  }
+
  private slots:
   void init() { m_cell = std::make_unique<ArmCell>(); }
 
@@ -58,30 +78,22 @@ class ProgramProofTest : public QObject {
     QVERIFY(!met.isCertified() && met.verification.isCertified());
     QCOMPARE(met.gaps, std::vector<ProofGap>{{.waypoint = 1}});
     QVERIFY(errorOf(cornerPath(100.0), "fanuc").code == CellError::CornerNotProven);
-    // At the ends of the path there is no corner.
+    // At the ends of the path there is no corner: a program stops at the first place, and says so.
     RobotPath ends = cornerPath(0.0);
     ends.waypoints[0].corner = ends.waypoints[2].corner = 100.0;
     QVERIFY(checked(ends).isCertified());
+    const QByteArray text = writtenText(ends, "fanuc");
+    QVERIFY2(text.contains("P[1] 25% FINE") && text.contains("Exact stop at the first"), text);
     QVERIFY(checked(chosen(cornerPath(100.0), {.cornersAsStops = true})).isCertified());
   }
 
   // Two lines at a right angle of 120 mm each: a ball of 10 mm in the middle of their triangle, 40 mm from both.
   void roundedCornersOfLines() {
-    RobotPath path{"lines", {proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0})}};
-    const auto scene = m_cell->scene();
-    const Pose start = scene->arm.tipPose(scene->planned(path.waypoints[0].joints));
-    for (const Vec3& by : {Vec3(0, 120, 0), Vec3(0, 120, 120)}) {
-      Pose tip = start;
-      tip.translation() += by;
-      const auto found = solvedNumerically(scene->arm, tip, scene->planned(path.waypoints.back().joints), {});
-      QVERIFY(found.isSolved);
-      Waypoint waypoint{.joints = scene->whole(found.values), .motion = ProgramMotion::Kind::Linear, .speed = 100.0};
-      waypoint.corner = 50.0;
-      path.waypoints.push_back(waypoint);
-    }
+    RobotPath path = linesPath();
+    for (Waypoint& waypoint : path.waypoints) waypoint.corner = 50.0;
     QVERIFY(checked(path).isCertified());
     // Beyond the flange, so that only the tool's side of the arm comes near.
-    m_cell->addBox({4, 4, 4}, start.translation() + Vec3(0, 60, 60));
+    m_cell->addBox({4, 4, 4}, flangeAt(path.waypoints[0]) + Vec3(0, 60, 60));
     CheckedPath met = checked(path);
     QVERIFY(!met.gaps.empty());
     QVERIFY(met.gaps.front().kind == ProofGap::Kind::Corner);
@@ -115,6 +127,64 @@ class ProgramProofTest : public QObject {
     // Behind the last motion it changes nothing that is proven.
     std::swap(path.waypoints[1].lines, path.waypoints[2].lines);
     QVERIFY(checked(path).isCertified());
+  }
+
+  // The zone of a program that was read counts as the controller runs it. It reaches to the middle of both motions. A
+  // box stands near the line between these middles in joint space, where only the path itself is free. Written programs
+  // have a smaller zone.
+  void zonesOfPrograms() {
+    RobotPath path = cornerPath(0.0);
+    path.waypoints[1].blend = 5000.0;
+    const double whole = checked(path).blends[1];
+    QVERIFY(whole > 50.0 && checked(path).isCertified());
+    bool isFound = false;
+    for (double share = 0.25; share < 0.5 && !isFound; share += 0.01) {
+      m_cell = std::make_unique<ArmCell>();
+      m_cell->addBox({4, 4, 4}, flangeAt(proofWaypoint({1.0 - share, 0.7 * share, 0.0, 0.0, 0.5, 0.0})));
+      const CheckedPath found = checked(path);
+      isFound = found.verification.isCertified() && found.blends[1] < 0.99 * whole;
+    }
+    QVERIFY(isFound);
+    for (const char* const language : {"", "rapid"}) {
+      path.language = language;
+      const CheckedPath found = checked(path);
+      QVERIFY(found.isProvenAsWritten());
+      QCOMPARE(found.isCertified(), path.language.empty());
+      QCOMPARE(found.gaps.size(), path.language.empty() ? std::size_t{0} : std::size_t{1});
+      if (!found.gaps.empty())
+        QVERIFY(found.gaps[0].kind == ProofGap::Kind::Zone && found.gaps[0].waypoint == 1 &&
+                found.gaps[0].kept == found.blends[1]);
+      QVERIFY(!writtenText(path, "rapid").isEmpty());
+    }
+  }
+
+  // A line before the first motion may grip, too.
+  void grippedAtTheBegin() {
+    RobotPath path = cornerPath(0.0);
+    path.language = "rapid";
+    path.head = {{.text = "Set doGrip", .line = 4, .mayGrip = true}};
+    QCOMPARE(checked(path).gaps, (std::vector<ProofGap>{{ProofGap::Kind::Carried, 0, "Set doGrip", 4}}));
+    QVERIFY(checked(chosen(path, {.keepsCarried = true})).isCertified());
+    const std::vector<Property> fields = waypointProperties(path, 0);
+    QVERIFY(fields.size() == 1 && fields[0].id == "path.corner.1.carried");
+    CellPlans plans;
+    plans.paths = {path};
+    const auto field = waypointOfProperty(plans, "path.corner.1.carried");
+    QVERIFY(field && !waypointOfProperty(plans, "path.corner.1.speed"));
+    QVERIFY(checked(changedWaypoint(plans, *field, true)->paths[0]).isCertified());
+  }
+
+  // Lines of a place that is removed stay in the program.
+  void linesOfRemovedWaypoints() {
+    RobotPath path = cornerPath(0.0);
+    path.head = {{.text = "a"}};
+    path.waypoints[0].lines = {{.text = "b"}};
+    path.waypoints[1].lines = {{.text = "c"}};
+    removeWaypoint(path, 1);
+    QCOMPARE(path.waypoints[0].lines, (std::vector<ProgramLine>{{.text = "b"}, {.text = "c"}}));
+    removeWaypoint(path, 0);
+    QCOMPARE(path.head, (std::vector<ProgramLine>{{.text = "a"}, {.text = "b"}, {.text = "c"}}));
+    QCOMPARE(path.waypoints.size(), std::size_t{1});
   }
 
   // The time that the program demands, if the robot is as fast; other motions are not changed.
