@@ -3,6 +3,7 @@
 #include "cli/volume/ClayCommand.h"
 
 #include "base/NumberText.h"
+#include "base/Utf8.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/MemoryNotice.h"
@@ -11,7 +12,6 @@
 #include "cli/TipTrajectory.h"
 #include "cli/volume/VolumeFiles.h"
 #include "document/FileBytes.h"
-#include "document/Utf8.h"
 #include "document/volume/ImageFiles.h"
 #include "document/volume/LayerSteps.h"
 #include "document/volume/VolumeKind.h"

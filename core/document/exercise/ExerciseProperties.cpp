@@ -3,7 +3,7 @@
 #include "document/exercise/ExerciseProperties.h"
 
 #include "base/NumberText.h"
-#include "document/Utf8.h"
+#include "base/Utf8.h"
 #include "document/exercise/ExerciseErrors.h"
 #include "document/exercise/ShippedExercises.h"
 

@@ -3,7 +3,7 @@
 #include "document/scene/BodyChanges.h"
 
 #include "base/NumberText.h"
-#include "document/Utf8.h"
+#include "base/Utf8.h"
 #include "document/scene/BodyEdit.h"
 #include "document/scene/BodyErrors.h"
 #include "scene/RigidPose.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/scene/BodyLinks.h"
 
-#include "document/Utf8.h"
+#include "base/Utf8.h"
 #include "scene/UnknownGeometry.h"
 
 #include <QCryptographicHash>

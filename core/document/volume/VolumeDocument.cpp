@@ -3,7 +3,7 @@
 #include "document/volume/VolumeDocument.h"
 
 #include "base/NumberText.h"
-#include "document/Utf8.h"
+#include "base/Utf8.h"
 #include "document/volume/LayerSteps.h"
 
 #include <QtGlobal>

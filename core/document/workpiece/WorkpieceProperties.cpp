@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceProperties.h"
 
-#include "document/Utf8.h"
+#include "base/Utf8.h"
 #include "document/workpiece/target/TargetPosition.h"
 #include "machining/force/WorkMaterials.h"
 

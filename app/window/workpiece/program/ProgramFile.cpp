@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/workpiece/program/ProgramFile.h"
 
+#include "base/Utf8.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
-#include "document/Utf8.h"
 
 #include <QFileInfo>
 #include <QStringList>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/target/TargetBlobs.h"
 
-#include "document/Utf8.h"
+#include "base/Utf8.h"
 #include "document/container/Blobs.h"
 
 #include <nlohmann/json.hpp>

@@ -3,10 +3,10 @@
 #include "document/workpiece/target/TargetImport.h"
 
 #include "base/NumberText.h"
+#include "base/Utf8.h"
 #include "document/Container.h"
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
-#include "document/Utf8.h"
 #include "document/formats/MeshFormatTable.h"
 #include "document/formats/step/StepReader.h"
 #include "document/workpiece/WorkpieceKind.h"
