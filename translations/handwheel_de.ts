@@ -3329,6 +3329,26 @@
         <source>it is neither numbers nor a variable that was given numbers before</source>
         <translation>es sind weder Zahlen noch eine Variable, die zuvor Zahlen bekam</translation>
     </message>
+    <message>
+        <source>line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>an external axis moves, and only axes of the robot can</source>
+        <translation>eine Zusatzachse bewegt sich, und nur Achsen des Roboters können das</translation>
+    </message>
+    <message>
+        <source>there are too many without a motion</source>
+        <translation>es sind zu viele ohne eine Bewegung</translation>
+    </message>
+    <message>
+        <source>too many functions are within each other</source>
+        <translation>zu viele Funktionen stehen ineinander</translation>
+    </message>
+    <message>
+        <source>two routines have the name that it calls</source>
+        <translation>zwei Routinen haben den Namen, den es aufruft</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -6012,6 +6032,14 @@
     <message>
         <source>The tool centre point of the program is at %1, that of the cell at %2. The arm comes to the same places, but lines and blends are those of the cell&apos;s tool: set the tool centre point of the cell to that of the program, and open it again.</source>
         <translation>Der Werkzeugmittelpunkt des Programms liegt bei %1, der der Zelle bei %2. Der Arm erreicht dieselben Stellen, doch Strecken und Überschleifen sind die des Werkzeugs der Zelle: den Werkzeugmittelpunkt der Zelle auf den des Programms setzen und es erneut öffnen.</translation>
+    </message>
+    <message>
+        <source>The path does not have all that these lines say: %1 (handlers of errors and interrupts, functions, options of motions such as ACC and PTH). A program that is written from it does not have this either.</source>
+        <translation>Die Bahn hat nicht alles, was diese Zeilen sagen: %1 (Behandlung von Fehlern und Unterbrechungen, Funktionen, Zusätze von Bewegungen wie ACC und PTH). Ein Programm, das aus ihr geschrieben wird, hat dies auch nicht.</translation>
+    </message>
+    <message>
+        <source>External axes stand at “%1” in the whole program. The cell does not move them: robot and parts must stand there as they do then. Programs in the same language are written with these axes.</source>
+        <translation>Zusatzachsen stehen im ganzen Programm bei „%1“. Die Zelle bewegt sie nicht: Roboter und Teile müssen dort so stehen wie dann. Programme in derselben Sprache werden mit diesen Achsen geschrieben.</translation>
     </message>
 </context>
 <context>

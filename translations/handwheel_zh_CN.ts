@@ -3329,6 +3329,26 @@
         <source>it is neither numbers nor a variable that was given numbers before</source>
         <translation>既不是数，也不是先前被赋予数的变量</translation>
     </message>
+    <message>
+        <source>line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>an external axis moves, and only axes of the robot can</source>
+        <translation>有外部轴在运动，而只有机器人的轴可以运动</translation>
+    </message>
+    <message>
+        <source>there are too many without a motion</source>
+        <translation>没有运动的行太多</translation>
+    </message>
+    <message>
+        <source>too many functions are within each other</source>
+        <translation>函数嵌套过多</translation>
+    </message>
+    <message>
+        <source>two routines have the name that it calls</source>
+        <translation>有两个例程具有所调用的名称</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -6008,6 +6028,14 @@
     <message>
         <source>The tool centre point of the program is at %1, that of the cell at %2. The arm comes to the same places, but lines and blends are those of the cell&apos;s tool: set the tool centre point of the cell to that of the program, and open it again.</source>
         <translation>程序的工具中心点在 %1，单元的在 %2。手臂到达相同位置，但直线和圆滑过渡按单元的工具计算：请将单元的工具中心点设为程序的，再重新打开。</translation>
+    </message>
+    <message>
+        <source>The path does not have all that these lines say: %1 (handlers of errors and interrupts, functions, options of motions such as ACC and PTH). A program that is written from it does not have this either.</source>
+        <translation>路径不包含这些行的全部内容：%1（错误和中断的处理程序、函数、ACC 和 PTH 等运动选项）。由该路径写出的程序也不包含这些内容。</translation>
+    </message>
+    <message>
+        <source>External axes stand at “%1” in the whole program. The cell does not move them: robot and parts must stand there as they do then. Programs in the same language are written with these axes.</source>
+        <translation>外部轴在整个程序中停在“%1”。单元不会移动它们：机器人和零件必须按那时的位置放置。同一语言的程序会连同这些轴一起写出。</translation>
     </message>
 </context>
 <context>

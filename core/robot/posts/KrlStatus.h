@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace handwheel {
 
@@ -20,6 +21,9 @@ struct KrlStatus {
 
   std::string text() const;  // "S 'B010',T 'B000010'"
 };
+
+// The comment with the name of the frame that $BASE is set to.
+inline constexpr std::string_view kKrlBaseName = "; $BASE is the frame ";
 
 // Returns the status of an arm of six revolute joints.
 KrlStatus krlStatusOf(const SerialArm& arm, const ArmValues& values);

@@ -7,7 +7,7 @@
 // Version of the plugin interface, in the plugin's metadata. The version must match exactly, and is compared before any
 // code of the plugin is loaded. Increment it with every change of PostProcessor.h, RobotProgram.h, SerialArm.h, Error.h
 // or this file.
-#define HANDWHEEL_POST_PLUGIN "handwheel.post/8"
+#define HANDWHEEL_POST_PLUGIN "handwheel.post/9"
 
 namespace handwheel {
 

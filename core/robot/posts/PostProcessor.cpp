@@ -20,7 +20,8 @@ std::optional<Error> linesOfOther(const RobotProgram& program, const PostProcess
   std::vector<const ProgramLine*> all;
   const auto add = [&](const std::vector<ProgramLine>& lines) {
     for (const ProgramLine& line : lines) {
-      if (line.kind == ProgramLine::Kind::Statement) all.push_back(&line);
+      const bool isDroppable = line.kind == ProgramLine::Kind::Comment || line.kind == ProgramLine::Kind::Declaration;
+      if (!isDroppable) all.push_back(&line);
     }
   };
   add(program.head);
@@ -169,6 +170,31 @@ std::optional<Error> differenceOf(const ProgramMotion& wanted, const ParsedMotio
   return std::nullopt;
 }
 
+// Returns the texts of lines that are written: declarations first, as they may be moved there, and without empty ones.
+std::vector<std::string> writtenTexts(const std::vector<ProgramLine>& lines) {
+  std::vector<ProgramLine> all;
+  std::ranges::copy_if(lines, std::back_inserter(all), [](const ProgramLine& line) { return !line.text.empty(); });
+  std::ranges::stable_sort(all, {}, [](const ProgramLine& line) {
+    return line.kind == ProgramLine::Kind::Declaration ? 0 : line.kind == ProgramLine::Kind::Axes ? 1 : 2;
+  });
+  std::vector<std::string> texts;
+  for (const ProgramLine& line : all) texts.push_back(keptText(line, "! "));
+  return texts;
+}
+
+// Compares the lines at a motion.
+std::optional<Error> differenceOf(const std::vector<ProgramLine>& wanted, const std::vector<ProgramLine>& got,
+                                  std::size_t number) {
+  const std::vector<std::string> before = writtenTexts(wanted), after = writtenTexts(got);
+  const auto [was, is] = std::ranges::mismatch(before, after);
+  if (was == before.end() && is == after.end()) return std::nullopt;
+  const auto shown = [](auto at, auto end) { return at == end ? std::string("-") : *at; };
+  return Error{PostError::MotionDiffers,
+               {std::to_string(number), "line", shown(was, before.end()), shown(is, after.end())},
+               {},
+               {}};
+}
+
 void compare(const Pose& wanted, const Pose& got, PostCheck& check) {
   if (!got.matrix().allFinite()) check.distance = std::numeric_limits<double>::infinity();
   check.distance = std::max(check.distance, (got.translation() - wanted.translation()).norm());
@@ -192,6 +218,10 @@ Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& pr
   for (std::size_t i = 0; i < read->size(); ++i) {
     const ParsedMotion& motion = (*read)[i];
     if (const auto difference = differenceOf(program.motions[i], motion, i + 1)) return *difference;
+    const bool hasLines = program.language == post.id();  // other languages have comments only, and change these
+    const auto lines = hasLines ? differenceOf(program.motions[i].lines, motion.lines, i + 1) : std::nullopt;
+    const auto head = hasLines && i == 0 ? differenceOf(program.head, motion.before, 1) : std::nullopt;
+    if (head || lines) return head ? *head : *lines;
     const Pose wanted = program.frame.inverse(Eigen::Isometry) * program.tipOf(program.motions[i]);
     const Pose got =
         motion.joints

@@ -43,6 +43,9 @@ struct ParsedMotion {
   double seconds = 0.0;                  // see ProgramMotion
   std::vector<ProgramLine> before = {};  // lines before the first motion; empty for the others
   std::vector<ProgramLine> lines = {};   // see ProgramMotion
+  // The numbers of the lines of the program with something that is read and not kept, such as handlers of errors; in
+  // rising order. Empty for all motions but the first.
+  std::vector<std::size_t> leftOut = {};
 };
 
 // Writes programs in the language of a controller, and reads them back. docs/posts.md explains how to add a post.
@@ -89,8 +92,9 @@ struct PostCheck {
   bool isInFrame = false;  // true if the program defines frames of some motions
 };
 // Reads a program back and compares it with the original: the ends of its motions (by forward kinematics), the frames,
-// kinds, speeds and blends. A speed must be equal as far as the language can express it, and a blend must not be
-// larger. Errors: the errors of PostProcessor::read(), CountMismatch {"motions", written, read}, MotionDiffers.
+// kinds, speeds and blends, and the lines that are kept, if they are of its language. A speed must be equal as far as
+// the language can express it, and a blend must not be larger. Errors: the errors of PostProcessor::read(),
+// CountMismatch {"motions", written, read}, MotionDiffers.
 Result<PostCheck> checkWritten(const PostProcessor& post, const RobotProgram& program, std::string_view text);
 
 }  // namespace handwheel

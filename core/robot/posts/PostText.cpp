@@ -3,6 +3,7 @@
 #include "robot/posts/PostText.h"
 
 #include "base/NumberText.h"
+#include "base/Utf8.h"
 #include "robot/posts/PostErrors.h"
 #include "robot/program/RobotPath.h"
 
@@ -76,10 +77,12 @@ std::string lowerCase(std::string text) {
 }
 
 std::string identifierBeside(std::span<const char* const> words, const std::string& name, std::size_t longest) {
-  std::string made = identifierOf(name, longest);
-  const std::string lower = lowerCase(made);
-  if (std::none_of(words.begin(), words.end(), [&](const char* word) { return lower == word; })) return made;
-  return identifierOf(made + "_path", longest);
+  const auto isWord = [&](const std::string& made) {
+    return std::ranges::any_of(words, [lower = lowerCase(made)](const char* word) { return lower == word; });
+  };
+  const std::string made = identifierOf(name, longest), other = identifierOf(made + "_path", longest);
+  if (!isWord(made)) return made;
+  return isWord(other) ? identifierWithDigits(name, longest) : other;
 }
 
 std::string frameIdentifier(const RobotProgram& program, std::span<const char* const> words, std::size_t longest) {
@@ -198,9 +201,50 @@ std::string keptTexts(const std::vector<ProgramLine>& lines, const char* indent,
   std::string text;
   for (const ProgramLine& each : lines) {
     const bool isComment = each.kind == ProgramLine::Kind::Comment;
+    if (each.kind == ProgramLine::Kind::Axes) continue;
     if (!each.text.empty()) text += indent + keptText(each, commentSign) + (isComment ? "" : ending) + "\n";
   }
   return text;
+}
+
+std::string withNames(std::string_view text, const std::function<std::string(const std::string& name)>& renamed) {
+  std::string made;
+  bool isQuoted = false;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '"') isQuoted = !isQuoted;
+    const bool isName = !isQuoted && (isLetter(text[i]) || text[i] == '_' || text[i] == '$');
+    std::size_t end = i + 1;
+    while ((isName || (!isQuoted && isDigit(text[i]))) && end < text.size() && isNameCharacter(text[end])) ++end;
+    const std::string_view word = text.substr(i, end - i);
+    const bool isComponent = i > 0 && (text[i - 1] == '.' || text[i - 1] == '\\');  // ".x", "\MaxTime"
+    const std::string other = isName && !isComponent ? renamed(lowerCase(std::string(word))) : std::string();
+    made += other.empty() ? word : std::string_view(other);
+    i = end;
+  }
+  return made;
+}
+
+std::vector<std::string> namesIn(std::string_view text) {
+  std::vector<std::string> names;
+  withNames(text, [&](const std::string& name) {
+    names.push_back(name);
+    return std::string();
+  });
+  return names;
+}
+
+std::set<std::string> keptNames(const RobotProgram& program, std::string_view language) {
+  std::set<std::string> names;
+  if (program.language != language) return names;
+  const auto add = [&](const std::vector<ProgramLine>& lines) {
+    for (const ProgramLine& line : lines) {
+      if (line.kind == ProgramLine::Kind::Comment) continue;
+      for (std::string& name : namesIn(line.text)) names.insert(std::move(name));
+    }
+  };
+  add(program.head);
+  for (const ProgramMotion& motion : program.motions) add(motion.lines);
+  return names;
 }
 
 std::string nameInComment(std::string_view comment) {
@@ -315,6 +359,26 @@ std::optional<std::vector<double>> LineReader::numbersWithin(char open, char clo
 
 Error LineReader::malformed(const char* element, const char* reason) const {
   return {ErrorCode::ElementMalformed, {element, reason}, InputPosition::line(m_line), {}};
+}
+
+Result<std::string> programText(std::string_view bytes) {
+  if (const Status fits = checkTextSize(bytes); !fits) return fits.error();
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  const bool isLatin = !isUtf8(bytes);
+  std::string text;
+  text.reserve(bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(bytes[i]);
+    if (byte == '\r') {
+      if (i + 1 == bytes.size() || bytes[i + 1] != '\n') text += '\n';
+    } else if (isLatin && byte >= 0x80) {
+      text += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
+    } else {
+      text += byte != '\n' && byte != '\t' && isControl(bytes[i]) ? ' ' : bytes[i];
+    }
+  }
+  return text;
 }
 
 Status checkTextSize(std::string_view text) {

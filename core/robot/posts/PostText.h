@@ -8,7 +8,9 @@
 #include "robot/posts/PostProcessor.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -84,6 +86,15 @@ std::string keptText(const ProgramLine& line, const char* commentSign);
 std::string keptTexts(const std::vector<ProgramLine>& lines, const char* indent, const char* commentSign,
                       const char* ending);
 
+// Returns the names in a text outside quotes, in lower case, with a "$" that stands before them. Components (".x") and
+// the names of arguments ("\MaxTime") are omitted.
+std::vector<std::string> namesIn(std::string_view text);
+// Returns the text with other names in the same places. renamed: gets such a name, and returns the new one; empty: it
+// remains.
+std::string withNames(std::string_view text, const std::function<std::string(const std::string& name)>& renamed);
+// Returns the names in the lines of a program that has them in this language, in lower case.
+std::set<std::string> keptNames(const RobotProgram& program, std::string_view language);
+
 // Returns the name of a waypoint in a comment as UrScriptPost and KrlPost write it, "; NAME": the sign, a space and one
 // word. Empty: it is another comment.
 std::string nameInComment(std::string_view comment);
@@ -119,6 +130,9 @@ class LineReader {
   std::size_t m_line;
 };
 
+// Returns the text of a program in UTF-8, with "\n" between lines. A byte-order mark is omitted, and control characters
+// but for tabs become blanks. Text that is no UTF-8 is taken as Latin-1. Errors: FileTooLarge.
+Result<std::string> programText(std::string_view bytes);
 // Returns the error FileTooLarge if the text is larger than PostProcessor::kLargestText.
 Status checkTextSize(std::string_view text);
 // Returns the lines of a text without comments. comment: the sign outside quotes at which a comment begins; empty: the

@@ -41,8 +41,9 @@ std::vector<ProgramStatement> statementsOf(const std::vector<std::string_view>& 
 }
 
 void ProgramRoutines::begin(std::string name, std::size_t line) {
-  m_open.push_back(&m_routines[std::move(name)]);
-  *m_open.back() = {line, {}};
+  const auto [routine, isNew] = m_routines.try_emplace(std::move(name));
+  routine->second = {line, {}, !isNew};
+  m_open.push_back(&routine->second);
 }
 
 void ProgramRoutines::end() {
@@ -65,6 +66,8 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
   if (m_hasOutside || m_routines.empty()) {
     open.push_back({&m_outside});
   } else if (const auto main = m_routines.find(first); main != m_routines.end()) {
+    if (main->second.isTwice)
+      return LineReader({}, main->second.line).malformed("program", "it does not specify which routine is the first");
     open.push_back({&main->second.statements});
   } else {
     std::set<std::string> free;
@@ -93,6 +96,8 @@ Result<std::vector<ProgramStatement>> ProgramRoutines::unrolled(const std::strin
       // Every recursion gets there.
       if (open.size() >= kDeepestCall)
         return LineReader({}, statement.line).malformed("program", "routines call each other endlessly");
+      if (routine->second.isTwice)
+        return LineReader({}, statement.line).malformed("program", "two routines have the name that it calls");
       open.push_back({&routine->second.statements});
     }
     characters += statement.text.size();

@@ -17,6 +17,7 @@ struct ProgramStatement {
   std::string_view text;
   std::size_t line = 0;  // number of the line, from 1
   bool isComment = false;
+  std::size_t scope = 0;  // number of the routine that it is in, or of another scope, by the reader's count
 };
 
 // Splits lines at semicolons outside quotes. Empty parts are omitted. comment: the sign of comments, which become
@@ -33,8 +34,8 @@ class ProgramRoutines {
   // Returns the statements in the order of execution, with calls replaced by the called statements. The program begins
   // with the statements outside routines. If these are none but comments, it goes on with the routine `first`, or else
   // with the only routine that no routine calls. called: returns the name of the routine that a statement calls; empty:
-  // none. Errors: ElementMalformed if the first routine is ambiguous, a routine calls itself, or there are too many
-  // statements.
+  // none. Errors: ElementMalformed if the first routine is ambiguous, a called routine has the name of another one, a
+  // routine calls itself, or there are too many statements.
   Result<std::vector<ProgramStatement>> unrolled(
       const std::string& first, const std::function<std::string(std::string_view statement)>& called) const;
 
@@ -42,6 +43,7 @@ class ProgramRoutines {
   struct Routine {
     std::size_t line = 0;
     std::vector<ProgramStatement> statements;
+    bool isTwice = false;  // another one has the same name
   };
   std::map<std::string, Routine> m_routines;
   std::vector<ProgramStatement> m_outside;

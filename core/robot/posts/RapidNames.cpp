@@ -63,7 +63,11 @@ std::string prefixedFrameName(const RobotProgram& program) {
   const auto isSame = [&](const std::string& other) {
     return lowerCase(identifierOf(other, kLongestShared)) == lowerCase(name);
   };
-  for (int n = 2; std::ranges::any_of(program.otherFrames, isSame); ++n) name = preferred + "_" + std::to_string(n);
+  const std::set<std::string> kept = keptNames(program, "rapid");
+  const auto isTaken = [&] {
+    return kept.contains(lowerCase(name)) || std::ranges::any_of(program.otherFrames, isSame);
+  };
+  for (int n = 2; isTaken(); ++n) name = preferred + "_" + std::to_string(n);
   return name;
 }
 
@@ -78,7 +82,21 @@ std::string rapidName(const RobotProgram& program) {
              return lower == other + ending || other == lower + ending;
            });
   };
-  return std::ranges::any_of(program.otherPaths, meets) ? identifierWithDigits(program.name, kLongestShared) : made;
+  // Kept lines may declare or use any name.
+  const std::set<std::string> kept = keptNames(program, "rapid");
+  const auto isKept = [&](const std::string& name) {
+    return std::ranges::any_of(kept, [own = lowerCase(name)](const std::string& each) {
+      if (!each.starts_with(own)) return false;
+      const std::string ending = each.substr(own.size());
+      const bool isPart = ending.starts_with('_') && ending.find_first_not_of("0123456789", 1) == ending.npos;
+      return isPart || std::ranges::find(kModuleEndings, ending) != std::end(kModuleEndings);
+    });
+  };
+  if (!std::ranges::any_of(program.otherPaths, meets) && !isKept(made)) return made;
+  std::string name = identifierWithDigits(program.name, kLongestShared);
+  for (int n = 2; isKept(name); ++n)
+    name = identifierWithDigits(program.name + "_" + std::to_string(n), kLongestShared);
+  return name;
 }
 
 std::string rapidFrameName(const RobotProgram& program) {
@@ -91,8 +109,9 @@ std::string rapidFrameName(const RobotProgram& program) {
                                  return lower == own || lower.starts_with(own + "_");
                                });
   };
-  const bool isTaken = isOfPath(program.name) || std::ranges::any_of(program.otherPaths, isOfPath) ||
-                       lower.starts_with("p_") || isStandardData(lower);
+  const bool isTaken = keptNames(program, "rapid").contains(lower) || isOfPath(program.name) ||
+                       std::ranges::any_of(program.otherPaths, isOfPath) || lower.starts_with("p_") ||
+                       isStandardData(lower);
   return isTaken ? prefixedFrameName(program) : name;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/ExternalAxes.h"
 #include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr std::size_t kMotionsOfARoutine = 1'000;
 constexpr double kLargestRapidSpeed = 5'000.0;  // mm/s, limit of VelSet at the start of a task
 constexpr const char* kNoAxes = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+constexpr const char* kRecordEnd = "ENDRECORD";  // no semicolon follows it
 
 std::string rapidPose(const Pose& pose) {
   const Vec3 at = pose.translation();
@@ -42,7 +44,12 @@ std::string zoneText(double blend) {
 class RapidWriting {
  public:
   explicit RapidWriting(const RobotProgram& program)
-      : m_program(program), m_name(rapidName(program)), m_frame(rapidFrameName(program)) {
+      : m_program(program),
+        m_name(rapidName(program)),
+        m_frame(rapidFrameName(program)),
+        m_axes(externalAxesOf(program, "rapid")),
+        m_names(keptNames(program, "rapid")) {
+    if (m_axes.empty()) m_axes = kNoAxes;
     for (const ProgramMotion& motion : program.motions) {
       if (motion.kind == ProgramMotion::Kind::Linear) m_largestSpeed = std::max(m_largestSpeed, motion.speed);
     }
@@ -77,7 +84,8 @@ class RapidWriting {
             ",[0,0,1],[1,0,0,0],0,0,0]];\n";
     const std::string frame =
         "PERS wobjdata " + m_frame + ":=[FALSE,TRUE,\"\",[" + rapidPose(m_program.frame) + "],[[0,0,0],[1,0,0,0]]];\n";
-    text += keptTexts(partOf(m_program.head, true), "  ", "! ", ";");
+    for (const ProgramLine& line : partOf(m_program.head, true))
+      text += keptTexts({line}, "  ", "! ", line.text.ends_with(kRecordEnd) ? "" : ";");
     if (m_program.frameName.empty()) return text + "  " + frame;
     if (!m_program.declaresFrame)
       return text + "  ! Another module of the task has the frame. The path was proven with this one:\n  ! " + frame;
@@ -115,7 +123,7 @@ class RapidWriting {
     const std::string time = motion.seconds > 0.0 ? "\\T:=" + fixedText(motion.seconds, 3) : "";
     const bool hasLinkage = hasParallelLinkage(m_program.arm);
     const ArmValues counted = hasLinkage ? countedByController(m_program.arm, motion.joints) : motion.joints;
-    const std::string joints = "[[" + fixedList(degreesOf(counted), 7) + "]," + kNoAxes + "]";
+    const std::string joints = "[[" + fixedList(degreesOf(counted), 7) + "]," + m_axes + "]";
     if (motion.kind == ProgramMotion::Kind::Joint)
       return "    MoveAbsJ " + target("jointtarget", joints, motion) + "\\NoEOffs,vmax" + time + "," + end;
     const std::string speed = ",[" + fixedText(std::max(motion.speed, 0.01), 2) + ",500,5000,1000]" + time + ",";
@@ -126,7 +134,7 @@ class RapidWriting {
       return "    MoveL CalcRobT(" + target("jointtarget", joints, motion) + "," + frame + ")" + speed + end;
     const Pose toolPose = m_program.frame.inverse(Eigen::Isometry) * m_program.tipOf(motion);
     const std::string pose = "[" + rapidPose(toolPose) + "," +
-                             rapidConfigurationOf(m_program.arm, motion.joints).text() + "," + kNoAxes + "]";
+                             rapidConfigurationOf(m_program.arm, motion.joints).text() + "," + m_axes + "]";
     return "    MoveL " + target("robtarget", pose, motion) + speed + end;
   }
 
@@ -142,10 +150,10 @@ class RapidWriting {
   }
 
   const RobotProgram& m_program;
-  std::string m_name, m_frame;
+  std::string m_name, m_frame, m_axes;
   double m_largestSpeed = kLargestRapidSpeed;  // mm/s
   std::string m_targets;
-  std::set<std::string> m_names;  // names of targets; not case-sensitive
+  std::set<std::string> m_names;  // names of targets and kept lines; in lower case
 };
 
 }  // namespace

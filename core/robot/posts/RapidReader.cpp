@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/NumberText.h"
 #include "robot/posts/ArcPoints.h"
 #include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/ExternalAxes.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
 #include "robot/posts/RapidTables.h"
@@ -16,38 +18,67 @@ namespace handwheel {
 namespace {
 
 // Instructions that neither move the robot nor change the effect of others. Anything that is in no list is refused.
-constexpr std::array kRapidStill = {"AccSet",  "SingArea", "TPWrite",  "TPErase",  "WaitTime", "WaitDI", "WaitUntil",
-                                    "WaitRob", "Stop",     "ClkReset", "ClkStart", "ClkStop",  "Incr",   "Decr"};
+constexpr std::array kRapidStill = {"AccSet", "TPWrite",  "TPErase",  "WaitTime", "WaitDI", "WaitUntil", "WaitRob",
+                                    "Stop",   "ClkReset", "ClkStart", "ClkStop",  "Incr",   "Decr"};
 // Instructions of this kind by which a tool may grip or release.
 constexpr std::array kRapidGripping = {"SetDO", "SetGO", "SetAO", "PulseDO", "Set", "Reset", "InvertDO", "GripLoad"};
+// Instructions that end a handler of errors.
+constexpr std::array kRapidEnds = {"RETRY", "TRYNEXT", "RETURN", "RAISE", "EXIT", "SkipWarn"};
 constexpr const char* kOwnRapidComment = "! To run it: ";  // in the head of modules that we wrote
 
 class RapidReading : public RapidTables {
  public:
-  explicit RapidReading(const RobotProgram& program)
-      : RapidTables(program),
+  RapidReading(const RobotProgram& program, const RapidStatements& statements)
+      : RapidTables(program, statements.scopes()),
         m_joints(static_cast<std::size_t>(program.arm.size())),
         m_closed(closedFormOfSphericalWrist(program.arm)),
-        m_reference(ArmValues::Zero(program.arm.size())) {}
+        m_reference(ArmValues::Zero(program.arm.size())) {
+    for (const std::size_t line : statements.leftOut()) m_kept.leaveOut(line);
+  }
 
   // Keeps the comments outside of procedures, but for those of our own modules.
   void readComments(const std::vector<ProgramStatement>& comments) {
     const auto isOwn = [](const ProgramStatement& each) { return each.text.starts_with(kOwnRapidComment); };
     if (std::ranges::any_of(comments, isOwn)) return;
     for (const ProgramStatement& each : comments)
-      m_before.push_back(keptLine(ProgramLine::Kind::Comment, each.text.substr(1), each.line));
+      m_kept.keep(ProgramLine::Kind::Comment, each.text.substr(1), each.line);
+    m_outside = m_kept.before().size();
+  }
+
+  // Reads a statement of a trap or a handler of errors. Those that may move the robot are refused: nothing proves
+  // where.
+  Status readHandler(const ProgramStatement& statement) {
+    setScope(statement.scope);
+    LineReader line(statement.text, statement.line);
+    line.skipSpace();
+    std::string_view end = line.rest();
+    if (LineReader(line).takeWord("IF")) {  // "IF condition RETRY;"
+      while (!end.empty() && (end.back() == ' ' || end.back() == '\t')) end.remove_suffix(1);
+      end.remove_prefix(end.find_last_of(" \t)") + 1);
+    }
+    const auto isEnd = [&](const char* word) { return LineReader(end, 0).takeWord(word); };
+    if (line.rest().empty() || (std::ranges::any_of(kRapidEnds, isEnd) && !callsRapidRoutine(line.rest())))
+      return Done{};
+    return gripOf(line) ? Status(Done{}) : unread(line.rest(), statement.line);
   }
 
   Status read(const ProgramStatement& statement) {
+    setScope(statement.scope);
     LineReader line(statement.text, statement.line);
     if (statement.isComment) {
-      keep(ProgramLine::Kind::Comment, statement.text.substr(1), statement.line);
+      m_kept.keep(ProgramLine::Kind::Comment, statement.text.substr(1), statement.line);
       return Done{};
     }
     if (line.takeWord("MoveC")) return readArc(line, statement.line);
     if (line.takeWord("MoveAbsJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
     if (line.takeWord("MoveJ")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, false);
     if (line.takeWord("MoveL")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
+    const std::optional<bool> mayGrip = gripOf(line);
+    if (mayGrip) {
+      m_kept.keep(ProgramLine::Kind::Statement, m_declarations.flattened(statement.scope, statement.text),
+                  statement.line, *mayGrip);
+      return Done{};
+    }
     LineReader other = line;
     other.name();
     if (callsRapidRoutine(other.rest())) return unread(statement.text, statement.line);
@@ -63,28 +94,53 @@ class RapidReading : public RapidTables {
       m_isLineConfigurationGiven = !line.take("\\") || !line.takeWord("Off");
       return Done{};
     }
-    const auto isOneOf = [&](std::span<const char* const> words) {
-      return std::ranges::any_of(words, [&](const char* word) { return LineReader(line).takeWord(word); });
-    };
-    const bool mayGrip = isOneOf(kRapidGripping);
-    if (mayGrip || isOneOf(kRapidStill)) {
-      keep(ProgramLine::Kind::Statement, statement.text, statement.line, mayGrip);
-      return Done{};
-    }
-    const std::string_view word = line.name();
-    if (word.empty() || isData(folded(word)) || !isAssignment(line)) return unread(statement.text, statement.line);
-    keep(ProgramLine::Kind::Statement, statement.text, statement.line);
-    return Done{};
+    return unread(statement.text, statement.line);
   }
 
-  std::vector<ParsedMotion> takeMotions() {
-    if (!m_motions.empty()) m_motions.front().before = std::move(m_before);
-    return std::move(m_motions);
+  Result<std::vector<ParsedMotion>> takeMotions() {
+    const std::vector<ProgramLine> needed = m_declarations.needed();
+    std::vector<ProgramLine>& before = m_kept.before();
+    before.insert(before.begin() + static_cast<std::ptrdiff_t>(m_outside), needed.begin(), needed.end());
+    m_external.addTo(before, externalText());
+    return m_kept.take();
   }
 
  private:
-  void keep(ProgramLine::Kind kind, std::string_view text, std::size_t number, bool mayGrip = false) {
-    (m_motions.empty() ? m_before : m_motions.back().lines).push_back(keptLine(kind, text, number, mayGrip));
+  // Returns true if a tool may grip or release something by a statement that neither moves the robot nor changes the
+  // effect of others; nothing for other statements.
+  std::optional<bool> gripOf(LineReader line) const {
+    LineReader other = line;
+    other.name();
+    if (callsRapidRoutine(other.rest())) return std::nullopt;
+    const auto isOneOf = [&](std::span<const char* const> words) {
+      return std::ranges::any_of(words, [&](const char* word) { return LineReader(line).takeWord(word); });
+    };
+    if (isOneOf(kRapidGripping)) return true;
+    // \Wrist and \LockAxis4 let the tool turn on the way of a line.
+    LineReader area = line;
+    if (isOneOf(kRapidStill) || (area.takeWord("SingArea") && area.take("\\") && area.takeWord("Off"))) return false;
+    const std::string_view word = line.name();
+    return word.empty() || isData(word) || !isAssignment(line) ? std::nullopt : std::optional(false);
+  }
+
+  // Takes the external axes of a target; 9E9: there is no such axis. Returns false if one moves.
+  bool takeExternal(std::span<const double> values, std::size_t line) {
+    constexpr double kNone = 9e8;
+    AxisValues axes;
+    for (std::size_t i = 0; i < values.size() && i < kExternal; ++i) {
+      if (values[i] < kNone) axes["eax_" + std::string(1, static_cast<char>('a' + i))] = values[i];
+    }
+    return m_external.take(axes, line);
+  }
+
+  // Returns the external axes as targets have them.
+  std::string externalText() const {
+    std::string text;
+    for (std::size_t i = 0; i < kExternal; ++i) {
+      const auto axis = m_external.values().find("eax_" + std::string(1, static_cast<char>('a' + i)));
+      text += (i > 0 ? "," : "[") + (axis == m_external.values().end() ? "9E9" : shortestText(axis->second));
+    }
+    return text + "]";
   }
 
   // Recognises "n:=1", "p.trans.x:=1", "a{2}:=1", after the name. Words between belong to another statement: IF a THEN
@@ -109,38 +165,39 @@ class RapidReading : public RapidTables {
   }
 
   // Reads "[[…],…]", a name, or CalcRobT(joints,tool): the numbers, and true if they are joint values.
-  Result<std::pair<Numbers, bool>> target(LineReader& line, bool isJoints) {
+  Result<std::pair<Numbers, bool>> target(LineReader& line, bool isJoints, int depth = 0) {
+    constexpr int kDeepest = 16;
+    if (depth > kDeepest) return line.malformed("target", "too many functions are within each other");
     if (!isJoints && line.takeWord("CalcRobT")) {
       if (!line.take("(")) return line.malformed("target", "( was expected");
-      auto within = target(line, true);
+      auto within = target(line, true, depth + 1);
       const std::string_view rest = line.rest();
       std::size_t end = 0;
-      for (int depth = 1; depth > 0 && end < line.rest().size(); ++end)
-        depth += line.rest()[end] == '(' ? 1 : line.rest()[end] == ')' ? -1 : 0;
+      for (int open = 1; open > 0 && end < line.rest().size(); ++end)
+        open += line.rest()[end] == '(' ? 1 : line.rest()[end] == ')' ? -1 : 0;
       line.skip(end);
       m_calculatedWith = toolText(argumentsOf(rest.substr(0, end > 0 ? end - 1 : 0)), 1);
       return within;
     }
     const bool isOffset = !isJoints && line.takeWord("Offs");
-    if (isOffset || (!isJoints && line.takeWord("RelTool"))) return displaced(line, isOffset);
+    if (isOffset || (!isJoints && line.takeWord("RelTool"))) return displaced(line, isOffset, depth);
     if (auto numbers = line.numbersWithin('[', ']', 20)) return std::pair(std::move(*numbers), isJoints);
-    const Table& known = isJoints ? m_jointTargets : m_robTargets;
     const std::string_view called = line.name();
-    const auto found = known.find(folded(called));
+    const std::optional<Numbers> found = (isJoints ? m_jointTargets : m_robTargets).find(named(called));
     // The prefix that the post writes.
     constexpr std::string_view kTargetPrefix = "p_";
     m_targetName = readName(called.substr(called.starts_with(kTargetPrefix) ? kTargetPrefix.size() : 0));
     if (line.take("(")) return line.malformed("target", "functions but Offs and RelTool are not read");
-    if (found == known.end()) return line.malformed("target", "it is neither numbers nor a name given before");
-    return std::pair(found->second, isJoints);
+    if (!found) return line.malformed("target", "it is neither numbers nor a name given before");
+    return std::pair(*found, isJoints);
   }
 
   // Reads the rest of Offs(target,x,y,z), which moves a target along the axes of its frame, or of
   // RelTool(target,x,y,z\Rx:=…\Ry:=…\Rz:=…), which moves it along the axes of the tool, then turns it about x, the new
   // y and the new z.
-  Result<std::pair<Numbers, bool>> displaced(LineReader& line, bool isOffset) {
+  Result<std::pair<Numbers, bool>> displaced(LineReader& line, bool isOffset, int depth) {
     if (!line.take("(")) return line.malformed("target", "( was expected");
-    auto read = target(line, false);
+    auto read = target(line, false, depth + 1);
     if (!read) return read;
     Numbers& numbers = read->first;
     m_targetName.clear();
@@ -198,8 +255,8 @@ class RapidReading : public RapidTables {
     const std::optional<Pose> from = m_flange;
     if (!from) return line.malformed("target", "the start of the arc is not known");
     if (const Status read = readMotion(line, number, ProgramMotion::Kind::Linear, false); !read) return read;
-    const ParsedMotion whole = std::move(m_motions.back());
-    m_motions.pop_back();
+    const ParsedMotion whole = std::move(m_kept.motions().back());
+    m_kept.motions().pop_back();
     if (!whole.pose) return unread("MoveC", number);
     const Result<Pose> through = placed(*middlePose, tool, number);
     if (!through) return through.error();
@@ -213,7 +270,7 @@ class RapidReading : public RapidTables {
       return line.malformed("target", "the tool turns by more than half a turn along the arc: divide it into two");
     const auto count = static_cast<double>(arc->poses.size());
     for (std::size_t i = 0; i < arc->poses.size(); ++i) {
-      if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("MoveC", "there are too many motions");
+      if (m_kept.isFull()) return line.malformed("MoveC", "there are too many motions");
       const bool isLast = i + 1 == arc->poses.size();
       ParsedMotion part = whole;
       part.pose = arc->poses[i] * held.inverse(Eigen::Isometry);
@@ -223,7 +280,7 @@ class RapidReading : public RapidTables {
         part.endsIn.reset();
         part.blend = 0.5 * arc->chord;
       }
-      m_motions.push_back(std::move(part));
+      m_kept.add(std::move(part));
     }
     return Done{};
   }
@@ -234,9 +291,9 @@ class RapidReading : public RapidTables {
   }
 
   Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool wantsJoints) {
-    if (m_motions.size() >= PostProcessor::kMostMotions)
-      return line.malformed("MoveAbsJ", "there are too many motions");
+    if (m_kept.isFull()) return line.malformed("MoveAbsJ", "there are too many motions");
     while (line.take("\\")) {  // such as \Conc
+      m_kept.leaveOut(number);
       line.name();
       line.take(",");
     }
@@ -248,6 +305,9 @@ class RapidReading : public RapidTables {
     ParsedMotion motion{kind, {}, {}, 0.0, number};
     motion.name = m_targetName;
     if (numbers.size() < (isJoints ? m_joints : 7)) return line.malformed("target", "it has too few numbers");
+    constexpr std::size_t kBeforeExternal = 11;  // position, orientation, configuration
+    const std::size_t first = std::min(numbers.size(), isJoints ? m_joints : kBeforeExternal);
+    if (!takeExternal(std::span(numbers).subspan(first), number)) return line.malformed("target", ExternalAxes::kMoved);
     if (isJoints)
       motion.joints = jointsFrom(std::span(numbers).first(m_joints));
     else if (auto pose = poseFrom(numbers))
@@ -256,6 +316,9 @@ class RapidReading : public RapidTables {
       return line.malformed("target", "its quaternion has no direction");
     if (callsRapidRoutine(line.rest())) return unread(line.rest(), number);
     const std::vector<std::string_view> arguments = argumentsOf(line.rest());
+    LineReader options(arguments.front(), number);
+    options.skipSpace();
+    if (!options.rest().empty() && !options.rest().starts_with('\\')) return unread(options.rest(), number);
     if (arguments.size() > 1) {
       if (const Status set = setSpeed(arguments[1], number, motion); !set) return set;
     }
@@ -269,8 +332,7 @@ class RapidReading : public RapidTables {
     const std::string_view tool = arguments.size() > 3 ? arguments[3] : "";
     motion.frame = frameIn(tool);
     motion.frameName = frameNameIn(tool);
-    if (const auto known = m_tools.find(folded(LineReader(tool, 0).name())); known != m_tools.end())
-      motion.tool = known->second;
+    motion.tool = m_tools.find(named(LineReader(tool, 0).name()));
     if (motion.pose) {
       const auto pose = placed(*motion.pose, tool, number);
       if (!pose) return pose.error();
@@ -281,7 +343,7 @@ class RapidReading : public RapidTables {
     if (motion.joints) m_reference = *motion.joints;
     m_flange = motion.joints ? m_program.arm.tipPose(*motion.joints)
                              : Pose(m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry));
-    m_motions.push_back(std::move(motion));
+    m_kept.add(std::move(motion));
     return Done{};
   }
 
@@ -324,15 +386,13 @@ class RapidReading : public RapidTables {
   // Transforms the pose of a motion with "tool" or "tool\WObj:=frame".
   Result<Pose> placed(const Pose& pose, std::string_view text, std::size_t number) const {
     LineReader line(text, number);
-    const auto tool = m_tools.find(folded(line.name()));
-    const std::optional<Pose> frame = frameIn(text);
+    const std::optional<Pose> tool = m_tools.find(named(line.name())), frame = frameIn(text);
     if (line.take("\\WObj") && line.take(":=")) line.name();
     line.skipSpace();
     if (!line.rest().empty()) return unread(line.rest(), number);
-    if (tool == m_tools.end() || !tool->second)
-      return line.malformed("tool", "its data are not in the file, or the robot does not hold it");
+    if (!tool) return line.malformed("tool", "its data are not in the file, or the robot does not hold it");
     if (!frame) return line.malformed("frame", "its data are not in the file, or it moves");
-    return poseInProgram(m_program, *frame, pose, *tool->second);
+    return poseInProgram(m_program, *frame, pose, *tool);
   }
 
   // Reads the speed: "v100", "[100,500,5000,1000]", a name of the file; "v100\V:=50". vmax is the largest of the
@@ -345,9 +405,11 @@ class RapidReading : public RapidTables {
     } else {
       const std::string name = folded(line.name());
       LineReader digits(std::string_view(name).substr(std::min<std::size_t>(1, name.size())), 0);
-      const auto found = m_speeds.find(name);
-      if (found != m_speeds.end())
-        speed = found->second.front();
+      const auto found = m_speeds.find(named(name));
+      if (found)
+        speed = found->front();
+      else if (m_speeds.contains(named(name)))
+        speed = std::nullopt;
       else if (name == "vmax" && motion.kind == ProgramMotion::Kind::Joint && m_share > 0.0)
         motion.speed = std::min(1.0, m_share);
       else if (name.starts_with('v'))
@@ -376,19 +438,32 @@ class RapidReading : public RapidTables {
   std::optional<std::string> m_calculatedWith;  // toolText() of CalcRobT in the present motion
   std::string m_targetName;                     // target of the present motion
   std::optional<Pose> m_flange;                 // in the base, at the end of the last motion
-  std::vector<ParsedMotion> m_motions;
+  static constexpr std::size_t kExternal = 6;
+  ExternalAxes m_external;
+  KeptLines m_kept;
+  std::size_t m_outside = 0;  // number of comments outside of procedures
 };
 
 }  // namespace
 
 Result<std::vector<ParsedMotion>> RapidPost::read(std::string_view text, const RobotProgram& frame) const {
-  const Result<std::vector<std::string_view>> lines = programLines(text, {});
+  const Result<std::string> plain = programText(text);
+  if (!plain) return plain.error();
+  const Result<std::vector<std::string_view>> lines = programLines(*plain, {});
   if (!lines) return lines.error();
   const RapidStatements statements(*lines);
-  RapidReading reading(frame);
+  RapidReading reading(frame, statements);
   reading.readComments(statements.comments());
   for (const RapidData& each : statements.data()) {
     if (const Status read = reading.readData(each); !read) return read.error();
+  }
+  for (const ProgramStatement& each : statements.conditions()) {
+    LineReader condition(each.text, each.line);
+    condition.name();  // IF
+    if (callsRapidRoutine(condition.rest())) return unread(each.text, each.line);
+  }
+  for (const ProgramStatement& each : statements.handlers()) {
+    if (const Status read = reading.readHandler(each); !read) return read.error();
   }
   const auto unrolled = statements.routines().unrolled("main", [&](std::string_view statement) {
     LineReader line(statement, 0);

@@ -4,6 +4,9 @@
 
 #include "robot/posts/RapidNames.h"
 
+#include <algorithm>
+#include <array>
+
 namespace handwheel {
 
 namespace {
@@ -33,72 +36,77 @@ bool callsRapidRoutine(std::string_view text) {
   return callsOther(text, kRapidFunctions);
 }
 
-RapidTables::RapidTables(const RobotProgram& program) : m_program(program) {
-  m_tools["tool0"] = m_frames["wobj0"] = Pose::Identity();
-  if (!program.frameName.empty() && !program.declaresFrame) m_frames[folded(rapidFrameName(program))] = program.frame;
+RapidTables::RapidTables(const RobotProgram& program, std::vector<RapidScope> scopes) : m_program(program) {
+  m_declarations.setScopes(std::move(scopes));
+  m_tools.add(named("tool0"), Pose(Pose::Identity()));
+  m_frames.add(named("wobj0"), Pose(Pose::Identity()));
+  if (!program.frameName.empty() && !program.declaresFrame) m_frames.add(named(rapidFrameName(program)), program.frame);
   addKnownFrames();
 }
 
-bool RapidTables::isData(const std::string& name) const {
-  return m_jointTargets.contains(name) || m_robTargets.contains(name) || m_speeds.contains(name) ||
-         m_tools.contains(name) || m_frames.contains(name) || m_zones.contains(name);
+bool RapidTables::isData(std::string_view name) const {
+  const RapidName known = named(name);
+  return m_jointTargets.contains(known) || m_robTargets.contains(known) || m_speeds.contains(known) ||
+         m_tools.contains(known) || m_frames.contains(known) || m_zones.contains(known);
 }
 
 void RapidTables::addKnownFrames() {
-  RobotProgram named;
+  RobotProgram program;
   for (const ProgramFrame& frame : m_program.knownFrames) {
-    named.frameName = frame.name;
-    named.otherFrames = m_program.otherFrames;
-    std::erase(named.otherFrames, frame.name);
-    for (const std::string& name : rapidFrameNames(named)) m_frames.emplace(folded(name), frame.pose);
+    program.frameName = frame.name;
+    program.otherFrames = m_program.otherFrames;
+    std::erase(program.otherFrames, frame.name);
+    for (const std::string& name : rapidFrameNames(program)) {
+      if (!m_frames.contains(named(name))) m_frames.add(named(name), frame.pose);
+    }
   }
 }
 
 Status RapidTables::readData(const RapidData& data) {
   const ProgramStatement& statement = data.statement;
   LineReader line(statement.text, statement.line);
-  if (callsRapidRoutine(line.rest())) return unread(line.rest(), statement.line);
-  if (line.takeWord("zonedata")) return readZone(line);
-  if (line.takeWord("tooldata")) return readTool(line);
-  if (line.takeWord("wobjdata")) return readFrame(line);
-  Table* const table = line.takeWord("jointtarget") ? &m_jointTargets
-                       : line.takeWord("robtarget") ? &m_robTargets
-                       : line.takeWord("speeddata") ? &m_speeds
-                                                    : nullptr;
-  if (!table) {
-    if (data.storage == "CONST") readNumber(line);
-    const std::string words = (data.isLocal ? "LOCAL " : "") + std::string(data.storage) + " ";
-    m_before.push_back(keptLine(ProgramLine::Kind::Declaration, words + std::string(statement.text), statement.line));
+  if (callsRapidRoutine(line.rest()) && !data.words.empty()) return unread(line.rest(), statement.line);
+  constexpr std::array kTypes = {"jointtarget", "robtarget", "speeddata", "zonedata", "tooldata", "wobjdata"};
+  const auto type = std::ranges::find_if(kTypes, [&](const char* word) { return line.takeWord(word); });
+  const bool isRecord = data.words.ends_with("RECORD "), isTable = !isRecord && type != kTypes.end();
+  const RapidName name = m_declarations.add(data, !isRecord && !isTable);
+  if (data.words.empty() || isRecord) return Done{};
+  if (!isTable) {
+    if (!data.words.ends_with("CONST ") || !line.takeWord("num")) return Done{};
+    line.name();
+    m_numbers.add(name, line.take(":=") ? numberAlone(line.rest()) : std::nullopt);
     return Done{};
   }
-  const std::string name = folded(line.name());
-  const bool isTarget = table != &m_speeds;
-  if (name.empty() || !line.take(":="))
-    return isTarget ? Status(line.malformed("target", "a name and := were expected")) : Done{};
-  const auto numbers = line.numbersWithin('[', ']', 20);
-  if (numbers && !numbers->empty())
-    (*table)[name] = *numbers;
-  else if (isTarget)
-    return line.malformed("target", "numbers in brackets were expected");
+  line.name();
+  const bool hasValue = line.take(":=");
+  const std::string_view word = *type;
+  if (word == "zonedata") {
+    m_zones.add(name, hasValue ? zoneFrom(line) : std::nullopt);
+  } else if (word == "tooldata") {
+    m_tools.add(name, hasValue ? toolFrom(line) : std::nullopt);
+  } else if (word == "wobjdata") {
+    m_frames.add(name, hasValue ? frameFrom(line) : std::nullopt);
+  } else {
+    const bool isTarget = word != "speeddata";
+    if (isTarget && (name.second.empty() || !hasValue)) return line.malformed("target", "a name and := were expected");
+    const auto numbers = hasValue ? line.numbersWithin('[', ']', 20) : std::nullopt;
+    const bool isUsable = numbers && !numbers->empty();
+    if (isTarget && !isUsable) return line.malformed("target", "numbers in brackets were expected");
+    (word == "jointtarget" ? m_jointTargets
+     : isTarget            ? m_robTargets
+                           : m_speeds)
+        .add(name, isUsable ? numbers : std::nullopt);
+  }
   return Done{};
-}
-
-void RapidTables::readNumber(LineReader line) {
-  if (!line.takeWord("num")) return;
-  const std::string name = folded(line.name());
-  const auto number = line.take(":=") ? numberAlone(line.rest()) : std::nullopt;
-  const auto [known, isNew] = m_numbers.emplace(name, number);
-  if (!isNew && known->second != number) known->second = std::nullopt;
 }
 
 std::optional<double> RapidTables::numberIn(std::string_view text) const {
   if (const auto number = numberAlone(text)) return number;
   LineReader line(text, 0);
   const double sign = line.take("-") ? -1.0 : 1.0;
-  const auto known = m_numbers.find(folded(line.name()));
+  const auto known = m_numbers.find(named(line.name()));
   line.skipSpace();
-  if (!line.rest().empty() || known == m_numbers.end() || !known->second) return std::nullopt;
-  return sign * *known->second;
+  return known && line.rest().empty() ? std::optional(sign * *known) : std::nullopt;
 }
 
 std::optional<double> RapidTables::zoneFrom(LineReader& line) {
@@ -111,45 +119,27 @@ std::optional<double> RapidTables::zoneFrom(LineReader& line) {
   return isStop ? 0.0 : *size;
 }
 
-Status RapidTables::readZone(LineReader& line) {
-  const std::string name = folded(line.name());
-  const auto zone = line.take(":=") ? zoneFrom(line) : std::nullopt;
-  const auto [known, isNew] = m_zones.emplace(name, zone);
-  if (!isNew && known->second != zone) known->second = std::nullopt;
-  return Done{};
-}
-
-Status RapidTables::readTool(LineReader& line) {
-  const std::string name = folded(line.name());
-  if (!line.take(":=")) return Done{};
+std::optional<Pose> RapidTables::toolFrom(LineReader& line) {
   const bool isHeld = line.take("[") && line.takeWord("TRUE") && line.take(",");
   const auto numbers = isHeld ? line.numbersWithin('[', ']', 7) : std::nullopt;
-  m_tools[name] = numbers && numbers->size() == 7 ? poseFrom(*numbers) : std::nullopt;
-  return Done{};
+  return numbers && numbers->size() == 7 ? poseFrom(*numbers) : std::nullopt;
 }
 
-Status RapidTables::readFrame(LineReader& line) {
-  const std::string name = folded(line.name());
-  if (!line.take(":=")) return Done{};
+std::optional<Pose> RapidTables::frameFrom(LineReader& line) {
   const bool stands = line.take("[") && line.takeWord("FALSE") && line.take(",") && line.takeWord("TRUE") &&
                       line.take(",") && line.take("\"\"") && line.take(",");
   const auto user = stands ? line.numbersWithin('[', ']', 7) : std::nullopt;
   const auto object = user && line.take(",") ? line.numbersWithin('[', ']', 7) : std::nullopt;
-  std::optional<Pose> first, second;
-  if (object && user->size() == 7 && object->size() == 7) {
-    first = poseFrom(*user);
-    second = poseFrom(*object);
-  }
-  m_frames[name] = first && second ? std::optional<Pose>(*first * *second) : std::nullopt;
-  return Done{};
+  if (!object || user->size() != 7 || object->size() != 7) return std::nullopt;
+  const std::optional<Pose> first = poseFrom(*user), second = poseFrom(*object);
+  return first && second ? std::optional<Pose>(*first * *second) : std::nullopt;
 }
 
 std::optional<Pose> RapidTables::frameIn(std::string_view text) const {
   LineReader line(text, 0);
   line.name();
   const bool isNamed = line.take("\\WObj") && line.take(":=");
-  const auto frame = m_frames.find(isNamed ? folded(line.name()) : "wobj0");
-  return frame == m_frames.end() ? std::nullopt : frame->second;
+  return m_frames.find(named(isNamed ? line.name() : std::string_view("wobj0")));
 }
 
 std::string RapidTables::frameNameIn(std::string_view text) {
@@ -173,8 +163,7 @@ Result<double> RapidTables::blendFrom(std::string_view text, std::size_t number)
   auto zone = zoneFrom(line);
   if (!zone) {
     const std::string name = folded(line.name());
-    const auto own = m_zones.find(name);
-    zone = own != m_zones.end() ? own->second : standardZone(name);
+    zone = m_zones.contains(named(name)) ? m_zones.find(named(name)) : standardZone(name);
   }
   if (line.take("\\Z") && line.take(":=")) zone = line.number();
   line.skipSpace();

@@ -2,29 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robot/posts/KeptLines.h"
 #include "robot/posts/PostText.h"
-#include "robot/posts/RapidStatements.h"
-
-#include <map>
+#include "robot/posts/RapidDeclarations.h"
 
 namespace handwheel {
 
 // Returns true if a text of RAPID calls a function. It may be a routine that moves the robot.
 bool callsRapidRoutine(std::string_view text);
 
-// The data that a RAPID module declares. Names are not case-sensitive.
+// The data that RAPID modules declare. Names are not case-sensitive, and mean what they mean in the scope of the
+// present statement.
 class RapidTables {
  public:
-  explicit RapidTables(const RobotProgram& program);
+  RapidTables(const RobotProgram& program, std::vector<RapidScope> scopes);
 
-  // Reads a declaration. Others than those of targets, speeds, zones, tools and frames are kept as lines.
+  // Reads a declaration. Those of targets, speeds, zones, tools, frames and records are kept if a kept line names them,
+  // others always.
   Status readData(const RapidData& data);
 
  protected:
   using Numbers = std::vector<double>;
-  using Table = std::map<std::string, Numbers>;  // by names in lower case
 
-  bool isData(const std::string& name) const;  // name: in lower case
+  void setScope(std::size_t scope) { m_scope = scope; }
+  RapidName named(std::string_view name) const { return m_declarations.resolved(m_scope, folded(name)); }
+  bool isData(std::string_view name) const;
 
   // Returns the value of "50", "-height": a number, or a constant of the module.
   std::optional<double> numberIn(std::string_view text) const;
@@ -37,25 +39,23 @@ class RapidTables {
   Result<double> blendFrom(std::string_view text, std::size_t number) const;
 
   const RobotProgram& m_program;
-  Table m_jointTargets, m_robTargets, m_speeds;
-  std::map<std::string, std::optional<Pose>> m_tools, m_frames;  // none: unusable
-  std::map<std::string, std::optional<double>> m_zones;          // likewise; mm
-  std::map<std::string, std::optional<double>> m_numbers;        // constants; likewise
-  std::vector<ProgramLine> m_before;                             // lines before the first motion
+  RapidTable<Numbers> m_jointTargets, m_robTargets, m_speeds;
+  RapidTable<Pose> m_tools, m_frames;
+  RapidTable<double> m_zones;    // mm
+  RapidTable<double> m_numbers;  // constants
+  RapidDeclarations m_declarations;
 
  private:
   // Adds the frames of the cell, under the names in modules of its paths. Those of the file take precedence.
   void addKnownFrames();
-  // Reads "num height:=50". Routines may have different numbers of one name: then the number is not known.
-  void readNumber(LineReader line);
   // Reads a zone: [FALSE,10,…] in mm, [TRUE,…], which is an exact stop, as 0; none: it is not understood.
   static std::optional<double> zoneFrom(LineReader& line);
-  // Reads a zone. Routines may have different zones of one name: then the zone is not known.
-  Status readZone(LineReader& line);
   // Reads the pose of a tool [TRUE,[pose],[load]] in the flange; none, if the robot does not hold it.
-  Status readTool(LineReader& line);
+  static std::optional<Pose> toolFrom(LineReader& line);
   // Reads the pose of a frame [FALSE,TRUE,"",[pose],[pose]] in the base; none, if it moves.
-  Status readFrame(LineReader& line);
+  static std::optional<Pose> frameFrom(LineReader& line);
+
+  std::size_t m_scope = RapidStatements::kShared;  // scope of the present statement
 };
 
 }  // namespace handwheel

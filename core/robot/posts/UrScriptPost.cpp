@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/posts/ControllerPosts.h"
+#include "robot/posts/KeptLines.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
 
@@ -198,7 +199,10 @@ Result<ParsedMotion> urTarget(LineReader& line, std::size_t number, ProgramMotio
 }
 
 std::string urFunctionName(const RobotProgram& program) {
-  return identifierBeside(kUrWords, program.name, 60);
+  std::vector<const char*> words(std::begin(kUrWords), std::end(kUrWords));
+  const std::set<std::string> names = keptNames(program, "urscript");
+  for (const std::string& name : names) words.push_back(name.c_str());
+  return identifierBeside(words, program.name, 60);
 }
 
 // Returns true if lines lead to poses in the frame of the cell, which is then a variable of this name. A pose has to be
@@ -208,8 +212,12 @@ bool isInUrFrame(const RobotProgram& program) {
 }
 // Returns the name of the frame's variable, distinct from the function, which cannot be assigned.
 std::string urFrameName(const RobotProgram& program) {
+  std::set<std::string> taken = keptNames(program, "urscript");
+  taken.insert(lowerCase(urFunctionName(program)));
   const std::string name = std::string(kUrFramePrefix) + frameIdentifier(program, {}, 50);
-  return lowerCase(name) == lowerCase(urFunctionName(program)) ? name + "_1" : name;
+  std::string free = name;
+  for (int n = 1; taken.contains(lowerCase(free)); ++n) free = name + "_" + std::to_string(n);
+  return free;
 }
 
 std::string urMotion(const RobotProgram& program, std::size_t i) {
@@ -251,10 +259,7 @@ class UrScriptReading {
  public:
   UrScriptReading(const RobotProgram& program, bool isOwn) : m_program(program), m_tool(program.tool), m_isOwn(isOwn) {}
 
-  std::vector<ParsedMotion> takeMotions() {
-    if (!m_motions.empty()) m_motions.front().before = std::move(m_before);
-    return std::move(m_motions);
-  }
+  Result<std::vector<ParsedMotion>> takeMotions() { return m_kept.take(); }
 
   Status read(const ProgramStatement& statement) {
     LineReader line(statement.text, statement.line);
@@ -262,9 +267,9 @@ class UrScriptReading {
       readComment(statement);
       return Done{};
     }
-    if (line.takeWord("movej")) return readMotion(line, statement.line, ProgramMotion::Kind::Joint, true);
-    if (line.takeWord("movel")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, true);
-    if (line.takeWord("movep")) return readMotion(line, statement.line, ProgramMotion::Kind::Linear, false);
+    if (line.takeWord("movej")) return readMotion(line, statement, ProgramMotion::Kind::Joint, true);
+    if (line.takeWord("movel")) return readMotion(line, statement, ProgramMotion::Kind::Linear, true);
+    if (line.takeWord("movep")) return readMotion(line, statement, ProgramMotion::Kind::Linear, false);
     if (line.takeWord("set_tcp")) return setTool(line);
     const auto takesOneOf = [&](std::span<const char* const> words) {
       return std::ranges::any_of(words, [&](const char* word) { return line.takeWord(word); });
@@ -272,22 +277,40 @@ class UrScriptReading {
     const bool mayGrip = takesOneOf(kUrGripping);
     if (mayGrip || takesOneOf(kUrStill)) {
       if (callsOther(line.rest(), kUrFunctions)) return unread(statement.text, statement.line);
-      keep(ProgramLine::Kind::Statement, statement.text, statement.line, mayGrip);
+      m_kept.keep(ProgramLine::Kind::Statement, statement.text, statement.line, mayGrip);
       return Done{};
     }
-    line.takeWord("global");
-    line.takeWord("local");
+    const bool isGlobal = line.takeWord("global"), isLocal = !isGlobal && line.takeWord("local");
     const std::string name(line.name());
     const bool isAssignment = !name.empty() && line.take("=") && !line.take("=");
-    if (!isAssignment || callsOther(line.rest(), kUrFunctions)) return unread(statement.text, statement.line);
+    const bool isOfAnother = isAssignment && !own(name, isGlobal, isLocal, statement.scope);
+    if (!isAssignment || isOfAnother || callsOther(line.rest(), kUrFunctions))
+      return unread(statement.text, statement.line);
     const bool isConstant = assign(name, line);
     const bool isOwnFrame = m_isOwn && isConstant && name.starts_with(kUrFramePrefix);
     if (!isOwnFrame)
-      keep(isConstant ? ProgramLine::Kind::Declaration : ProgramLine::Kind::Statement, statement.text, statement.line);
+      m_kept.keep(isConstant ? ProgramLine::Kind::Declaration : ProgramLine::Kind::Statement, statement.text,
+                  statement.line);
     return Done{};
   }
 
  private:
+  static constexpr std::size_t kGlobal = 0;  // scope of what is outside of functions
+  struct Owner {
+    std::size_t scope = kGlobal;  // function of the variable
+    bool isLocal = false;         // it is declared so
+  };
+
+  // Notes the function in which a variable is assigned. Returns false if it hides the variable of another function, or
+  // if the language leaves open whether it does: then nobody knows what its name means elsewhere.
+  bool own(const std::string& name, bool isGlobal, bool isLocal, std::size_t scope) {
+    const Owner owner{isGlobal ? kGlobal : scope, isLocal};
+    const auto [known, isNew] = m_owners.emplace(name, owner);
+    if (isNew) return true;
+    if (known->second.scope == owner.scope) return known->second.isLocal || !isLocal;
+    return known->second.scope == kGlobal && !isLocal;
+  }
+
   // Assigns a variable. Returns true if it is a pose or joint values in numbers from now on.
   bool assign(const std::string& name, LineReader value) {
     const bool isPose = value.take("p");
@@ -307,13 +330,9 @@ class UrScriptReading {
     if (m_isOwn && (comment.text.starts_with(kAssumedLoad) || comment.text.starts_with(kUnusedFrame))) return;
     const std::string name = m_isOwn ? nameInComment(comment.text) : std::string();
     if (name.empty())
-      keep(ProgramLine::Kind::Comment, comment.text.substr(1), comment.line);
+      m_kept.keep(ProgramLine::Kind::Comment, comment.text.substr(1), comment.line);
     else
       m_nextName = name;
-  }
-
-  void keep(ProgramLine::Kind kind, std::string_view text, std::size_t number, bool mayGrip = false) {
-    (m_motions.empty() ? m_before : m_motions.back().lines).push_back(keptLine(kind, text, number, mayGrip));
   }
 
   Status setTool(LineReader& line) {
@@ -324,8 +343,20 @@ class UrScriptReading {
     return Done{};
   }
 
-  Status readMotion(LineReader& line, std::size_t number, ProgramMotion::Kind kind, bool hasTime) {
-    if (m_motions.size() >= PostProcessor::kMostMotions) return line.malformed("movej", "there are too many motions");
+  Status readMotion(LineReader& line, const ProgramStatement& statement, ProgramMotion::Kind kind, bool hasTime) {
+    const std::size_t number = statement.line;
+    if (m_kept.isFull()) return line.malformed("movej", "there are too many motions");
+    const auto isOfAnother = [&](const std::string_view name) {
+      const auto owner = m_owners.find(name);
+      return owner != m_owners.end() && owner->second.isLocal && owner->second.scope != statement.scope;
+    };
+    LineReader target = line;
+    target.take("(");
+    if (target.takeWord("pose_trans")) target.take("(");
+    const std::string_view frame = target.name();
+    target.take(",");
+    if (isOfAnother(frame) || isOfAnother(target.name()))
+      return line.malformed("target", "it is neither numbers nor a variable that was given numbers before");
     Result<ParsedMotion> motion = urTarget(line, number, kind, hasTime, m_variables);
     if (!motion) return motion.error();
     motion->name = std::exchange(m_nextName, {});
@@ -337,7 +368,7 @@ class UrScriptReading {
       motion->pose = poseInProgram(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
     if (m_isToolSet) motion->tool = m_tool;
     motion->isInControllersBase = motion->pose.has_value();
-    m_motions.push_back(std::move(motion).value());
+    m_kept.add(std::move(motion).value());
     return Done{};
   }
 
@@ -345,24 +376,31 @@ class UrScriptReading {
   Pose m_tool;  // in the flange: that of the cell until the program sets another
   bool m_isToolSet = false, m_isOwn;
   UrVariables m_variables;
-  std::string m_nextName;  // name of the next motion's waypoint
-  std::vector<ParsedMotion> m_motions;
-  std::vector<ProgramLine> m_before;  // lines before the first motion
+  std::string m_nextName;                              // name of the next motion's waypoint
+  std::map<std::string, Owner, std::less<>> m_owners;  // functions of variables
+  KeptLines m_kept;
 };
 
 // Splits the program into functions. Blocks within them end like these do. isOwn: comments outside of functions are
 // those that we wrote.
 ProgramRoutines urRoutines(const std::vector<ProgramStatement>& statements, bool isOwn) {
   ProgramRoutines routines;
-  std::vector<bool> areBlocks;  // open statements
-  for (const ProgramStatement& statement : statements) {
+  std::vector<bool> areBlocks;            // open statements
+  std::vector<std::size_t> functions{0};  // numbers of the open functions
+  std::size_t count = 0;
+  for (ProgramStatement statement : statements) {
+    statement.scope = functions.back();
     LineReader line(statement.text, statement.line);
     if (statement.isComment && areBlocks.empty() && isOwn) continue;
     if (line.takeWord("def")) {
       areBlocks.push_back(false);
+      functions.push_back(++count);
       routines.begin(std::string(line.name()), statement.line);
     } else if (line.takeWord("end")) {
-      if (!areBlocks.empty() && !areBlocks.back()) routines.end();
+      if (!areBlocks.empty() && !areBlocks.back()) {
+        routines.end();
+        functions.pop_back();
+      }
       if (!areBlocks.empty()) areBlocks.pop_back();
     } else {
       routines.add(statement);
@@ -397,7 +435,9 @@ std::string UrScriptPost::write(const RobotProgram& program) const {
 
 // Poses of URScript are in the controller's base, which is treated here as the arm's, and in the program's frame.
 Result<std::vector<ParsedMotion>> UrScriptPost::read(std::string_view text, const RobotProgram& frame) const {
-  const Result<std::vector<std::string_view>> lines = programLines(text, {});
+  const Result<std::string> plain = programText(text);
+  if (!plain) return plain.error();
+  const Result<std::vector<std::string_view>> lines = programLines(*plain, {});
   if (!lines) return lines.error();
   const bool isOwn = text.find(std::string("# ") + kWrittenByUs) != std::string_view::npos;
   const auto unrolled = urRoutines(statementsOf(*lines, "#"), isOwn).unrolled({}, [](std::string_view statement) {

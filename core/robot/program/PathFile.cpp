@@ -4,6 +4,7 @@
 
 #include "base/JsonText.h"
 #include "base/NumberText.h"
+#include "base/Utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ std::optional<WaypointTarget> waypointTargetFrom(const Json& json) {
   return inTool ? std::optional(WaypointTarget{name, *inTool}) : std::nullopt;
 }
 
-constexpr std::array kLineKinds = {"statement", "comment", "declaration"};  // in the order of ProgramLine::Kind
+constexpr std::array kLineKinds = {"statement", "comment", "declaration", "axes"};  // in the order of ProgramLine::Kind
 
 Json linesJson(const std::vector<ProgramLine>& lines) {
   Json list = Json::array();
@@ -107,17 +108,17 @@ Json linesJson(const std::vector<ProgramLine>& lines) {
 
 // Reads lines of a program. Errors: ElementMalformed, as a line that is left out may be one that grips.
 Result<std::vector<ProgramLine>> linesFrom(const Json& json, const char* key, const std::string& element) {
-  constexpr std::size_t kMostLines = 10'000;
   std::vector<ProgramLine> lines;
   const auto list = json.find(key);
   if (list == json.end()) return lines;
   const auto malformed = [&] { return malformedPath(element + "." + key, "a list of lines was expected"); };
-  if (!list->is_array() || list->size() > kMostLines) return malformed();
+  if (!list->is_array() || list->size() > ProgramLine::kMost) return malformed();
   for (const Json& each : *list) {
     if (!each.is_object()) return malformed();
     const auto kind = std::ranges::find(kLineKinds, stringAt(each, "kind", kLineKinds[0]));
-    const std::string text = stringAt(each, "text");
-    if (kind == kLineKinds.end() || text.find_first_of("\r\n") != text.npos) return malformed();
+    if (kind == kLineKinds.end()) return malformed();
+    std::string text = stringAt(each, "text");
+    std::ranges::replace_if(text, isControl, ' ');
     lines.push_back({static_cast<ProgramLine::Kind>(kind - kLineKinds.begin()), text, countAt(each, "line"),
                      isAt(each, "may_grip")});
   }

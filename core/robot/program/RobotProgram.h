@@ -12,7 +12,9 @@ namespace handwheel {
 
 // A line of a program that is not interpreted and goes with a waypoint.
 struct ProgramLine {
-  enum class Kind { Statement, Comment, Declaration };
+  static constexpr std::size_t kMost = 10'000;  // limit for the lines between two motions
+  // Axes: values of external axes, which are the same at all waypoints, as positions of the language have them.
+  enum class Kind { Statement, Comment, Declaration, Axes };
   Kind kind = Kind::Statement;
   std::string text;      // without its separator; of a comment without its sign
   std::size_t line = 0;  // line of the program that it was read from, from 1

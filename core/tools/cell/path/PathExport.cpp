@@ -182,7 +182,8 @@ std::string dataIn(const std::filesystem::path& folder, const std::string& name)
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
     if (lowerCase(entry.path().filename().string()) != lowerCase(name)) continue;
     const Result<std::string> bytes = readFileHead(entry.path(), PostProcessor::kLargestText);
-    if (bytes) return *bytes + "\n";
+    const Result<std::string> text = bytes ? programText(*bytes) : bytes;
+    if (text) return *text + "\n";
   }
   return {};
 }
@@ -301,6 +302,8 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   std::optional<Pose> otherTool, firstTool;
   bool isOnlyTool = true;
   ArmValues before = scene.planned(cell.joints);
+  std::vector<std::size_t> leftOut;
+  if (!motions->empty()) leftOut = std::move(motions->front().leftOut);
   for (ParsedMotion& motion : *motions) {
     if (motion.isConfigurationOpen) openConfigurations.push_back(motion.line);
     if (!otherTool && motion.tool && !isSameTool(*motion.tool, frame.tool)) otherTool = motion.tool;
@@ -353,7 +356,7 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   std::sort(openConfigurations.begin(), openConfigurations.end());
   openConfigurations.erase(std::unique(openConfigurations.begin(), openConfigurations.end()), openConfigurations.end());
   return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()) * counted),
-                     std::move(openConfigurations), otherTool, isOnlyTool};
+                     std::move(openConfigurations), otherTool, isOnlyTool, std::move(leftOut)};
 }
 
 Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,

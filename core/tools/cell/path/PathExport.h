@@ -61,6 +61,8 @@ struct ProgramPath {
   std::optional<Pose> otherTool = {};
   // True if all waypoints with a tool have that one.
   bool isOnlyTool = true;
+  // The numbers of the lines of which something is read and not kept (ParsedMotion::leftOut).
+  std::vector<std::size_t> leftOut = {};
 };
 
 // Reads a program in the language of a controller as a path. Poses become the joint values nearest to those of the

@@ -18,16 +18,20 @@ QString programRemark(const char* text) {
   return QCoreApplication::translate("ProgramRemarks", text);
 }
 
-QString openConfigurationsRemark(const std::vector<std::size_t>& lines) {
+QString listed(const std::vector<std::size_t>& lines) {
   constexpr std::size_t kMostListed = 5;
-  QStringList listed;
-  for (std::size_t i = 0; i < std::min(lines.size(), kMostListed); ++i) listed += QString::number(lines[i]);
-  if (lines.size() > kMostListed) listed += QStringLiteral("…");
+  QStringList some;
+  for (std::size_t i = 0; i < std::min(lines.size(), kMostListed); ++i) some += QString::number(lines[i]);
+  if (lines.size() > kMostListed) some += QStringLiteral("…");
+  return some.join(QStringLiteral(", "));
+}
+
+QString openConfigurationsRemark(const std::vector<std::size_t>& lines) {
   return programRemark(QT_TRANSLATE_NOOP(
                            "ProgramRemarks",
                            "These lines do not say in which way the arm comes to their poses: %1. The path has the "
                            "nearest way, and a controller may take another one; give joint values or a configuration."))
-      .arg(listed.join(QStringLiteral(", ")));
+      .arg(listed(lines));
 }
 
 // "0, 0, 120 mm, turned by 0, 0, 90°": roll, pitch and yaw.
@@ -49,6 +53,23 @@ QString toolPointText(const Pose& tool) {
 QStringList programRemarks(const ProgramPath& read, const Pose& tool) {
   QStringList remarks;
   if (!read.openConfigurations.empty()) remarks += openConfigurationsRemark(read.openConfigurations);
+  if (!read.leftOut.empty()) {
+    remarks += programRemark(QT_TRANSLATE_NOOP(
+                                 "ProgramRemarks",
+                                 "The path does not have all that these lines say: %1 (handlers of errors and "
+                                 "interrupts, functions, options of motions such as ACC and PTH). A program that is "
+                                 "written from it does not have this either."))
+                   .arg(listed(read.leftOut));
+  }
+  const auto axes = std::ranges::find(read.path.head, ProgramLine::Kind::Axes, &ProgramLine::kind);
+  if (axes != read.path.head.end()) {
+    remarks += programRemark(QT_TRANSLATE_NOOP(
+                                 "ProgramRemarks",
+                                 "External axes stand at “%1” in the whole program. The cell does not move them: robot "
+                                 "and parts must stand there as they do then. Programs in the same language are "
+                                 "written with these axes."))
+                   .arg(QString::fromStdString(axes->text));
+  }
   if (read.otherTool) {
     remarks += programRemark(QT_TRANSLATE_NOOP(
                                  "ProgramRemarks",

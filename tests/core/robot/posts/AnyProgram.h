@@ -27,6 +27,33 @@ inline RobotProgram programOf(const char* id) {
   return program;
 }
 
+using ReadMotions = Result<std::vector<ParsedMotion>>;
+
+inline ReadMotions readBy(const char* post, const std::string& text,
+                          const RobotProgram& program = programOf("irb120")) {
+  return postCalled(post)->read(text, program);
+}
+
+// Returns the line for which a program is refused; 0: it is read.
+inline std::uint64_t refusedLine(const ReadMotions& read) {
+  return read ? 0 : read.error().position.value;
+}
+
+// Returns what a post writes for the motions that were read, with their lines.
+inline RobotProgram programWith(const std::vector<ParsedMotion>& motions, const char* language) {
+  RobotProgram program = programOf("irb120");
+  program.language = language;
+  program.head = motions.front().before;
+  for (const ParsedMotion& each : motions) {
+    ProgramMotion motion{.joints = each.joints.value_or(ArmValues::Zero(6)), .name = each.name};
+    motion.corner = each.corner;
+    motion.seconds = each.seconds;
+    motion.lines = each.lines;
+    program.motions.push_back(motion);
+  }
+  return program;
+}
+
 // Returns any joint values within the limits, also those of a coupled axis, and of at most this size.
 inline ArmValues anyJointsOf(const SerialArm& arm, double largest = HUGE_VAL) {
   ArmValues joints(arm.size());

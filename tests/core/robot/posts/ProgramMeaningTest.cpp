@@ -14,12 +14,6 @@ using namespace handwheel::test;
 
 namespace {
 
-using Motions = Result<std::vector<ParsedMotion>>;
-
-Motions readBy(const char* post, const std::string& text, const RobotProgram& program = programOf("irb120")) {
-  return postCalled(post)->read(text, program);
-}
-
 constexpr const char* kRapidData =
     "CONST robtarget p10:=[[300,0,500],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
     "CONST robtarget p20:=[[350,50,500],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
@@ -51,21 +45,6 @@ std::string textsOf(const std::vector<ProgramLine>& lines) {
   std::string all;
   for (const ProgramLine& line : lines) all += line.text + (line.mayGrip ? "(!)|" : "|");
   return all;
-}
-
-// Returns what a post writes for the motions that were read, with their lines.
-RobotProgram programWith(const std::vector<ParsedMotion>& motions, const char* language) {
-  RobotProgram program = programOf("irb120");
-  program.language = language;
-  program.head = motions.front().before;
-  for (const ParsedMotion& each : motions) {
-    ProgramMotion motion{.joints = ArmValues::Zero(6), .name = each.name};
-    motion.corner = each.corner;
-    motion.seconds = each.seconds;
-    motion.lines = each.lines;
-    program.motions.push_back(motion);
-  }
-  return program;
 }
 
 struct RapidText {
@@ -183,7 +162,7 @@ class ProgramMeaningTest : public QObject {
     QFETCH(const QByteArray, before);
     QFETCH(const QByteArray, first);
     QFETCH(const QByteArray, second);
-    Motions read = readBy(post.constData(), text.toStdString());
+    ReadMotions read = readBy(post.constData(), text.toStdString());
     for (int round = 0; round < 3; ++round) {
       QVERIFY2(read.hasValue(), read ? "" : read.error().arguments.front().c_str());
       QCOMPARE(read->size(), std::size_t{2});
@@ -208,7 +187,7 @@ class ProgramMeaningTest : public QObject {
       if (read) QCOMPARE((*read)[0].name, std::string("start"));
     }
     // Another language refuses the statements, with the first one and the lines of all; comments alone it takes.
-    const Motions again = readBy(post.constData(), text.toStdString());
+    const ReadMotions again = readBy(post.constData(), text.toStdString());
     RobotProgram program = programWith(*again, post.constData());
     for (const auto& other : posts()) {
       const std::vector<Error> refusals = other->refusals(program);

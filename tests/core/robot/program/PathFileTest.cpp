@@ -130,6 +130,14 @@ class PathFileTest : public QObject {
     QCOMPARE(QString::fromLatin1(path.error().code->id), code);
   }
 
+  // Control characters in lines, as older files have them, become blanks.
+  void linesWithControls() {
+    const auto path =
+        readPath(R"({"places": [{"joints": {}, "lines": [{"text": "a\r\nb\u0001"}]}]})", arm(), pair(0, 0));
+    QVERIFY(path.hasValue());
+    QCOMPARE(path->waypoints[0].lines.front().text, std::string("a  b "));
+  }
+
   // Rounded values of a file may be slightly beyond a limit: the path is within, for planner and verifier alike.
   void printedDigitsBeyondALimit() {
     QVERIFY(rc::check("within, and no further away than the digits", [] {

@@ -249,6 +249,23 @@ class ProgramRemarksTest : public QObject {
     QVERIFY(programRemarks(many, Pose::Identity()).join(QString()).contains(": 1, 2, 3, 4, 5, …."));
     QVERIFY(programRemarks(ProgramPath(), Pose::Identity()).isEmpty());
   }
+
+  // Remarks on parts of a program that its path leaves out, and on external axes, which the cell does not have.
+  void partsThatAreLeftOut() {
+    ArmCell cell;
+    const auto program = [](const std::string& axes, const std::string& handler) {
+      return "PROC main()\nMoveAbsJ [[25,17,11,70,50,0],[" + axes + ",9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n" +
+             handler + "ENDPROC\n";
+    };
+    QCOMPARE(remarksOn(cell, "rapid", program("9E9", "")), QString());
+    const QString reported = remarksOn(cell, "rapid", program("1500", "ERROR\nRETRY;\n"));
+    QVERIFY2(reported.contains(": 3 (") && reported.contains("[1500,9E9"), qPrintable(reported));
+    const auto read = opened(cell, "rapid", program("1500", ""));
+    QVERIFY(read.hasValue() && read->path.language == "rapid");
+    const RobotModel& model = cell.scene()->robot->model;
+    const auto again = pathFrom(toJson(model, read->path), model, cell.scene()->others);
+    QVERIFY(again.hasValue() && again->head == read->path.head);
+  }
 };
 
 HANDWHEEL_TEST(ProgramRemarksTest)
