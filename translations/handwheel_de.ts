@@ -3349,6 +3349,10 @@
         <source>two routines have the name that it calls</source>
         <translation>zwei Routinen haben den Namen, den es aufruft</translation>
     </message>
+    <message>
+        <source>it is in /POS twice</source>
+        <translation>er steht zweimal in /POS</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

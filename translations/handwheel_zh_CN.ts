@@ -3349,6 +3349,10 @@
         <source>two routines have the name that it calls</source>
         <translation>有两个例程具有所调用的名称</translation>
     </message>
+    <message>
+        <source>it is in /POS twice</source>
+        <translation>在 /POS 中出现两次</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>

@@ -420,6 +420,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its shape is not missing"),
     QT_TRANSLATE_NOOP("ErrorWord", "a list of lines was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "line"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is in /POS twice"),
     QT_TRANSLATE_NOOP("ErrorWord", "an external axis moves, and only axes of the robot can"),
     QT_TRANSLATE_NOOP("ErrorWord", "there are too many without a motion"),
     QT_TRANSLATE_NOOP("ErrorWord", "too many functions are within each other"),

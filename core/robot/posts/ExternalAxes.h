@@ -17,6 +17,7 @@ using AxisValues = std::map<std::string, double, std::less<>>;
 // The external axes of a program that is read. They may stand anywhere, and must not move.
 class ExternalAxes {
  public:
+  static constexpr double kNone = 9e8;  // from this value on there is no such axis, as 9E9 of RAPID
   static constexpr const char* kMoved = "an external axis moves, and only axes of the robot can";
 
   // Takes the values of the next motion, which may lack axes. Returns false if an axis moves, as one that is not at 0

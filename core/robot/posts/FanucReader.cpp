@@ -117,6 +117,7 @@ class FanucReading {
       const std::size_t number = m_numbers[i];
       ParsedMotion& motion = m_kept.motions()[i];
       const FanucPosition& position = m_positions[number];
+      if (m_twice.contains(number)) return LineReader({}, motion.line).malformed("target", "it is in /POS twice");
       if (!takeExternal(number, position, motion.line))
         return LineReader({}, motion.line).malformed("target", ExternalAxes::kMoved);
       if (const auto joints = valuesOf(position, {"J1", "J2", "J3", "J4", "J5", "J6"});
@@ -217,6 +218,7 @@ class FanucReading {
   void readPosition(LineReader& line) {
     if (const std::size_t number = positionNumber(line)) {
       m_open = number;
+      if (!m_once.insert(number).second) m_twice.insert(number);
       m_isOwnGroup = true;
     }
     // Only the first of several motion groups is the robot.
@@ -380,6 +382,7 @@ class FanucReading {
   std::set<std::string, std::less<>> m_turning;  // names of components that are angles
   std::map<std::size_t, std::string> m_groups;   // other motion groups, by numbers of positions
   std::string m_groupsOfAll;                     // those of all positions
+  std::set<std::size_t> m_once, m_twice;         // numbers of positions
   std::size_t m_open = 0;
   bool m_isInLines = true, m_isInPositions = false, m_isOwnGroup = true, m_isInOwnHead = false;
 };

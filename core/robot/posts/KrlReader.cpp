@@ -119,7 +119,7 @@ std::optional<std::array<double, 6>> aggregate(LineReader& line, const std::arra
     } else if (external && name.size() == 2 && (name[0] == 'E' || name[0] == 'e')) {
       const auto value = line.number();
       if (!value) return std::nullopt;
-      (*external)["E" + std::string(name.substr(1))] = *value;
+      if (*value < ExternalAxes::kNone) (*external)["E" + std::string(name.substr(1))] = *value;
     } else if (!isKnown) {
       if (name.empty() && !line.take(",") && !line.take("'")) return std::nullopt;
       if (line.take("'")) {

@@ -125,10 +125,9 @@ class RapidReading : public RapidTables {
 
   // Takes the external axes of a target; 9E9: there is no such axis. Returns false if one moves.
   bool takeExternal(std::span<const double> values, std::size_t line) {
-    constexpr double kNone = 9e8;
     AxisValues axes;
     for (std::size_t i = 0; i < values.size() && i < kExternal; ++i) {
-      if (values[i] < kNone) axes["eax_" + std::string(1, static_cast<char>('a' + i))] = values[i];
+      if (values[i] < ExternalAxes::kNone) axes["eax_" + std::string(1, static_cast<char>('a' + i))] = values[i];
     }
     return m_external.take(axes, line);
   }

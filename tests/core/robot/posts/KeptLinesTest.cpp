@@ -74,6 +74,13 @@ class KeptLinesTest : public QObject {
     QCOMPARE(refusedLine(withComments(10'001)), std::uint64_t{2 + 10'001});
   }
 
+  // Nobody knows which of two positions with one number a controller takes.
+  void positionsTwice() {
+    std::string text = fanuc("", "");
+    const std::size_t second = text.find("P[2]{");
+    QCOMPARE(refusedLine(readBy("fanuc", text.replace(second, 4, "P[1]"))), std::uint64_t{3});
+  }
+
   // Recursion of targets ends before the stack does.
   void nestedTargets() {
     const auto nested = [](int depth) {
@@ -114,6 +121,7 @@ class KeptLinesTest : public QObject {
       };
       return readBy("krl", "DEF p()\n" + move(first) + move(second) + "END\n");
     };
+    QVERIFY(krl("", ",E1 9E9,E2 9E9")->front().before.empty());
     QVERIFY(krl("", ",E1 0.0,E2 0.0")->front().before.empty());
     QCOMPARE(refusedLine(krl("", ",E1 1000")), std::uint64_t{3});
     QCOMPARE(refusedLine(krl(",E1 1000", ",E1 0.0")), std::uint64_t{3});
