@@ -96,13 +96,16 @@ bool hasPlainShapes(const RobotModel& robot, std::span<const RobotArm> arms, std
   const auto isMesh = [&](const PlacedShape& placed) {
     return std::holds_alternative<MeshShape>(robot.shapes[placed.shape]);
   };
+  bool isOfTable = false;
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Link& link = robot.links[l];
+    const auto isTables = [](const PlacedShape& placed) { return placed.colour && isTableColour(*placed.colour); };
+    isOfTable = isOfTable || (owners[l] == number && std::any_of(link.visuals.begin(), link.visuals.end(), isTables));
     if (owners[l] == number && (std::any_of(link.visuals.begin(), link.visuals.end(), isMesh) ||
                                 std::any_of(link.collisions.begin(), link.collisions.end(), isMesh)))
       return false;
   }
-  return true;
+  return isOfTable;
 }
 
 RobotModel withBothShapes(RobotModel robot) {

@@ -36,8 +36,8 @@ std::vector<std::uint32_t> armsOfDofs(const RobotModel& robot, std::span<const R
 // Returns the pose of a robot's base in the frame of the root.
 Pose basePose(const RobotModel& robot, const RobotArm& arm);
 
-// Returns true if no shape of a robot is a mesh, so that simple shapes approximate it. The robots that robotOf()
-// returns are examples.
+// Returns true if the shapes of a robot are those that tables give (robotOf()), which approximate it: no shape is a
+// mesh. Other robots consist of the shapes that their authors described.
 bool hasPlainShapes(const RobotModel& robot, std::span<const RobotArm> arms, std::size_t arm);
 
 // Copies the visual shapes of a robot to its collision shapes if it has no collision shapes, and vice versa. Must be

@@ -78,6 +78,15 @@ std::set<LinkPair> overlappingLinks(const DhTable& table) {
   return pairs;
 }
 
+bool isTableColour(const ShapeColour& colour) {
+  constexpr float kRounding = 1e-3f;
+  const auto isAlike = [&](const ShapeColour& other) {
+    return std::equal(colour.begin(), colour.end(), other.begin(),
+                      [](float a, float b) { return std::abs(a - b) <= kRounding; });
+  };
+  return isAlike(kGrey) || isAlike(kOrange);
+}
+
 RobotModel robotOf(const DhTable& table) {
   RobotModel robot;
   robot.name = table.name;

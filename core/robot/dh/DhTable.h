@@ -27,6 +27,8 @@ struct DhTable {
 // frame of a link is at its joint; a mesh is in the frame of its row. Links without a mesh are drawn as plain cylinders
 // between their joints.
 RobotModel robotOf(const DhTable& table);
+// Returns true for the colours of plain shapes of these links, also after they were written to a file.
+bool isTableColour(const ShapeColour& colour);
 
 // Returns the pairs of links whose plain cylinders overlap because only a short link is between them: their collisions
 // mean nothing. The result is empty if links have meshes.

@@ -134,6 +134,20 @@ class RobotArmsTest : public QObject {
     }));
   }
 
+  // Tables give plain shapes in place of a robot's own, also after they were stored; the box of a description is what
+  // its author says that the robot is.
+  void plainShapes() {
+    const auto isPlain = [](const RobotModel& robot) {
+      return hasPlainShapes(robot, std::vector<RobotArm>{{"a", "r", robot.root, robot.root}}, 0);
+    };
+    const RobotModel table = robotOf(*libraryTable("irb120"));
+    QVERIFY(isPlain(table));
+    QVERIFY(isPlain(readOrThrow(urdfOf(table)).robot));
+    const std::string box = "<visual><geometry><box size='1 1 1'/></geometry></visual>";
+    QVERIFY(!isPlain(withBothShapes(readOrThrow(robotOf(link("l", box))).robot)));
+    QVERIFY(!isPlain(withBothShapes(readOrThrow(robotOf(link("l", std::string()))).robot)));
+  }
+
   // Shapes go with their links: the meshes of two descriptions may have one name.
   void shapes() {
     const std::string mesh = "<visual><geometry><mesh filename='a.stl'/></geometry></visual>";
