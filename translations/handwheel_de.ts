@@ -1690,6 +1690,46 @@
         <source>Give the joint its limits in the description, or divide the motion.</source>
         <translation>Geben Sie dem Gelenk in der Beschreibung seine Grenzen, oder teilen Sie die Bewegung.</translation>
     </message>
+    <message>
+        <source>the controller moves %1 %2 %3, which is %4° there, from %5° to %6° only</source>
+        <translation>Die Steuerung bewegt %1 %2 %3 nur von %5° bis %6°, und dort sind es %4°</translation>
+    </message>
+    <message>
+        <source>Check that the program is for this robot, and change the joints there.</source>
+        <translation>Prüfen Sie, ob das Programm für diesen Roboter ist, und ändern Sie dort die Gelenke.</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; leads to where the frame &apos;%2&apos; was when its program was opened</source>
+        <translation>Die Bahn „%1“ führt dorthin, wo das Koordinatensystem „%2“ war, als ihr Programm geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>Open the program again or plan the path again, or write it as it is; on the command line: --outdated.</source>
+        <translation>Öffnen Sie das Programm erneut oder planen Sie die Bahn erneut, oder schreiben Sie sie, wie sie ist; auf der Befehlszeile: --outdated.</translation>
+    </message>
+    <message>
+        <source>the robot does not reach this place in the configuration that the program gives</source>
+        <translation>Der Roboter erreicht diese Stelle nicht in der Konfiguration, die das Programm angibt</translation>
+    </message>
+    <message>
+        <source>Check that the program is for this robot, its tool and its frame, or correct the configuration in a copy of the program.</source>
+        <translation>Prüfen Sie, ob das Programm für diesen Roboter, sein Werkzeug und sein Koordinatensystem ist, oder berichtigen Sie die Konfiguration in einer Kopie des Programms.</translation>
+    </message>
+    <message>
+        <source>the tool or frame of this place is on the controller, not in the file, or it moves</source>
+        <translation>Werkzeug oder Koordinatensystem dieser Stelle ist auf der Steuerung und nicht in der Datei, oder es bewegt sich</translation>
+    </message>
+    <message>
+        <source>Add its data to a copy of the program, or create a frame of that name in the cell.</source>
+        <translation>Fügen Sie seine Daten in eine Kopie des Programms ein, oder legen Sie in der Zelle ein Koordinatensystem dieses Namens an.</translation>
+    </message>
+    <message>
+        <source>the place is the result of the function %1, which is not supported</source>
+        <translation>Die Stelle ist das Ergebnis der Funktion %1, die nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, replace it by the numbers that it returns.</source>
+        <translation>Ersetzen Sie sie in einer Kopie des Programms durch die Zahlen, die sie ergibt.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -5851,10 +5891,6 @@
         <translation>Für jede Bewegung ist bewiesen, dass sie einen Abstand von %1 einhält.</translation>
     </message>
     <message>
-        <source>not verified since its targets were moved</source>
-        <translation>nicht geprüft, seit ihre Ziele bewegt wurden</translation>
-    </message>
-    <message>
         <source>Plan it again.</source>
         <translation>Planen Sie sie neu.</translation>
     </message>
@@ -6006,6 +6042,33 @@
     <message>
         <source>Not everything within the blend of the program at place %1 is free: an export writes an exact stop.</source>
         <translation>Nicht alles innerhalb der Überschleifzone des Programms an Stelle %1 ist frei: Ein Export schreibt einen genauen Halt.</translation>
+    </message>
+    <message>
+        <source>not verified since its targets or frames were moved</source>
+        <translation>nicht geprüft, seit ihre Ziele oder Koordinatensysteme bewegt wurden</translation>
+    </message>
+    <message>
+        <source>%1 s of it is waiting.</source>
+        <translation>Davon wird %1 s gewartet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The time of %Ln line(s) that wait for something is not in it.</source>
+        <translation>
+            <numerusform>Die Zeit von %Ln Zeile, die auf etwas wartet, ist nicht darin.</numerusform>
+            <numerusform>Die Zeit von %Ln Zeilen, die auf etwas warten, ist nicht darin.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>plan again: the frame %1 has moved</source>
+        <translation>neu planen: das Koordinatensystem %1 wurde bewegt</translation>
+    </message>
+    <message>
+        <source> (the proof needs %1)</source>
+        <translation> (der Nachweis braucht %1)</translation>
+    </message>
+    <message>
+        <source>The frame %1, or the tool, has moved since the program was opened: the path leads to where that was. Plan the path again, or open the program again.</source>
+        <translation>Das Koordinatensystem %1 oder das Werkzeug wurde bewegt, seit das Programm geöffnet wurde: Die Bahn führt dorthin, wo es war. Planen Sie die Bahn erneut, oder öffnen Sie das Programm erneut.</translation>
     </message>
 </context>
 <context>
@@ -11914,6 +11977,20 @@
     <message>
         <source>Write exact stops instead</source>
         <translation>Stattdessen genaue Halte schreiben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became exact stops, as %1 has none there; the program takes about %2 s.</source>
+        <translation>
+            <numerusform>%Ln Überschleifen wurde zum Genauhalt, da %1 dort keines hat; das Programm dauert etwa %2 s.</numerusform>
+            <numerusform>%Ln Überschleifbereiche wurden zu Genauhalten, da %1 dort keine hat; das Programm dauert etwa %2 s.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln line(s) of the opened program, as outputs and waiting, were left out: the head of the program has their numbers.</source>
+        <translation>
+            <numerusform>%Ln Zeile des geöffneten Programms, wie Ausgänge und Warten, wurde weggelassen: Der Kopf des Programms hat ihre Nummer.</numerusform>
+            <numerusform>%Ln Zeilen des geöffneten Programms, wie Ausgänge und Warten, wurden weggelassen: Der Kopf des Programms hat ihre Nummern.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

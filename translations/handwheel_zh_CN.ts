@@ -1690,6 +1690,46 @@
         <source>Give the joint its limits in the description, or divide the motion.</source>
         <translation>请在描述中给出该关节的限位，或将运动分段。</translation>
     </message>
+    <message>
+        <source>the controller moves %1 %2 %3, which is %4° there, from %5° to %6° only</source>
+        <translation>控制器只让 %1 %2 %3 在 %5° 到 %6° 之间运动，而此处为 %4°</translation>
+    </message>
+    <message>
+        <source>Check that the program is for this robot, and change the joints there.</source>
+        <translation>请检查该程序是否用于此机器人，并修改该处的关节值。</translation>
+    </message>
+    <message>
+        <source>the path &apos;%1&apos; leads to where the frame &apos;%2&apos; was when its program was opened</source>
+        <translation>路径“%1”通向打开其程序时坐标系“%2”所在的位置</translation>
+    </message>
+    <message>
+        <source>Open the program again or plan the path again, or write it as it is; on the command line: --outdated.</source>
+        <translation>请重新打开程序或重新规划路径，或按现状写出；在命令行中：--outdated。</translation>
+    </message>
+    <message>
+        <source>the robot does not reach this place in the configuration that the program gives</source>
+        <translation>机器人无法以程序给出的构型到达此处</translation>
+    </message>
+    <message>
+        <source>Check that the program is for this robot, its tool and its frame, or correct the configuration in a copy of the program.</source>
+        <translation>请检查该程序是否用于此机器人、其工具和坐标系，或在程序副本中更正构型。</translation>
+    </message>
+    <message>
+        <source>the tool or frame of this place is on the controller, not in the file, or it moves</source>
+        <translation>此处的工具或坐标系在控制器上而不在文件中，或者它会移动</translation>
+    </message>
+    <message>
+        <source>Add its data to a copy of the program, or create a frame of that name in the cell.</source>
+        <translation>请在程序副本中加入其数据，或在单元中创建同名坐标系。</translation>
+    </message>
+    <message>
+        <source>the place is the result of the function %1, which is not supported</source>
+        <translation>该位置是函数 %1 的结果，不支持此函数</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, replace it by the numbers that it returns.</source>
+        <translation>请在程序副本中用它返回的数值代替。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -5850,10 +5890,6 @@
         <translation>已证明每个运动都至少保持 %1 的间隙。</translation>
     </message>
     <message>
-        <source>not verified since its targets were moved</source>
-        <translation>目标移动后尚未验证</translation>
-    </message>
-    <message>
         <source>Plan it again.</source>
         <translation>请重新规划。</translation>
     </message>
@@ -6002,6 +6038,32 @@
     <message>
         <source>Not everything within the blend of the program at place %1 is free: an export writes an exact stop.</source>
         <translation>程序在位置 %1 处的过渡区内并非处处无碰撞：导出时写入精确停止。</translation>
+    </message>
+    <message>
+        <source>not verified since its targets or frames were moved</source>
+        <translation>目标或坐标系移动后尚未验证</translation>
+    </message>
+    <message>
+        <source>%1 s of it is waiting.</source>
+        <translation>其中等待 %1 s。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The time of %Ln line(s) that wait for something is not in it.</source>
+        <translation>
+            <numerusform>其中不含 %Ln 行等待语句的时间。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>plan again: the frame %1 has moved</source>
+        <translation>需重新规划：坐标系 %1 已移动</translation>
+    </message>
+    <message>
+        <source> (the proof needs %1)</source>
+        <translation> （证明需要 %1）</translation>
+    </message>
+    <message>
+        <source>The frame %1, or the tool, has moved since the program was opened: the path leads to where that was. Plan the path again, or open the program again.</source>
+        <translation>打开程序后坐标系 %1 或工具已移动：路径通向其原来的位置。请重新规划路径，或重新打开程序。</translation>
     </message>
 </context>
 <context>
@@ -11841,6 +11903,18 @@
     <message>
         <source>Write exact stops instead</source>
         <translation>改写为精确停止</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln blend(s) became exact stops, as %1 has none there; the program takes about %2 s.</source>
+        <translation>
+            <numerusform>%Ln 处过渡成为精确停止，因为 %1 在该处没有过渡；程序约需 %2 s。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln line(s) of the opened program, as outputs and waiting, were left out: the head of the program has their numbers.</source>
+        <translation>
+            <numerusform>已省略所打开程序的 %Ln 行，如输出和等待：程序开头列有其行号。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,7 @@ std::string outdatedText(const nlohmann::json& path) {
   if (path.contains("base_moved")) add("its robot has moved");
   if (path.contains("tool_changed")) add("the tool centre point was changed");
   if (path.contains("targets_moved")) add("it misses " + namesIn(path["targets_moved"]));
+  if (path.contains("frames_moved")) add(namesIn(path["frames_moved"]) + " has moved");
   if (path.contains("configurations_changed")) add(namesIn(path["configurations_changed"]) + " was changed");
   return text;
 }
@@ -45,9 +46,23 @@ std::string changeText(const std::string& changed) {
       {"allowed", "the allowed pairs, or the shapes left out, were changed"},
       {"tool", "the tool centre point was changed"},
       {"clearance", "the clearance was changed"},
-      {"targets", "its targets were moved"},
-      {"configurations", "its configurations were changed"}};
+      {"targets", "its targets or frames were moved"},
+      {"configurations", "its configurations were changed"},
+      {"rates", "what is assumed for the times was changed"}};
   return kTexts.at(changed);
+}
+
+// Returns the reason why a path that collides nowhere is not proven free; empty if there is none.
+std::string unprovenText(const nlohmann::json& found) {
+  for (const nlohmann::json& each : listAt(found, "missing_shapes")) {
+    if (each["state"] == "missing")
+      return "not proven: the shape of " + each["part"].get<std::string>() + " could not be read";
+  }
+  const auto gap = found.find("not_proven");
+  if (gap == found.end()) return {};
+  const std::string waypoint = "place " + std::to_string((*gap)["place"].get<std::size_t>() + 1);
+  if ((*gap)["reason"] == "cnt") return "not proven: CNT rounds the corner at " + waypoint;
+  return "proven only up to " + waypoint + ": '" + (*gap)["text"].get<std::string>() + "' may grip or release";
 }
 
 // Returns the stored result of the verification of a path, with a note if the cell has changed since then.
@@ -72,6 +87,8 @@ std::string verifiedText(const nlohmann::json& path) {
                                      : text;
   }
   if (found.contains("stops_at")) return text + "a line to place " + std::to_string(count("stops_at") + 1) + " ends";
+  if (const std::string gap = unprovenText(found); !gap.empty() && count("collisions") + count("too_near") == 0)
+    return text + gap;
   text += std::to_string(count("collisions")) + " times it collides";
   return count("too_near") > 0 ? text + ", " + std::to_string(count("too_near")) + " times it is too near" : text;
 }

@@ -73,8 +73,8 @@ Result<OpenedPath> openPath(const Arguments& arguments, RobotCellSnapshot& cell,
   read->path.name = plans.freePathName(isBodyName(name) ? name : "path");
   const double offered = defaultClearance(*cell.robot, plans);
   read->path.clearance = plans.ownClearance(read->path.clearance.value_or(offered));
-  plans.paths.push_back(std::move(read->path));
-  opened.frames = takeFrames(read->frames, {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
+  opened.frames = takeProgram(std::move(read).value(), *cell.robot,
+                              {*cell.plans, cell.bodies, cell.robot->model, cell.joints}, plans);
   cell.plans = std::make_shared<const CellPlans>(std::move(plans));
   return opened;
 }

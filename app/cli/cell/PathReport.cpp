@@ -12,6 +12,7 @@
 #include "tools/cell/path/ProgramRemarks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <span>
 
@@ -48,6 +49,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const CheckedPath& checked
           {"link", link},
           {"with", other},
           {"distance_mm", stretch.deepest.distance},
+          {"needed_mm", stretch.needed},
           {"q", std::vector<double>(at.begin(), at.end())},
           {"contacts", touchesJson(touches)},
           {"contacts_found", touches.size()},
@@ -62,6 +64,28 @@ bool hasSlides(const CellScene& scene) {
   return std::ranges::any_of(scene.arm.joints(), &ArmJoint::isPrismatic);
 }
 
+// "4.99 mm, where 5.1 mm are needed (clearance 5 mm, line 0.05 mm, resolution 0.05 mm)": less than needed also as
+// shown.
+std::string nearText(const PathStretch& stretch, const CheckedPath& checked) {
+  const auto shown = [](double length) { return roundedText(std::round(1e3 * length) / 1e3, 9) + " mm"; };
+  const double line = stretch.needed - checked.clearance - checked.resolution;
+  constexpr double kLeast = 5e-3;  // mm
+  return shown(std::floor(1e3 * stretch.deepest.distance + 1e-6) / 1e3) + ", where " + shown(stretch.needed) +
+         " are needed (clearance " + shown(checked.clearance) + (line > kLeast ? ", line " + shown(line) : "") +
+         ", resolution " + shown(checked.resolution) + ")";
+}
+
+// The time, and its waiting.
+std::string secondsText(const CheckedPath& checked) {
+  const WaitingTime& waiting = checked.waiting;
+  std::string text = roundedText(checked.seconds, 3) + " s";
+  if (waiting.seconds > 0.0) text += " (" + roundedText(waiting.seconds, 3) + " s of it waiting)";
+  if (waiting.unknown > 0)
+    text += " and the time of " + std::to_string(waiting.unknown) + (waiting.unknown == 1 ? " line" : " lines") +
+            " that wait for something";
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> reasonsOf(const OutdatedReasons& outdated) {
@@ -74,6 +98,8 @@ std::vector<std::string> reasonsOf(const OutdatedReasons& outdated) {
     reasons.emplace_back("the tool centre point was changed since the path was planned along its curve");
   for (const std::string& target : outdated.targets)
     reasons.push_back("the tool does not come to the target " + target + " any more: that, or the tool, has moved");
+  for (const std::string& frame : outdated.frames)
+    reasons.push_back("the frame " + frame + ", or the tool, has moved since the program of the path was opened");
   for (const std::string& configuration : outdated.configurations)
     reasons.push_back("the configuration " + configuration + " was changed since the path was planned through it");
   return reasons;
@@ -88,6 +114,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
       {"waypoints", path.waypoints.size()},       {"min_clearance_mm", metrics.leastClearance},
       {"manipulability", metrics.manipulability}, {"security_mm", metrics.security},
       {"limit_margin", metrics.leastMargin},      {"cycle_s", checked.seconds},
+      {"waiting_s", checked.waiting.seconds},     {"unknown_waits", checked.waiting.unknown},
       {"robots_moved", checked.robotsMoved},      {"collisions", collisions}};
   if (hasSlides(scene)) json["length_mm"] = metrics.slid;
   const OutdatedReasons& outdated = checked.outdated;
@@ -96,6 +123,7 @@ nlohmann::ordered_json toJson(const CellScene& scene, const RobotPath& path, con
   if (outdated.isBaseOther) json["base_moved"] = true;
   if (outdated.isToolOther) json["tool_changed"] = true;
   if (!outdated.targets.empty()) json["targets_moved"] = outdated.targets;
+  if (!outdated.frames.empty()) json["frames_moved"] = outdated.frames;
   if (!outdated.configurations.empty()) json["configurations_changed"] = outdated.configurations;
   json["touching"] = checked.isTouching();
   json["not_checked"] = checked.notChecked;
@@ -118,9 +146,8 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   const PathMetrics& metrics = checked.metrics;
   std::string text =
       path.name + ": " + std::to_string(path.waypoints.size()) + " places, " + roundedText(metrics.turned, 4) +
-      " rad, " + (hasSlides(scene) ? roundedText(metrics.slid, 4) + " mm of slides, " : "") +
-      roundedText(checked.seconds, 3) + " s, " +
-      (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") +
+      " rad, " + (hasSlides(scene) ? roundedText(metrics.slid, 4) + " mm of slides, " : "") + secondsText(checked) +
+      ", " + (checked.isCertified() ? "proven free of collisions" : "not proven free of collisions") +
       (checked.isCertified() && checked.isTouching() ? ", but touching\n" : "\n") + "least clearance " +
       shownText(shownDistance(metrics.leastClearance)) + " mm, security index " + roundedText(metrics.security, 4) +
       " mm, manipulability " + roundedText(metrics.manipulability, 3) + ", margin to the limits " +
@@ -148,12 +175,13 @@ std::string textOf(const CellScene& scene, const RobotPath& path, const CheckedP
   }
   for (const std::string& robot : checked.robotsMoved)
     text += "the robot " + robot + " has moved since the path was made; the figures hold for its present position\n";
-  for (const std::string& reason : reasonsOf(checked.outdated)) text += reason + ": plan it again\n";
+  const bool isProgram = !checked.outdated.frames.empty();
+  for (const std::string& reason : reasonsOf(checked.outdated))
+    text += reason + (isProgram ? ": open the program again, or plan the path again\n" : ": plan it again\n");
   for (const PathStretch& each : stretchesOf(checked, scene)) {
     const auto [link, other] = scene.namesOf(each.deepest);
     text += "motion to place " + std::to_string(each.waypoint + 1) + ", " + share(each.from) + " to " + share(each.to) +
-            ": " + link + " with " + other +
-            (each.meets() ? "" : ", too near: " + shownText(shownDistance(each.deepest.distance)) + " mm") + "\n";
+            ": " + link + " with " + other + (each.meets() ? "" : ", too near: " + nearText(each, checked)) + "\n";
   }
   return text;
 }

@@ -27,8 +27,12 @@ std::string controllers() {
 
 int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "post");
-  const PostProcessor* const post = postCalled(arguments.valueOf("controller"));
-  if (!post) return failUsage("The option --controller takes one of " + controllers() + ".", "post");
+  const PostProcessor* const post = arguments.has("controller") ? postCalled(arguments.valueOf("controller"))
+                                                                : postForEnding(arguments.valueOf("output"));
+  if (!post && arguments.has("controller"))
+    return failUsage("The option --controller takes one of " + controllers() + ".", "post");
+  if (!post)
+    return failUsage("The ending of OUT is that of no language, so give --controller: " + controllers() + ".", "post");
   const bool leavesOutFrame = arguments.has("without-wobjdata");
   if (leavesOutFrame && post->id() != std::string_view("rapid"))
     return failUsage("The option --without-wobjdata needs --controller rapid.", "post");
@@ -44,11 +48,13 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   Result<RobotPath> path = Error{};
   std::vector<std::string> remarks;
   CellPlans plans = *file->cell->plans;
+  std::vector<std::size_t> leftOut;
   Result<CheckedPath> checked = Error{};
   runInterruptible("Verifying", [&](CommandJob& job) {
     scene = sceneOf(*file->cell, meshes);
     if (scene) possible = canBeWritten(*scene, *post);
     if (scene && possible) path = pathCalled(*scene, *file->cell, arguments.operands[1], plans, remarks);
+    if (path) leftOut = linesLeftOut(*path, choices);
     if (path) path = chosen(std::move(path).value(), choices);
     if (path) check.clearance = plans.clearanceOf(*path);
     if (path) checked = checkPath(*scene, plans, *path, check, job.progress());
@@ -66,8 +72,9 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   const Result<WrittenProgram> written =
       writeProgram(*scene, plans, *path, *checked, *post, output,
-                   arguments.has("outdated") ? OutdatedPath::Write : OutdatedPath::Refuse,
-                   leavesOutFrame ? FrameData::AtController : FrameData::InProgram);
+                   {.outdated = arguments.has("outdated") ? OutdatedPath::Write : OutdatedPath::Refuse,
+                    .frameData = leavesOutFrame ? FrameData::AtController : FrameData::InProgram,
+                    .leftOut = leftOut});
   if (!written) return fail(written.error());
   const PostCheck& readBack = written->check;
   if (!written->otherRobot.empty()) {
@@ -82,12 +89,22 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
     complain("warning: " + std::to_string(pairs.size() - kMostListedPairs) + " more pairs were not checked");
   if (checked->isTouching()) complain("warning: the robot touches something on the path: its clearance is 0 mm");
   if (const std::string blends = smallerBlendsText(written->smaller); !blends.empty()) complain("warning: " + blends);
+  if (const std::size_t stops = written->stopsOfLanguage; stops > 0)
+    complain("warning: " + std::to_string(stops) + (stops == 1 ? " blend" : " blends") +
+             " became exact stops: " + post->title() + " has none there");
+  if (!leftOut.empty())
+    complain("warning: " + std::to_string(leftOut.size()) + (leftOut.size() == 1 ? " line" : " lines") +
+             " of the opened program, as outputs and waiting, were left out; the head of the program has their "
+             "numbers");
   if (arguments.has("json")) {
     return print(textOf({{"controller", post->id()},
                          {"motions", readBack.motions},
                          {"error_mm", readBack.distance},
                          {"error_deg", readBack.angle},
                          {"exact_stops", written->exactStops},
+                         {"exact_stops_of_language", written->stopsOfLanguage},
+                         {"cycle_s", written->seconds},
+                         {"lines_left_out", leftOut},
                          {"smaller_blends", written->smaller.size()},
                          {"clearance_mm", checked->clearance},
                          {"touching", checked->isTouching()},
@@ -99,7 +116,7 @@ int runPost(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   std::string text = output + ": " + post->title() + ", " + std::to_string(readBack.motions) +
                      " motions, read back within " + roundedText(readBack.distance, 2) + " mm and " +
-                     roundedText(readBack.angle, 2) + " degrees\n";
+                     roundedText(readBack.angle, 2) + " degrees, about " + roundedText(written->seconds, 3) + " s\n";
   if (!written->frame.empty()) text += "Its places are in the frame " + written->frame + ".\n";
   if (written->exactStops > 0)
     text += std::to_string(written->exactStops) +
@@ -116,7 +133,8 @@ Command postCommand() {
       "Writes a path of a robot as a program of its controller, if it is proven free of collisions.\n"
       "The program is read back and compared with the path before it is written. docs/robots.md has more.",
       {}};
-  spec.options.push_back({"controller", 0, "NAME", "The language: " + controllers()});
+  spec.options.push_back(
+      {"controller", 0, "NAME", "The language (default: that of the ending of OUT): " + controllers()});
   spec.options.push_back(armOption());
   spec.options.push_back({"frame", 0, "NAME",
                           "The frame of the cell that the places are written in (default: the one chosen in the cell); "
@@ -125,9 +143,10 @@ Command postCommand() {
                           "RAPID: only name the frame of the cell; another module of the same task has its data"});
   for (OptionSpec& option : programChoiceOptions(true)) spec.options.push_back(std::move(option));
   spec.options.push_back(resolutionOption());
-  spec.options.push_back({"outdated", 0, "",
-                          "Write it even if its part, its robot or a target has moved, or the tool or a configuration "
-                          "has changed, since it was planned; a comment of the program says so"});
+  spec.options.push_back(
+      {"outdated", 0, "",
+       "Write it even if its part, its robot, a frame or a target has moved, or the tool or a configuration "
+       "has changed, since it was planned; a comment of the program says so"});
   spec.options.push_back({"output", 'o', "OUT", "The file to write"});
   spec.options.push_back({"json", 0, "", "Report as JSON"});
   spec.options.push_back({"help", 'h', "", "Show this help"});

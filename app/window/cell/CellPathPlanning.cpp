@@ -128,7 +128,16 @@ void CellPaths::planAgain() {
   setFidelity(values, m_parts.fidelity.values());
   RouteSettings settings = routeSettingsOf(values, plans());
   settings.plan.check.clearance = plans().clearanceOf(*present);
-  startPlanning(present->waypoints, settings, present->name, text, again);
+  startPlanning(
+      [path = *present, settings](const CellScene& scene, const RobotCellSnapshot& content, Progress progress) {
+        Result<PlannedPath> planned = plannedThrough(scene, *content.plans, path.waypoints, settings, progress);
+        if (planned) {  // the lines of its waypoints are in the language of its program
+          planned->path.head = path.head;
+          planned->path.language = path.language;
+        }
+        return planned;
+      },
+      {present->name, text, again});
 }
 
 void CellPaths::startPlanning(std::vector<Waypoint> waypoints, const RouteSettings& settings, const std::string& name,

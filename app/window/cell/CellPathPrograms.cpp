@@ -197,11 +197,12 @@ void CellPaths::exportProgram(const PostProcessor& post, const QString& file, co
   job.work = [this, stillOpen, scene, known, plans = cell().plans(), request, &post, file,
               frameData = m_declareFrame.isChecked() ? FrameData::InProgram
                                                      : FrameData::AtController](Progress) -> Job::Finish {
+    const std::vector<std::size_t> leftOut = linesLeftOut(request.path, request.choices);
     auto written = writeProgram(*scene, *plans, chosen(request.path, request.choices), *known, post,
-                                QFile::encodeName(file).toStdString(), request.outdated, frameData);
-    return [this, stillOpen, &post, file, known, request, written = std::move(written)] {
+                                QFile::encodeName(file).toStdString(), {request.outdated, frameData, leftOut});
+    return [this, stillOpen, &post, file, known, request, leftOut, written = std::move(written)] {
       if (!written) return reportRefused(stillOpen(), written.error(), post, file, request);
-      reportWritten(stillOpen(), *written, post, file, *known);
+      reportWritten(stillOpen(), *written, post, file, *known, leftOut.size());
     };
   };
   m_parts.jobs.start(std::move(job));
@@ -236,7 +237,7 @@ void CellPaths::reportRefused(const DocumentTab* tab, const Error& error, const 
 }
 
 void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
-                              const QString& file, const CheckedPath& checked) {
+                              const QString& file, const CheckedPath& checked, std::size_t leftOut) {
   const QLocale locale;
   QString detail = tr("%Ln motion(s), read back within %1 mm.", nullptr, static_cast<int>(written.check.motions))
                        .arg(locale.toString(written.check.distance, 'g', 2));
@@ -244,6 +245,18 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
     detail +=
         QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as not every way within their zones is proven free.",
                               nullptr, static_cast<int>(written.exactStops));
+  }
+  if (written.stopsOfLanguage > 0) {
+    detail += QLatin1Char(' ') + tr("%Ln blend(s) became exact stops, as %1 has none there; the program takes about "
+                                    "%2 s.",
+                                    nullptr, static_cast<int>(written.stopsOfLanguage))
+                                     .arg(QLatin1String(post.title()), locale.toString(written.seconds, 'f', 1));
+  }
+  if (leftOut > 0) {
+    detail +=
+        QLatin1Char(' ') + tr("%Ln line(s) of the opened program, as outputs and waiting, were left out: the head "
+                              "of the program has their numbers.",
+                              nullptr, static_cast<int>(leftOut));
   }
   if (!written.smaller.empty()) {
     detail +=
@@ -264,7 +277,7 @@ void CellPaths::reportWritten(const DocumentTab* tab, const WrittenProgram& writ
   const OutdatedReasons& outdated = checked.outdated;
   for (const QString& reason : outdatedSentences(outdated)) detail += QLatin1Char(' ') + reason;
   if (outdated.isAny()) detail += QLatin1Char(' ') + tr("A comment of the program says so.");
-  emit message({isOther || outdated.isAny() ? Message::Weight::Warning : Message::Weight::Info,
+  emit message({isOther || outdated.isAny() || leftOut > 0 ? Message::Weight::Warning : Message::Weight::Info,
                 tr("%1 was written").arg(QFileInfo(file).fileName()),
                 detail,
                 {},
@@ -297,8 +310,8 @@ void CellPaths::importProgram(const QString& file) {
       const double offered = defaultClearance(cellIn(tab).robot(), changed);
       path.clearance = changed.ownClearance(path.clearance.value_or(offered));
       const PlanTree::Entry entry{PlanTree::Entry::Kind::Path, path.name};
-      changed.paths.push_back(std::move(path));
-      const TakenFrames frames = takeFrames(read->frames, cellIn(tab).placement(), changed);
+      const TakenFrames frames =
+          takeProgram(std::move(read).value(), cellIn(tab).robot(), cellIn(tab).placement(), changed);
       commit(tab, tr("Open %1").arg(QFileInfo(file).fileName()), std::move(changed));
       select(tab, entry);
       reportOpened(tab, file, frames, remarks);

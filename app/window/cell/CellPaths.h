@@ -186,7 +186,7 @@ class CellPaths : public QObject {
                      const ProgramRequest& request);
   // tab: null if it was closed.
   void reportWritten(const DocumentTab* tab, const WrittenProgram& written, const PostProcessor& post,
-                     const QString& file, const CheckedPath& checked);
+                     const QString& file, const CheckedPath& checked, std::size_t leftOut);
   void importProgram(const QString& file);
   void reportOpened(DocumentTab& tab, const QString& file, const TakenFrames& frames, const QStringList& remarks);
   void verify();

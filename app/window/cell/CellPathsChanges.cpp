@@ -256,6 +256,7 @@ void CellPaths::setWaypointHere() {
   waypoint.joints = seenJoints();
   waypoint.isCritical = true;
   waypoint.target.reset();
+  waypoint.frame.reset();
   waypoint.configuration.clear();
   commit(tr("Set place %1 of %2").arg(entry.waypoint + 1).arg(QString::fromStdString(entry.name)), std::move(changed));
 }

@@ -36,7 +36,7 @@ class Words {
       case BasisChange::Clearance:
         return tr("not verified since the clearance was changed");
       case BasisChange::Targets:
-        return tr("not verified since its targets were moved");
+        return tr("not verified since its targets or frames were moved");
       case BasisChange::Configurations:
         return tr("not verified since its configurations were changed");
       case BasisChange::Rates:
@@ -95,6 +95,12 @@ class Words {
                   static_cast<int>(stops));
     }
     lines += tr("Estimated cycle time: %1 s.").arg(m_locale.toString(found.seconds, 'f', 1));
+    const WaitingTime waiting = waitingTimeOf(result.basis.path);
+    if (waiting.seconds > 0.0) lines += tr("%1 s of it is waiting.").arg(m_locale.toString(waiting.seconds, 'f', 1));
+    if (waiting.unknown > 0) {
+      lines += tr("The time of %Ln line(s) that wait for something is not in it.", nullptr,
+                  static_cast<int>(waiting.unknown));
+    }
     return lines;
   }
 
@@ -150,6 +156,8 @@ class Words {
     if (outdated.isToolOther) return tr("plan again: the tool centre point was changed");
     if (!outdated.targets.empty())
       return tr("plan again: it misses %1").arg(QString::fromStdString(*outdated.targets.begin()));
+    if (!outdated.frames.empty())
+      return tr("plan again: the frame %1 has moved").arg(QString::fromStdString(*outdated.frames.begin()));
     return tr("plan again: %1 was changed").arg(QString::fromStdString(*outdated.configurations.begin()));
   }
   static QStringList missingSentences(const std::vector<MissingShape>& missing) {
@@ -197,8 +205,11 @@ QStringList collisionsOf(const PathFindings& found, LengthUnit unit, const QLoca
     const QString link = QString::fromStdString(each.link), other = QString::fromStdString(each.other);
     texts += each.distance > 0.0
                  ? Words::tr("On the way to place %1: %2 only %4 from %3")
-                       .arg(each.waypoint + 1)
-                       .arg(link, other, clearanceText(each.distance, unit, locale))
+                           .arg(each.waypoint + 1)
+                           .arg(link, other, clearanceText(each.distance, unit, locale)) +
+                       (each.needed > 0.0 ? Words::tr(" (the proof needs %1)")
+                                                .arg(quantityText(each.needed, Quantity::Length, unit, locale))
+                                          : QString())
                  : Words::tr("On the way to place %1: %2 with %3").arg(each.waypoint + 1).arg(link, other);
   }
   return texts;
@@ -236,6 +247,12 @@ QStringList outdatedSentences(const OutdatedReasons& outdated) {
   for (const std::string& target : outdated.targets) {
     reasons += Words::tr("The tool does not come to the target %1 any more: that, or the tool, has moved since.")
                    .arg(QString::fromStdString(target));
+  }
+  for (const std::string& frame : outdated.frames) {
+    reasons += Words::tr(
+                   "The frame %1, or the tool, has moved since the program was opened: the path leads to where "
+                   "that was. Plan the path again, or open the program again.")
+                   .arg(QString::fromStdString(frame));
   }
   for (const std::string& configuration : outdated.configurations)
     reasons += Words::tr("It leads to %1 as that was stored when the path was planned: it was changed since.")

@@ -112,6 +112,19 @@ const ErrorDescription CellError::PathTargetMoved{
     .sentences = {translatable("ErrorText", "the path '%1' leads to where the target '%2' was when it was planned")},
     .advice = {translatable("ErrorText", "Plan it again, or write it as it is; on the command line: --outdated.")}};
 
+const ErrorDescription CellError::CoupledBeyondLimits{
+    .id = "CoupledBeyondLimits",
+    .sentences = {translatable("ErrorText", "the controller moves %1 %2 %3, which is %4° there, from %5° to %6° only")},
+    .advice = {translatable("ErrorText", "Check that the program is for this robot, and change the joints there.")}};
+
+const ErrorDescription CellError::PathFrameMoved{
+    .id = "PathFrameMoved",
+    .sentences = {translatable("ErrorText",
+                               "the path '%1' leads to where the frame '%2' was when its program was opened")},
+    .advice = {translatable("ErrorText",
+                            "Open the program again or plan the path again, or write it as it is; on the command line: "
+                            "--outdated.")}};
+
 const ErrorDescription CellError::PathWaypointChanged{
     .id = "PathPlaceChanged",
     .sentences = {translatable("ErrorText", "the path '%1' leads to '%2' as that was stored when it was planned")},

@@ -25,6 +25,8 @@ extern const ErrorDescription ShapeMissing;          // {path, link or body, sha
 extern const ErrorDescription PathOutdated;          // {path, part}: the part with the curve of the path was moved
 extern const ErrorDescription PathBaseMoved;         // {path}: the robot was moved since its curve was planned
 extern const ErrorDescription PathToolChanged;       // {path}: its curve was planned with another tool
+extern const ErrorDescription CoupledBeyondLimits;   // {joint, sign, other joint, degrees, lower, upper}
+extern const ErrorDescription PathFrameMoved;        // {path, frame}: the program was read in another pose of it
 extern const ErrorDescription PathTargetMoved;       // {path, target}: the tool does not reach the target any more
 extern const ErrorDescription PathWaypointChanged;   // {path, configuration}: the configuration has changed
 extern const ErrorDescription LineCollides;          // {waypoint, link, link or body}: a collision on the line

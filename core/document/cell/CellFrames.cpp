@@ -157,6 +157,11 @@ CellPlans withFrameRenamed(CellPlans plans, const std::string& name, const std::
   };
   for (NamedFrame& frame : plans.frames) rename(frame.name);
   for (NamedTarget& target : plans.targets) rename(target.frame);
+  for (RobotPath& path : plans.paths) {
+    for (Waypoint& waypoint : path.waypoints) {
+      if (waypoint.frame) rename(waypoint.frame->name);
+    }
+  }
   rename(plans.workFrame);
   return plans;
 }
@@ -175,6 +180,11 @@ CellPlans withoutFrame(const std::string& name, const CellPlacement& cell) {
   }
   std::erase_if(plans.frames, [&](const NamedFrame& each) { return each.name == name; });
   if (plans.workFrame == name) plans.workFrame.clear();
+  for (RobotPath& path : plans.paths) {
+    for (Waypoint& waypoint : path.waypoints) {
+      if (waypoint.frame && waypoint.frame->name == name) waypoint.frame.reset();
+    }
+  }
   return plans;
 }
 

@@ -43,6 +43,7 @@ json toJson(const std::string& path, const PathProof& proof) {
                  {"tool_changed", found.outdated.isToolOther},
                  {"targets_moved", found.outdated.targets},
                  {"configurations_changed", found.outdated.configurations},
+                 {"frames_moved", found.outdated.frames},
                  {"not_checked", found.notChecked},
                  {"listed", json::array()},
                  {"basis", json::object()}};
@@ -54,8 +55,11 @@ json toJson(const std::string& path, const PathProof& proof) {
   }
   if (found.stopsAt) stored["stops_at"] = *found.stopsAt;
   for (const PathFindings::Meeting& each : found.listed)
-    stored["listed"].push_back(
-        {{"place", each.waypoint}, {"link", each.link}, {"other", each.other}, {"distance_mm", each.distance}});
+    stored["listed"].push_back({{"place", each.waypoint},
+                                {"link", each.link},
+                                {"other", each.other},
+                                {"distance_mm", each.distance},
+                                {"needed_mm", each.needed}});
   for (const MissingShape& each : found.missing) {
     stored["missing"].push_back({{"part", each.part},
                                  {"name", each.name},
@@ -123,8 +127,12 @@ std::optional<PathProof> proofFrom(const json& stored) {
         {stringAt(each, "part"), stringAt(each, "name"), stringAt(each, "what"), state, stringAt(each, "by")});
   }
   found.robotsMoved = namesAt(stored, "robots_moved");
-  found.outdated = {stringAt(stored, "part_moved"), isAt(stored, "base_moved"), isAt(stored, "tool_changed"),
-                    namesAt(stored, "targets_moved"), namesAt(stored, "configurations_changed")};
+  found.outdated = {stringAt(stored, "part_moved"),
+                    isAt(stored, "base_moved"),
+                    isAt(stored, "tool_changed"),
+                    namesAt(stored, "targets_moved"),
+                    namesAt(stored, "configurations_changed"),
+                    namesAt(stored, "frames_moved")};
   const auto pairs = stored.find("not_checked");
   for (const json& each : pairs != stored.end() && pairs->is_array() ? *pairs : json::array()) {
     const bool isPair = each.is_array() && each.size() == 2 && each[0].is_string() && each[1].is_string();
@@ -135,7 +143,8 @@ std::optional<PathProof> proofFrom(const json& stored) {
   for (const json& each : listed != stored.end() && listed->is_array() ? *listed : json::array()) {
     if (each.is_object() && found.listed.size() < PathFindings::kMostListed)
       found.listed.push_back({countAt(each, "place"), stringAt(each, "link"), stringAt(each, "other"),
-                              std::max(lengthAt(each, "distance_mm").value_or(0.0), 0.0)});
+                              std::max(lengthAt(each, "distance_mm").value_or(0.0), 0.0),
+                              std::max(lengthAt(each, "needed_mm").value_or(0.0), 0.0)});
   }
   const auto gaps = stored.find("gaps");
   for (const json& each : gaps != stored.end() && gaps->is_array() ? *gaps : json::array()) {

@@ -69,6 +69,7 @@ struct PathFindings {
     std::size_t waypoint = 0;  // Index of the waypoint at the end of the motion, from 0
     std::string link, other;
     double distance = 0.0;  // Above 0: the distance of a pair that does not collide, but is too close
+    double needed = 0.0;    // The distance that the proof needs there; 0: unknown, or the pair collides
     bool operator==(const Meeting&) const = default;
   };
   static constexpr std::size_t kMostListed = 5;

@@ -147,6 +147,12 @@ nlohmann::json describeProof(const PathProof& proof, const BasisDigests& now) {
                               {"changed_since", nullptr}};
   if (const char* const change = keyOf(changeBetween(proof.basis, now))) described["changed_since"] = change;
   if (found.stopsAt) described["stops_at"] = *found.stopsAt;
+  if (!found.gaps.empty()) {
+    const ProofGap& gap = found.gaps.front();
+    const bool isCorner = gap.kind == ProofGap::Kind::Corner;
+    described["not_proven"] = {{"place", gap.waypoint}, {"reason", isCorner ? "cnt" : "carried"}};
+    if (!isCorner) described["not_proven"]["text"] = gap.text;
+  }
   return described;
 }
 
@@ -164,6 +170,7 @@ nlohmann::json describePaths(const RobotCellSnapshot& cell) {
     if (outdated.isBaseOther) list.back()["base_moved"] = true;
     if (outdated.isToolOther) list.back()["tool_changed"] = true;
     if (!outdated.targets.empty()) list.back()["targets_moved"] = outdated.targets;
+    if (!outdated.frames.empty()) list.back()["frames_moved"] = outdated.frames;
     if (!outdated.configurations.empty()) list.back()["configurations_changed"] = outdated.configurations;
     const auto proof = cell.proofs->find(path.name);
     if (proof == cell.proofs->end()) continue;

@@ -7,6 +7,7 @@
 #include "robot/posts/FanucConfiguration.h"
 #include "robot/posts/FanucFrames.h"
 #include "robot/posts/KeptLines.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
 
@@ -128,10 +129,8 @@ class FanucReading {
         // User frames except the world are on the controller, unless the program sets them.
         const double inFrame = frameNumber(position);
         const auto set = m_frames.find(inFrame);
-        if (m_program.arm.size() != 6 || (inFrame != 0.0 && set == m_frames.end())) {
-          return Error{
-              ErrorCode::Unsupported, {"a place in another frame than UF : 0"}, InputPosition::line(motion.line), {}};
-        }
+        if (m_program.arm.size() != 6 || (inFrame != 0.0 && set == m_frames.end()))
+          return LineReader({}, motion.line).refused(PostError::DataElsewhere);
         if (inFrame != 0.0) setFrame(*set, motion);
         // The data of tools are on the controller: 0 is the flange, the other one the tool of the cell.
         const auto named = valuesOf(position, {"UT"});
@@ -145,8 +144,7 @@ class FanucReading {
         motion.pose = poseInProgram(m_program, motion.frame.value_or(fanucWorld(m_program.arm)), inWorld,
                                     used == 0.0 ? Pose(Pose::Identity()) : m_program.tool);
         if (motion.kind == ProgramMotion::Kind::Joint && !takeConfiguration(number, reference, motion))
-          return LineReader({}, motion.line)
-              .malformed("target", "the robot reaches its place in no way with this configuration");
+          return LineReader({}, motion.line).refused(PostError::PoseUnreached);
       } else {
         return LineReader({}, motion.line).malformed("target", "its place is not in /POS, or not all of it");
       }
@@ -191,6 +189,7 @@ class FanucReading {
     }
     const Pose tip = m_program.frame * *motion.pose * m_program.tool.inverse(Eigen::Isometry);
     motion.joints = jointsWith(wanted->second, m_program.arm, *m_closed, tip, reference);
+    motion.isAtPose = motion.joints.has_value();
     if (motion.joints) motion.pose = std::nullopt;
     return motion.joints.has_value();
   }

@@ -6,6 +6,7 @@
 #include "robot/posts/KeptLines.h"
 #include "robot/posts/KrlData.h"
 #include "robot/posts/KrlStatus.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/ProgramRoutines.h"
 
@@ -354,14 +355,15 @@ class KrlReading {
     } else if (KrlStatus status;
                const auto frame = aggregate(other, {"X", "Y", "Z", "A", "B", "C"}, &status, &axesOfPose)) {
       axes = axesOfPose;
-      if (!m_base || !m_tool) return line.malformed("target", "its tool or base is on the controller, not in the file");
+      if (!m_base || !m_tool) return line.refused(PostError::DataElsewhere);
       motion.pose = poseInProgram(m_program, *m_base, poseOf(*frame), *m_tool);
       line = other;
       // Controllers use S and T of joint motions only.
       if (isPtp && m_closed && (status.status || status.turn)) {
         motion.joints = jointsWith(status, m_program.arm, *m_closed, tipFor(*motion.pose), m_reference);
-        if (!motion.joints) return line.malformed("target", "the robot reaches its place in no way with these S and T");
+        if (!motion.joints) return line.refused(PostError::PoseUnreached);
         motion.pose = std::nullopt;
+        motion.isAtPose = true;
       }
     } else {
       return line.malformed("target", "six axes or X, Y, Z, A, B, C were expected");

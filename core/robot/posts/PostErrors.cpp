@@ -51,6 +51,26 @@ const ErrorDescription PostError::ConfigurationDiffers{
     .advice = {translatable(
         "ErrorText", "In a copy of the program, correct the configuration, or write ConfL\\Off before the line.")}};
 
+const ErrorDescription PostError::PoseUnreached{
+    .id = "PostPoseUnreached",
+    .sentences = {translatable("ErrorText",
+                               "the robot does not reach this place in the configuration that the program gives")},
+    .advice = {translatable("ErrorText",
+                            "Check that the program is for this robot, its tool and its frame, or correct the "
+                            "configuration in a copy of the program.")}};
+
+const ErrorDescription PostError::DataElsewhere{
+    .id = "PostDataElsewhere",
+    .sentences = {translatable("ErrorText",
+                               "the tool or frame of this place is on the controller, not in the file, or it moves")},
+    .advice = {translatable("ErrorText",
+                            "Add its data to a copy of the program, or create a frame of that name in the cell.")}};
+
+const ErrorDescription PostError::FunctionUnread{
+    .id = "PostFunctionUnread",
+    .sentences = {translatable("ErrorText", "the place is the result of the function %1, which is not supported")},
+    .advice = {translatable("ErrorText", "In a copy of the program, replace it by the numbers that it returns.")}};
+
 const ErrorDescription PostError::LinesOfOther{
     .id = "PostLinesOfOther",
     .sentences = {translatable("ErrorText", "'%1' is a line of %3, and %2 programs cannot have it (lines: %4)")},

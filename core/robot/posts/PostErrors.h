@@ -15,6 +15,9 @@ extern const ErrorDescription StatementUnread;       // {beginning of a statemen
 extern const ErrorDescription TooFast;               // {motion, mm/s, language, most mm/s}: the line is too fast
 extern const ErrorDescription BaseUnknown;           // {robot}: the base of its controller is not known
 extern const ErrorDescription ConfigurationDiffers;  // {configuration}: the arm ends the line in another one
+extern const ErrorDescription PoseUnreached;         // a joint motion to a pose that the arm does not reach so
+extern const ErrorDescription DataElsewhere;         // tool or frame of a pose are on the controller
+extern const ErrorDescription FunctionUnread;        // {name}: a function in place of a target
 extern const ErrorDescription LinesOfOther;          // {first line, language, language of it, numbers of all}
 extern const ErrorDescription NoCorners;             // {motion, language}: it has no CNT
 extern const ErrorDescription LinkageUnknown;        // {robot, language}: the coupling of its axes 2 and 3 is unknown

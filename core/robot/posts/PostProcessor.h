@@ -36,6 +36,8 @@ struct ParsedMotion {
   bool isInControllersBase = false;
   // The tool's centre point of the pose, in the flange; none: the program does not define it.
   std::optional<Pose> tool = {};
+  // True if the program gives a pose, which joint values replace here, as they are in the configuration that it gives.
+  bool isAtPose = false;
   // The configuration that the controller expects at the end of a line to a pose, for arms with a spherical wrist;
   // none: any, or not specified.
   std::optional<RapidConfiguration> endsIn = {};

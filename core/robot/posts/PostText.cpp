@@ -361,6 +361,10 @@ Error LineReader::malformed(const char* element, const char* reason) const {
   return {ErrorCode::ElementMalformed, {element, reason}, InputPosition::line(m_line), {}};
 }
 
+Error LineReader::refused(const ErrorDescription& code, std::vector<std::string> arguments) const {
+  return {code, std::move(arguments), InputPosition::line(m_line), {}};
+}
+
 Result<std::string> programText(std::string_view bytes) {
   if (const Status fits = checkTextSize(bytes); !fits) return fits.error();
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

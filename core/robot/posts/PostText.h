@@ -124,6 +124,8 @@ class LineReader {
   // Reads at most `most` numbers in brackets: "[1,2,3]"; nested brackets are ignored.
   std::optional<std::vector<double>> numbersWithin(char open, char close, std::size_t most);
   Error malformed(const char* element, const char* reason) const;
+  // Returns the error of a place that is written as it should be.
+  Error refused(const ErrorDescription& code, std::vector<std::string> arguments = {}) const;
 
  private:
   std::string_view m_rest;

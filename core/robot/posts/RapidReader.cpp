@@ -5,6 +5,7 @@
 #include "robot/posts/ControllerConfiguration.h"
 #include "robot/posts/ControllerPosts.h"
 #include "robot/posts/ExternalAxes.h"
+#include "robot/posts/PostErrors.h"
 #include "robot/posts/PostText.h"
 #include "robot/posts/RapidConfiguration.h"
 #include "robot/posts/RapidTables.h"
@@ -186,7 +187,7 @@ class RapidReading : public RapidTables {
     // The prefix that the post writes.
     constexpr std::string_view kTargetPrefix = "p_";
     m_targetName = readName(called.substr(called.starts_with(kTargetPrefix) ? kTargetPrefix.size() : 0));
-    if (line.take("(")) return line.malformed("target", "functions but Offs and RelTool are not read");
+    if (line.take("(")) return line.refused(PostError::FunctionUnread, {m_targetName});
     if (!found) return line.malformed("target", "it is neither numbers nor a name given before");
     return std::pair(*found, isJoints);
   }
@@ -336,8 +337,7 @@ class RapidReading : public RapidTables {
       const auto pose = placed(*motion.pose, tool, number);
       if (!pose) return pose.error();
       motion.pose = *pose;
-      if (!takeConfiguration(numbers, motion))
-        return line.malformed("target", "the robot reaches its place in no way with this configuration");
+      if (!takeConfiguration(numbers, motion)) return line.refused(PostError::PoseUnreached);
     }
     if (motion.joints) m_reference = *motion.joints;
     m_flange = motion.joints ? m_program.arm.tipPose(*motion.joints)
@@ -370,6 +370,7 @@ class RapidReading : public RapidTables {
     motion.joints = jointsWith(*wanted, m_program.arm, *m_closed, tip, m_reference);
     if (!motion.joints) return false;
     motion.pose = std::nullopt;
+    motion.isAtPose = true;
     return true;
   }
 
@@ -389,8 +390,7 @@ class RapidReading : public RapidTables {
     if (line.take("\\WObj") && line.take(":=")) line.name();
     line.skipSpace();
     if (!line.rest().empty()) return unread(line.rest(), number);
-    if (!tool) return line.malformed("tool", "its data are not in the file, or the robot does not hold it");
-    if (!frame) return line.malformed("frame", "its data are not in the file, or it moves");
+    if (!tool || !frame) return line.refused(PostError::DataElsewhere);
     return poseInProgram(m_program, *frame, pose, *tool);
   }
 

@@ -87,9 +87,13 @@ std::optional<Pose> poseAt(const Json& json, const char* key) {
   return isTurn ? std::optional(pose) : std::nullopt;
 }
 
+Json waypointTargetJson(const WaypointTarget& target) {
+  return {{"name", target.name}, {"in_tool", numbersOfPose(target.inTool)}};
+}
+
 // Returns none if it cannot be used: the waypoint is valid without it.
 std::optional<WaypointTarget> waypointTargetFrom(const Json& json) {
-  const std::string name = stringAt(json, "name");
+  const std::string name = json.is_object() ? stringAt(json, "name") : std::string();
   const auto inTool = name.empty() ? std::nullopt : poseAt(json, "in_tool");
   return inTool ? std::optional(WaypointTarget{name, *inTool}) : std::nullopt;
 }
@@ -145,6 +149,7 @@ Result<Waypoint> waypointFrom(const Json& json, const std::string& element, cons
   waypoint.speed = numberAt(json, "speed", isLinear ? 250.0 : 0.25, 1e-3, isLinear ? 1e5 : 1.0);
   waypoint.blend = numberAt(json, "blend_mm", 0.0, 0.0, 1e4);
   if (const auto target = json.find("target"); target != json.end()) waypoint.target = waypointTargetFrom(*target);
+  if (const auto frame = json.find("frame"); frame != json.end()) waypoint.frame = waypointTargetFrom(*frame);
   waypoint.configuration = stringAt(json, "configuration");
   waypoint.corner = numberAt(json, "corner_percent", 0.0, 0.0, ProgramMotion::kLargestCorner);
   waypoint.seconds = numberAt(json, "seconds", 0.0, 0.0, ProgramMotion::kLongest);
@@ -241,8 +246,8 @@ Json toJson(const RobotModel& robot, const RobotPath& path) {
                     {"speed", waypoint.speed},
                     {"blend_mm", waypoint.blend}});
     if (begin && waypoint.isPlannedFrom(*begin)) list.back()["planned"] = true;
-    if (waypoint.target)
-      list.back()["target"] = {{"name", waypoint.target->name}, {"in_tool", numbersOfPose(waypoint.target->inTool)}};
+    if (waypoint.target) list.back()["target"] = waypointTargetJson(*waypoint.target);
+    if (waypoint.frame) list.back()["frame"] = waypointTargetJson(*waypoint.frame);
     if (!waypoint.configuration.empty()) list.back()["configuration"] = waypoint.configuration;
     if (waypoint.corner > 0.0) list.back()["corner_percent"] = waypoint.corner;
     if (waypoint.seconds > 0.0) list.back()["seconds"] = waypoint.seconds;

@@ -58,7 +58,7 @@ bool Waypoint::operator==(const Waypoint& other) const {
   return joints.size() == other.joints.size() && joints == other.joints && name == other.name &&
          isCritical == other.isCritical && motion == other.motion && speed == other.speed && blend == other.blend &&
          target == other.target && configuration == other.configuration && corner == other.corner &&
-         seconds == other.seconds && lines == other.lines && keepsCarried == other.keepsCarried;
+         seconds == other.seconds && lines == other.lines && keepsCarried == other.keepsCarried && frame == other.frame;
 }
 
 bool NamedConfiguration::operator==(const NamedConfiguration& other) const {
@@ -143,6 +143,7 @@ std::size_t CellPlans::bytes() const {
     for (const Waypoint& waypoint : path.waypoints) {
       sum += sizeof waypoint + waypoint.name.size() + waypoint.configuration.size() + ofValues(waypoint.joints);
       if (waypoint.target) sum += waypoint.target->name.size();
+      if (waypoint.frame) sum += waypoint.frame->name.size();
       for (const ProgramLine& line : waypoint.lines) sum += sizeof line + line.text.size();
     }
   }

@@ -20,11 +20,11 @@
 
 namespace handwheel {
 
-// The target for which a waypoint of a path was planned.
+// The target of a planned waypoint, or the frame in which a program gave it.
 struct WaypointTarget {
   std::string name;
-  // The pose of the target when the waypoint was planned, relative to the tool at the waypoint. It is not the identity
-  // if the arm could not reach the orientation of the target.
+  // The pose of the target, or frame, when the waypoint was planned, relative to the tool at the waypoint. It is not
+  // the identity if the arm could not reach the orientation of the target.
   Pose inTool = Pose::Identity();
 
   bool operator==(const WaypointTarget& other) const;
@@ -49,6 +49,8 @@ struct Waypoint {
   std::vector<ProgramLine> lines = {};  // lines of a program that follow the motion, in RobotPath::language
   // True if a person has said that the robot carries after the lines what it carried before.
   bool keepsCarried = false;
+  // The frame of the cell in which the program gave the waypoint; none: in no frame, or edited by hand since.
+  std::optional<WaypointTarget> frame = {};
 
   // Returns the first line by which the robot may grip or release something that nobody knows; null: there is none.
   const ProgramLine* gripping() const;

@@ -83,6 +83,7 @@ void HandGuidingTool::setWaypoint(const Guidance& pulled) {
     waypoint.joints[pulled.scene->dofs[i]] = values[static_cast<Eigen::Index>(i)];
   waypoint.isCritical = true;
   waypoint.target.reset();
+  waypoint.frame.reset();
   waypoint.configuration.clear();
   path.process.reset();
   const QString text = QCoreApplication::translate("HandGuidingTool", "Pull place %1 of %2")

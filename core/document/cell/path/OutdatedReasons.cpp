@@ -35,6 +35,19 @@ void compareStanding(const PathProcess& process, const Body& part, const Pose& b
   if (!found.isBaseOther || !isSamePose(part.pose, process.planned)) found.part = part.name;
 }
 
+// The pose of something in the frame of the tool at these joint values; nothing if it, or the arm, is missing.
+template <class PoseThere>
+std::optional<Pose> inTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
+                           const JointValues& at, const PoseThere& poseThere) {
+  const auto number = armNumber(robot, arm);
+  if (!number) return std::nullopt;
+  const JointValues joints = jointsSetBy(robot, arm, at, cell.joints);
+  const Result<Pose> pose = poseThere(CellPlacement{cell.plans, cell.bodies, cell.robot, joints});
+  if (!pose) return std::nullopt;
+  const Pose tool = linkPoses(cell.robot, joints)[robot.arms[*number].flange] * toolOf(robot, cell.plans, arm);
+  return Pose(tool.inverse(Eigen::Isometry) * *pose);
+}
+
 }  // namespace
 
 const NamedConfiguration* changedConfiguration(const CellRobot& robot, const CellPlans& plans, std::string_view arm,
@@ -88,13 +101,15 @@ bool isSamePose(const Pose& one, const Pose& other) {
 std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
                                  const JointValues& at, std::string_view target) {
   const NamedTarget* const known = cell.plans.target(target);
-  const auto number = armNumber(robot, arm);
-  if (!known || !number) return std::nullopt;
-  const JointValues joints = jointsSetBy(robot, arm, at, cell.joints);
-  const Result<Pose> pose = poseOfTarget(*known, {cell.plans, cell.bodies, cell.robot, joints});
-  if (!pose) return std::nullopt;
-  const Pose tool = linkPoses(cell.robot, joints)[robot.arms[*number].flange] * toolOf(robot, cell.plans, arm);
-  return Pose(tool.inverse(Eigen::Isometry) * *pose);
+  if (!known) return std::nullopt;
+  return inTool(robot, cell, arm, at, [&](const CellPlacement& there) { return poseOfTarget(*known, there); });
+}
+
+std::optional<Pose> frameInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
+                                const JointValues& at, std::string_view frame) {
+  const NamedFrame* const known = cell.plans.frame(frame);
+  if (!known) return std::nullopt;
+  return inTool(robot, cell, arm, at, [&](const CellPlacement& there) { return poseOfFrame(*known, there); });
 }
 
 OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path) {
@@ -109,9 +124,13 @@ OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& c
   for (const Waypoint& waypoint : path.waypoints) {
     if (changedConfiguration(robot, cell.plans, path.arm, waypoint))
       found.configurations.insert(waypoint.configuration);
-    if (!waypoint.target || found.targets.contains(waypoint.target->name)) continue;
-    const auto now = targetInTool(robot, cell, path.arm, waypoint.joints, waypoint.target->name);
-    if (now && !isSamePose(*now, waypoint.target->inTool)) found.targets.insert(waypoint.target->name);
+    if (waypoint.target && !found.targets.contains(waypoint.target->name)) {
+      const auto now = targetInTool(robot, cell, path.arm, waypoint.joints, waypoint.target->name);
+      if (now && !isSamePose(*now, waypoint.target->inTool)) found.targets.insert(waypoint.target->name);
+    }
+    if (!waypoint.frame || found.frames.contains(waypoint.frame->name)) continue;
+    const auto now = frameInTool(robot, cell, path.arm, waypoint.joints, waypoint.frame->name);
+    if (now && !isSamePose(*now, waypoint.frame->inTool)) found.frames.insert(waypoint.frame->name);
   }
   return found;
 }

@@ -20,21 +20,27 @@ struct OutdatedReasons {
   bool isToolOther = false;                   // True if the curve was planned with another tool centre point
   std::set<std::string> targets = {};         // Targets of the waypoints that the tool does not reach any more
   std::set<std::string> configurations = {};  // Configurations of the waypoints whose joint values have changed
+  std::set<std::string> frames = {};  // Frames that the waypoints were read in and that are elsewhere for the tool now
 
   bool isAny() const {
-    return isToolOther || isBaseOther || !part.empty() || !targets.empty() || !configurations.empty();
+    return isToolOther || isBaseOther || !part.empty() || !targets.empty() || !configurations.empty() ||
+           !frames.empty();
   }
   bool operator==(const OutdatedReasons&) const = default;
 };
 
 // Returns the reasons why a path is out of date at present. The other robots have their present joint values. Parts,
-// targets and configurations that were removed do not count. O(waypoints · links + bodies).
+// targets, frames and configurations that were removed do not count. O(waypoints · links + bodies).
 OutdatedReasons outdatedReasonsOf(const CellRobot& robot, const CellPlacement& cell, const RobotPath& path);
 
 // Returns the pose of a target in the frame of the tool of a robot at these joint values; nothing if the target is
 // missing. arm: as in CellPlans::arm.
 std::optional<Pose> targetInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
                                  const JointValues& at, std::string_view target);
+
+// Returns the pose of a frame likewise.
+std::optional<Pose> frameInTool(const CellRobot& robot, const CellPlacement& cell, std::string_view arm,
+                                const JointValues& at, std::string_view frame);
 
 // Returns the configuration of a waypoint if the configuration no longer has the joint values of the waypoint; null if
 // it has them, is missing, or belongs to another robot. arm: the robot of the waypoint, as in CellPlans::arm.

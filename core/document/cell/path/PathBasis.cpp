@@ -67,11 +67,13 @@ std::vector<std::vector<double>> configurationsOf(const CellRobot& robot, const 
 std::vector<std::pair<NamedTarget, NamedFrame>> targetsOf(const CellPlans& plans, const RobotPath& path) {
   std::vector<std::pair<NamedTarget, NamedFrame>> targets;
   for (const Waypoint& waypoint : path.waypoints) {
-    if (!waypoint.target) continue;
-    const NamedTarget* const target = plans.target(waypoint.target->name);
-    const NamedFrame* const frame = target ? plans.frame(target->frame) : nullptr;
-    targets.emplace_back(target ? *target : NamedTarget(), frame ? *frame : NamedFrame());
-    targets.back().first.name = targets.back().first.frame = targets.back().second.name = {};
+    const auto add = [&](const NamedTarget* target, const NamedFrame* frame) {
+      targets.emplace_back(target ? *target : NamedTarget(), frame ? *frame : NamedFrame());
+      targets.back().first.name = targets.back().first.frame = targets.back().second.name = {};
+    };
+    const NamedTarget* const target = waypoint.target ? plans.target(waypoint.target->name) : nullptr;
+    if (waypoint.target) add(target, target ? plans.frame(target->frame) : nullptr);
+    if (waypoint.frame) add(nullptr, plans.frame(waypoint.frame->name));
   }
   return targets;
 }

@@ -17,8 +17,8 @@ struct PathBasis {
   std::set<std::pair<std::string, std::string>> allowed;
   Pose tool = Pose::Identity();  // Tool centre point of the path's robot
   double clearance = 0.0;
-  // Targets that the waypoints were planned to, with their frames, in the order of the waypoints. Their names are
-  // omitted.
+  // Targets that the waypoints were planned to, with their frames, and frames that they were read in, in the order of
+  // the waypoints. Their names are omitted.
   std::vector<std::pair<NamedTarget, NamedFrame>> targets;
   std::vector<std::vector<double>>
       configurations;       // Joint values of the path's robot in the configurations of the waypoints, in order

@@ -142,6 +142,14 @@ std::string ofPath(const RobotPath& path) {
     digest.add(std::uint64_t{i});
     digest.add(path.waypoints[i].configuration);
   }
+  for (std::size_t i = 0; i < path.waypoints.size(); ++i) {
+    const auto& frame = path.waypoints[i].frame;
+    if (!frame) continue;
+    digest.add(std::string("frame"));
+    digest.add(std::uint64_t{i});
+    digest.add(frame->name);
+    digest.add(frame->inTool);
+  }
   const auto addLines = [&](std::size_t i, const std::vector<ProgramLine>& lines) {
     for (const ProgramLine& line : lines) {
       digest.add(std::uint64_t{i});
@@ -162,7 +170,7 @@ std::string ofPath(const RobotPath& path) {
   return digest.text();
 }
 
-// Empty if no waypoint was planned to a target, as in proofs that were stored before these counted.
+// Empty if no waypoint was planned to a target or read in a frame, as in proofs that were stored before these counted.
 std::string ofTargets(const CellPlans& plans, const RobotPath& path) {
   const auto targets = targetsOf(plans, path);
   if (targets.empty()) return {};

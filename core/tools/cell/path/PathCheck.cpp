@@ -94,6 +94,8 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   checked.robotsMoved = scene.robotsElsewhere(path);
   checked.outdated = outdatedReasonsOf(*scene.robot, {plans, scene.bodies, scene.robot->model, scene.others}, path);
   checked.clearance = settings.clearance;
+  checked.resolution = settings.resolution;
+  checked.waiting = waitingTimeOf(path);
   checked.notChecked = uncheckedPairs(scene, plans.allowed);
   checked.missing = scene.missing;
   checked.resolved = resolved(scene, plans, path, progress.part(0.0, 0.1));
@@ -110,7 +112,7 @@ Result<CheckedPath> checkPath(const CellScene& scene, const CellPlans& plans, co
   for (const std::size_t i : path.language.empty() ? std::vector<std::size_t>() : reduced)
     checked.gaps.push_back({.kind = ProofGap::Kind::Zone, .waypoint = i, .kept = checked.blends[i]});
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  checked.seconds = timed(scene, plans, path, checked.resolved, checked.blends).duration();
+  checked.seconds = timed(scene, plans, path, checked.resolved, checked.blends).duration() + checked.waiting.seconds;
   return checked;
 }
 
@@ -134,47 +136,77 @@ std::vector<std::array<double, 2>> sharesOf(const ResolvedPath& resolvedPath, co
   return shares;
 }
 
+bool isSamePair(const RobotScene::Nearest& a, const RobotScene::Nearest& b) {
+  return a.link == b.link && a.otherLink == b.otherLink && a.owner == b.owner;
+}
+
+// Returns the distance from which on the proof finds a motion free, mm, with hundredths rounded up.
+double neededOn(const CheckedPath& checked, std::size_t motion) {
+  const double off = motion < checked.resolved.offs.size() ? checked.resolved.offs[motion] : 0.0;
+  return checked.clearance + std::ceil(100.0 * off - 1e-9) / 100.0 + checked.resolution;
+}
+
+// Returns true if a pair does not get apart between two of its collisions: it stays nearer than what the least exact
+// motion of a path needs.
+bool goesOn(const CheckedPath& checked, const CellScene& scene, const PathCollision& last, const PathCollision& next) {
+  constexpr double kBeside = 1e-9;  // Share of a motion
+  const bool isNext = last.motion + 1 == next.motion && last.to >= 1.0 - kBeside && next.from <= kBeside;
+  if (isNext) return true;
+  const auto& offs = checked.resolved.offs;
+  const double off = offs.empty() ? 0.0 : *std::max_element(offs.begin(), offs.end());
+  const double needed = checked.clearance + off + checked.resolution;
+  const JointPath& path = checked.resolved.joints;
+  const auto isNear = [&](std::size_t motion, double share) {
+    const ArmValues at = path[motion] + share * (path[motion + 1] - path[motion]);
+    const auto met = at.allFinite() ? scene.scene.allTooNear(at, needed, needed) : std::vector<RobotScene::Nearest>();
+    return std::ranges::any_of(met, [&](const auto& each) { return isSamePair(each, next.deepest); });
+  };
+  constexpr std::size_t kMostBetween = 64;  // motions; farther apart they count as several
+  if (next.motion > last.motion + kMostBetween || next.motion < last.motion) return false;
+  for (std::size_t motion = last.motion; motion <= next.motion; ++motion) {
+    const double from = motion == last.motion ? last.to : 0.0, to = motion == next.motion ? next.from : 1.0;
+    constexpr int kParts = 4;
+    for (int k = 0; k <= kParts && to - from > kBeside; ++k) {
+      if (!isNear(motion, from + (to - from) * k / kParts)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene& scene) {
-  constexpr double kBeside = 1e-9;  // Share of a motion: the stretch ends there, or the next one begins
   const std::vector<std::array<double, 2>> shares = sharesOf(checked.resolved, scene);
-  struct Open {
-    std::size_t stretch, motion;
-    bool goesOn;  // to the end of that motion
-  };
   std::vector<PathStretch> all;
-  std::vector<Open> open;
+  std::vector<PathCollision> ends;  // the last collision of each stretch
   for (const PathCollision& each : checked.verification.collisions) {
     if (each.motion >= shares.size()) {  // No motion begins at the first waypoint
       all.push_back({.waypoint = 0, .deepest = each.deepest, .motion = 0, .deepestAt = 0.0});
+      ends.push_back(each);
       continue;
     }
     const double begin = shares[each.motion][0], end = shares[each.motion][1];
-    const auto isSame = [&](const Open& known) {
-      const PathStretch& last = all[known.stretch];
-      return known.goesOn && known.motion + 1 == each.motion && each.from <= kBeside &&
-             last.waypoint == checked.waypointOf(each.motion) && last.deepest.link == each.deepest.link &&
-             last.deepest.otherLink == each.deepest.otherLink && last.deepest.owner == each.deepest.owner;
-    };
-    std::erase_if(open, [&](const Open& known) { return known.motion + 1 < each.motion; });
-    const auto known = std::find_if(open.begin(), open.end(), isSame);
-    const bool goesOn = each.to >= 1.0 - kBeside;
     const double to = begin + each.to * (end - begin);
-    if (known == open.end()) {
-      open.push_back({all.size(), each.motion, goesOn});
-      all.push_back({checked.waypointOf(each.motion), begin + each.from * (end - begin), to, each.deepest, each.motion,
-                     each.deepestAt});
+    const std::size_t waypoint = checked.waypointOf(each.motion);
+    std::size_t known = all.size();
+    for (std::size_t i = all.size(); i-- > 0 && known == all.size() && all[i].waypoint == waypoint;) {
+      if (isSamePair(all[i].deepest, each.deepest) && goesOn(checked, scene, ends[i], each)) known = i;
+    }
+    if (known == all.size()) {
+      all.push_back({waypoint, begin + each.from * (end - begin), to, each.deepest, each.motion, each.deepestAt,
+                     neededOn(checked, each.motion)});
+      ends.push_back(each);
       continue;
     }
-    PathStretch& stretch = all[known->stretch];
-    stretch.to = to;
+    PathStretch& stretch = all[known];
+    stretch.to = std::max(stretch.to, to);
+    ends[known] = each;
     if (each.deepest.distance < stretch.deepest.distance) {
       stretch.deepest = each.deepest;
       stretch.motion = each.motion;
       stretch.deepestAt = each.deepestAt;
+      stretch.needed = neededOn(checked, each.motion);
     }
-    *known = {known->stretch, each.motion, goesOn};
   }
   return all;
 }
@@ -199,8 +231,8 @@ PathFindings findingsOf(const CheckedPath& checked, const CellScene& scene, doub
                      .gaps = checked.gaps};
   for (std::size_t i = 0; i < std::min(all.size(), PathFindings::kMostListed); ++i) {
     auto [link, other] = scene.namesOf(all[i].deepest);
-    found.listed.push_back(
-        {all[i].waypoint, std::move(link), std::move(other), all[i].meets() ? 0.0 : all[i].deepest.distance});
+    found.listed.push_back({all[i].waypoint, std::move(link), std::move(other),
+                            all[i].meets() ? 0.0 : all[i].deepest.distance, all[i].meets() ? 0.0 : all[i].needed});
   }
   return found;
 }
@@ -293,14 +325,16 @@ std::string smallerBlendsText(std::span<const SmallerBlend> smaller) {
     return roundedText(each.kept, 3) + " mm in place of " + roundedText(each.wanted, 6) + " mm at place " +
            std::to_string(each.waypoint + 1);
   };
-  const std::string range = smaller.size() == 1 ? kept(*least) : "from " + kept(*least) + " to " + kept(*most);
-  return "Smaller blends than asked: " + std::to_string(smaller.size()) + ", " + range +
+  const bool areAlike = kept(*least) == kept(*most) || roundedText(least->kept, 3) == roundedText(most->kept, 3);
+  const std::string range = areAlike ? kept(*least) : "from " + kept(*least) + " to " + kept(*most);
+  return "Smaller blends than asked: " + std::to_string(smaller.size()) +
+         (areAlike && smaller.size() > 1 ? ", as " : ", ") + range +
          ". A blend has half of the shorter motion beside it at most, and only where it is proven free.";
 }
 
 namespace {
 
-std::vector<std::string> remarksOn(const RobotPath& path, const CheckedPath& checked) {
+std::vector<std::string> remarksOn(const CheckedPath& checked) {
   constexpr std::size_t kLongestName = 60, kMostPairs = 50;
   std::vector<std::string> remarks;
   const auto& pairs = checked.notChecked;
@@ -310,13 +344,6 @@ std::vector<std::string> remarksOn(const RobotPath& path, const CheckedPath& che
   if (pairs.size() > kMostPairs)
     remarks.push_back("Not checked: " + std::to_string(pairs.size() - kMostPairs) + " more pairs.");
   if (checked.isTouching()) remarks.emplace_back("Touching: the least clearance is 0 mm.");
-  if (const std::string blends = smallerBlendsText(smallerBlends(path, checked)); !blends.empty())
-    remarks.push_back(blends);
-  if (!path.waypoints.empty() && path.waypoints.front().corner > 0.0)
-    remarks.emplace_back("Exact stop at the first place in place of its rounding: the motion to it is not checked.");
-  if (const std::size_t stops = stoppedBlends(path, checked); stops > 0)
-    remarks.push_back("Exact stops in place of blends: " + std::to_string(stops) +
-                      ". Not every way within their zones is proven free.");
   const OutdatedReasons& outdated = checked.outdated;
   if (!outdated.part.empty())
     remarks.push_back("Outdated: the part " + identifierOf(outdated.part, kLongestName) +
@@ -328,6 +355,9 @@ std::vector<std::string> remarksOn(const RobotPath& path, const CheckedPath& che
   for (const std::string& target : outdated.targets)
     remarks.push_back("Outdated: the tool does not come to the target " + identifierOf(target, kLongestName) +
                       " any more: that, or the tool, has moved since the path was planned.");
+  for (const std::string& frame : outdated.frames)
+    remarks.push_back("Outdated: the frame " + identifierOf(frame, kLongestName) +
+                      ", or the tool, has moved since the path was read from a program.");
   for (const std::string& configuration : outdated.configurations)
     remarks.push_back("Outdated: " + identifierOf(configuration, kLongestName) +
                       " was changed since the path was planned through it.");
@@ -356,7 +386,10 @@ RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const Rob
   program.isBaseOfController = libraryRobot(scene.plannedArm().title) != nullptr;
   program.hasPlainShapes = hasPlainShapes(scene.robot->model, scene.robot->arms, scene.armNumber);
   program.clearance = checked.clearance;
-  program.remarks = remarksOn(path, checked);
+  program.remarks = remarksOn(checked);
+  if (!path.waypoints.empty() && path.waypoints.front().corner > 0.0)
+    program.remarks.emplace_back(
+        "Exact stop at the first place in place of its rounding: the motion to it is not checked.");
   program.head = path.head;
   program.language = path.language;
   for (std::size_t i = 0; i < path.waypoints.size(); ++i) {

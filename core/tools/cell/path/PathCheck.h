@@ -8,6 +8,7 @@
 #include "planning/PathVerification.h"
 #include "robot/program/RobotProgram.h"
 #include "tools/cell/path/PairNames.h"
+#include "tools/cell/path/WaitingTime.h"
 
 #include <set>
 
@@ -36,13 +37,16 @@ struct CheckedPath {
   PathMetrics metrics;
   // mm, for each waypoint: radius within which all motions are free; 0: an exact stop.
   std::vector<double> blends;
-  double seconds = 0.0;  // Estimated duration, with a stop at each waypoint without a blend
+  // Estimated duration, with a stop at each waypoint without a blend, and the waits of known length.
+  double seconds = 0.0;
+  WaitingTime waiting = {};  // The waits of its lines
   // Other robots whose joint values or bases differ from those when the path was made. The results are valid for their
   // present poses.
   std::set<std::string> robotsMoved = {};
   // The reasons why the path is out of date.
   OutdatedReasons outdated = {};
   double clearance = 0.0;                  // mm, required clearance
+  double resolution = 0.0;                 // mm, resolution of the proof
   std::vector<PairNames> notChecked = {};  // The result of uncheckedPairs()
   std::vector<MissingShape> missing = {};  // Shapes that could not be read
   std::vector<ProofGap> gaps = {};         // The result of gapsOf()
@@ -65,11 +69,13 @@ struct PathStretch {
   RobotScene::Nearest deepest{};  // The nearest pair, at its least distance
   std::size_t motion = 0;  // Motion of the verification with the least distance; 0 also if the path has no motion
   double deepestAt = 0.0;  // Fraction of this motion at the least distance
+  double needed = 0.0;     // mm: with less the proof does not tell what keeps the clearance
 
   bool meets() const { return deepest.distance <= 0.0; }
 };
-// Returns the collisions of the verification. Collisions of adjacent motions that belong to one line are joined. They
-// are sorted by their beginnings. O(motions + collisions · pairs at a time).
+// Returns the collisions of the verification, sorted by their beginnings. Those of one pair on the way to one waypoint
+// are joined if the pair does not get out of PathStretch::needed between them, as at motions of a line that are proven
+// between others that are not. O(motions + collisions · pairs at a time).
 std::vector<PathStretch> stretchesOf(const CheckedPath& checked, const CellScene& scene);
 
 // Returns a summary of a verification. clearance: mm, the required clearance.
@@ -106,7 +112,8 @@ std::vector<SmallerBlend> smallerBlends(const RobotPath& path, const CheckedPath
 // Returns one English sentence about all of them, for programs and the command line; empty if there are none.
 std::string smallerBlendsText(std::span<const SmallerBlend> smaller);
 
-// Returns the program of a path for a controller. Blends that are not certified become exact stops.
+// Returns the program of a path for a controller. Blends that are not certified become exact stops; it has no remarks
+// about blends.
 RobotProgram programOf(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                        const CheckedPath& checked);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/PathExport.h"
 
+#include "base/JsonText.h"
 #include "base/NumberText.h"
 #include "document/AtomicFile.h"
 #include "document/DocumentErrors.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace handwheel {
 
@@ -58,6 +60,7 @@ std::optional<Error> outdatedProblem(const RobotPath& path, const OutdatedReason
   if (outdated.isToolOther) return Error{CellError::PathToolChanged, {path.name}, {}, {}};
   if (!outdated.targets.empty())
     return Error{CellError::PathTargetMoved, {path.name, *outdated.targets.begin()}, {}, {}};
+  if (!outdated.frames.empty()) return Error{CellError::PathFrameMoved, {path.name, *outdated.frames.begin()}, {}, {}};
   if (outdated.configurations.empty()) return std::nullopt;
   return Error{CellError::PathWaypointChanged, {path.name, *outdated.configurations.begin()}, {}, {}};
 }
@@ -129,6 +132,17 @@ bool endsInItsConfiguration(const ParsedMotion& motion, const Pose& tip, const R
   return isReached;
 }
 
+// The error of a place at which the axis that the controller counts from the level is beyond its limits.
+Error coupledProblem(const CellScene& scene, const AxisCoupling& coupling, const ArmValues& at) {
+  const auto name = [&](std::size_t joint) { return scene.robot->model.jointOfDof(scene.dofs[joint]).name; };
+  const auto degrees = [](double angle) { return roundedText(angle / kRadiansPerDegree, 5); };
+  return {CellError::CoupledBeyondLimits,
+          {name(2), coupling.factor < 0.0 ? "-" : "+", name(1), degrees(coupling.third(at)), degrees(coupling.lower),
+           degrees(coupling.upper)},
+          {},
+          {}};
+}
+
 // Compares with the precision of programs: hundredths of mm and degrees.
 bool isSameTool(const Pose& a, const Pose& b) {
   constexpr double kSameTool = 0.02;  // mm, degrees
@@ -147,6 +161,45 @@ std::vector<ProgramFrame> framesBeside(const CellScene& scene, const RobotCellSn
     if (pose && !movesWith(frame, cell.bodies, robot, scene.dofs)) frames.push_back({frame.name, toBase * *pose});
   }
   return frames;
+}
+
+// Returns the results of the check with the blends that a program has in a language.
+Result<CheckedPath> withBlendsOf(const PostProcessor& post, const RobotProgram& program, const CheckedPath& checked) {
+  CheckedPath written = checked;
+  if (std::ranges::all_of(checked.blends, [](double blend) { return blend == 0.0; })) return written;
+  const Result<std::vector<ParsedMotion>> motions = post.read(post.write(program), program);
+  if (!motions) return motions.error();
+  for (std::size_t i = 0; i < std::min(motions->size(), written.blends.size()); ++i)
+    written.blends[i] = std::min(written.blends[i], std::max(0.0, (*motions)[i].blend));
+  return written;
+}
+
+void addBlendRemarks(RobotProgram& program, std::size_t stopped, std::size_t stopsOfLanguage,
+                     std::span<const SmallerBlend> smaller, const std::string& language) {
+  if (const std::string blends = smallerBlendsText(smaller); !blends.empty()) program.remarks.push_back(blends);
+  if (stopped > 0)
+    program.remarks.push_back("Exact stops in place of blends: " + std::to_string(stopped) +
+                              ". Not every way within their zones is proven free.");
+  if (stopsOfLanguage > 0)
+    program.remarks.push_back("Exact stops in place of blends: " + std::to_string(stopsOfLanguage) + ". In " +
+                              language + " they have no blend.");
+}
+
+std::string leftOutText(std::span<const std::size_t> lines) {
+  constexpr std::size_t kMostListed = 20;
+  std::string list;
+  for (const std::size_t line : lines.first(std::min(lines.size(), kMostListed)))
+    list += (list.empty() ? "" : ", ") + std::to_string(line);
+  if (lines.size() > kMostListed) list += " and " + std::to_string(lines.size() - kMostListed) + " more";
+  return "Lines of the opened program that are left out here, as outputs and waiting: " + list + ".";
+}
+
+// Returns true if a text in JSON is a program (of the post "json") and no path file, whatever the name of the file.
+bool isProgramTable(std::string_view text) {
+  if (text.find("\"motions\"") == text.npos) return false;
+  const Result<nlohmann::json> json = parseJson(text, "program");
+  return json && json->is_object() && json->contains("motions") && !json->contains("places") &&
+         !json->contains("waypoints");
 }
 
 // Drops the declarations of the lines of a program, which other languages do not need.
@@ -234,9 +287,9 @@ Status canBeWritten(const CellScene& scene, const PostProcessor& post) {
 
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
-                                    const std::filesystem::path& output, OutdatedPath outdated, FrameData frameData) {
+                                    const std::filesystem::path& output, const WriteChoices& choices) {
   if (const auto problem = problemOf(scene, path, checked)) return *problem;
-  if (outdated == OutdatedPath::Refuse) {
+  if (choices.outdated == OutdatedPath::Refuse) {
     if (const auto problem = outdatedProblem(path, checked.outdated)) return *problem;
   }
   const Result<Pose> frame = programFrame(scene, plans);
@@ -256,24 +309,32 @@ Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& pla
   for (const RobotPath& other : plans.paths) {
     if (other.name != path.name) program.otherPaths.push_back(other.name);
   }
-  program.declaresFrame = frameData == FrameData::InProgram;
+  program.declaresFrame = choices.frameData == FrameData::InProgram;
   const std::string other = otherRobot(scene, post);
   constexpr std::size_t kLongestName = 60;
   if (!other.empty())
     program.remarks.push_back("Warning: this is not the language of the controller of the robot " +
                               identifierOf(other, kLongestName) + ".");
+  if (!choices.leftOut.empty()) program.remarks.push_back(leftOutText(choices.leftOut));
   if (const std::vector<Error> refusals = post.refusals(program); !refusals.empty()) return refusals.front();
+  // The language decides which of the proven blends it has.
+  const Result<CheckedPath> written = withBlendsOf(post, program, checked);
+  if (!written) return written.error();
+  const std::size_t stopped = stoppedBlends(path, checked);
+  const std::size_t stopsOfLanguage = stoppedBlends(path, *written) - stopped;
+  const std::vector<SmallerBlend> smaller = smallerBlends(path, *written);
+  addBlendRemarks(program, stopped, stopsOfLanguage, smaller, post.title());
   const std::string text = post.write(program);
   const Result<PostCheck> check = checkWritten(post, program, text);
   if (!check) return check.error();
   if (check->distance > kMostOff || check->angle > kMostOff)
     return Error{DocumentError::CheckFailed, {std::string("the ") + post.title() + " program"}, {}, output.string()};
-  const Status written = writeFileAtomically(output, text, {});
-  if (!written) return written.error();
+  if (const Status stored = writeFileAtomically(output, text, {}); !stored) return stored.error();
   // Joint motions do not depend on the frame, but tables have the pose of each waypoint.
   const bool isInFrame = check->isInFrame && (post.maker()[0] == '\0' || hasLines(program));
-  return WrittenProgram{*check, stoppedBlends(path, checked), smallerBlends(path, checked), other,
-                        isInFrame ? plans.workFrame : ""};
+  const double seconds =
+      timed(scene, plans, path, written->resolved, written->blends).duration() + waitingTimeOf(path).seconds;
+  return WrittenProgram{*check, stopped, stopsOfLanguage, smaller, seconds, other, isInFrame ? plans.workFrame : ""};
 }
 
 Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnapshot& cell, const PostProcessor& post,
@@ -337,6 +398,9 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
     }
     Result<JointValues> within = valuesWithinLimits(cell.robot->model, scene.whole(before));
     if (!within) return located(within.error());
+    constexpr double kRounding = 1e-6;  // rad: of files
+    if (const auto& coupling = scene.arm.coupling(); coupling && !coupling->isWithin(before, kRounding))
+      return located(coupledProblem(scene, *coupling, before));
     Waypoint waypoint{.joints = std::move(within).value()};
     if (isBodyName(motion.name)) waypoint.name = std::move(motion.name);
     waypoint.motion = path.waypoints.empty() ? ProgramMotion::Kind::Joint : motion.kind;
@@ -355,8 +419,15 @@ Result<ProgramPath> pathFromProgram(const CellScene& scene, const RobotCellSnaps
   if (*post.maker()) path.language = post.id();
   std::sort(openConfigurations.begin(), openConfigurations.end());
   openConfigurations.erase(std::unique(openConfigurations.begin(), openConfigurations.end()), openConfigurations.end());
-  return ProgramPath{std::move(path), framesOf(*motions, basePose(cell.robot->model, scene.plannedArm()) * counted),
-                     std::move(openConfigurations), otherTool, isOnlyTool, std::move(leftOut)};
+  const Pose base = basePose(cell.robot->model, scene.plannedArm()) * counted;
+  ProgramPath read{std::move(path), framesOf(*motions, base), std::move(openConfigurations), otherTool,
+                   isOnlyTool,      std::move(leftOut)};
+  // Joint values are in no frame, but tables have the pose of each waypoint.
+  for (const ParsedMotion& motion : *motions) {
+    const bool isInFrame = motion.pose || motion.isAtPose || *post.maker() == '\0';
+    read.frameOf.push_back(isInFrame ? frameNumber(read.frames, motion, base) : read.frames.size());
+  }
+  return read;
 }
 
 Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot& cell,
@@ -364,12 +435,15 @@ Result<ProgramPath> pathFromFile(const CellScene& scene, const RobotCellSnapshot
   const auto read = [&]() -> Result<ProgramPath> {
     const Result<std::string> bytes = readFileHead(file, PostProcessor::kLargestText + 1);  // Larger ones are refused
     if (!bytes) return bytes.error();
-    if (const PostProcessor* const post = postForEnding(file.string())) {
+    const PostProcessor* const ofName = postForEnding(file.string());
+    if (const PostProcessor* const post = ofName || !isProgramTable(*bytes) ? ofName : postCalled("json")) {
       std::string data;
       const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
       if (post->id() == std::string_view("krl"))
         data = dataIn(folder, file.stem().string() + ".dat") + dataIn(folder, "$config.dat");
-      return pathFromProgram(scene, cell, *post, *bytes, progress, std::move(data));
+      Result<ProgramPath> program = pathFromProgram(scene, cell, *post, *bytes, progress, std::move(data));
+      if (program) program->path.name = file.stem().string();
+      return program;
     }
     Result<RobotPath> path = readPath(*bytes, cell.robot->model, cell.joints, dofsOfArm(*cell.robot, scene.armNumber));
     if (!path) return path.error();

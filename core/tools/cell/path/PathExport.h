@@ -13,7 +13,9 @@ namespace handwheel {
 struct WrittenProgram {
   PostCheck check;
   std::size_t exactStops = 0;              // The result of stoppedBlends()
-  std::vector<SmallerBlend> smaller = {};  // The result of smallerBlends()
+  std::size_t stopsOfLanguage = 0;         // Proven blends that became exact stops, as the language has none there
+  std::vector<SmallerBlend> smaller = {};  // The result of smallerBlends() for the blends in the program
+  double seconds = 0.0;                    // Estimated duration of the program, with its own blends
   // The name of the robot if it is a built-in one and the controller is known to move robots of another manufacturer;
   // otherwise empty.
   std::string otherRobot = {};
@@ -35,15 +37,21 @@ Result<Pose> programFrame(const CellScene& scene, const CellPlans& plans);
 // than its controller moves.
 Status canBeWritten(const CellScene& scene, const PostProcessor& post);
 
+// Choices about a program that is written.
+struct WriteChoices {
+  OutdatedPath outdated = OutdatedPath::Refuse;
+  FrameData frameData = FrameData::InProgram;
+  std::vector<std::size_t> leftOut = {};  // The result of linesLeftOut(): the head of the program names them
+};
+
 // Writes a certified path as a program, with its waypoints in CellPlans::workFrame, and with remarks about everything
 // that is not proven or not valid any more. Motions that the controller cannot execute are errors before anything is
 // written. Errors: CheckFailed if the text does not read back as the path (1e-3 mm, 1e-3°); PathCollides,
-// LineUnreachable, PathOutdated, PathBaseMoved, PathToolChanged, PathTargetMoved, PathWaypointChanged, FrameMissing,
-// FrameStray, FrameMoves, the errors of PostProcessor::refusals(), checkWritten() and of writing.
+// LineUnreachable, PathOutdated, PathBaseMoved, PathToolChanged, PathTargetMoved, PathFrameMoved, PathWaypointChanged,
+// FrameMissing, FrameStray, FrameMoves, the errors of PostProcessor::refusals(), checkWritten() and of writing.
 Result<WrittenProgram> writeProgram(const CellScene& scene, const CellPlans& plans, const RobotPath& path,
                                     const CheckedPath& checked, const PostProcessor& post,
-                                    const std::filesystem::path& output, OutdatedPath outdated = OutdatedPath::Refuse,
-                                    FrameData frameData = FrameData::InProgram);
+                                    const std::filesystem::path& output, const WriteChoices& choices = {});
 
 // Returns the post for the controller of a robot, chosen by the manufacturer; a post for any controller if the
 // manufacturer is unknown.
@@ -63,6 +71,7 @@ struct ProgramPath {
   bool isOnlyTool = true;
   // The numbers of the lines of which something is read and not kept (ParsedMotion::leftOut).
   std::vector<std::size_t> leftOut = {};
+  std::vector<std::size_t> frameOf = {};  // For each waypoint its index in frames; beyond these: it is in none
 };
 
 // Reads a program in the language of a controller as a path. Poses become the joint values nearest to those of the

@@ -80,8 +80,23 @@ Status bringTo(const NamedTarget& target, const CellScene& scene, const CellPlac
   return Done{};
 }
 
-// Returns the waypoints at the present poses of their targets, if the tool is no longer there, and at the present
-// values of their configurations. If one of these is missing the waypoint does not change.
+// Brings a waypoint of a program to where its frame takes it, if that has moved for the tool.
+Status bringWithFrame(const CellScene& scene, const CellPlacement& cell, Waypoint& waypoint) {
+  if (!waypoint.frame) return Done{};
+  const auto now = frameInTool(*scene.robot, cell, cell.plans.arm, waypoint.joints, waypoint.frame->name);
+  const Result<Pose> frame = poseOfFrame(waypoint.frame->name, cell);
+  if (!now || !frame || isSamePose(*now, waypoint.frame->inTool)) return Done{};
+  const Pose tool = *frame * waypoint.frame->inTool.inverse(Eigen::Isometry);
+  const Result<JointValues> joints = jointsReaching(*scene.robot, cell.plans, tool, waypoint.joints);
+  if (!joints) return joints.error();
+  waypoint.joints = *joints;
+  const auto inTool = frameInTool(*scene.robot, cell, cell.plans.arm, waypoint.joints, waypoint.frame->name);
+  if (inTool) waypoint.frame->inTool = *inTool;
+  return Done{};
+}
+
+// Returns the waypoints at the present poses of their targets and frames, if the tool is no longer there, and at the
+// present values of their configurations. If one of these is missing the waypoint does not change.
 Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> waypoints, const CellScene& scene,
                                         const CellPlans& plans) {
   const CellPlacement cell{plans, scene.bodies, scene.robot->model, scene.others};
@@ -92,8 +107,10 @@ Result<std::vector<Waypoint>> atTargets(std::span<const Waypoint> waypoints, con
     const NamedTarget* const target = waypoint.target ? plans.target(waypoint.target->name) : nullptr;
     const auto inTool =
         target ? targetInTool(*scene.robot, cell, plans.arm, waypoint.joints, target->name) : std::nullopt;
-    if (!inTool || isSamePose(*inTool, waypoint.target->inTool)) continue;
-    if (const Status brought = bringTo(*target, scene, cell, waypoint); !brought) return brought.error();
+    if (inTool && !isSamePose(*inTool, waypoint.target->inTool)) {
+      if (const Status brought = bringTo(*target, scene, cell, waypoint); !brought) return brought.error();
+    }
+    if (const Status brought = bringWithFrame(scene, cell, waypoint); !brought) return brought.error();
   }
   return all;
 }

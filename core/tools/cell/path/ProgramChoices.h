@@ -18,4 +18,7 @@ struct ProgramChoices {
 // Returns the path with these choices.
 RobotPath chosen(RobotPath path, const ProgramChoices& choices);
 
+// Returns the numbers of the lines that chosen() leaves out and a robot would execute, each once, in rising order.
+std::vector<std::size_t> linesLeftOut(const RobotPath& path, const ProgramChoices& choices);
+
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/path/ProgramFrames.h"
 
+#include "document/cell/CellArms.h"
 #include "document/cell/path/OutdatedReasons.h"
 #include "document/scene/BodyChanges.h"
 #include "robot/posts/PostText.h"
@@ -56,21 +57,31 @@ bool isNumbered(const std::string& name, const std::string& preferred) {
          name.find_first_not_of("0123456789", preferred.size() + 1) == name.npos;
 }
 
+// The frame of a motion under a name that a frame of a cell can have.
+std::optional<NamedFrame> frameOf(const ParsedMotion& motion, const Pose& base) {
+  if (!motion.frame || motion.frameName.empty() || isSamePose(*motion.frame, Pose::Identity())) return std::nullopt;
+  constexpr std::size_t kShortened = 60;
+  const bool isUsable = isBodyName(motion.frameName);
+  NamedFrame frame{isUsable ? motion.frameName : identifierOf(motion.frameName, kShortened), base * *motion.frame};
+  return isRigid(frame.pose) ? std::optional(std::move(frame)) : std::nullopt;
+}
+
 }  // namespace
+
+std::size_t frameNumber(const std::vector<NamedFrame>& frames, const ParsedMotion& motion, const Pose& base) {
+  const std::optional<NamedFrame> frame = frameOf(motion, base);
+  const auto found = std::ranges::find_if(frames, [&](const NamedFrame& other) {
+    return frame && other.name == frame->name && isSamePose(other.pose, frame->pose);
+  });
+  return static_cast<std::size_t>(found - frames.begin());
+}
 
 std::vector<NamedFrame> framesOf(const std::vector<ParsedMotion>& motions, const Pose& base) {
   std::vector<NamedFrame> frames;
   for (const ParsedMotion& motion : motions) {
-    if (!motion.frame || motion.frameName.empty() || isSamePose(*motion.frame, Pose::Identity())) continue;
-    constexpr std::size_t kShortened = 60;
-    const bool isUsable = isBodyName(motion.frameName);
-    const NamedFrame frame{isUsable ? motion.frameName : identifierOf(motion.frameName, kShortened),
-                           base * *motion.frame};
-    if (!isRigid(frame.pose) || frames.size() >= CellPlans::kMostFrames) continue;
-    const bool isThere = std::ranges::any_of(frames, [&](const NamedFrame& other) {
-      return other.name == frame.name && isSamePose(other.pose, frame.pose);
-    });
-    if (!isThere) frames.push_back(frame);
+    std::optional<NamedFrame> frame = frameOf(motion, base);
+    const bool isNew = frame && frameNumber(frames, motion, base) == frames.size();
+    if (isNew && frames.size() < CellPlans::kMostFrames) frames.push_back(*std::move(frame));
   }
   return frames;
 }
@@ -90,15 +101,37 @@ TakenFrames takeFrames(const std::vector<NamedFrame>& read, const CellPlacement&
     });
     if (same != plans.frames.end()) {
       taken.used.push_back(same->name);
+      taken.names.push_back(same->name);
     } else if (plans.frames.size() >= CellPlans::kMostFrames) {
       taken.leftOut.push_back(frame.name);
+      taken.names.emplace_back();
     } else {
       const std::string name = plans.frameNames().take(preferred);
       plans.frames.push_back({name, frame.pose});
       known.add(plans, plans.frames.back());
       taken.made.push_back(name);
+      taken.names.push_back(name);
     }
   }
+  return taken;
+}
+
+TakenFrames takeProgram(ProgramPath read, const CellRobot& robot, const CellPlacement& cell, CellPlans& plans) {
+  TakenFrames taken = takeFrames(read.frames, cell, plans);
+  const CellPlacement there{plans, cell.bodies, cell.robot, cell.joints};
+  for (std::size_t i = 0; i < read.path.waypoints.size(); ++i) {
+    Waypoint& waypoint = read.path.waypoints[i];
+    const std::size_t number = i < read.frameOf.size() ? read.frameOf[i] : taken.names.size();
+    if (number >= taken.names.size() || taken.names[number].empty()) continue;
+    const std::string& name = taken.names[number];
+    // A frame that this robot carries is elsewhere at each waypoint, unlike that of the program.
+    const Result<Pose> now = poseOfFrame(
+        name, {plans, cell.bodies, cell.robot, jointsSetBy(robot, read.path.arm, waypoint.joints, cell.joints)});
+    if (!now || !isSamePose(*now, read.frames[number].pose)) continue;
+    if (const auto inTool = frameInTool(robot, there, read.path.arm, waypoint.joints, name))
+      waypoint.frame = WaypointTarget{name, *inTool};
+  }
+  plans.paths.push_back(std::move(read.path));
   return taken;
 }
 

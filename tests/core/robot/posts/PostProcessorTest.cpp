@@ -132,7 +132,7 @@ class PostProcessorTest : public QObject {
     row("fanuc", "/MN\n 1:J P[99999999999] 10% FINE ;", "ElementMalformed");
     row("fanuc", "/MN\n 1:C P[1] ;", "PostStatementUnread");
     row("fanuc", "/MN\n1:L P[1] 9mm/sec FINE;\n/POS\nP[1]{\nUF : 1,\nX = 1, Y = 1, Z = 1, W = 0, P = 0, R = 0\n};",
-        "Unsupported");
+        "PostDataElsewhere");
     row("rapid", "MoveL CalcRobT(home,tool0),v100,fine,tool0;", "ElementMalformed");
     row("urscript", "movej([0,0,0])", "ElementMalformed");
     row("urscript", "movej(get_inverse_kin(p))", "ElementMalformed");

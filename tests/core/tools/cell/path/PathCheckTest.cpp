@@ -101,7 +101,7 @@ class PathCheckTest : public QObject {
     checked.clearance = 2.0;
     const RobotProgram program = programOf(*cell.scene(), {}, path, checked);
     QCOMPARE(program.name, std::string("turn"));
-    QVERIFY(program.isBaseOfController && program.hasPlainShapes && program.remarks.size() == 1);
+    QVERIFY(program.isBaseOfController && program.hasPlainShapes && program.remarks.empty());
     QVERIFY(program.clearance == 2.0);
     QCOMPARE(program.motions.size(), std::size_t{3});
     QVERIFY(program.motions[0].kind == ProgramMotion::Kind::Joint);
@@ -111,25 +111,24 @@ class PathCheckTest : public QObject {
     QVERIFY(program.motions[1].joints == path.waypoints[1].joints);
   }
 
-  // Blends that are smaller than requested are one sentence, and those that are none another.
+  // Blends that are smaller than requested are one sentence.
   void remarksOnBlends() {
-    ArmCell cell;
     const RobotPath path = turningPath(6);
     CheckedPath checked;
     checked.blends = {0.0, 4.0, 1.5, 0.0, 0.0, 0.0};
     QCOMPARE(stoppedBlends(path, checked), std::size_t{2});
     QCOMPARE(smallerBlends(path, checked).size(), std::size_t{1});
-    const RobotProgram program = programOf(*cell.scene(), {}, path, checked);
-    QVERIFY(
-        hasRemark(program,
-                  "Smaller blends than asked: 1, 1.5 mm in place of 4 mm at place 3. A blend has half of the shorter "
-                  "motion beside it at most, and only where it is proven free."));
-    QVERIFY(hasRemark(program, "Exact stops in place of blends: 2. Not every way within their zones is proven free."));
-    const RobotPath wide = turningPath(27);
+    QCOMPARE(smallerBlendsText(smallerBlends(path, checked)),
+             std::string("Smaller blends than asked: 1, 1.5 mm in place of 4 mm at place 3. A blend has half of the "
+                         "shorter motion beside it at most, and only where it is proven free."));
+    // No range if all are alike.
     checked.blends.assign(27, 1.0);
-    const RobotProgram many = programOf(*cell.scene(), {}, wide, checked);
-    QCOMPARE(many.remarks.size(), std::size_t{1});
-    QVERIFY2(many.remarks[0].starts_with("Smaller blends than asked: 25, from 1 mm"), many.remarks[0].c_str());
+    const std::string many = smallerBlendsText(smallerBlends(turningPath(27), checked));
+    QVERIFY2(many.starts_with("Smaller blends than asked: 25, as 1 mm in place of 4 mm at place 2. "), many.c_str());
+    checked.blends[3] = 2.0;
+    const std::string range = smallerBlendsText(smallerBlends(turningPath(27), checked));
+    QVERIFY2(range.starts_with("Smaller blends than asked: 25, from 1 mm in place of 4 mm at place 2 to 2 mm"),
+             range.c_str());
   }
 
   // Pairs that were excluded from the proof, or changes since.

@@ -122,6 +122,10 @@ class PathExportTest : public QObject {
         {{.isBaseOther = true}, CellError::PathBaseMoved, {"seam"}, "# Outdated: the base of the robot has moved"},
         {{.isToolOther = true}, CellError::PathToolChanged, {"seam"}, "# Outdated: the tool centre point was changed"},
         {{.targets = {"b", "c"}}, CellError::PathTargetMoved, {"seam", "b"}, "# Outdated: the tool does not come to"},
+        {{.frames = {"jig"}},
+         CellError::PathFrameMoved,
+         {"seam", "jig"},
+         "# Outdated: the frame jig, or the tool, has"},
         {{.configurations = {"home"}},
          CellError::PathWaypointChanged,
          {"seam", "home"},
@@ -258,7 +262,8 @@ class PathExportTest : public QObject {
   }
   Result<WrittenProgram> writtenBy(const PostProcessor& post, const RobotPath& path, const QString& name,
                                    const CheckedPath& known, OutdatedPath outdated) {
-    return writeProgram(*m_cell->scene(), *m_cell->content().plans, path, known, post, name.toStdString(), outdated);
+    return writeProgram(*m_cell->scene(), *m_cell->content().plans, path, known, post, name.toStdString(),
+                        {.outdated = outdated});
   }
   // Returns the reason why a path is not written; then there is no file.
   Error refusal(const RobotPath& path, const CheckedPath& known, const PostProcessor* post = postCalled("csv")) {

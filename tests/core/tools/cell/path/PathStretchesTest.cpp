@@ -83,6 +83,31 @@ class PathStretchesTest : public QObject {
     QCOMPARE(stretchesOf(checked, *cell.scene()).size(), std::size_t{2});
   }
 
+  // Motions of a line that are proven are between others that are not, while the two things stay nearer than the least
+  // exact motion needs: that is one stay. Farther apart it is two.
+  void combs() {
+    ArmCell cell;
+    cell.addBox({20, 20, 20}, {460.0, 0.0, 630.0});
+    const auto scene = cell.scene();
+    CheckedPath checked = checkedLine();
+    for (ArmValues& each : checked.resolved.joints) each = scene->planned(cell.document().joints());
+    const auto met = scene->scene.allTooNear(checked.resolved.joints[0], 500.0, 500.0);
+    const auto box = std::ranges::find_if(met, [](const auto& each) { return each.otherLink == kNone; });
+    QVERIFY(box != met.end() && box->distance > 0.0);
+    checked.resolution = 0.05;
+    checked.resolved.waypointOf.assign(checked.resolved.joints.size() - 1, 1);
+    checked.resolved.offs.assign(checked.resolved.joints.size() - 1, 0.0);
+    checked.resolved.offs[0] = 0.041;
+    checked.verification.collisions = {{0, 0.0, 0.5, *box, 0.0}, {2, 0.5, 1.0, *box, 1.0}};
+    checked.clearance = box->distance - 0.08;
+    const std::vector<PathStretch> one = stretchesOf(checked, *scene);
+    QCOMPARE(one.size(), std::size_t{1});
+    // 0.041 mm rounded up to 0.05 mm, and 0.05 mm of the resolution.
+    QVERIFY(std::abs(one[0].needed - checked.clearance - 0.1) < 1e-9 && one[0].deepest.distance < one[0].needed);
+    checked.clearance = box->distance - 0.2;
+    QCOMPARE(stretchesOf(checked, *scene).size(), std::size_t{2});
+  }
+
   // A line that cannot be begun, and one on which nothing moves.
   void nothingMoves() {
     ArmCell cell;

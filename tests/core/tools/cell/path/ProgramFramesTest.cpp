@@ -4,7 +4,12 @@
 
 #include "../ArmCell.h"
 #include "TestClass.h"
+#include "document/cell/path/OutdatedReasons.h"
+#include "document/cell/path/PathBasis.h"
+#include "document/cell/path/PathDigests.h"
+#include "robot/program/PathFile.h"
 #include "tools/cell/path/PathExport.h"
+#include "tools/cell/path/PlanOperation.h"
 
 #include <QTest>
 #include <cmath>
@@ -121,6 +126,109 @@ class ProgramFramesTest : public QObject {
     const RobotCellSnapshot content = cell.content();
     QCOMPARE(takeFrames({{"fixture", fixture()}}, placementOf(content), plans).used,
              std::vector<std::string>{"fixture"});
+  }
+
+  // A program means places in its frame: where that is moved by 10 mm, by itself or with its body, the path is outdated
+  // and its places are planned 10 mm further on; joint values and places in the base stay.
+  void movedFrames_data() {
+    QTest::addColumn<QByteArray>("post");
+    QTest::addColumn<bool>("isOnBody");
+    for (const char* post : {"rapid", "krl", "fanuc", "csv", "json"}) {
+      QTest::addRow("%s", post) << QByteArray(post) << false;
+      QTest::addRow("%s on a body", post) << QByteArray(post) << true;
+    }
+  }
+  void movedFrames() {
+    QFETCH(const QByteArray, post);
+    QFETCH(const bool, isOnBody);
+    ArmCell cell;
+    const BodyId box = cell.addBox({20, 20, 20}, {1500.0, 50.0, 0.0});
+    CellPlans plans = *cell.document().plans();
+    if (isOnBody)
+      plans.frames = {{"jig", poseOf({1500.0, 50.0, 0.0}, Vec3::Zero()).inverse(Eigen::Isometry) * fixture(), box}};
+    Result<ProgramPath> read = opened(cell, post, written(cell, post, "jig", fixture()));
+    QVERIFY(read.hasValue());
+    read->path.name = "seam";
+    takeProgram(std::move(read).value(), cell.document().robot(), placementOf(cell.content()), plans);
+    cell.plan(plans);
+    const auto outdated = [&] {
+      const RobotCellSnapshot now = cell.content();
+      return outdatedReasonsOf(*now.robot, placementOf(now), now.plans->paths[0]);
+    };
+    QVERIFY(!outdated().isAny());
+    const std::vector<Waypoint> before = plans.paths[0].waypoints;
+    QVERIFY(before[1].frame && before[1].frame->name == "jig");
+    const bool isTable = post == "csv" || post == "json";  // these have the pose of each place
+    QCOMPARE(before[0].frame.has_value(), isTable);
+    const PathDigests then(std::make_shared<const RobotCellSnapshot>(cell.content()));
+    const BasisDigests digests = then.of(plans.paths[0]);
+    const PathBasis basis = basisOf(cell.content(), plans.paths[0]);
+    const RobotModel& robot = cell.document().robot().model;
+    const auto stored = pathFrom(toJson(robot, plans.paths[0]), robot, cell.document().joints());
+    QVERIFY(stored && *stored == plans.paths[0]);
+
+    const Vec3 by(10.0, 0.0, 0.0);
+    if (isOnBody) {
+      Body moved = *cell.document().bodies().withId(box);
+      moved.pose.pretranslate(by);
+      cell.document().commit("Move", std::move(changeBodyEdit(cell.document().bodies(), moved)).value());
+    } else {
+      plans.frames[0].pose.pretranslate(by);
+      cell.plan(plans);
+    }
+    QVERIFY((outdated() == OutdatedReasons{.frames = {"jig"}}));
+    const PathDigests now(std::make_shared<const RobotCellSnapshot>(cell.content()), &then);
+    const BasisChange wanted = isOnBody ? BasisChange::Bodies : BasisChange::Targets;
+    QVERIFY(changeBetween(digests, now.of(plans.paths[0])) == wanted);
+    QVERIFY(changeSince(basis, cell.content(), plans.paths[0]) == wanted);
+
+    const auto again = plannedThrough(*cell.scene(), *cell.document().plans(), before, {});
+    QVERIFY2(again.hasValue(), again.hasValue() ? "" : again.error().code->id);
+    const Waypoint &first = again->path.waypoints.front(), &last = again->path.waypoints.back();
+    const CellRobot& arm = cell.document().robot();
+    const auto toolAt = [&](const Waypoint& waypoint) { return toolPose(arm, plans, waypoint.joints); };
+    QVERIFY((toolAt(last).translation() - toolAt(before[1]).translation() - by).norm() < 1e-3);
+    const Vec3 firstBy = isTable ? by : Vec3(Vec3::Zero());
+    QVERIFY((toolAt(first).translation() - toolAt(before[0]).translation() - firstBy).norm() < 1e-3);
+    plans = *cell.document().plans();
+    plans.paths[0].waypoints = again->path.waypoints;
+    cell.plan(plans);
+    QVERIFY(!outdated().isAny());
+  }
+
+  // Joint motions to poses are in the frame, too, where the configuration of the program decides on the joint values.
+  void posesOfJointMotions() {
+    const std::pair<const char*, const char*> all[] = {
+        {"rapid",
+         "MODULE m\nTASK PERS wobjdata jig:=[FALSE,TRUE,\"\",[[300,-200,200],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n"
+         "CONST robtarget p1:=[[50,100,200],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+         "CONST robtarget p2:=[[50,120,200],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+         "PROC main()\nMoveJ p1,v100,fine,tool0\\WObj:=jig;\nMoveJ "
+         "p2,v100,fine,tool0\\WObj:=jig;\nENDPROC\nENDMODULE\n"},
+        {"krl",
+         "DEF m()\n; $BASE is the frame jig\n$BASE={X 300,Y -200,Z 200,A 0,B 0,C 0}\n$TOOL={X 0,Y 0,Z 0,A 0,B 0,C 0}\n"
+         "PTP {X 50,Y 100,Z 200,A 0,B 90,C 0}\nPTP {X 50,Y 120,Z 200,A 0,B 90,C 0}\nEND\n"}};
+    for (const auto& [post, text] : all) {
+      ArmCell cell(std::string_view(post) == "krl" ? "kr6r900" : "irb120");
+      CellPlans plans;
+      Result<ProgramPath> read = opened(cell, post, text);
+      QVERIFY2(read.hasValue(), read ? "" : read.error().code->id);
+      takeProgram(std::move(read).value(), cell.document().robot(), placementOf(cell.content()), plans);
+      for (const Waypoint& waypoint : plans.paths[0].waypoints) QVERIFY2(waypoint.frame, post);
+    }
+  }
+
+  // The frame is known by its new name, and removed it does not count any more.
+  void renamedFrames() {
+    ArmCell cell;
+    CellPlans plans;
+    Result<ProgramPath> read = opened(cell, "krl", written(cell, "krl", "jig", fixture()));
+    takeProgram(std::move(read).value(), cell.document().robot(), placementOf(cell.content()), plans);
+    cell.plan(withFrameRenamed(plans, "jig", "table"));
+    const RobotCellSnapshot renamed = cell.content();
+    QCOMPARE(renamed.plans->paths[0].waypoints[1].frame->name, std::string("table"));
+    const CellPlans removed = withoutFrame("table", placementOf(renamed));
+    QVERIFY(!removed.paths[0].waypoints[1].frame);
   }
 
   // The base, frames without a name, and what is no pose make none; the same frame of many motions makes one.

@@ -10,6 +10,7 @@
 #include "robot/posts/PostErrors.h"
 #include "tools/cell/path/PathExport.h"
 #include "tools/cell/path/ProgramChoices.h"
+#include "tools/cell/path/WaitingTime.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -237,6 +238,122 @@ class ProgramProofTest : public QObject {
     QVERIFY2(read.hasValue(), read ? "" : read.error().code->id);
     for (std::size_t i = 0; i < path.waypoints.size(); ++i)
       QVERIFY((read->path.waypoints[i].joints - path.waypoints[i].joints).norm() < 1e-6);
+  }
+
+  // KRL has no blends for joint motions and Fanuc programs no lengths of blends at all, while the others have them:
+  // both the message and the head say so, and the time is that of the program as it is written, with its stops.
+  void blendsOfLanguages() {
+    m_cell = std::make_unique<ArmCell>();
+    RobotPath path{"bow",
+                   {proofWaypoint({-0.3, 0.3, 0.1, 0.0, 0.8, 0.0}), proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}),
+                    proofWaypoint({0.3, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    path.waypoints[1].blend = 20.0;
+    const CheckedPath known = checked(path);
+    QVERIFY(known.blends[1] > 0.0);
+    CheckedPath stopping = known;
+    stopping.blends.assign(3, 0.0);
+    const auto lasting = [&](const CheckedPath& each) {
+      return timed(*m_cell->scene(), *m_cell->content().plans, path, each.resolved, each.blends).duration();
+    };
+    QVERIFY(lasting(stopping) > lasting(known) + 0.05);
+    for (const char* post : {"rapid", "krl", "fanuc", "json"}) {
+      const auto done = written(path, post);
+      QVERIFY2(done.hasValue(), post);
+      const QByteArray text = writtenText(path, post);
+      const bool stops = QByteArray(post) == "krl" || QByteArray(post) == "fanuc";
+      QCOMPARE(done->stopsOfLanguage, std::size_t{stops ? 1u : 0u});
+      QCOMPARE(done->exactStops, std::size_t{0});
+      QVERIFY(!stops || done->smaller.empty());
+      QVERIFY2(std::abs(done->seconds - lasting(stops ? stopping : known)) < 0.02, post);
+      QByteArray plain = text.simplified();
+      plain.replace(" ;", "").replace("!", "");
+      QCOMPARE(plain.contains("Exact stops"), stops);
+      QVERIFY2(!stops || !plain.contains("Smaller"), post);
+    }
+  }
+
+  // 0.5 s in each language; a wait for an input, and a variable, have no known length.
+  void waits() {
+    const auto waiting = [](const char* text) {
+      RobotPath path{"p", {Waypoint(), Waypoint()}};
+      path.waypoints[0].lines = {{ProgramLine::Kind::Statement, text}};
+      return waitingTimeOf(path);
+    };
+    for (const char* text : {"WaitTime 0.5", "WaitTime\\InPos,0.5", "WAIT SEC 0.5", "WAIT   .50(sec)", "sleep(0.5)",
+                             "waittime .5", "sleep( 0.5 )"})
+      QVERIFY2((waiting(text) == WaitingTime{0.5, 0}), text);
+    for (const char* text : {"WaitDI di1,1", "WAIT FOR $IN[1]", "WAIT DI[1]=ON", "WaitTime nPause", "WAIT SEC 0.5*2",
+                             "sleep(t)", "HALT", "WAIT R[1](sec)"})
+      QVERIFY2((waiting(text) == WaitingTime{0.0, 1}), text);
+    for (const char* text : {"Set doGrip", "DO[1]=ON", "waiting:=TRUE"}) QVERIFY2(waiting(text).seconds == 0.0, text);
+    RobotPath path{"p", {proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), proofWaypoint({0.1, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    m_cell = std::make_unique<ArmCell>();
+    const double moving = checked(path).seconds;
+    path.waypoints[0].lines = {{ProgramLine::Kind::Statement, "WaitTime 0.5"}};
+    path.language = "rapid";
+    QVERIFY(std::abs(checked(path).seconds - moving - 0.5) < 1e-9);
+    QVERIFY(std::abs(written(path, "rapid")->seconds - moving - 0.5) < 0.02);
+  }
+
+  // Lines that were left out on request are named by the head.
+  void linesLeftOutAreNamed() {
+    RobotPath path{"p", {proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), proofWaypoint({0.1, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    m_cell = std::make_unique<ArmCell>();
+    path.language = "rapid";
+    path.waypoints[0].lines = {{ProgramLine::Kind::Statement, "Set doGrip", 10},
+                               {ProgramLine::Kind::Comment, "grips", 11},
+                               {ProgramLine::Kind::Statement, "WaitTime 0.5", 12}};
+    const ProgramChoices choices{.withoutLines = true};
+    const std::vector<std::size_t> leftOut = linesLeftOut(path, choices);
+    QCOMPARE(leftOut, (std::vector<std::size_t>{10, 12}));
+    QVERIFY(linesLeftOut(path, {}).empty());
+    const RobotPath bare = chosen(path, choices);
+    for (const char* post : {"krl", "rapid"}) {
+      QVERIFY(writeProgram(*m_cell->scene(), *m_cell->content().plans, bare, checked(bare), *postCalled(post),
+                           file("program").toStdString(), {.leftOut = leftOut})
+                  .hasValue());
+      QFile input(file("program"));
+      QVERIFY(input.open(QIODevice::ReadOnly) &&
+              input.readAll().contains("left out here, as outputs and waiting: 10, 12."));
+    }
+  }
+
+  // A program in JSON is read whatever its name, and is called by its file.
+  void jsonByAnyName() {
+    m_cell = std::make_unique<ArmCell>();
+    const RobotPath path{
+        "bow", {proofWaypoint({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), proofWaypoint({0.1, 0.3, 0.1, 0.0, 0.8, 0.0})}};
+    const QByteArray text = writtenText(path, "json");
+    for (const char* name : {"carry.pj.json", "carry.program.json", "carry.json"}) {
+      put(name, text);
+      const auto read = pathFromFile(*m_cell->scene(), m_cell->content(), file(name).toStdString());
+      QVERIFY2(read.hasValue(), name);
+      QCOMPARE(read->path.waypoints.size(), std::size_t{2});
+      QVERIFY((read->path.waypoints[1].joints - path.waypoints[1].joints).norm() < 1e-9);
+      QCOMPARE(QByteArray::fromStdString(read->path.name).left(5), QByteArray("carry"));
+    }
+    put("seam.mod", writtenText(path, "rapid"));
+    QCOMPARE(pathFromFile(*m_cell->scene(), m_cell->content(), file("seam.mod").toStdString())->path.name,
+             std::string("seam"));
+  }
+
+  // The controller counts J3 of the LR Mate from the level, J3 - J2, from -140.43° to 280°: J2 = 80° and J3 = -145° of
+  // the program are beyond that, and are refused with their line.
+  void coupledLimits() {
+    m_cell = std::make_unique<ArmCell>("lrmate200id");
+    const char* const text =
+        "/PROG  J3\n/MN\n   1:J P[1] 100% FINE ;\n   2:J P[2] 100% FINE ;\n/POS\n"
+        "P[1]{\n   GP1:\n\tUF : 0, UT : 1,\n\tJ1= 0.0 deg, J2= 0.0 deg, J3= 0.0 deg,\n"
+        "\tJ4= 0.0 deg, J5= -90.0 deg, J6= 0.0 deg\n};\n"
+        "P[2]{\n   GP1:\n\tUF : 0, UT : 1,\n\tJ1= 0.0 deg, J2= 80.0 deg, J3= -145.0 deg,\n"
+        "\tJ4= 0.0 deg, J5= -10.0 deg, J6= 0.0 deg\n};\n/END\n";
+    put("j3.ls", text);
+    const auto read = pathFromFile(*m_cell->scene(), m_cell->content(), file("j3.ls").toStdString());
+    QVERIFY(!read.hasValue() && read.error().code == CellError::CoupledBeyondLimits);
+    QVERIFY(read.error().subject.ends_with("j3.ls"));
+    QCOMPARE(read.error().position.value, std::uint64_t{4});
+    QCOMPARE(read.error().arguments[3], std::string("-145"));
+    QCOMPARE(read.error().arguments[4], std::string("-140.43"));
   }
 
   // The file of data beside a program, whatever the case of its name.
