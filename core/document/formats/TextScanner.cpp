@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/TextScanner.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -70,14 +72,16 @@ bool TextScanner::findWord() {
 }
 
 bool TextScanner::isContinuation(const char* at) const {
-  return static_cast<unsigned char>(*at) == m_syntax.continuation && m_end - at > 1 && isLineEnd(at[1]);
+  if (static_cast<unsigned char>(*at) != m_syntax.continuation) return false;
+  const char* const end = std::find_if_not(at + 1, m_end, isBlank);
+  return end != m_end && isLineEnd(*end);
 }
 
 void TextScanner::skipBlanks() {
   for (;;) {
     while (m_at != m_end && isBlank(*m_at)) ++m_at;
     if (m_at == m_end || !isContinuation(m_at)) return;
-    ++m_at;
+    m_at = std::find_if(m_at, m_end, isLineEnd);
     skipLineEnd();
   }
 }

@@ -15,7 +15,7 @@ class TextScanner {
  public:
   struct Syntax {
     int comment = -1;       // a word that begins with this character hides the rest of its line
-    int continuation = -1;  // this character right before a line end joins the two lines
+    int continuation = -1;  // this character joins two lines if only blanks stand between it and the line end
   };
 
   explicit TextScanner(std::string_view text) : TextScanner(text, Syntax()) {}

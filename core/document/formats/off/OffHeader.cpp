@@ -14,9 +14,12 @@ std::optional<OffKeyword> parseOffKeyword(std::string_view word) {
     rest.remove_prefix(prefix.size());
     return true;
   };
-  keyword.texture = take("ST");
-  keyword.colour = take("C");
-  keyword.normal = take("N");
+  for (bool isAttribute = true; isAttribute;) {
+    isAttribute = false;
+    if (!keyword.texture) isAttribute = keyword.texture = take("ST");
+    if (!isAttribute && !keyword.colour) isAttribute = keyword.colour = take("C");
+    if (!isAttribute && !keyword.normal) isAttribute = keyword.normal = take("N");
+  }
   const bool four = take("4"), many = take("n");
   keyword.otherDimension = four || many;
   if (!take("OFF") && !take("off")) return {};

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // The first word of an OFF file, which defines the attributes of vertices. Its syntax is [ST][C][N][4][n]OFF (Geomview
-// manual, "OFF files").
+// manual, "OFF files"). Programs write ST, C and N in other orders, too, as MeshLab's NCOFF.
 struct OffKeyword {
   bool texture = false;         // two numbers after each vertex
   bool colour = false;          // a colour after each vertex: four numbers in binary files

@@ -17,12 +17,12 @@ struct TypeName {
 };
 
 constexpr TypeName kTypeNames[] = {
-    {"char", PlyType::Int8},       {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
-    {"uint8", PlyType::UInt8},     {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-    {"ushort", PlyType::UInt16},   {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},     {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
-    {"float", PlyType::Float32},   {"float32", PlyType::Float32}, {"double", PlyType::Float64},
-    {"float64", PlyType::Float64},
+    {"char", PlyType::Int8},       {"int8", PlyType::Int8},      {"uchar", PlyType::UInt8},
+    {"uint8", PlyType::UInt8},     {"short", PlyType::Int16},    {"int16", PlyType::Int16},
+    {"ushort", PlyType::UInt16},   {"uint16", PlyType::UInt16},  {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},     {"uint", PlyType::UInt32},    {"uint32", PlyType::UInt32},
+    {"int64", PlyType::Int64},     {"uint64", PlyType::UInt64},  {"float", PlyType::Float32},
+    {"float32", PlyType::Float32}, {"double", PlyType::Float64}, {"float64", PlyType::Float64},
 };
 
 class HeaderParser {
@@ -132,7 +132,7 @@ class HeaderParser {
 }  // namespace
 
 std::size_t sizeOf(PlyType type) {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
 

@@ -13,7 +13,7 @@
 namespace handwheel {
 
 // Number type of a PLY property.
-enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 };
 std::size_t sizeOf(PlyType type);  // bytes of a number
 
 // A property of a PLY element.

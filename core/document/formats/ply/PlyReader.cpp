@@ -23,10 +23,10 @@ class BodyReader {
     bool whole = true;
     std::size_t vertexElements = static_cast<std::size_t>(std::count_if(
         m_header.elements.begin(), m_header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; }));
-    for (const PlyElement& element : m_header.elements) {
+    for (std::size_t i = 0; i < m_header.elements.size(); ++i) {
       if (vertexElements == 0) m_assembly.allPointsAdded();
-      if (element.name == "vertex") --vertexElements;
-      whole = readElement(element);
+      if (m_header.elements[i].name == "vertex") --vertexElements;
+      whole = readElement(i);
       if (!whole) break;
     }
     m_assembly.allPointsAdded();
@@ -35,7 +35,8 @@ class BodyReader {
   }
 
  private:
-  bool readElement(const PlyElement& element) {
+  bool readElement(std::size_t number) {
+    const PlyElement& element = m_header.elements[number];
     if (element.count == 0 || element.properties.empty()) return true;
     const PlyLayout layout = layoutOf(element);
     if (!layout.missing.empty())
@@ -46,7 +47,13 @@ class BodyReader {
       if (!m_assembly.advance(m_rows.position())) return false;
       const InputPosition position = m_rows.inputPosition();
       const bool isThere = m_rows.begin();
-      const RowState state = isThere ? readRow(layout) : RowState::Ended;
+      const auto start = m_rows.mark();
+      RowState state = isThere ? readRow(layout) : RowState::Ended;
+      if (state == RowState::Bad && rowsRunOn(start, number, i)) {
+        m_rows.returnTo(start);
+        m_rows.runOn();
+        state = readRow(layout);
+      }
       if (state == RowState::Ended) {
         const bool isRefused = isThere && m_rows.error().code == MeshFileError::TokenUnexpected;
         m_assembly.tolerate(isRefused ? m_rows.error()
@@ -60,6 +67,27 @@ class BodyReader {
       if (!(state == RowState::Good ? store(layout, position) : storeBad(layout))) return false;
     }
     return true;
+  }
+
+  // Returns true if all rows from a mark on run on over lines: read so, the last one ends with the file. Decided once.
+  bool rowsRunOn(const auto& start, std::size_t number, std::uint64_t row) {
+    if (m_hasDecided || !m_rows.isOfOtherLength()) return false;
+    m_hasDecided = true;
+    Rows ahead = m_rows;
+    ahead.returnTo(start);
+    ahead.runOn();
+    for (; number < m_header.elements.size(); ++number, row = 0) {
+      const PlyElement& element = m_header.elements[number];
+      for (; row < element.count && !element.properties.empty(); ++row) {
+        for (const PlyProperty& property : element.properties) {
+          std::int64_t count = 1;
+          if (property.countType && ahead.integer(*property.countType, count) != RowState::Good) return false;
+          for (std::int64_t i = 0; i < count; ++i)
+            if (!m_assembly.step() || ahead.skip(property.type, 1) != RowState::Good) return false;
+        }
+      }
+    }
+    return !ahead.hasExcess();
   }
 
   RowState readRow(const PlyLayout& layout) {
@@ -136,6 +164,7 @@ class BodyReader {
   const PlyHeader& m_header;
   MeshAssembly m_assembly;
   Rows m_rows;
+  bool m_hasDecided = false;  // rowsRunOn() was asked
   Vec3 m_point = Vec3::Zero();
   std::vector<std::int64_t> m_corners;
 };

@@ -7,6 +7,7 @@
 #include "document/formats/MeshTextValues.h"
 
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 
@@ -30,6 +31,10 @@ double loadValue(const char* at, PlyType type, std::endian order) {
       return loadNumber<std::int32_t>(at, order);
     case PlyType::UInt32:
       return loadNumber<std::uint32_t>(at, order);
+    case PlyType::Int64:
+      return static_cast<double>(loadNumber<std::int64_t>(at, order));
+    case PlyType::UInt64:
+      return static_cast<double>(loadNumber<std::uint64_t>(at, order));
     case PlyType::Float32:
       return static_cast<double>(loadNumber<float>(at, order));
     case PlyType::Float64:
@@ -41,37 +46,40 @@ double loadValue(const char* at, PlyType type, std::endian order) {
 }  // namespace
 
 RowState PlyTextRows::number(PlyType type, double& value) {
-  const std::string_view word = m_scanner.word();
+  const std::string_view next = word();
   ErrorCode why = ErrorCode::NumberNotFinite;
-  if (word.empty() || !parseNumber(word, value, why)) return bad(why, word);
-  value = rounded(value, numberTypeFor(type));
-  return std::isfinite(value) ? RowState::Good : bad(why, word);
+  const bool isNumber = !next.empty() && parseNumber(next, value, why);
+  value = isNumber ? rounded(value, numberTypeFor(type)) : std::numeric_limits<double>::quiet_NaN();
+  if (std::isfinite(value)) return RowState::Good;
+  // The next of rows that run on is found only by reading this one to its end.
+  return m_runsOn && !next.empty() ? RowState::Good : bad(why, next);
 }
 
 RowState PlyTextRows::integer(PlyType, std::int64_t& value) {
-  const std::string_view word = m_scanner.word();
-  const auto parsed = parseInteger(word);
-  if (!parsed) return refuse(unexpectedWord("a whole number", word, m_scanner.inputPosition()));
+  const std::string_view next = word();
+  const auto parsed = parseInteger(next);
+  if (!parsed) return refuse(unexpectedWord("a whole number", next, m_scanner.inputPosition()));
   value = *parsed;
   return RowState::Good;
 }
 
 RowState PlyTextRows::skip(PlyType, std::uint64_t numbers) {
   for (std::uint64_t i = 0; i < numbers; ++i)
-    if (m_scanner.word().empty()) return refuse(unexpectedWord("a number", {}, m_scanner.inputPosition()));
+    if (word().empty()) return refuse(unexpectedWord("a number", {}, m_scanner.inputPosition()));
   return RowState::Good;
 }
 
 RowState PlyTextRows::end() {
-  const std::string_view word = m_scanner.word();
-  if (!word.empty()) return refuse(unexpectedWord("the end of the line", word, m_scanner.inputPosition()));
+  if (m_runsOn) return RowState::Good;
+  const std::string_view next = word();
+  if (!next.empty()) return refuse(unexpectedWord(kEndOfLine, next, m_scanner.inputPosition()));
   m_scanner.nextLine();
   return RowState::Good;
 }
 
 RowState PlyTextRows::refuse(Error error) {
   m_error = std::move(error);
-  return RowState::Bad;
+  return m_runsOn ? RowState::Ended : RowState::Bad;
 }
 
 RowState PlyTextRows::bad(ErrorCode why, std::string_view word) {

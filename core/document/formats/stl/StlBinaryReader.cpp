@@ -57,6 +57,7 @@ class BinaryStlParser {
   // Determines the number of facets to read from the announced count and the size.
   bool agreeOnCount() {
     const std::size_t announced = announcedFacets(m_bytes), room = m_bytes.size() - kFacetsAt;
+    if (findFacetsWithAttributes(announced)) return true;
     const std::size_t whole = room / kFacetSize, excess = room % kFacetSize;
     m_count = std::min(announced, whole);
     if (announced > whole)
@@ -72,6 +73,27 @@ class BinaryStlParser {
                        {}});
     const std::size_t end = kFacetsAt + kFacetSize * m_count;
     if (end < m_bytes.size()) m_assembly.noteExcess(end, InputPosition::byte(end));
+    return true;
+  }
+
+  // Finds the facets if each is followed by as many bytes as its attribute says, and the file ends with the last one.
+  // Normally the attribute is a colour, and nothing follows.
+  bool findFacetsWithAttributes(std::size_t announced) {
+    if (announced == 0 || m_bytes.size() - kFacetsAt <= kFacetSize * static_cast<std::uint64_t>(announced))
+      return false;
+    std::vector<std::size_t> found;
+    std::size_t at = kFacetsAt;
+    for (std::size_t i = 0; i < announced; ++i) {
+      if (!m_assembly.step() || m_bytes.size() - at < kFacetSize) return false;
+      const std::size_t size =
+          kFacetSize + loadNumber<std::uint16_t>(m_bytes.data() + at + kAttributeAt, std::endian::little);
+      if (m_bytes.size() - at < size) return false;
+      found.push_back(at);
+      at += size;
+    }
+    if (at != m_bytes.size()) return false;
+    m_found = std::move(found);
+    m_count = announced;
     return true;
   }
 
@@ -111,7 +133,7 @@ class BinaryStlParser {
     }
     points.resize(3 * std::size_t{kept});
     triangles.resize(kept);
-    if (attributes != 0) m_assembly.lose(LostAttribute::Colour);
+    if (attributes != 0) m_assembly.lose(m_found.empty() ? LostAttribute::Colour : LostAttribute::Other, "attributes");
   }
 
   bool refuse(std::size_t index, std::size_t coordinate, double value) {
@@ -120,11 +142,14 @@ class BinaryStlParser {
         {ErrorCode::NumberNotFinite, {std::isnan(value) ? "nan" : "inf"}, InputPosition::byte(at), {}});
   }
 
-  const char* facet(std::size_t i) const { return m_bytes.data() + kFacetsAt + kFacetSize * i; }
+  const char* facet(std::size_t i) const {
+    return m_bytes.data() + (m_found.empty() ? kFacetsAt + kFacetSize * i : m_found[i]);
+  }
 
   std::string_view m_bytes;
   MeshAssembly m_assembly;
   std::size_t m_count = 0;
+  std::vector<std::size_t> m_found;  // offsets of the facets; empty: they follow each other without a gap
 };
 
 }  // namespace

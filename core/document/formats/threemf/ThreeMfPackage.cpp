@@ -78,7 +78,10 @@ bool ThreeMfPackage::readBytes(const std::string& name, std::string& bytes) {
 bool ThreeMfPackage::read(const std::string& name, std::string& text) {
   if (!readBytes(name, text)) return false;
   auto objection = objectionToXml(text, m_progress);
-  if (!objection) return true;
+  if (!objection) {
+    blankXmlDeclaration(text);
+    return true;
+  }
   objection->subject = name;
   return m_assembly.fail(*objection);
 }

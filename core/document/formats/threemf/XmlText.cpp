@@ -3,6 +3,7 @@
 #include "document/formats/threemf/XmlText.h"
 
 #include "document/formats/MeshFileErrors.h"
+#include "document/formats/MeshTextValues.h"
 #include "mesh/structure/CancelPolling.h"
 
 #include <algorithm>
@@ -68,6 +69,21 @@ std::optional<Error> objectionToXml(std::string_view text, const Progress& progr
     if (auto objection = pass(text, at)) return objection;
   }
   return {};
+}
+
+void blankXmlDeclaration(std::string& text) {
+  const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  const std::string_view rest = std::string_view(text).substr(begin);
+  const std::size_t end = rest.find("?>");
+  if (!rest.starts_with("<?xml ") || end == std::string_view::npos) return;
+  const std::string_view declaration = rest.substr(0, end);
+  std::size_t at = declaration.find("encoding");
+  if (at != std::string_view::npos) {
+    at = std::min(declaration.find_first_of("\"'", at), declaration.size());
+    const std::string_view value = declaration.substr(at).substr(0, 7);
+    if (!equalsIgnoringCase(value, "\"utf-8\"") && !equalsIgnoringCase(value, "'utf-8'")) return;
+  }
+  std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), end + 2, ' ');
 }
 
 std::string asciiOf(QStringView value) {

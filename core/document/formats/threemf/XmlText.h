@@ -18,6 +18,10 @@ namespace handwheel {
 // text in one piece and resolves entities. O(text).
 std::optional<Error> objectionToXml(std::string_view text, const Progress& progress = {});
 
+// Replaces the declaration at the begin of a text in UTF-8 by blanks. Qt's reader refuses versions other than 1.0,
+// although nothing else of them matters here.
+void blankXmlDeclaration(std::string& text);
+
 // Returns the text of an attribute as bytes, without blanks around it. Each character that is not ASCII becomes '?'.
 std::string asciiOf(QStringView value);
 

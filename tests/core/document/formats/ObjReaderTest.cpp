@@ -45,6 +45,7 @@ class ObjReaderTest : public QObject {
     row("faces before vertices", "f 1 2 3\n" + kVertices, kTriangle);
     row("old face word", kVertices + "fo 1 2 3\n", kTriangle);
     row("continued line", kVertices + "f 1 \\\n2\\\n 3\nf 1 2 \\\r\n3\n", kTriangle + ", 0 1 2");
+    row("blanks behind the backslash", kVertices + "f 1 \\ \n2\\\t \r\n 3\n", kTriangle);
     row("continued lost line", kVertices + "g a \\\nf 1 2 3\nf 1 2 3\n", kTriangle + " - Groups");
     row("comment that ends in a backslash", kVertices + "# C:\\\nf 1 2 3\n", kTriangle);
     row("backslash within a line", kVertices + "mtllib a\\ b.mtl\nf 1 2 3\n", kTriangle + " - Materials");

@@ -57,6 +57,17 @@ class OffReaderTest : public QObject {
         "0 0 0, 1 0 0, 0 1 0, 5 5 5 | 0 1 2");
     row("normals", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", kTriangle + " - Normals");
     row("colours", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n", kTriangle + " - Colour");
+    // MeshLab writes normals before colours; the manual of Geomview has them the other way round.
+    for (const char* const keyword : {"NCOFF", "CNOFF"}) {
+      row(keyword,
+          QByteArray(keyword) +
+              "\n3 1 0\n0 0 0 0 0 1 9 9 9 255\n1 0 0 0 0 1 9 9 9 255\n0 1 0 0 0 1 9 9 9 255\n3 0 1 2\n",
+          kTriangle + " - Colour Normals");
+    }
+    for (const char* const keyword : {"NCSTOFF", "STNCOFF", "CSTNOFF"})
+      row(keyword, QByteArray(keyword) + "\n3 1 0\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n",
+          kTriangle + " - Colour Normals TextureCoordinates");
+    row("an attribute twice", "NNOFF\n3 1 0\n" + kBody, "HeaderMalformed(OFF) line 1");
     row("texture", "STOFF\n3 1 0\n0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 1\n3 0 1 2\n", kTriangle + " - TextureCoordinates");
     row("everything",
         "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1 0 1\n1 0 0 0 0 1 1 0 0 1 0 1\n0 1 0 0 0 1 1 0 0 1 0 1\n3 0 1 2\n",

@@ -117,6 +117,16 @@ class PlyReaderTest : public QObject {
         text(kFloatVertices + "element tristrips 1\nproperty list int int vertex_indices\n", kRows + "5 0 1 2 2 -1\n"),
         "0 0 0, 1 0 0, 0 1 0 | 0 1 2, 2 1 2");
 
+    // Rows that run on over lines, as most programs read them: their properties tell where they end.
+    row("all on one line", text(kFloatVertices + kFaces, "0 0 0 1 0 0 0 1 0 3 0 1 2\n"), kTriangle);
+    row("a number per line", text(kFloatVertices + kFaces, "0\n0\n0\n1\n0\n0\n0\n1\n0\n3\n0\n1\n2"), kTriangle);
+    row("only vertices on one line", text(kFloatVertices + kFaces, "0 0 0 1 0 0 0 1 0\n3 0 1 2\n"), kTriangle);
+    row("all on one line, not finite",
+        text(kFloatVertices + QByteArray(kFaces).replace("1", "2"), "0 0 0 1 nan 0 0 1 0 3 0 2 2 3 0 1 2\n"),
+        "NumberNotFinite(nan) line 10",
+        "0 0 0, 0 1 0 | 0 1 1 ! NumberNotFinite(nan) line 10; VertexUnreadable(1) line 10");
+    row("64 bits", QByteArray(plain).replace("int vertex", "int64 vertex").replace("uchar", "uint64"), kTriangle);
+
     row("no end_header", "ply\nformat ascii 1.0\nelement vertex 3\n", "HeaderMalformed(end_header) line 4");
     row("no format", "ply\nelement vertex 0\nend_header\n", "HeaderMalformed(format) line 3");
     row("unknown format", "ply\nformat binary 1.0\nend_header\n", "TypeUnknown(binary) line 2");

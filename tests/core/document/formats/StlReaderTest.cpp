@@ -44,6 +44,9 @@ class StlReaderTest : public QObject {
     row("binary that begins with solid", binaryStl("solid part", 2, 2), kTwo);
     row("binary that begins with solid and blanks", binaryStl(QByteArray("solid").leftJustified(80, ' '), 2, 2), kTwo);
     row("binary with colour attribute", binaryStl("", 2, 2, 0x8123), kTwo + " - Colour");
+    QByteArray attributes = binaryStl("", 2, 2, 6);
+    attributes.insert(184, "second").insert(134, "first.");
+    row("binary with bytes of attributes", attributes, kTwo + " - Other");
     row("binary with colour in the header", binaryStl("COLOR=abcd", 2, 2), kTwo + " - Colour");
     row("binary whose header is UTF-16", binaryStl("\xFF\xFEs", 2, 2), kTwo);
     row("more announced than there is", binaryStl("solid x", 3, 2), "DataTruncated(facets,3,2) byte 184",

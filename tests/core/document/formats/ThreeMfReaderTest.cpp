@@ -35,6 +35,18 @@ class ThreeMfReaderTest : public QObject {
     QVERIFY(file->numbers == NumberType::Float64);
   }
 
+  // Some programs write a byte order mark, quotes of either kind, or another version of XML.
+  void declarations() {
+    const QByteArray plain = model(object(1, kMesh), item(1));
+    const qsizetype end = plain.indexOf("?>") + 2;
+    for (const char* const declaration :
+         {"", "<?xml version=\"1.0\"?>", "<?xml version='1.1' encoding=\"utf-8\" standalone='no'?>",
+          "\xEF\xBB\xBF<?xml version=\"1.0\" encoding='UTF-8'?>", "\xEF\xBB\xBF", "<?xml version='1e0'?>"})
+      QCOMPARE(describe(read(package(declaration + plain.mid(end)))), kTetrahedron);
+    const QByteArray doubled = QByteArray(plain).replace('\'', '"');
+    QCOMPARE(describe(read(package(doubled))), kTetrahedron);
+  }
+
   void units_data() {
     QTest::addColumn<double>("millimetres");
     QTest::newRow("") << 1.0;
