@@ -5,6 +5,7 @@
 #include "base/Tolerance.h"
 
 #include <cmath>
+#include <iterator>
 
 namespace handwheel {
 
@@ -12,6 +13,10 @@ namespace {
 
 constexpr std::uint64_t kTestsPerLook = 500'000;
 constexpr std::uint64_t kTestsPerCorner = 100;  // enough for polygons of some hundred corners, however many
+
+// Slacks in relation to the extent: more than the rounding of single and of double precision. A smaller one counts if
+// nothing can be cut with a larger one.
+constexpr double kSlacks[] = {1e-6, 1e-10, 1e-14, 0.0};
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -61,32 +66,38 @@ bool PolygonTriangulation::flatten(const std::vector<Vec3>& points, std::span<co
   normal.cwiseAbs().maxCoeff(&drop);
   const Eigen::Index u = (drop + 1) % 3, v = (drop + 2) % 3;
   const bool turned = normal[drop] < 0.0;
+  m_size = size;
   m_flat.clear();
   for (std::uint32_t c : corners)
     m_flat.push_back(turned ? Vec2(points[c][v], points[c][u]) : Vec2(points[c][u], points[c][v]));
   return true;
 }
 
-bool PolygonTriangulation::isStrictlyConvex() const {
-  const std::size_t n = m_flat.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (cross(m_flat[i], m_flat[(i + 1) % n], m_flat[(i + 2) % n]) <= 0.0) return false;
-  return true;
+bool PolygonTriangulation::isStrictlyConvex() {
+  linkRing();
+  m_slack = kSlacks[0] * m_size;
+  listReflex(0);
+  return m_reflex.empty();
 }
 
 PolygonTriangulation::Outcome PolygonTriangulation::clipEars(std::span<const std::uint32_t> corners,
                                                              std::vector<Triangle>& triangles) {
-  linkRing();
   m_allowedTests += kTestsPerCorner * corners.size();
   std::uint32_t at = 0;
-  std::size_t left = corners.size(), sinceLastEar = 0;
+  std::size_t left = corners.size(), sinceLastEar = 0, level = 0;
   while (left > 3) {
     if (m_tests >= m_nextLook) {
       if (!m_keepGoing()) return Outcome::Stopped;
       m_nextLook = m_tests + kTestsPerLook;
     }
-    // A full round without an ear: the outline crosses itself. Any corner is then cut.
+    // After a full round without an ear the slack was too large, or the outline crosses itself. Any corner is then cut.
     const bool stuck = sinceLastEar > left;
+    if (stuck && level + 1 < std::size(kSlacks)) {
+      m_slack = kSlacks[++level] * m_size;
+      listReflex(at);
+      sinceLastEar = 0;
+      continue;
+    }
     if (m_tests < m_allowedTests && !stuck && !isEar(at)) {
       ++sinceLastEar;
       at = m_next[at];
@@ -106,13 +117,20 @@ void PolygonTriangulation::linkRing() {
   const auto n = static_cast<std::uint32_t>(m_flat.size());
   m_previous.resize(n);
   m_next.resize(n);
-  m_reflex.clear();
   for (std::uint32_t i = 0; i < n; ++i) {
     m_previous[i] = i == 0 ? n - 1 : i - 1;
     m_next[i] = i + 1 == n ? 0 : i + 1;
   }
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (isReflex(i)) m_reflex.push_back(i);
+}
+
+// Lists the reflex corners of the ring, from one of its corners on.
+void PolygonTriangulation::listReflex(std::uint32_t first) {
+  m_reflex.clear();
+  std::uint32_t corner = first;
+  do {
+    if (isReflex(corner)) m_reflex.push_back(corner);
+    corner = m_next[corner];
+  } while (corner != first);
 }
 
 void PolygonTriangulation::unlink(std::uint32_t corner) {
@@ -122,12 +140,14 @@ void PolygonTriangulation::unlink(std::uint32_t corner) {
 }
 
 bool PolygonTriangulation::isReflex(std::uint32_t corner) const {
-  return cross(m_flat[m_previous[corner]], m_flat[corner], m_flat[m_next[corner]]) <= 0.0;
+  const Vec2 &before = m_flat[m_previous[corner]], &after = m_flat[m_next[corner]];
+  return cross(before, m_flat[corner], after) <= m_slack * (after - before).norm();
 }
 
 bool PolygonTriangulation::isEar(std::uint32_t corner) {
   if (isReflex(corner)) return false;
   const Vec2 &a = m_flat[m_previous[corner]], &b = m_flat[corner], &c = m_flat[m_next[corner]];
+  const double ab = -m_slack * (b - a).norm(), bc = -m_slack * (c - b).norm(), ca = -m_slack * (a - c).norm();
   for (std::size_t i = 0; i < m_reflex.size();) {
     const std::uint32_t other = m_reflex[i];
     ++m_tests;
@@ -139,7 +159,7 @@ bool PolygonTriangulation::isEar(std::uint32_t corner) {
     ++i;
     const Vec2& p = m_flat[other];
     if (p == a || p == b || p == c) continue;  // outlines that lead to an island touch themselves in such corners
-    if (cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0) return false;
+    if (cross(a, b, p) >= ab && cross(b, c, p) >= bc && cross(c, a, p) >= ca) return false;
   }
   return true;
 }

@@ -12,8 +12,9 @@
 namespace handwheel {
 
 // The triangulation of the polygons of a file by fans or ear clipping. Ear clipping is used for planar polygons that
-// are not strictly convex, because a fan of such a polygon may have triangles outside of it or without area. Buffers
-// are reused for the next polygon.
+// are not strictly convex, because a fan of such a polygon may have triangles outside of it or without area. Corners
+// within rounding of a line count as on it, so that no triangle reaches past them. Buffers are reused for the next
+// polygon.
 class PolygonTriangulation {
  public:
   // Result of cut().
@@ -37,15 +38,18 @@ class PolygonTriangulation {
   using Vec2 = Eigen::Vector2d;
 
   bool flatten(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners);
-  bool isStrictlyConvex() const;
+  bool isStrictlyConvex();
   Outcome clipEars(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles);
   void linkRing();
+  void listReflex(std::uint32_t first);
   void unlink(std::uint32_t corner);
   bool isEar(std::uint32_t corner);
   bool isReflex(std::uint32_t corner) const;
 
   std::function<bool()> m_keepGoing;
   std::uint64_t m_allowedTests = 150'000'000;  // tests of a corner against an ear; about a second
+  double m_size = 0.0;                         // extent of the polygon
+  double m_slack = 0.0;                        // a corner is on a line if it is at most so far from it
   std::uint64_t m_tests = 0;                   // number of tests so far
   std::uint64_t m_nextLook = 0;                // number of tests at which keepGoing is called next
   std::vector<Vec2> m_flat;                    // the corners in the polygon's plane, counter-clockwise

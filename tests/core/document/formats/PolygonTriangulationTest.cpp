@@ -50,6 +50,37 @@ bool coversOnce(const std::vector<Vec3>& points, const std::vector<Triangle>& tr
   return triangles.size() == points.size() - 2 && std::abs(sum - 1.0) < 1e-9;
 }
 
+// Distance of a point from a segment.
+double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double along = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (p - a - along * (b - a)).norm();
+}
+
+// The outline of a letter H, and of a comb: corners of different parts are in line.
+std::vector<Vec3> letter() {
+  return {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {2, 2, 0}, {2, 0, 0}, {3, 0, 0},
+          {3, 5, 0}, {2, 5, 0}, {2, 3, 0}, {1, 3, 0}, {1, 5, 0}, {0, 5, 0}};
+}
+std::vector<Vec3> comb(int teeth) {
+  std::vector<Vec3> points{{2.0 * teeth + 1.0, 0, 0}, {2.0 * teeth + 1.0, 1, 0}, {0, 1, 0}, {0, 0, 0}};
+  for (int i = 0; i < teeth; ++i) {
+    const double x = 2.0 * i + 1.0;
+    points.insert(points.end(), {{x, 0, 0}, {x, -3, 0}, {x + 1.0, -3, 0}, {x + 1.0, 0, 0}});
+  }
+  std::reverse(points.begin(), points.end());
+  if (areaOf(points).z() < 0.0) std::reverse(points.begin(), points.end());
+  return points;
+}
+// A square with corners on its edges.
+std::vector<Vec3> dividedSquare() {
+  std::vector<Vec3> points;
+  const Vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) points.push_back(corners[i] + k / 3.0 * (corners[(i + 1) % 4] - corners[i]));
+  }
+  return points;
+}
+
 std::vector<Vec3> star(int corners, double inner) {
   std::vector<Vec3> points;
   for (int i = 0; i < corners; ++i) {
@@ -114,6 +145,35 @@ class PolygonTriangulationTest : public QObject {
   void cornersInLine() {
     const std::vector<Vec3> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
     QVERIFY(coversOnce(points, cut(points).triangles, 1e-3));
+  }
+
+  // Files have polygons at any pose, so corners in line are in line but for rounding. No triangle may reach past a
+  // corner: it would intersect what is behind it.
+  void cornersInLineAtAnyPose() {
+    const std::vector<std::vector<Vec3>> outlines{letter(), comb(3), comb(6), dividedSquare()};
+    QVERIFY(rc::check("turned outlines", [&] {
+      std::vector<Vec3> points = outlines[*rc::gen::inRange<std::size_t>(0, outlines.size())];
+      const auto any = [] { return *rc::gen::inRange(-1'000'000, 1'000'001) / 1e6; };
+      const Eigen::Quaterniond turn = Eigen::Quaterniond(any() + 1e-3, any(), any(), any()).normalized();
+      const bool isFloat = *rc::gen::arbitrary<bool>();
+      const double size = isFloat ? 1.0 : std::pow(10.0, *rc::gen::inRange(-6, 7));
+      const Vec3 at = (isFloat ? 1.0 : 100.0) * size * Vec3(any(), any(), any());
+      for (Vec3& p : points) {
+        p = size * (turn * p) + at;
+        if (isFloat) p = p.cast<float>().cast<double>();
+      }
+      const Cut result = cut(points);
+      RC_ASSERT(coversOnce(points, result.triangles));
+      const double least = (isFloat ? 1e-4 : 1e-9) * size;
+      for (const Triangle& t : result.triangles) {
+        for (std::uint32_t corner = 0; corner < points.size(); ++corner) {
+          for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            if (corner != a && corner != b) RC_ASSERT(distance(points[corner], points[a], points[b]) > least);
+          }
+        }
+      }
+    }));
   }
 
   void notPlanarIsAFan() {
