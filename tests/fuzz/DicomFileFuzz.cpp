@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FileChanges.h"
 #include "ImageFuzz.h"
-#include "MadeDicom.h"
+#include "MadeFrames.h"
 #include "volume/image/DicomReader.h"
 
 #include <array>
 
 // Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The first byte chooses how the slices
-// of a made-up CT are packed, the others change the first of three: whatever GDCM makes of it in its process, it ends
-// in an image or an error.
+// of a made-up CT are packed, or frames, the others change the first of three: whatever GDCM makes of it in its
+// process, it ends in an image or an error.
 
 namespace {
 
@@ -29,12 +29,28 @@ std::array<std::string, 3> madeSeries(gdcm::TransferSyntax::TSType syntax) {
   return files;
 }
 
+// Three files of three frames each.
+std::array<std::string, 3> madeFrames() {
+  std::array<std::string, 3> files;
+  test::MadeSlice slice;
+  for (std::string& file : files) {
+    test::MadeFrames made;
+    for (int i = 0; i < 3; ++i, slice.origin.z() += 2.0) made.frames.push_back(slice);
+    made.isScaleShared = made.isOrientationShared = false;
+    file = test::dicomOf(made);
+  }
+  return files;
+}
+
 const std::array<std::string, 3>& seriesFor(std::uint8_t choice) {
   using Syntax = gdcm::TransferSyntax;
-  static const std::array<std::array<std::string, 3>, 6> all = {
-      madeSeries(Syntax::ExplicitVRLittleEndian),  madeSeries(Syntax::ImplicitVRLittleEndian),
-      madeSeries(Syntax::JPEGLosslessProcess14_1), madeSeries(Syntax::JPEGLSLossless),
-      madeSeries(Syntax::JPEG2000Lossless),        madeSeries(Syntax::RLELossless)};
+  static const std::array<std::array<std::string, 3>, 7> all = {madeSeries(Syntax::ExplicitVRLittleEndian),
+                                                                madeSeries(Syntax::ImplicitVRLittleEndian),
+                                                                madeSeries(Syntax::JPEGLosslessProcess14_1),
+                                                                madeSeries(Syntax::JPEGLSLossless),
+                                                                madeSeries(Syntax::JPEG2000Lossless),
+                                                                madeSeries(Syntax::RLELossless),
+                                                                madeFrames()};
   return all[choice % all.size()];
 }
 

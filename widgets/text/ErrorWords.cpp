@@ -171,6 +171,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "it is not three vectors"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is neither little nor big"),
     QT_TRANSLATE_NOOP("ErrorWord", "its slices are too far apart"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its slices have neither positions nor a stated distance"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has too many slices"),
     QT_TRANSLATE_NOOP("ErrorWord", "the file contains no image in grey"),
     QT_TRANSLATE_NOOP("ErrorWord", "its slices do not lie along one line"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a grid of samples"),

@@ -118,7 +118,12 @@ Note noteOn(const ImageRemark& remark) {
       break;
     case ImageRemark::Kind::Uneven:
       note.text = QT_TRANSLATE_NOOP(
-          "Note", "The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.");
+          "Note", "The spacing of the slices varies from %1 to %2 mm; slices every %3 mm were interpolated.");
+      break;
+    case ImageRemark::Kind::SpacingAssumed:
+      note.text = QT_TRANSLATE_NOOP("Note",
+                                    "The positions of the slices are not stated: a spacing of %1 mm is assumed. The "
+                                    "order of the slices, and so left and right, may be reversed.");
       break;
     case ImageRemark::Kind::SlicesMissing:
       note.text = QT_TRANSLATE_NOOP("Note", "Slices are missing (%1); they were interpolated from their neighbours.");

@@ -20,7 +20,8 @@ struct ImageRemark {
     NotNumbers,      // {samples}: they are not numbers, and are set to the least value
     FirstOfSeveral,  // {values per sample, or images}: only the first is read
     Tilted,          // {degrees}: the slices are sheared against their normal
-    Uneven,          // {mm, mm}: least and largest distance of slices, which are resampled
+    Uneven,          // {mm, mm, mm}: least and largest distance of slices, and that of the slices made of them
+    SpacingAssumed,  // {mm}: distance of slices whose positions are not stated; their order may be the reverse
     SlicesMissing,   // {slices}: they are missing where a distance is a multiple of the usual one; interpolated
     OtherSeries,     // {slices}: they belong to other series in the folder, and are not read
     SamePosition,    // {slices}: they are not read, as other slices are at the same positions

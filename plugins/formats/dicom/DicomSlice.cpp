@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dicom/DicomSlice.h"
 
+#include "dicom/DicomTags.h"
+
 #include <gdcmImageHelper.h>
 #include <gdcmImageReader.h>
 #include <algorithm>
@@ -38,16 +40,6 @@ class SliceBuffer : public std::streambuf {
   }
 };
 
-std::string seriesOf(const gdcm::DataSet& data) {
-  const gdcm::Tag tag(0x0020, 0x000e);
-  if (!data.FindDataElement(tag)) return {};
-  const gdcm::ByteValue* const value = data.GetDataElement(tag).GetByteValue();
-  if (!value || value->GetLength() > 64) return {};
-  std::string text(value->GetPointer(), value->GetLength());
-  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
-  return text;
-}
-
 bool isGrey(const gdcm::PixelFormat& format, const gdcm::PhotometricInterpretation& meaning) {
   return format.GetSamplesPerPixel() == 1 &&
          (format.GetBitsAllocated() == 8 || format.GetBitsAllocated() == 16 || format.GetBitsAllocated() == 32) &&
@@ -55,88 +47,214 @@ bool isGrey(const gdcm::PixelFormat& format, const gdcm::PhotometricInterpretati
           meaning == gdcm::PhotometricInterpretation::MONOCHROME2);
 }
 
-// Converts the used bits of the samples to signed or unsigned numbers, and rescales them.
-template <class Word>
-void putValues(const std::vector<char>& buffer, const gdcm::PixelFormat& format, double slope, double intercept,
-               std::vector<float>& values) {
-  const int stored = std::clamp<int>(format.GetBitsStored(), 1, 8 * sizeof(Word));
-  const int shift = std::clamp<int>(format.GetHighBit() + 1 - stored, 0, 8 * static_cast<int>(sizeof(Word)) - stored);
-  const std::uint64_t mask = (std::uint64_t{1} << stored) - 1, sign = std::uint64_t{1} << (stored - 1);
-  const bool isSigned = format.GetPixelRepresentation() != 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    Word word;
-    std::copy_n(buffer.data() + i * sizeof(Word), sizeof(Word), reinterpret_cast<char*>(&word));
-    const std::uint64_t bits = word >> shift & mask;
-    const double number = isSigned && (bits & sign) != 0 ? static_cast<double>(bits) - std::ldexp(1.0, stored)
-                                                         : static_cast<double>(bits);
-    values[i] = static_cast<float>(slope * number + intercept);
+std::optional<Vec3> vectorOf(const std::vector<double>& numbers, std::size_t first, std::size_t count) {
+  if (numbers.size() != count) return {};
+  return Vec3(numbers[first], numbers[first + 1], numbers[first + 2]);
+}
+
+// Reads the values that are the same for all frames.
+DicomSlice sliceOfFile(const gdcm::DataSet& data) {
+  DicomSlice slice;
+  slice.series = textAt(data, {0x0020, 0x000e});
+  slice.location = numberAt(data, {0x0020, 0x1041});
+  slice.number = numberAt(data, {0x0020, 0x0013}).value_or(0.0);
+  return slice;
+}
+
+// Distances of pixels: in the patient, on the detector, or on the film.
+void setSpacing(const FrameTags& tags, std::size_t frame, DicomSlice& slice) {
+  const auto spacing = tags.find(frame, {0x0028, 0x9110}, [](const gdcm::DataSet& data, bool) {
+    std::optional<std::vector<double>> found;
+    for (const gdcm::Tag& tag : {gdcm::Tag(0x0028, 0x0030), gdcm::Tag(0x0018, 0x1164), gdcm::Tag(0x0018, 0x2010)})
+      if (std::vector<double> numbers = numbersAt(data, tag); !found && numbers.size() == 2) found = std::move(numbers);
+    return found;
+  });
+  const auto isDistance = [](double mm) { return mm > 0.0; };
+  slice.hasSpacing = spacing && std::all_of(spacing->begin(), spacing->end(), isDistance);
+  // The first number is the distance of rows, so it is along the columns.
+  if (slice.hasSpacing) slice.spacing = {(*spacing)[1], (*spacing)[0]};
+  const auto distance = [&](const gdcm::Tag& tag) {
+    return tags.find(frame, {0x0028, 0x9110}, [&](const gdcm::DataSet& data, bool) {
+      const std::optional<double> mm = numberAt(data, tag);
+      return mm && *mm != 0.0 ? mm : std::nullopt;
+    });
+  };
+  slice.apart = distance({0x0018, 0x0088}).value_or(std::abs(distance({0x0018, 0x0050}).value_or(0.0)));
+}
+
+void setScale(const FrameTags& tags, std::size_t frame, DicomSlice& slice) {
+  const auto scale = tags.find(frame, {0x0028, 0x9145}, [](const gdcm::DataSet& data, bool) {
+    const auto slope = numberAt(data, {0x0028, 0x1053}), intercept = numberAt(data, {0x0028, 0x1052}),
+               dose = numberAt(data, {0x3004, 0x000e});
+    std::optional<std::array<double, 2>> found;
+    if (slope && *slope != 0.0) found = {*slope, intercept.value_or(0.0)};
+    if (!found && intercept) found = {1.0, *intercept};
+    if (!found && dose && *dose != 0.0) found = {*dose, 0.0};
+    return found;
+  });
+  if (!scale) return;
+  slice.slope = (*scale)[0];
+  slice.intercept = (*scale)[1];
+}
+
+// Sets the directions of rows and columns. Returns false if they are not perpendicular unit vectors.
+bool setDirections(const FrameTags& tags, std::size_t frame, const gdcm::DataSet* detector, DicomSlice& slice) {
+  constexpr std::size_t kCount = 6;
+  const gdcm::Tag tag(0x0020, 0x0037);
+  std::optional<std::vector<double>> turn =
+      tags.find(frame, {0x0020, 0x9116}, [&](const gdcm::DataSet& data, bool) -> std::optional<std::vector<double>> {
+        std::vector<double> numbers = numbersAt(data, tag);
+        return numbers.size() == kCount ? std::optional(std::move(numbers)) : std::nullopt;
+      });
+  if (!turn && detector) turn = numbersAt(*detector, tag);
+  if (!turn || turn->size() != kCount) return true;
+  slice.across = *vectorOf(*turn, 0, kCount);
+  slice.down = *vectorOf(*turn, 3, kCount);
+  constexpr double kTolerance = 0.01;
+  const bool isSquare = std::abs(slice.across.norm() - 1.0) < kTolerance &&
+                        std::abs(slice.down.norm() - 1.0) < kTolerance &&
+                        std::abs(slice.across.dot(slice.down)) < kTolerance;
+  // Written digits are rounded, and the tilt is measured against the normal.
+  slice.across.normalize();
+  slice.down.normalize();
+  return isSquare;
+}
+
+// Sets the position: that of the frame, or that of a file with a single frame.
+void setPosition(const FrameTags& tags, std::size_t frame, const gdcm::DataSet* detector, DicomSlice& slice) {
+  const gdcm::Tag tag(0x0020, 0x0032);
+  std::optional<Vec3> position =
+      tags.find(frame, {0x0020, 0x9113}, [&](const gdcm::DataSet& data, bool isOwn) -> std::optional<Vec3> {
+        const auto found = vectorOf(numbersAt(data, tag), 0, 3);
+        if (found) slice.hasPosition = isOwn || slice.frames == 1;
+        return found;
+      });
+  if (!position && detector) {
+    position = vectorOf(numbersAt(*detector, tag), 0, 3);
+    slice.hasPosition = position && slice.frames == 1;
   }
+  if (!position) slice.hasPosition = false;
+  slice.origin = position.value_or(Vec3::Zero());
+}
+
+// The positions of the frames of a dose: its distances from the first one, along the normal.
+void setOffsets(const gdcm::DataSet& data, std::vector<DicomSlice>& slices) {
+  const std::vector<double> offsets = numbersAt(data, {0x3004, 0x000c});
+  if (slices.size() < 2 || offsets.size() != slices.size() || numbersAt(data, {0x0020, 0x0032}).size() != 3) return;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    slices[i].origin += (offsets[i] - offsets.front()) * slices[i].normal();
+    slices[i].hasPosition = true;
+  }
+}
+
+// Returns true if the frames follow each other in time.
+bool isFilm(const gdcm::DataSet& data) {
+  const gdcm::Tag pointer(0x0028, 0x0009);
+  const std::string bytes = bytesAt(data, pointer);
+  return bytes == std::string("\x18\x00\x63\x10", 4) || bytes == std::string("\x18\x00\x65\x10", 4);
 }
 
 }  // namespace
 
 bool DicomSlice::belongsWith(const DicomSlice& other) const {
-  return series == other.series && size == other.size && (across - other.across).norm() < 10 * kAlike &&
-         (down - other.down).norm() < 10 * kAlike && std::abs(spacing.x() - other.spacing.x()) < kAlike &&
-         std::abs(spacing.y() - other.spacing.y()) < kAlike;
+  return series == other.series && size == other.size && hasPosition == other.hasPosition &&
+         (across - other.across).norm() < 10 * kAlike && (down - other.down).norm() < 10 * kAlike &&
+         std::abs(spacing[0] - other.spacing[0]) < kAlike && std::abs(spacing[1] - other.spacing[1]) < kAlike;
 }
 
-std::optional<DicomSlice> sliceOf(std::string_view file) {
+std::vector<DicomSlice> slicesOf(std::string_view file) {
   SliceBuffer buffer(file);
   std::istream stream(&buffer);
   gdcm::Reader reader;
   reader.SetStream(stream);
   if (!reader.ReadUpToTag(gdcm::Tag(0x7fe0, 0x0010))) return {};
   const gdcm::File& header = reader.GetFile();
+  const gdcm::DataSet& data = header.GetDataSet();
   const gdcm::PixelFormat format = gdcm::ImageHelper::GetPixelFormatValue(header);
   if (!isGrey(format, gdcm::ImageHelper::GetPhotometricInterpretationValue(header))) return {};
-  const std::vector<unsigned int> size = gdcm::ImageHelper::GetDimensionsValue(header);
-  const std::vector<double> spacing = gdcm::ImageHelper::GetSpacingValue(header),
-                            origin = gdcm::ImageHelper::GetOriginValue(header),
-                            turn = gdcm::ImageHelper::GetDirectionCosinesValue(header);
-  if (size.size() < 2 || spacing.size() < 2 || origin.size() < 3 || turn.size() < 6) return {};
-  DicomSlice slice;
-  slice.bytes = file;
-  slice.series = seriesOf(header.GetDataSet());
-  constexpr unsigned int kMost = 1 << 16;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const unsigned int n = k < size.size() ? size[k] : 1;
-    if (n < 1 || n > kMost) return {};
-    slice.size[k] = static_cast<int>(n);
-    if (k < spacing.size() && spacing[k] > 0.0) slice.spacing[static_cast<Eigen::Index>(k)] = spacing[k];
+  constexpr double kMost = 1 << 16;
+  const double frames = numberAt(data, {0x0028, 0x0008}).value_or(1.0);
+  const std::uint32_t width = countAt(data, {0x0028, 0x0011}).value_or(0),
+                      height = countAt(data, {0x0028, 0x0010}).value_or(0);
+  if (!(frames >= 1.0 && frames <= kMost) || width < 1 || width > kMost || height < 1 || height > kMost) return {};
+  DicomSlice common = sliceOfFile(data);
+  common.bytes = file;
+  common.frames = static_cast<std::size_t>(frames);
+  common.size = {static_cast<int>(width), static_cast<int>(height)};
+  const FrameTags tags(data);
+  const auto detectors = itemsAt(data, {0x0054, 0x0022});  // nuclear medicine
+  const gdcm::DataSet* const detector = detectors ? &detectors->GetItem(1).GetNestedDataSet() : nullptr;
+  std::vector<DicomSlice> slices;
+  for (std::size_t frame = 0; frame < common.frames; ++frame) {
+    DicomSlice slice = common;
+    if (tags.ownCount() == 0 && !slices.empty()) {
+      slice = slices.front();
+    } else {
+      setSpacing(tags, frame, slice);
+      setScale(tags, frame, slice);
+      setPosition(tags, frame, detector, slice);
+      if (!setDirections(tags, frame, detector, slice)) continue;
+    }
+    slice.frame = frame;
+    if (common.frames > 1) {
+      slice.location.reset();
+      slice.number = tags.numberInStack(frame).value_or(static_cast<double>(frame));
+      if (isFilm(data)) slice.apart = 0.0;
+    }
+    slices.push_back(std::move(slice));
   }
-  slice.origin = Vec3(origin[0], origin[1], origin[2]);
-  slice.across = Vec3(turn[0], turn[1], turn[2]);
-  slice.down = Vec3(turn[3], turn[4], turn[5]);
-  const bool isSquare = std::abs(slice.across.norm() - 1.0) < 0.01 && std::abs(slice.down.norm() - 1.0) < 0.01 &&
-                        std::abs(slice.across.dot(slice.down)) < 0.01;
-  if (!isSquare || !slice.origin.allFinite() || !slice.spacing.allFinite()) return {};
-  return slice;
+  setOffsets(data, slices);
+  return slices;
 }
 
-std::optional<std::vector<float>> valuesOf(const DicomSlice& slice) {
+bool SlicePixels::unpack(const DicomSlice& slice) {
+  if (m_file == slice.bytes.data()) return true;
+  m_file = nullptr;
+  m_pixels = {};
   SliceBuffer buffer(slice.bytes);
   std::istream stream(&buffer);
   gdcm::ImageReader reader;
   reader.SetStream(stream);
-  if (!reader.Read()) return {};
+  if (!reader.Read()) return false;
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat& format = image.GetPixelFormat();
-  if (!isGrey(format, image.GetPhotometricInterpretation())) return {};
-  std::size_t count = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const unsigned int n = k < image.GetNumberOfDimensions() ? image.GetDimension(static_cast<unsigned int>(k)) : 1;
-    if (n != static_cast<unsigned int>(slice.size[k])) return {};
-    count *= n;
-  }
-  const std::size_t bytes = format.GetBitsAllocated() / 8u;
-  if (image.GetBufferLength() < count * bytes) return {};
-  std::vector<char> pixels(image.GetBufferLength());
-  if (!image.GetBuffer(pixels.data())) return {};
-  std::vector<float> values(count);
-  if (bytes == 1) putValues<std::uint8_t>(pixels, format, image.GetSlope(), image.GetIntercept(), values);
-  if (bytes == 2) putValues<std::uint16_t>(pixels, format, image.GetSlope(), image.GetIntercept(), values);
-  if (bytes == 4) putValues<std::uint32_t>(pixels, format, image.GetSlope(), image.GetIntercept(), values);
+  if (!isGrey(format, image.GetPhotometricInterpretation())) return false;
+  const auto along = [&](unsigned int k) { return k < image.GetNumberOfDimensions() ? image.GetDimension(k) : 1u; };
+  if (along(0) != static_cast<unsigned int>(slice.size[0]) || along(1) != static_cast<unsigned int>(slice.size[1]) ||
+      along(2) != slice.frames)
+    return false;
+  m_bytes = format.GetBitsAllocated() / 8;
+  const std::size_t needed = std::size_t{along(0)} * along(1) * along(2) * static_cast<std::size_t>(m_bytes);
+  if (image.GetBufferLength() < needed) return false;
+  m_pixels.resize(image.GetBufferLength());
+  if (!image.GetBuffer(m_pixels.data())) return false;
+  const int bits = 8 * m_bytes;
+  m_stored = std::clamp<int>(format.GetBitsStored(), 1, bits);
+  m_shift = std::clamp<int>(format.GetHighBit() + 1 - m_stored, 0, bits - m_stored);
+  m_isSigned = format.GetPixelRepresentation() != 0;
+  m_file = slice.bytes.data();
+  return true;
+}
+
+std::optional<std::vector<float>> SlicePixels::valuesOf(const DicomSlice& slice) {
+  if (!unpack(slice)) return {};
+  const std::uint64_t mask = (std::uint64_t{1} << m_stored) - 1, sign = std::uint64_t{1} << (m_stored - 1);
+  std::vector<float> values(static_cast<std::size_t>(slice.size[0]) * static_cast<std::size_t>(slice.size[1]));
+  // Converts the used bits of the pixels to signed or unsigned numbers, and rescales them.
+  const auto put = [&]<class Word>(Word word) {
+    const char* at = m_pixels.data() + slice.frame * values.size() * sizeof(Word);
+    for (float& value : values) {
+      std::copy_n(at, sizeof(Word), reinterpret_cast<char*>(&word));
+      at += sizeof(Word);
+      const std::uint64_t bits = word >> m_shift & mask;
+      const double number = m_isSigned && (bits & sign) != 0 ? static_cast<double>(bits) - std::ldexp(1.0, m_stored)
+                                                             : static_cast<double>(bits);
+      value = static_cast<float>(slice.slope * number + slice.intercept);
+    }
+  };
+  if (m_bytes == 1) put(std::uint8_t{});
+  if (m_bytes == 2) put(std::uint16_t{});
+  if (m_bytes == 4) put(std::uint32_t{});
   return values;
 }
 

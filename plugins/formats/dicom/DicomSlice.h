@@ -14,13 +14,20 @@
 
 namespace handwheel {
 
-// The image data in the header of a DICOM file. Data about the patient are not read.
+// A slice: the image of a DICOM file, or one of its frames. Data about the patient are not read.
 struct DicomSlice {
-  std::string_view bytes;  // content of the file
-  std::string series;      // unique identifier of the series
-  std::array<int, 3> size{0, 0, 0};
-  Vec3 spacing = Vec3::Ones();  // mm; the third is the distance of frames, or the thickness of the slice
-  Vec3 origin = Vec3::Zero();   // centre of the first pixel, mm
+  std::string_view bytes;               // content of the file
+  std::size_t frame = 0, frames = 1;    // index of the frame, and number of frames in the file
+  std::string series;                   // unique identifier of the series
+  std::array<int, 2> size{0, 0};        // pixels along rows and columns
+  std::array<double, 2> spacing{1, 1};  // distance of pixels along rows and columns, mm
+  bool hasSpacing = true;               // false: the file does not state the distance of pixels
+  bool hasPosition = true;              // false: the position is not known, or is that of the first frame of the file
+  double apart = 0.0;  // stated distance to the next slice along the normal, or thickness, mm; below 0: against it
+  std::optional<double> location;                     // position along the normal from an unknown point, mm
+  double number = 0.0;                                // order of slices without positions
+  double slope = 1.0, intercept = 0.0;                // value = slope · number + intercept
+  Vec3 origin = Vec3::Zero();                         // centre of the first pixel, mm
   Vec3 across = Vec3::UnitX(), down = Vec3::UnitY();  // unit vectors along rows and columns
 
   Vec3 normal() const { return across.cross(down); }
@@ -30,11 +37,24 @@ struct DicomSlice {
   bool belongsWith(const DicomSlice& other) const;
 };
 
-// Returns the slice in a file, or nothing if the file is not a grey image of a supported size.
-std::optional<DicomSlice> sliceOf(std::string_view file);
+// Returns the slices in a file: one for each frame with a usable position. Returns nothing if the file is not a grey
+// image of a supported size.
+std::vector<DicomSlice> slicesOf(std::string_view file);
 
-// Returns the values of all frames of a slice, rescaled by slope · number + intercept. Returns nothing if the pixels
-// cannot be unpacked.
-std::optional<std::vector<float>> valuesOf(const DicomSlice& slice);
+// Unpacks the pixels of slices. Keeps those of the last file, so slices of one file should follow each other.
+class SlicePixels {
+ public:
+  // Returns the values of a slice, rescaled by its slope and intercept. Returns nothing if the pixels cannot be
+  // unpacked.
+  std::optional<std::vector<float>> valuesOf(const DicomSlice& slice);
+
+ private:
+  bool unpack(const DicomSlice& slice);
+
+  const char* m_file = nullptr;
+  std::vector<char> m_pixels;
+  int m_bytes = 0, m_stored = 0, m_shift = 0;  // bytes of a pixel, and its used bits
+  bool m_isSigned = false;
+};
 
 }  // namespace handwheel

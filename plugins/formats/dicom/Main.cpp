@@ -7,16 +7,20 @@
 #include "process/ReaderProgram.h"
 #include "volume/image/NrrdWriter.h"
 
+#include <iterator>
 #include <new>
 
 // Reads a series of DICOM for core/volume/image/DicomReader.cpp. Its input are files one after the other, each after
 // its length (8 bytes, little-endian). The option is "first", for the series of the first file, or "largest". The
-// answer is one line: tilt in degrees, least and largest distance of uneven slices in mm, slices that are missing, of
-// other series, and at the same position, files that cannot be read (0: none); and then the image as an NRRD file.
+// answer is one line: tilt in degrees; least, largest and resulting distance of uneven slices in mm; slices that are
+// missing, of other series, and at the same position; files that cannot be read; assumed distance of slices in mm; 1 if
+// the distance of pixels is unknown (0: none). Then follows the image as an NRRD file.
 
 using namespace handwheel;
 
 namespace {
+
+constexpr std::size_t kMostSlices = 1 << 17;
 
 Result<std::string> answerOf(std::string_view bytes, bool ofFirst, Progress progress) {
   std::vector<DicomSlice> slices;
@@ -27,10 +31,11 @@ Result<std::string> answerOf(std::string_view bytes, bool ofFirst, Progress prog
     bytes.remove_prefix(8);
     const std::string_view file = bytes.substr(0, length);
     bytes.remove_prefix(file.size());
-    if (std::optional<DicomSlice> slice = sliceOf(file))
-      slices.push_back(std::move(*slice));
-    else
-      ++unreadable;
+    std::vector<DicomSlice> own = slicesOf(file);
+    if (own.empty()) ++unreadable;
+    if (slices.size() + own.size() > kMostSlices)
+      return Error{ErrorCode::LibraryFailed, {"it has too many slices"}, {}, {}};
+    slices.insert(slices.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
     progress.set(0.3 * (1.0 - static_cast<double>(bytes.size()) / static_cast<double>(all)));
   }
   const Result<Series> series = seriesOf(std::move(slices), ofFirst);
@@ -38,10 +43,12 @@ Result<std::string> answerOf(std::string_view bytes, bool ofFirst, Progress prog
   const Result<ImageFile> image = imageOf(*series, progress.part(0.3, 1.0));
   if (!image) return image.error();
   std::string answer;
+  const double uneven = series->isUneven ? 1.0 : 0.0;
   for (const double figure :
-       {series->tilt, series->isUneven ? series->least : 0.0, series->isUneven ? series->largest : 0.0,
+       {series->tilt, uneven * series->least, uneven * series->largest, uneven * image->image.grid().spacing().z(),
         static_cast<double>(series->missing), static_cast<double>(series->others),
-        static_cast<double>(series->samePosition), static_cast<double>(unreadable)})
+        static_cast<double>(series->samePosition), static_cast<double>(unreadable), series->assumed,
+        series->slices.front().hasSpacing ? 0.0 : 1.0})
     answer += shortestText(figure) + " ";
   answer.back() = '\n';
   appendNrrd(image->image, {}, answer);

@@ -10,7 +10,9 @@ namespace handwheel {
 // The slices of one image, sorted by height, with remarks for the user.
 struct Series {
   std::vector<DicomSlice> slices;
-  Vec3 step = Vec3::UnitZ();          // vector from one slice of the resulting image to the next, mm
+  // Vector from one slice of the resulting image to the next, mm. It goes along the normal of the slices, never against
+  // it, so that the axes of the image are always right-handed.
+  Vec3 step = Vec3::UnitZ();
   std::vector<double> heights;        // height of each slice above the first, in steps
   std::size_t count = 0;              // number of slices of the resulting image
   double tilt = 0.0;                  // angle between the step and the normal, degrees; 0: no tilt
@@ -19,10 +21,12 @@ struct Series {
   std::size_t missing = 0;            // number of missing slices, if all distances are multiples of one distance
   std::size_t others = 0;             // number of slices of other series
   std::size_t samePosition = 0;       // number of slices that were omitted because another slice has the same position
+  double assumed = 0.0;               // distance of slices without positions, mm; 0: all have positions
 };
 
 // Sorts the slices of one series: the largest, or if ofFirst is true that of the first slice. Uneven slices get even
-// steps of the median distance, and are to be interpolated. Errors: LibraryFailed with the reason.
+// steps of the smallest distance, and are to be interpolated. Slices without positions get the stated distance. Errors:
+// LibraryFailed with the reason.
 Result<Series> seriesOf(std::vector<DicomSlice> slices, bool ofFirst);
 
 }  // namespace handwheel

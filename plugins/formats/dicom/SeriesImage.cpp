@@ -66,20 +66,21 @@ Result<ImageFile> imageOf(const Series& series, Progress progress) {
   ImageGrid grid;
   grid.size = {first.size[0], first.size[1], static_cast<int>(std::min<std::size_t>(series.count, 1 << 20))};
   grid.origin = first.origin;
-  grid.steps.col(0) = first.spacing.x() * first.across;
-  grid.steps.col(1) = first.spacing.y() * first.down;
+  grid.steps.col(0) = first.spacing[0] * first.across;
+  grid.steps.col(1) = first.spacing[1] * first.down;
   grid.steps.col(2) = series.step;
   if (!checkGrid(grid)) return Error{ErrorCode::LibraryFailed, {"it is not a grid of samples"}, {}, {}};
   const Error notUnpacked{ErrorCode::LibraryFailed, {"the pixels of a slice cannot be unpacked"}, {}, {}};
+  SlicePixels pixels;
   if (series.slices.size() == 1) {
-    std::optional<std::vector<float>> values = valuesOf(first);
+    std::optional<std::vector<float>> values = pixels.valuesOf(first);
     return values ? Result<ImageFile>(imageOfValues(grid, std::move(*values))) : notUnpacked;
   }
   const auto count = static_cast<std::size_t>(grid.size[2]);
   SliceStack stack(grid, grid.count() / count);
   std::vector<float> before;
   for (std::size_t i = 0; i < series.slices.size(); ++i) {
-    std::optional<std::vector<float>> own = valuesOf(series.slices[i]);
+    std::optional<std::vector<float>> own = pixels.valuesOf(series.slices[i]);
     if (!own) return notUnpacked;
     progress.set(static_cast<double>(i) / static_cast<double>(series.slices.size()));
     if (i > 0) fill(stack, count, series.heights[i - 1], before, series.heights[i], *own);

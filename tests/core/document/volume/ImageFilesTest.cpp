@@ -107,8 +107,9 @@ class ImageFilesTest : public QObject {
   // Every remark has a text with placeholders for all of its figures.
   void remarks() {
     using Kind = ImageRemark::Kind;
-    for (const Kind kind : {Kind::NoSpacing, Kind::NotNumbers, Kind::FirstOfSeveral, Kind::Tilted, Kind::Uneven,
-                            Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePosition, Kind::NotReadable}) {
+    for (const Kind kind :
+         {Kind::NoSpacing, Kind::NotNumbers, Kind::FirstOfSeveral, Kind::Tilted, Kind::Uneven, Kind::SpacingAssumed,
+          Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePosition, Kind::NotReadable}) {
       const std::vector<ImageRemark> one{{kind, {1.25, 3.0}}};
       const std::vector<Note> notes = notesOn(one);
       QCOMPARE(notes.size(), std::size_t{1});

@@ -3,7 +3,7 @@
 #include "volume/image/DicomReader.h"
 
 #include "ImageBytes.h"
-#include "MadeDicom.h"
+#include "MadeFrames.h"
 #include "TestClass.h"
 
 #include <QDir>
@@ -145,6 +145,31 @@ class DicomReaderTest : public QObject {
     QVERIFY(hasValues(read->image, MadeSlice().value));
     QVERIFY(hasRemark(*read, ImageRemark::Kind::Uneven));
     QVERIFY(std::abs(read->image.grid().position({0, 0, read->image.grid().size[2] - 1.0}).z() - 14.1) < 1e-6);
+    // The smallest distance is that of 1.3 mm.
+    QVERIFY(read->image.grid().spacing().z() <= 1.3 && read->image.grid().spacing().z() > 1.2);
+    QCOMPARE(read->remarks.front().figures.back(), read->image.grid().spacing().z());
+  }
+  // Thin slices of the region of interest among thick ones keep their distance, and all of their values: 40 of 1 mm
+  // between 20 of 5 mm on either side.
+  void thinAmongThick() {
+    std::vector<double> heights{0.0};
+    for (int i = 0; i < 80; ++i) heights.push_back(heights.back() + (i >= 20 && i < 60 ? 1.0 : 5.0));
+    const Result<ImageFile> read = readSlices(stack(heights));
+    QVERIFY(read.hasValue());
+    QCOMPARE(read->image.grid().size[2], 241);
+    QVERIFY(std::abs(read->image.grid().spacing().z() - 1.0) < 1e-9);
+    QVERIFY(hasValues(read->image, MadeSlice().value));
+  }
+  // A pair of slices almost at one position does not make thousands of them.
+  void almostOnePosition() {
+    std::vector<double> heights;
+    for (int i = 0; i < 20; ++i) heights.push_back(5.0 * i);
+    heights.push_back(45.01);
+    const Result<ImageFile> read = readSlices(stack(heights));
+    QVERIFY(read.hasValue());
+    QVERIFY(hasRemark(*read, ImageRemark::Kind::Uneven));
+    QVERIFY(read->image.grid().size[2] <= 32 * 21 + 65);
+    QVERIFY(hasValues(read->image, MadeSlice().value));
   }
 
   void mixed() {
@@ -188,6 +213,30 @@ class DicomReaderTest : public QObject {
     QVERIFY(!readSlices(stack({0.0, 1.0, 2.0, 3000.0})));
   }
 
+  // Slices without positions: their locations, or their numbers and the stated distance; which is said.
+  void withoutPositions() {
+    const auto without = [](const std::vector<std::pair<gdcm::Tag, std::vector<const char*>>>& more) {
+      std::string files;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double order[] = {1.0, 2.0, 0.0};
+        MadeFrames made{.frames = stack({10.0 * order[i]}), .hasGroups = false, .hasPositions = false};
+        made.frames.front().value = [&](const Vec3&) { return 5.0 * order[i]; };
+        for (const auto& [tag, texts] : more) made.more.emplace_back(tag, texts[i % texts.size()]);
+        appendDicomFile(dicomOf(made), files);
+      }
+      return readDicom(files, DicomChoice::Largest, {});
+    };
+    const gdcm::Tag location(0x0020, 0x1041), number(0x0020, 0x0013), between(0x0018, 0x0088);
+    for (const Result<ImageFile>& read :
+         {without({{location, {"-7.5", "-5", "-10"}}}), without({{number, {"8", "9", "5"}}, {between, {"2.5"}}})}) {
+      QVERIFY(read.hasValue());
+      QVERIFY(hasRemark(*read, ImageRemark::Kind::SpacingAssumed));
+      QVERIFY((read->image.grid().spacing() - Vec3(0.5, 0.5, 2.5)).norm() < 1e-9);
+      for (int z = 0; z < 3; ++z) QCOMPARE(read->image.value(static_cast<std::size_t>(48 * z)), 5.0 * z);
+    }
+    QVERIFY(!without({{number, {"1", "2", "3"}}}));
+  }
+
   // Any file results in an image or an error, whatever it does to the library.
   void damaged() {
     MadeSlice slice;
@@ -208,11 +257,11 @@ class DicomReaderTest : public QObject {
 
   void answersThatMakeNoSense() {
     const Result<ImageFile> good = imageInAnswer(
-        "0 0 0 0 0 0 0\nNRRD0004\ntype: int16\ndimension: 3\nsizes: 1 1 1\n"
+        "0 0 0 0 0 0 0 0 0 0\nNRRD0004\ntype: int16\ndimension: 3\nsizes: 1 1 1\n"
         "spacings: 1 1 1\nencoding: raw\n\nab");
     QVERIFY(good.hasValue());
-    for (const char* answer :
-         {"", "0 0 0\n", "0 0 0 0 0 0 -1\nNRRD", "0 0 0 0 0 0 nan\nNRRD0004\n", "0 0 0 0 0 0 0\nNRRD0004\n\n"})
+    for (const char* answer : {"", "0 0 0\n", "0 0 0 0 0 0 0 0 0 -1\nNRRD", "0 0 0 0 0 0 0 0 0 nan\nNRRD0004\n",
+                               "0 0 0 0 0 0 0 0 0 0\nNRRD0004\n\n"})
       QVERIFY(!imageInAnswer(answer));
   }
 
