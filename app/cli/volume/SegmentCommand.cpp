@@ -14,6 +14,7 @@
 #include "document/volume/VolumeMaking.h"
 #include "text/NoteText.h"
 #include "tools/volume/SegmentOperation.h"
+#include "volume/image/ImageLabels.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,7 @@ struct SegmentAnswer {
   Segmented segmented;
   Vec3 spacing;
   std::vector<std::string> warnings;
+  std::vector<LabelRegion> labels = {};  // empty: the image is no label map
 };
 
 Error about(const fs::path& path, Error error) {
@@ -48,11 +50,17 @@ Result<SegmentAnswer> segmentFile(const fs::path& input, const fs::path& output,
   });
   if (!segmented) return about(input, segmented.error());
   done.segmented = std::move(*segmented);
+  done.labels = regionsOf(file->image);
   const auto snapshot = snapshotOf(done.segmented.volume, sourceName(input), progress.part(0.7, 0.8));
   if (!snapshot) return about(input, snapshot.error());
   const Result<WrittenFile> written = saveDocument(kind, {}, **snapshot, output, progress.part(0.8, 1.0));
   if (!written) return written.error();
   return done;
+}
+
+bool isChosen(const SegmentAnswer& done, const LabelRegion& region) {
+  const ValueRange& range = done.segmented.range;
+  return region.label.value >= range.least && region.label.value <= range.largest;
 }
 
 nlohmann::ordered_json reportOf(const SegmentAnswer& done, const MemoryNotice& notice) {
@@ -66,6 +74,12 @@ nlohmann::ordered_json reportOf(const SegmentAnswer& done, const MemoryNotice& n
                                    {"voxel_mm", volume.voxel()},
                                    {"spacing_mm", {done.spacing.x(), done.spacing.y(), done.spacing.z()}},
                                    {"warnings", done.warnings}};
+  for (const LabelRegion& region : done.labels)
+    report["labels"].push_back({{"value", region.label.value},
+                                {"name", region.label.name},
+                                {"samples", region.samples},
+                                {"volume_mm3", region.volume},
+                                {"chosen", isChosen(done, region)}});
   notice.addTo(report);
   return report;
 }
@@ -78,7 +92,13 @@ std::string textOf(const SegmentAnswer& done, const fs::path& output) {
   text.back() = ',';
   text += " " + roundedText(volume.enclosed()) + " mm³ in " + std::to_string(done.segmented.kept);
   if (done.segmented.kept < done.segmented.parts) text += " of " + std::to_string(done.segmented.parts);
-  return text + " part(s), voxels of " + roundedText(volume.voxel()) + " mm.\n";
+  text += " part(s), voxels of " + roundedText(volume.voxel()) + " mm.\n";
+  for (const LabelRegion& region : done.labels) {
+    text += (isChosen(done, region) ? "  * label " : "    label ") + roundedText(region.label.value, 9);
+    if (!region.label.name.empty()) text += " " + region.label.name;
+    text += ": " + roundedText(region.volume, 6) + " mm³\n";
+  }
+  return text;
 }
 
 int runSegment(const Arguments& arguments, const DocumentKinds& kinds) {

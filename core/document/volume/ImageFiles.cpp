@@ -8,6 +8,8 @@
 #include "process/SystemMemory.h"
 #include "volume/VolumeErrors.h"
 #include "volume/image/DicomReader.h"
+#include "volume/image/ImageHeader.h"
+#include "volume/image/ImageLabels.h"
 #include "volume/image/MetaImageReader.h"
 #include "volume/image/NiftiReader.h"
 #include "volume/image/NrrdReader.h"
@@ -143,6 +145,19 @@ Note noteOn(const ImageRemark& remark) {
   return note;
 }
 
+Result<ImageFile> imageInFile(std::string_view bytes, const SiblingFile& sibling) {
+  if (looksLikeNrrd(bytes)) return readNrrd(bytes, sibling);
+  if (looksLikeNifti(bytes)) return readNifti(bytes);
+  if (looksLikeMetaImage(bytes)) return readMetaImage(bytes, sibling);
+  return readRawImage(bytes, sibling);
+}
+
+// Returns true if the name of a file says that it holds labels, as 3D Slicer names them.
+bool isSegmentation(const fs::path& path) {
+  const std::string name = imageHeader::lowered(path.filename().string());
+  return name.ends_with(".seg.nrrd") || name.ends_with(".seg.nhdr");
+}
+
 }  // namespace
 
 bool looksLikeImage(std::string_view head) {
@@ -165,11 +180,10 @@ Result<ImageFile> readImageFile(const fs::path& path, Progress progress) {
   if (!looksLikeImage(*head)) return Error{DocumentError::FormatUnknown, {".nrrd", ".mhd", ".nii", ".dcm"}, {}, {}};
   const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.5));
   if (!bytes) return bytes.error();
-  const SiblingFile sibling = besideHeader(path);
-  if (looksLikeNrrd(*bytes)) return readNrrd(*bytes, sibling);
-  if (looksLikeNifti(*bytes)) return readNifti(*bytes);
-  if (looksLikeMetaImage(*bytes)) return readMetaImage(*bytes, sibling);
-  return readRawImage(*bytes, sibling);
+  Result<ImageFile> read = imageInFile(*bytes, besideHeader(path));
+  if (read && (read->hasLabels || isSegmentation(path) || looksLikeLabels(read->image)))
+    markLabels(read->image, read->labels);
+  return read;
 }
 
 std::vector<Note> notesOn(std::span<const ImageRemark> remarks) {

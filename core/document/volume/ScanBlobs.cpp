@@ -6,6 +6,7 @@
 #include "base/JsonText.h"
 #include "document/container/Blobs.h"
 #include "process/SystemMemory.h"
+#include "volume/image/ImageLabels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char *kScan = "scan", *kSize = "size", *kOrigin = "origin", *kSteps = "steps", *kType = "type",
-                     *kRange = "range", *kPainted = "painted";
+                     *kRange = "range", *kPainted = "painted", *kLabels = "labels";
 constexpr const char *kWhole = "int16", *kReal = "float32";
 const std::string kSamples = "scan/samples", kSegment = "scan/segment/";
 
@@ -178,6 +179,17 @@ std::optional<ImageVolume> samplesIn(const Container& container, const ImageGrid
   return ImageVolume(grid, std::move(samples));
 }
 
+// The labels are those of the samples; only their names are taken from the file.
+void readLabels(const Json& scan, ImageVolume& image) {
+  const Json& stored = JsonFieldReader(scan).member(kLabels);
+  if (!stored.is_array() || stored.size() > kMostLabels) return;
+  std::vector<ImageLabel> labels;
+  for (const Json& label : stored)
+    if (label.is_array() && label.size() == 2 && label[0].is_number() && label[1].is_string())
+      labels.push_back({label[0].get<double>(), label[1].get<std::string>()});
+  if (!labels.empty()) markLabels(image, labels);
+}
+
 }  // namespace
 
 void writeScan(const ImageVolume& image, const Segment& segment, Container& container) {
@@ -188,6 +200,7 @@ void writeScan(const ImageVolume& image, const Segment& segment, Container& cont
                {kType, image.isWhole() ? kWhole : kReal},
                {kRange, {endOf(segment.range().least), endOf(segment.range().largest)}}};
   for (Eigen::Index k = 0; k < 3; ++k) scan[kSteps].push_back({grid.steps(0, k), grid.steps(1, k), grid.steps(2, k)});
+  for (const ImageLabel& label : image.labels()) scan[kLabels].push_back({label.value, label.name});
   image.visitSamples(
       [&]<class Sample>(std::span<const Sample> samples) { writeArray<Sample>(container, kSamples, samples); });
   scan[kPainted] = writeBricks(segment, container);
@@ -208,6 +221,7 @@ std::optional<StoredScan> readScan(const Container& container, std::vector<Error
       type == kWhole ? samplesIn<std::int16_t>(container, *grid, damage) : samplesIn<float>(container, *grid, damage);
   if (!image) return {};
   progress.set(0.5);
+  readLabels(scan, *image);
   StoredScan stored{std::move(*image), {}};
   const Json& ends = JsonFieldReader(scan).member(kRange);
   const auto isEnd = [](const Json& end) { return end.is_null() || end.is_number(); };

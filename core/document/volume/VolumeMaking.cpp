@@ -9,6 +9,7 @@
 #include "volume/VolumeErrors.h"
 #include "volume/drilling/Skull.h"
 #include "volume/image/ImageHistogram.h"
+#include "volume/image/ImageLabels.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/image/VolumeToImage.h"
 #include "volume/vdb/VdbFile.h"
@@ -22,7 +23,14 @@ namespace handwheel {
 namespace {
 
 // Default range of an image's values for material.
-ValueRange usualRange(const ImageHistogram& histogram, std::vector<Note>& notes) {
+ValueRange usualRange(const ImageVolume& image, const ImageHistogram& histogram, std::vector<Note>& notes) {
+  if (!image.labels().empty()) {
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "The image is a map of labels (%1): all of them are taken as material. Choose "
+                                       "others in the panel Segmentation or with 'handwheel segment'."),
+                     {std::to_string(image.labels().size())}});
+    return rangeOfLabels(image);
+  }
   const double threshold = otsuThreshold(histogram);
   notes.push_back({QT_TRANSLATE_NOOP("Note",
                                      "Values from %1 upwards are taken as material (Otsu's threshold). Choose any "
@@ -68,7 +76,7 @@ Result<OpenedImage> openImage(const std::filesystem::path& path, std::vector<Not
   ValueRange range{-std::numeric_limits<double>::infinity(), 0.0};
   if (!isDistance) {
     ImageHistogram histogram = histogramOf(file->image);
-    range = usualRange(histogram, notes);
+    range = usualRange(file->image, histogram, notes);
     scan = std::make_shared<Scan>(Scan{std::move(file->image), std::move(histogram)});
   }
   Result<SparseVolume> volume =

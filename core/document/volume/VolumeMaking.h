@@ -41,8 +41,8 @@ std::vector<Note> notesOn(const SurfaceVolume& made);
 std::shared_ptr<const VolumeSnapshot> skullContent(int pieceCells = VolumeSurface::kPieceCells);
 
 // Makes the content of a document from a file or folder of images (ImageFiles.h), or from a VDB file. The volume of an
-// image is the region above otsuThreshold(). The notes state the threshold and the remarks on the file. Errors: the
-// errors of the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
+// image is the region above otsuThreshold(), or that of all labels. The notes state the threshold and the remarks on
+// the file. Errors: the errors of the readers and of volumeOfImage(); VolumeErrors::TooLargeToSave, ImageTooLarge.
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,
                                                            Progress progress,
                                                            int pieceCells = VolumeSurface::kPieceCells);

@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "volume/image/ImageHistogram.h"
+#include "volume/image/ImageLabels.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/segment/SegmentParts.h"
 #include "volume/segment/SegmentToVolume.h"
@@ -36,8 +37,8 @@ const Operation& segmentOperation() {
                                     .label = QT_TRANSLATE_NOOP("Property", "Values"),
                                     .value = std::string()},
                        .meaning =
-                           "Values taken as material, from A to B, such as 300: for bone in a CT; default: from Otsu's "
-                           "threshold upwards",
+                           "Values taken as material, from A to B, such as 300: for bone in a CT, or 2:2 for a label; "
+                           "default: from Otsu's threshold upwards, or all labels",
                        .word = "A:B"};
     Parameter largest = {.property = {.id = "largest",
                                       .group = {},
@@ -81,7 +82,8 @@ Result<Segmented> segment(const ImageVolume& image, const OperationValues& value
                           const BeginMaking& begin) {
   Segmented done;
   done.range = rangeIn(values.text("range")).value_or(ValueRange{0.0, kNoEnd});
-  if (values.text("range").empty()) done.range.least = otsuThreshold(histogramOf(image));
+  if (values.text("range").empty())
+    done.range = image.labels().empty() ? ValueRange{otsuThreshold(histogramOf(image)), kNoEnd} : rangeOfLabels(image);
   Segment segment(done.range);
   const SegmentParts parts(image, segment, progress.part(0.0, 0.2));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

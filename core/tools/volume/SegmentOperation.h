@@ -32,7 +32,8 @@ struct Segmented {
 // A function that is called before a volume is made. voxel: edge of a voxel, mm. bytes: memory that the volume needs.
 // An error that it returns ends the work.
 using BeginMaking = std::function<Status(double voxel, double bytes)>;
-// Makes a volume of an image. An empty range means all values above otsuThreshold(). Errors: those of volumeOfImage()
+// Makes a volume of an image. An empty range means all values above otsuThreshold(), or all
+// labels. Errors: those of volumeOfImage()
 // and of `begin`; VolumeErrors::NothingInRange also if smoothing leaves nothing.
 Result<Segmented> segment(const ImageVolume& image, const OperationValues& values, Progress progress,
                           const BeginMaking& begin = {});

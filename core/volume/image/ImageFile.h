@@ -35,7 +35,9 @@ struct ImageRemark {
 struct ImageFile {
   ImageVolume image;
   std::vector<ImageRemark> remarks;
-  std::string content = {};  // meaning of the values; empty: the file does not state it
+  std::string content = {};             // meaning of the values; empty: the file does not state it
+  bool hasLabels = false;               // true: the file states that its values are labels
+  std::vector<ImageLabel> labels = {};  // labels that the file names
 };
 
 // Function that reads at most `most` bytes of the file with this name, in the folder of the file that refers to it.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -36,12 +37,19 @@ struct Sampled {
   bool isInside;
 };
 
+// The value of a label map is 1 in the range and 0 elsewhere, so that the surface lies half way between samples,
+// whatever labels are on either side.
 template <class Sample>
 class Sampler {
  public:
-  Sampler(std::span<const Sample> samples, const ImageGrid& grid, const ValueRange& range)
-      : m_samples(samples), m_size(grid.size), m_range(range) {}
+  Sampler(std::span<const Sample> samples, const ImageVolume& image, const ValueRange& range)
+      : m_samples(samples), m_size(image.grid().size), m_range(range), m_areLabels(!image.labels().empty()) {
+    if (!m_areLabels) return;
+    m_labels = range;
+    m_range = {0.5, std::numeric_limits<double>::infinity()};
+  }
 
+  bool areLabels() const { return m_areLabels; }
   Sampled at(const Vec3& index) const {
     Sampled sampled{index, 0.0, true, false};
     std::size_t base = 0, step[3];
@@ -59,7 +67,7 @@ class Sampler {
       stride *= static_cast<std::size_t>(m_size[k]);
     }
     const auto row = [&](std::size_t from) {
-      const auto a = static_cast<double>(m_samples[from]), b = static_cast<double>(m_samples[from + step[0]]);
+      const double a = valueOf(m_samples[from]), b = valueOf(m_samples[from + step[0]]);
       return a + share[0] * (b - a);
     };
     const auto plane = [&](std::size_t from) {
@@ -89,9 +97,17 @@ class Sampler {
   }
 
  private:
+  double valueOf(Sample sample) const {
+    const auto value = static_cast<double>(sample);
+    if (!m_areLabels) return value;
+    return value >= m_labels.least && value <= m_labels.largest ? 1.0 : 0.0;
+  }
+
   std::span<const Sample> m_samples;
   std::array<int, 3> m_size;
   ValueRange m_range;
+  bool m_areLabels;
+  ValueRange m_labels{0.0, 0.0};  // labels in the range
 };
 
 // The samples of a block and one around it.
@@ -138,11 +154,12 @@ class SampledBlock {
     });
   }
 
-  // By how the values grow: to a neighbour on the other side, or from one to the other. Exact where that is linear.
+  // By how the values grow: to a neighbour on the other side, or from one to the other. Exact where that is linear. The
+  // values of labels are steps, so their surface is where each pair of neighbours puts it: half way.
   double toRange(std::size_t here) const {
     const Sampled& own = m_around[here];
     std::optional<double> end;
-    double squares = 0.0;
+    double squares = 0.0, most = 0.0;
     for (const std::size_t step : kSteps) {
       const Sampled &before = m_around[here - step], &after = m_around[here + step];
       double steepest = 0.0;
@@ -155,8 +172,10 @@ class SampledBlock {
       }
       if (steepest == 0.0) steepest = 0.5 * std::abs(after.value - before.value);
       squares += steepest * steepest;
+      most = std::max(most, steepest);
     }
-    return end ? std::max(kLeast, std::abs(own.value - *end) / std::sqrt(squares)) : kBeyond;
+    const double growth = m_sampler.areLabels() ? most : std::sqrt(squares);
+    return end ? std::max(kLeast, std::abs(own.value - *end) / growth) : kBeyond;
   }
 
   double toBorder(std::size_t here) const {
@@ -275,7 +294,7 @@ Result<SparseVolume> volumeOfImage(const ImageVolume& image, const ValueRange& r
   std::vector<SparseVolume::Content> contents(blocks.size());
   std::atomic<std::size_t> done{0};
   image.visitSamples([&](auto samples) {
-    const Sampler sampler(samples, image.grid(), range);
+    const Sampler sampler(samples, image, range);
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
       if (progress.cancelled()) return;
       contents[i] = SampledBlock(sampler, placement, blocks[i]).content();

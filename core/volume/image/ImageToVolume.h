@@ -11,7 +11,8 @@
 
 namespace handwheel {
 
-// Makes a volume of the samples of an image with values in this range. Values are interpolated linearly. Along each row
+// Makes a volume of the samples of an image with values in this range. Values are interpolated linearly; between the
+// samples of a label map, the surface is half way. Along each row
 // of voxels, the surface is where they pass an end of the range; the depths around the surface are computed from these
 // positions (VolumeFilters.h). Material at the border of the image is closed half a step beyond the outermost samples.
 //

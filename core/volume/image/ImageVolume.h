@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -37,8 +38,15 @@ struct ImageGrid {
 // are not finite, coplanar steps), FileTooLarge.
 Status checkGrid(const ImageGrid& grid);
 
-// Scalar values on a regular grid, such as a CT. Images are not modified after their construction; copies copy the
-// samples.
+// A label of a region: a value of its samples, with a name that may be empty.
+struct ImageLabel {
+  double value = 0.0;
+  std::string name = {};
+
+  bool operator==(const ImageLabel&) const = default;
+};
+
+// Scalar values on a regular grid, such as a CT. Images are not modified after they were read; copies copy the samples.
 class ImageVolume {
  public:
   // Constructs an image. checkGrid() must accept the grid, and there must be one sample for each of its positions.
@@ -46,6 +54,10 @@ class ImageVolume {
   ImageVolume(const ImageGrid& grid, std::vector<float> samples) : m_grid(grid), m_samples(std::move(samples)) {}
 
   const ImageGrid& grid() const { return m_grid; }
+  // Labels in the order of their values; empty: the image is no label map. The values of a label map name regions, so
+  // there is no value between those of two samples.
+  const std::vector<ImageLabel>& labels() const { return m_labels; }
+  void setLabels(std::vector<ImageLabel> labels) { m_labels = std::move(labels); }
   // Calls visit with the samples: a span of int16_t, or of float whose values are all finite.
   template <class Visit>
   auto visitSamples(Visit visit) const {
@@ -61,6 +73,7 @@ class ImageVolume {
 
  private:
   ImageGrid m_grid;
+  std::vector<ImageLabel> m_labels;
   std::variant<std::vector<std::int16_t>, std::vector<float>> m_samples;
 };
 

@@ -8,23 +8,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kNiftiHeader = 348;  // bytes
+// The offsets of the fields in a header, as in nifti1.h or nifti2.h.
+struct NiftiFields {
+  std::size_t size;  // bytes of the header
+  bool isWide;       // true: numbers have 64 bits, and codes 32; or else 32 and 16
+  std::size_t magic, dim, type, spacing, offset, slope, intercept, units, qform, sform, quaternion, origin, rows,
+      intent;
+};
+constexpr NiftiFields kNifti1{348, false, 344, 40, 70, 76, 108, 112, 116, 123, 252, 254, 256, 268, 280, 68};
+constexpr NiftiFields kNifti2{540, true, 4, 16, 12, 104, 168, 176, 184, 500, 344, 348, 352, 376, 400, 504};
+constexpr std::size_t kLargestHeader = kNifti2.size;
 
-// The header, by the offsets of nifti1.h.
+// A header of either version, whose first number is its size.
 class NiftiHeader {
  public:
-  explicit NiftiHeader(std::string_view bytes) : m_bytes(bytes) {
-    if (number<std::int32_t>(0, std::endian::big) == kNiftiHeader) m_order = std::endian::big;
+  const NiftiFields& fields;
+
+  NiftiHeader(std::string_view bytes, const NiftiFields& of) : fields(of), m_bytes(bytes) {
+    if (number<std::int32_t>(0, std::endian::big) == static_cast<std::int32_t>(of.size)) m_order = std::endian::big;
   }
 
   std::endian order() const { return m_order; }
-  int whole(std::size_t at) const { return number<std::int16_t>(at, m_order); }
-  double real(std::size_t at) const { return static_cast<double>(number<float>(at, m_order)); }
-  char byte(std::size_t at) const { return m_bytes[at]; }
+  int code(std::size_t at) const {
+    return fields.isWide && at != fields.type ? number<std::int32_t>(at, m_order) : number<std::int16_t>(at, m_order);
+  }
+  // Returns the size along an axis, from 1; the number of axes for 0. Sizes that no image can have become 0 or the
+  // largest integer.
+  int dim(std::size_t axis) const {
+    if (!fields.isWide) return number<std::int16_t>(fields.dim + 2 * axis, m_order);
+    return static_cast<int>(std::clamp<std::int64_t>(number<std::int64_t>(fields.dim + 8 * axis, m_order), 0,
+                                                     std::numeric_limits<int>::max()));
+  }
+  // Returns the number with this index in a field.
+  double real(std::size_t at, std::size_t index = 0) const {
+    return fields.isWide ? number<double>(at + 8 * index, m_order)
+                         : static_cast<double>(number<float>(at + 4 * index, m_order));
+  }
+  double offset() const {
+    return fields.isWide ? static_cast<double>(number<std::int64_t>(fields.offset, m_order)) : real(fields.offset);
+  }
+  // Returns the units of space and time.
+  int units() const { return fields.isWide ? code(fields.units) : m_bytes[fields.units]; }
 
  private:
   template <class T>
@@ -36,12 +65,22 @@ class NiftiHeader {
   std::endian m_order = std::endian::little;
 };
 
-bool isNiftiHeader(std::string_view bytes) {
-  if (bytes.size() < kNiftiHeader) return false;
-  const bool hasSize = loadNumber<std::int32_t>(bytes.data(), std::endian::little) == kNiftiHeader ||
-                       loadNumber<std::int32_t>(bytes.data(), std::endian::big) == kNiftiHeader;
-  const std::string_view magic = bytes.substr(344, 4);
-  return hasSize && (magic == std::string_view("n+1\0", 4) || magic == std::string_view("ni1\0", 4));
+// Returns the version of a header; null if it is not one.
+const NiftiFields* niftiVersion(std::string_view bytes) {
+  for (const NiftiFields* fields : {&kNifti1, &kNifti2}) {
+    if (bytes.size() < fields->size) continue;
+    const auto size = static_cast<std::int32_t>(fields->size);
+    const bool hasSize = loadNumber<std::int32_t>(bytes.data(), std::endian::little) == size ||
+                         loadNumber<std::int32_t>(bytes.data(), std::endian::big) == size;
+    const std::string_view magic = bytes.substr(fields->magic, 4);
+    constexpr std::string_view kLineEnds("\r\n\032\n", 4);  // damaged by programs that convert texts
+    const bool isWhole = !fields->isWide || bytes.substr(fields->magic + 4, 4) == kLineEnds;
+    const char version = fields->isWide ? '2' : '1';
+    if (hasSize && isWhole && magic.size() == 4 && magic[0] == 'n' && (magic[1] == '+' || magic[1] == 'i') &&
+        magic[2] == version && magic[3] == '\0')
+      return fields;
+  }
+  return nullptr;
 }
 
 std::optional<SampleType> niftiType(int code) {
@@ -72,7 +111,7 @@ std::optional<SampleType> niftiType(int code) {
 }
 
 // mm to a unit of length; codes of xyzt_units.
-double niftiUnit(char units) {
+double niftiUnit(int units) {
   switch (units & 7) {
     case 1:
       return 1000.0;
@@ -85,20 +124,22 @@ double niftiUnit(char units) {
 
 // Method 2 of nifti1.h: a rotation as the last three parts of a quaternion of length 1.
 void setQuaternion(const NiftiHeader& header, const Vec3& spacing, ImageGrid& grid) {
-  const double b = header.real(256), c = header.real(260), d = header.real(264);
+  const std::size_t turn = header.fields.quaternion, origin = header.fields.origin;
+  const double b = header.real(turn), c = header.real(turn, 1), d = header.real(turn, 2);
   const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
-  const double flip = header.real(76) < 0.0 ? -1.0 : 1.0;
+  const double flip = header.real(header.fields.spacing) < 0.0 ? -1.0 : 1.0;
   grid.steps = Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix() *
                Vec3(spacing.x(), spacing.y(), flip * spacing.z()).asDiagonal();
-  grid.origin = Vec3(header.real(268), header.real(272), header.real(276));
+  grid.origin = Vec3(header.real(origin), header.real(origin, 1), header.real(origin, 2));
 }
 
 // Method 3: rows of the map from indices to positions.
 void setRows(const NiftiHeader& header, ImageGrid& grid) {
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    const std::size_t at = 280 + 16 * static_cast<std::size_t>(row);
-    for (Eigen::Index k = 0; k < 3; ++k) grid.steps(row, k) = header.real(at + 4 * static_cast<std::size_t>(k));
-    grid.origin[row] = header.real(at + 12);
+  for (std::size_t row = 0; row < 3; ++row) {
+    const auto to = static_cast<Eigen::Index>(row);
+    for (std::size_t k = 0; k < 3; ++k)
+      grid.steps(to, static_cast<Eigen::Index>(k)) = header.real(header.fields.rows, 4 * row + k);
+    grid.origin[to] = header.real(header.fields.rows, 4 * row + 3);
   }
 }
 
@@ -111,42 +152,43 @@ struct NiftiImage {
 
 Result<NiftiImage> niftiImage(const NiftiHeader& header) {
   NiftiImage image;
-  const int axes = header.whole(40);
+  const NiftiFields& fields = header.fields;
+  const int axes = header.dim(0);
   if (axes < 1 || axes > 7) return imageHeader::malformed("dim", "it is not a number of axes");
   Vec3 spacing = Vec3::Ones();
   for (std::size_t k = 0; k < 3; ++k) {
-    image.grid.size[k] = static_cast<int>(k) < axes ? header.whole(42 + 2 * k) : 1;
-    const double step = std::abs(header.real(80 + 4 * k));
+    image.grid.size[k] = static_cast<int>(k) < axes ? header.dim(k + 1) : 1;
+    const double step = std::abs(header.real(fields.spacing, k + 1));
     if (step > 0.0 && std::isfinite(step))
       spacing[static_cast<Eigen::Index>(k)] = step;
     else if (static_cast<int>(k) < axes && image.remarks.empty())
       image.remarks.push_back({ImageRemark::Kind::NoSpacing, {}});
   }
   double several = 1.0;
-  for (int k = 3; k < axes; ++k) several *= std::max(1, header.whole(42 + 2 * static_cast<std::size_t>(k)));
+  for (int k = 3; k < axes; ++k) several *= std::max(1, header.dim(static_cast<std::size_t>(k) + 1));
   if (several > 1.0) image.remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {several}});
-  if (header.whole(254) > 0) {
+  if (header.code(fields.sform) > 0) {
     setRows(header, image.grid);
-  } else if (header.whole(252) > 0) {
+  } else if (header.code(fields.qform) > 0) {
     setQuaternion(header, spacing, image.grid);
   } else {
     image.grid.steps = spacing.asDiagonal();
   }
   const Vec3 turn(-1, -1, 1);
-  const double unit = niftiUnit(header.byte(123));
+  const double unit = niftiUnit(header.units());
   image.grid.steps = unit * (turn.asDiagonal() * image.grid.steps);
   image.grid.origin = unit * turn.cwiseProduct(image.grid.origin);
-  const auto type = niftiType(header.whole(70));
+  const auto type = niftiType(header.code(fields.type));
   if (!type) return Error{ErrorCode::Unsupported, {"an image of colours or complex numbers"}, {}, {}};
   image.layout.type = *type;
   image.layout.order = header.order();
   // A slope of 0 means that nothing is scaled.
-  if (const double slope = header.real(112); slope != 0.0 && std::isfinite(slope)) {
+  if (const double slope = header.real(fields.slope); slope != 0.0 && std::isfinite(slope)) {
     image.layout.slope = slope;
-    image.layout.intercept = header.real(116);
+    image.layout.intercept = header.real(fields.intercept);
   }
-  const double offset = header.real(108);
-  if (!(offset >= static_cast<double>(kNiftiHeader) && offset <= 1e8))
+  const double offset = header.offset();
+  if (!(offset >= static_cast<double>(fields.size) && offset <= 1e8))
     return imageHeader::malformed("vox_offset", "it is not a position after the header");
   image.offset = static_cast<std::size_t>(offset);
   return image;
@@ -155,20 +197,21 @@ Result<NiftiImage> niftiImage(const NiftiHeader& header) {
 }  // namespace
 
 bool looksLikeNifti(std::string_view bytes) {
-  if (!looksLikeGzip(bytes)) return isNiftiHeader(bytes);
-  const Result<std::string> head = inflated(bytes, kNiftiHeader);
-  return head && isNiftiHeader(*head);
+  if (!looksLikeGzip(bytes)) return niftiVersion(bytes) != nullptr;
+  const Result<std::string> head = inflated(bytes, kLargestHeader);
+  return head && niftiVersion(*head) != nullptr;
 }
 
 Result<ImageFile> readNifti(std::string_view bytes) {
   const bool isPacked = looksLikeGzip(bytes);
-  const Result<std::string> unpackedHead = isPacked ? inflated(bytes, kNiftiHeader) : std::string();
+  const Result<std::string> unpackedHead = isPacked ? inflated(bytes, kLargestHeader) : std::string();
   if (!unpackedHead) return unpackedHead.error();
   const std::string_view head = isPacked ? std::string_view(*unpackedHead) : bytes;
-  if (!isNiftiHeader(head)) return Error{ErrorCode::HeaderMalformed, {"NIfTI-1"}, {}, {}};
-  if (head.substr(344, 3) != "n+1")
+  const NiftiFields* const fields = niftiVersion(head);
+  if (!fields) return Error{ErrorCode::HeaderMalformed, {"NIfTI"}, {}, {}};
+  if (head[fields->magic + 1] != '+')
     return Error{ErrorCode::Unsupported, {"an image in a pair of .hdr and .img"}, {}, {}};
-  Result<NiftiImage> image = niftiImage(NiftiHeader(head));
+  Result<NiftiImage> image = niftiImage(NiftiHeader(head, *fields));
   if (!image) return image.error();
   if (const Status checked = checkGrid(image->grid); !checked) return checked.error();
   const Result<std::string> plain =
@@ -176,6 +219,8 @@ Result<ImageFile> readNifti(std::string_view bytes) {
   if (!plain) return plain.error();
   const std::string_view all = isPacked ? std::string_view(*plain) : bytes;
   Result<ImageFile> read = imageOfBytes(image->grid, image->layout, all.substr(std::min(image->offset, all.size())));
+  constexpr int kLabels = 1002;  // NIFTI_INTENT_LABEL
+  if (read) read->hasLabels = NiftiHeader(head, *fields).code(fields->intent) == kLabels;
   if (read) read->remarks.insert(read->remarks.begin(), image->remarks.begin(), image->remarks.end());
   return read;
 }

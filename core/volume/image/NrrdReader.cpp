@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "volume/image/ImageHeader.h"
+#include "volume/image/ImageLabels.h"
 #include "volume/image/Inflate.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ Error nrrdUnsupported(const char* what) {
 // The fields of a header by their names in lower case, and the offset of the data after it.
 struct NrrdFields {
   std::map<std::string, std::string, std::less<>> values;
+  std::map<std::string, std::string, std::less<>> keys;  // those that programs add ("key:=value")
   std::size_t end = 0;
 
   std::string_view operator[](std::string_view name) const {
@@ -47,7 +49,10 @@ Result<NrrdFields> fieldsOf(std::string_view bytes) {
     if (line.front() == '#') continue;
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos) return Error{ErrorCode::HeaderMalformed, {"a line \"field: value\""}, {}, {}};
-    if (line.substr(colon).starts_with(":=")) continue;  // custom key of another program
+    if (line.substr(colon).starts_with(":=")) {
+      fields.keys[std::string(line.substr(0, colon))] = line.substr(colon + 2);
+      continue;
+    }
     fields.values[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
   }
   fields.end = static_cast<std::size_t>(rest.data() - bytes.data());
@@ -241,6 +246,24 @@ Result<ImageFile> samplesOf(const NrrdFields& fields, const NrrdImage& image, st
   return isText ? imageOfText(image.grid, image.layout, *wanted) : imageOfBytes(image.grid, image.layout, *wanted);
 }
 
+// Reads the labels of a segmentation by 3D Slicer: the keys Segment0_LabelValue, Segment0_Name and Segment0_Layer, and
+// so on. Only those of the first layer belong to the values that are read.
+void takeLabels(const NrrdFields& fields, ImageFile& file) {
+  for (std::size_t i = 0; i < kMostLabels; ++i) {
+    const std::string prefix = "Segment" + std::to_string(i) + "_";
+    const auto key = [&](const char* name) -> std::string_view {
+      const auto found = fields.keys.find(prefix + name);
+      return found == fields.keys.end() ? std::string_view() : std::string_view(found->second);
+    };
+    const std::string_view name = key("Name"), value = key("LabelValue"), layer = key("Layer");
+    if (name.empty() && value.empty()) return;
+    file.hasLabels = true;
+    const auto number = numbersOf(value.empty() ? "1" : value, 1);
+    if (number && (layer.empty() || trimmed(layer) == "0"))
+      file.labels.push_back({number->front(), std::string(trimmed(name))});
+  }
+}
+
 }  // namespace
 
 bool looksLikeNrrd(std::string_view bytes) {
@@ -268,6 +291,7 @@ Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling) {
     read = samplesOf(*fields, *image, *data);
   }
   if (read) read->content = (*fields)["content"];
+  if (read) takeLabels(*fields, *read);
   if (read && image->images > 1)
     read->remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {static_cast<double>(image->images)}});
   if (read && !image->hasSpacing) read->remarks.push_back({ImageRemark::Kind::NoSpacing, {}});

@@ -50,6 +50,7 @@ Result<SparseVolume> volumeOfSegment(const ImageVolume& image, const Segment& se
                                      Progress progress) {
   if (segment.isByRangeAlone()) return volumeOfImage(image, segment.range(), voxel, progress);
   const ImageGrid& grid = image.grid();
+  const bool areLabels = !image.labels().empty();
   const OtherSide other(segment.range(), valuesOf(image));
   std::vector<float> samples(grid.count());
   readSegment(image, segment, [&](const auto& reader) {
@@ -61,13 +62,16 @@ Result<SparseVolume> volumeOfSegment(const ImageVolume& image, const Segment& se
           const double value = image.value(i);
           const bool isIn = reader.at(x, y, z),
                      isInRange = value >= other.range().least && value <= other.range().largest;
-          samples[i] = isIn == isInRange ? static_cast<float>(value)
-                       : isIn            ? other.inside(value)
-                                         : other.outside(value);
+          samples[i] = areLabels           ? (isIn ? 1.0f : 0.0f)
+                       : isIn == isInRange ? static_cast<float>(value)
+                       : isIn              ? other.inside(value)
+                                           : other.outside(value);
         }
     });
   });
-  return volumeOfImage(ImageVolume(grid, std::move(samples)), other.range(), voxel, progress.part(0.1, 1.0));
+  ImageVolume sided(grid, std::move(samples));
+  if (areLabels) sided.setLabels({{1.0}});
+  return volumeOfImage(sided, areLabels ? ValueRange{1.0, 1.0} : other.range(), voxel, progress.part(0.1, 1.0));
 }
 
 Result<SparseVolume> volumeOfSmoothed(const ImageVolume& image, const Segment& segment, std::optional<double> voxel,

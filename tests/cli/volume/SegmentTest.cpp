@@ -106,6 +106,44 @@ class SegmentTest : public QObject {
     QCOMPARE(inspected["document"]["voxel"].get<double>(), 0.5);
   }
 
+  // A segmentation of 3D Slicer: its labels keep their names and volumes, and the surface is that of one label. A ball
+  // of 251 samples of the label 2 is beside others.
+  void labels() {
+    const Fixture fixture;
+    QByteArray samples(30 * 25 * 20, '\0');
+    int counts[4] = {};
+    for (int i = 0; i < samples.size(); ++i) {
+      const int x = i % 30, y = i / 30 % 25, z = i / 750;
+      const int ball = (x - 10) * (x - 10) + (y - 12) * (y - 12) + (z - 10) * (z - 10);
+      const bool isBox = x >= 5 && x < 25 && y >= 5 && y < 20 && z >= 5 && z < 15;
+      samples[i] = static_cast<char>(ball <= 15 ? 2 : !isBox ? 0 : x < 15 ? 1 : 3);
+      ++counts[static_cast<int>(samples[i])];
+    }
+    QCOMPARE(counts[2], 251);
+    fixture.put("bones.seg.nrrd",
+                "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 30 25 20\n"
+                "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n"
+                "Segment0_LabelValue:=1\nSegment0_Name:=femur\nSegment1_LabelValue:=2\nSegment1_Name:=head\n\n" +
+                    samples);
+    const Ran ran = fixture.run({"segment", "bones.seg.nrrd", "-o", "a.stl", "--range", "2:2", "--json"});
+    QCOMPARE(ran.code, 0);
+    const auto figures = figuresIn(ran.out);
+    QCOMPARE(figures["volume_mm3"].get<double>(), 251.0);
+    QCOMPARE(figures["labels"].size(), std::size_t{3});
+    for (int k = 0; k < 3; ++k) {
+      const auto& label = figures["labels"][static_cast<std::size_t>(k)];
+      QCOMPARE(label["value"].get<int>(), k + 1);
+      QCOMPARE(label["volume_mm3"].get<double>(), counts[k + 1]);
+      QCOMPARE(label["chosen"].get<bool>(), k == 1);
+      QCOMPARE(label["name"].get<std::string>(), std::string(k == 0 ? "femur" : k == 1 ? "head" : ""));
+    }
+    const auto mesh = figuresIn(fixture.run({"inspect", "a.stl", "--json"}).out);
+    QVERIFY(mesh["closed"].get<bool>());
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / 251.0 - 1.0) < 0.05);
+    const Ran all = fixture.run({"segment", "bones.seg.nrrd", "-o", "a.handwheel"});
+    QVERIFY(all.out.contains("values from 1,") && all.out.contains("* label 1 femur: "));
+  }
+
   // Through every file that holds a volume, and back to a mesh: the ball stays.
   void files_data() {
     QTest::addColumn<QString>("name");

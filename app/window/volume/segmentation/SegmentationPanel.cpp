@@ -7,12 +7,14 @@
 #include "process/SystemMemory.h"
 #include "tools/ToolProperty.h"
 #include "volume/VolumeMemory.h"
+#include "volume/image/ImageLabels.h"
 #include "volume/image/ImageToVolume.h"
 #include "volume/segment/SegmentToVolume.h"
 #include "window/volume/segmentation/HistogramView.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -127,18 +129,27 @@ QWidget* SegmentationPanel::makeRange() {
   connect(m_upper, &NumberField::valueEdited, this, [this](double value, bool stillDragging) {
     take({std::min(value, m_lower->value()), value}, stillDragging);
   });
-  auto* const otsu = button(tr("&Otsu"), "segmentOtsu",
-                            tr("From Otsu's threshold upwards, which best separates the values into two classes"));
+  m_otsu = button(tr("&Otsu"), "segmentOtsu",
+                  tr("From Otsu's threshold upwards, which best separates the values into two classes"));
   auto* const bone = button(tr("&Bone"), "segmentBone", tr("300 Hounsfield units and above"));
   auto* const skin = button(tr("&Skin"), "segmentSkin", tr("-200 Hounsfield units and above: everything except air"));
-  connect(otsu, &QPushButton::clicked, this, [this] {
+  connect(m_otsu, &QPushButton::clicked, this, [this] {
     if (m_scan) take({otsuThreshold(m_scan->histogram), kNoEnd}, false);
   });
   connect(bone, &QPushButton::clicked, this, [this] { take({300.0, kNoEnd}, false); });
   connect(skin, &QPushButton::clicked, this, [this] { take({-200.0, kNoEnd}, false); });
   m_presets = {bone, skin};
-  return groupOf(tr("Values"),
-                 {m_histogram, rowOf({m_lower, new QLabel(tr("to")), m_upper}), rowOf({otsu, bone, skin}), m_painted});
+  m_labels = new QComboBox;
+  m_labels->setObjectName(QStringLiteral("segmentLabels"));
+  m_labels->setAccessibleName(tr("Label"));
+  m_labels->setToolTip(tr("The region of the image that is taken"));
+  connect(m_labels, &QComboBox::activated, this, [this](int index) {
+    if (!m_scan || index < 0) return;
+    const double label = m_labels->itemData(index).toDouble();
+    take(index == 0 ? rangeOfLabels(m_scan->image) : ValueRange{label, label}, false);
+  });
+  return groupOf(tr("Values"), {m_histogram, rowOf({m_lower, new QLabel(tr("to")), m_upper}), m_labels,
+                                rowOf({m_otsu, bone, skin}), m_painted});
 }
 
 QWidget* SegmentationPanel::makeParts() {
@@ -233,6 +244,7 @@ void SegmentationPanel::setScan(const std::shared_ptr<const Scan>& scan) {
   m_histogram->setHistogram(scan->histogram);
   const bool isCt = looksLikeHounsfield(scan->histogram.values);
   for (QPushButton* preset : m_presets) preset->setVisible(isCt);
+  fillLabels();
   const double step = scan->image.isWhole() ? 1.0 : 0.0;
   for (NumberField* each : {m_lower, m_upper}) {
     each->setRange(scan->histogram.values.least, scan->histogram.values.largest);
@@ -337,6 +349,34 @@ void SegmentationPanel::showRange(const ValueRange& range) {
   m_histogram->setRange(range);
   m_lower->setValue(std::clamp(range.least, all.least, all.largest));
   m_upper->setValue(std::clamp(range.largest, all.least, all.largest));
+  showLabel();
+}
+
+void SegmentationPanel::fillLabels() {
+  const std::vector<ImageLabel>& labels = m_scan->image.labels();
+  m_labels->clear();
+  m_labels->addItem(tr("All labels"));
+  for (const ImageLabel& label : labels)
+    m_labels->addItem(label.name.empty()
+                          ? number(label.value, 9)
+                          : number(label.value, 9) + QLatin1String(": ") + QString::fromStdString(label.name),
+                      label.value);
+  m_labels->setVisible(!labels.empty());
+  m_otsu->setVisible(labels.empty());
+}
+
+// Shows the label that is the only one in the range.
+void SegmentationPanel::showLabel() {
+  const double least = m_lower->value(), largest = m_upper->value();
+  const std::vector<ImageLabel>& labels = m_scan->image.labels();
+  if (labels.empty()) return;
+  const auto isIn = [&](const ImageLabel& label) { return label.value >= least && label.value <= largest; };
+  const auto first = std::find_if(labels.begin(), labels.end(), isIn);
+  const auto count = std::count_if(labels.begin(), labels.end(), isIn);
+  const auto all = static_cast<std::ptrdiff_t>(labels.size());
+  m_labels->setCurrentIndex(count == 1 && all > 1 ? static_cast<int>(first - labels.begin()) + 1
+                            : count == all        ? 0
+                                                  : -1);
 }
 
 // The slider is logarithmic, from one sample to the largest part.

@@ -10,6 +10,7 @@
 
 class QButtonGroup;
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -76,6 +77,8 @@ class SegmentationPanel : public QWidget {
   QWidget* makeSurface();
   void take(const ValueRange& range, bool stillDragging);
   void showRange(const ValueRange& range);
+  void fillLabels();
+  void showLabel();
   std::size_t debrisLimit() const;  // largest part that counts as debris, in samples of the scan
   void showDebris();
   void showMemory();
@@ -87,6 +90,8 @@ class SegmentationPanel : public QWidget {
   NumberField* m_lower;
   NumberField* m_upper;
   QList<QPushButton*> m_presets;  // shown only for CTs
+  QPushButton* m_otsu;            // hidden for label maps
+  QComboBox* m_labels;            // shown only for label maps
   QLabel* m_painted;
   QLabel* m_parts;
   QSpinBox* m_keep;

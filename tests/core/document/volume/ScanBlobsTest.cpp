@@ -8,6 +8,7 @@
 #include "document/volume/VolumeDocument.h"
 #include "document/volume/VolumeKind.h"
 #include "volume/VolumeShapes.h"
+#include "volume/image/ImageLabels.h"
 #include "volume/segment/SegmentBrush.h"
 
 #include <rapidcheck.h>
@@ -110,6 +111,25 @@ class ScanBlobsTest : public QObject {
       RC_ASSERT(read->segment->isByRangeAlone() == segment.isByRangeAlone());
       RC_ASSERT(flagsOf(read->image, *read->segment) == flagsOf(image, segment));
     }));
+  }
+
+  // A label map stays one, with the names of its labels; malformed labels are not taken.
+  void labels() {
+    const ImageGrid grid{{3, 2, 2}, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+    ImageVolume image(grid, std::vector<std::int16_t>{0, 1, 1, 2, 2, 0, 0, 7, 7, 0, 0, 1});
+    markLabels(image, {{1.0, "Schädel"}, {7.0, "tooth"}});
+    Container container;
+    writeScan(image, Segment({7.0, 7.0}), container);
+    std::vector<Error> damage;
+    const auto read = readScan(container, damage, {});
+    QVERIFY(read && damage.empty());
+    QCOMPARE(read->image.labels(), (std::vector<ImageLabel>{{1.0, "Schädel"}, {2.0, ""}, {7.0, "tooth"}}));
+    for (const char* patch : {R"({"labels": 7})", R"({"labels": [[1], ["a", 2], 5]})", R"({"labels": null})"}) {
+      Container other = container;
+      (*other.manifest)["document"]["scan"].merge_patch(json::parse(patch));
+      const auto without = readScan(other, damage, {});
+      QVERIFY(without && damage.empty() && without->image.labels().empty());
+    }
   }
 
   // A document that was painted on, saved and opened again shows the same segment; undo and volume go on as before.

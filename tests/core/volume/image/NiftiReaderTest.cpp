@@ -4,6 +4,7 @@
 
 #include "ImageBytes.h"
 #include "TestClass.h"
+#include "volume/image/Inflate.h"
 
 #include <QtTest>
 #include <cmath>
@@ -136,6 +137,29 @@ class NiftiReaderTest : public QObject {
     QVERIFY(file.hasValue());
     QCOMPARE(valuesIn(file->image), (std::vector<double>{0, 1}));
     QVERIFY(hasRemark(*file, ImageRemark::Kind::FirstOfSeveral));
+  }
+
+  // Files that nibabel has written: of NIfTI-2, in either order of bytes, by sform and by qform. The map is x' = 5 - 2
+  // y, y' = x / 2 - 7, z' = 3 + 4 z, whose first two axes are opposite to those of images.
+  void secondVersion() {
+    for (const char* text :
+         {"H4sIAAAAAAACA5NhYmDI0zZi4OWS4mJhEGBgZoAAJigN4zMSSeMHH+wh9AMozeAAoQQcUOUxaQUmbOYMbsCEReyMdX3avAXPoO4X"
+          "gfpb5gCE5nBAU34AlQtT/wCH/2UOYBeHhS/C/FfMxPqCkeHff2YGHUaJPwAQQJ0pLAIAAA==",
+          "H4sIAAAAAAACA2NgYJLJ0zZi4OWS4mJgYRBggABmKM2ExmckksYA9h+g9AMI7QAVdxBAk8dBQ52jgMof1ABrWNg/WzAvrd76jIMI"
+          "hH9ABhoOHKjqDqDpg6mHhR86gJmDDmDhi24+MEpfEeuP//8YmBl1/kgAAF2A2G4sAgAA"}) {
+      const std::string bytes = QByteArray::fromBase64(text).toStdString();
+      for (const std::string& each : {bytes, *inflated(bytes, 1000)}) {
+        QVERIFY(looksLikeNifti(each));
+        const Result<ImageFile> file = readNifti(each);
+        QVERIFY(file.hasValue());
+        QCOMPARE(valuesIn(file->image), kNiftiValues);
+        QVERIFY(file->hasLabels);
+        const ImageGrid& grid = file->image.grid();
+        QVERIFY((grid.position({0, 0, 0}) - Vec3(-5, 7, 3)).norm() < 1e-6);
+        QVERIFY((grid.position({1, 2, 1}) - Vec3(-1, 6.5, 7)).norm() < 1e-6);
+        readDamaged(each, [](const std::string& other) { return readNifti(other); });
+      }
+    }
   }
 
   void refusals() {
