@@ -24,28 +24,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDicomHead = 133;  // bytes by which a file is known
-
 bool isDicomFile(const fs::path& path) {
   const Result<std::string> head = readFileHead(path, kDicomHead);
   return head && looksLikeDicom(*head);
 }
 
-// Returns the files of a folder that begin as DICOM, sorted by name, this one first, with a limit of their total size.
-Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Progress progress) {
-  constexpr std::size_t kMostFiles = 20'000, kMostBytes = std::size_t{4} << 30;
-  const std::size_t most = std::min(kMostBytes, systemMemory() / 4);
-  std::vector<fs::path> paths;
+// Returns true for the directory of a medium, which contains no image (PS3.10, 8.6).
+bool isDirectoryFile(const fs::path& path) {
+  return imageHeader::lowered(path.filename().string()) == "dicomdir";
+}
+
+// Adds the files of a folder, and those of its folders if isDeep is true. Links to folders are not followed.
+Status addFiles(const fs::path& folder, bool isDeep, std::vector<fs::path>& paths) {
+  constexpr std::size_t kMostFiles = 20'000;
+  constexpr int kDeepest = 16;
   std::error_code failed;
-  for (fs::directory_iterator each(folder, failed), end; !failed && each != end; each.increment(failed)) {
-    if (each->path() != first) paths.push_back(each->path());
+  fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, failed);
+  for (const fs::recursive_directory_iterator end; !failed && each != end; each.increment(failed)) {
+    std::error_code ignored;
+    if (each->is_directory(ignored)) {
+      if (!isDeep || each.depth() >= kDeepest) each.disable_recursion_pending();
+      continue;
+    }
+    if (!isDirectoryFile(each->path())) paths.push_back(each->path());
     if (paths.size() > kMostFiles)
       return Error{
           ErrorCode::FileTooLarge, {"files in the folder", "", std::to_string(kMostFiles)}, {}, folder.string()};
   }
   if (failed) return Error{ErrorCode::FileUnreadable, {failed.message()}, {}, folder.string()};
+  return Done{};
+}
+
+// Returns the files of a folder that begin as DICOM, sorted by name, with a limit of their total size. With a first
+// file, they are that one and those beside it; otherwise those in the folder at any depth.
+Result<std::string> dicomFiles(const fs::path& folder, const fs::path& first, Progress progress) {
+  constexpr std::size_t kMostBytes = std::size_t{4} << 30;
+  const std::size_t most = std::min(kMostBytes, systemMemory() / 4);
+  std::vector<fs::path> paths;
+  if (const Status added = addFiles(folder, first.empty(), paths); !added) return added.error();
   std::sort(paths.begin(), paths.end());
-  if (!first.empty()) paths.insert(paths.begin(), first);
+  if (!first.empty()) {
+    std::erase(paths, first);
+    paths.insert(paths.begin(), first);
+  }
   const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   std::vector<fs::path> dicoms;
   std::size_t size = 0;  // total size in the input of the reader
@@ -167,6 +188,8 @@ bool looksLikeImage(std::string_view head) {
 
 Result<ImageFile> readImageFile(const fs::path& path, Progress progress) {
   std::error_code ignored;
+  if (isDirectoryFile(path) && !fs::is_directory(path, ignored))
+    return readImageFile(fs::absolute(path, ignored).parent_path(), progress);
   const bool isFolder = fs::is_directory(path, ignored);
   Result<std::string> head = isFolder ? std::string() : readFileHead(path);
   if (!head) return head.error();

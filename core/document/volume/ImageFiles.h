@@ -12,8 +12,8 @@
 namespace handwheel {
 
 // Reads a three-dimensional image from a file or a DICOM series. A file is in NRRD, MetaImage or NIfTI, or is a
-// description of plain samples. For DICOM, reads the largest series of a folder, or the series of a file including its
-// other files in the same folder. Data in separate files are read only from the folder of the header and its
+// description of plain samples. For DICOM, reads the largest series of a folder and the folders in it, or the series of
+// a file including its other files in the same folder. Data in separate files are read only from the folder of the header and its
 // subfolders. An image whose values are labels becomes a label map (ImageLabels.h): if its file or its name says so, or
 // if looksLikeLabels(). Errors: FileMissing, FileUnreadable, FileTooLarge, DocumentError::FormatUnknown,
 // VolumeErrors::FolderWithoutSeries; the errors of the readers; OutOfMemory, Cancelled.

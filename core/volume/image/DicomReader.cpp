@@ -22,6 +22,39 @@ IsolatedReader dicomReader(std::size_t bytes) {
   return reader;
 }
 
+// Returns true if a file without a preamble begins with a data set (PS3.5, 7.1): with three elements in ascending
+// order, the first one of a group that is always the first.
+bool beginsWithElements(std::string_view bytes, std::endian order) {
+  constexpr std::string_view kShort = "AE AS AT CS DA DS DT FL FD IS LO LT PN SH SL SS ST TM UI UL US ",
+                             kLong = "OB OW OF SQ UN UT OD OL OV UC UR SV UV ";
+  constexpr std::size_t kWanted = 3, kLongest = 4096;
+  std::uint32_t last = 0;
+  for (std::size_t at = 0, found = 0; found < kWanted; ++found) {
+    if (at + 12 > bytes.size()) return false;
+    const auto group = loadNumber<std::uint16_t>(bytes.data() + at, order),
+               element = loadNumber<std::uint16_t>(bytes.data() + at + 2, order);
+    const std::uint32_t tag = std::uint32_t{group} << 16 | element;
+    if (found == 0 ? group != 2 && group != 8 : tag <= last || group > 0x10) return false;
+    last = tag;
+    const std::string word = std::string(bytes.substr(at + 4, 2)) + ' ';
+    std::size_t length = 0;
+    if (kShort.find(word) != std::string_view::npos) {
+      length = loadNumber<std::uint16_t>(bytes.data() + at + 6, order);
+      at += 8;
+    } else if (kLong.find(word) != std::string_view::npos) {
+      length = loadNumber<std::uint32_t>(bytes.data() + at + 8, order);
+      at += 12;
+    } else {  // implicit types
+      if (order != std::endian::little) return false;
+      length = loadNumber<std::uint32_t>(bytes.data() + at + 4, order);
+      at += 8;
+    }
+    if (length > kLongest || length % 2 != 0) return false;
+    at += length;
+  }
+  return true;
+}
+
 }  // namespace
 
 void appendDicomFile(std::string_view file, std::string& files) {
@@ -30,7 +63,8 @@ void appendDicomFile(std::string_view file, std::string& files) {
 }
 
 bool looksLikeDicom(std::string_view bytes) {
-  return bytes.size() > 132 && bytes.substr(128, 4) == "DICM";
+  if (bytes.size() > 132 && bytes.substr(128, 4) == "DICM") return true;
+  return beginsWithElements(bytes, std::endian::little) || beginsWithElements(bytes, std::endian::big);
 }
 
 Result<ImageFile> readDicom(std::string_view files, DicomChoice choice, Progress progress) {

@@ -27,7 +27,9 @@ Result<ImageFile> readDicom(std::string_view files, DicomChoice choice, Progress
 // malformed.
 Result<ImageFile> imageInAnswer(std::string_view answer);
 
-// Returns true if a file that begins with these bytes is in DICOM.
+// Number of bytes at the beginning of a file that suffice for looksLikeDicom().
+inline constexpr std::size_t kDicomHead = 16 << 10;
+// Returns true if a file that begins with these bytes is in DICOM, with a preamble or without.
 bool looksLikeDicom(std::string_view bytes);
 
 }  // namespace handwheel

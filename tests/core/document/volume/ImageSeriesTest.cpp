@@ -72,6 +72,36 @@ class ImageSeriesTest : public QObject {
     }
   }
 
+  // On a medium the files of a series are deep in folders, beside a directory. Files may have no preamble, and no
+  // header.
+  void mediaAndPlainFiles() {
+    const fs::path medium = m_root / "empty" / "medium";
+    const fs::path series = medium / "IMAGES" / "PAT0" / "ST0" / "SE0";
+    fs::create_directories(series);
+    fs::create_directories(medium / "IMAGES" / "PAT0" / "ST0" / "SE1");
+    std::ofstream(medium / "DICOMDIR") << std::string(128, '\0') << "DICMwithout an image";
+    putSeries(medium / "IMAGES" / "PAT0" / "ST0" / "SE1", "other", "1.2.3.9", 2);
+    for (int i = 0; i < 5; ++i) {
+      test::MadeSlice slice;
+      slice.series = "1.2.3.7";
+      slice.origin.z() = 2.0 * i;
+      if (i % 2 == 1) slice.syntax = gdcm::TransferSyntax::ImplicitVRLittleEndian;
+      std::string bytes = test::dicomOf(slice);
+      if (i < 2) bytes.erase(0, 132);
+      // The data set alone: the header is the group of number 2, whose length is its first element.
+      if (i >= 2 && i < 4) bytes.erase(0, 132 + 12 + static_cast<unsigned char>(bytes[140]));
+      std::ofstream(series / std::to_string(i), std::ios::binary) << bytes;
+    }
+    for (const fs::path& path : {medium, medium / "DICOMDIR", series / "0", series / "3"}) {
+      const Result<ImageFile> read = readImageFile(path, {});
+      QVERIFY(read.hasValue());
+      QCOMPARE(read->image.grid().size, (std::array<int, 3>{8, 6, 5}));
+      QCOMPARE(read->remarks.size(), std::size_t{path.parent_path() == series ? 0u : 1u});  // the other series
+      for (int z = 0; z < 5; ++z) QCOMPARE(read->image.value(static_cast<std::size_t>(48 * z)), std::round(2.0 * z));
+    }
+    fs::remove_all(medium);
+  }
+
   // Names of files are often the patient's: they are not kept.
   void namesAreNotKept() {
     QCOMPARE(sourceName(m_root), std::string("DICOM"));

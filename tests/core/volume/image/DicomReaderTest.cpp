@@ -237,6 +237,16 @@ class DicomReaderTest : public QObject {
     QVERIFY(!without({{number, {"1", "2", "3"}}}));
   }
 
+  // Other files are not taken for data sets without a preamble.
+  void otherBeginnings() {
+    const std::string good = dicomOf(MadeSlice()), plain = good.substr(132);
+    QVERIFY(looksLikeDicom(good) && looksLikeDicom(plain));
+    for (std::size_t n = 0; n < 38; ++n) QVERIFY(!looksLikeDicom(plain.substr(0, n)));
+    QVERIFY(!looksLikeDicom(std::string(1000, '\0')) && !looksLikeDicom("solid ball\nfacet normal 0 0 1\n"));
+    QVERIFY(!looksLikeDicom(std::string("\x08\0\x05\0", 4) + std::string(1000, '\x08')));
+    QVERIFY(!looksLikeDicom(std::string("\x02\0\0\0UL\x04\0", 8) + std::string(1000, '\0')));
+  }
+
   // Any file results in an image or an error, whatever it does to the library.
   void damaged() {
     MadeSlice slice;
