@@ -3393,6 +3393,14 @@
         <source>it is in /POS twice</source>
         <translation>er steht zweimal in /POS</translation>
     </message>
+    <message>
+        <source>its slices have neither positions nor a stated distance</source>
+        <translation>seine Schichten haben weder Positionen noch einen angegebenen Abstand</translation>
+    </message>
+    <message>
+        <source>it has too many slices</source>
+        <translation>es hat zu viele Schichten</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -5545,10 +5553,6 @@
         <translation>Die Schichten sind um %1° gegen ihre Stapelrichtung geneigt; das wurde korrigiert.</translation>
     </message>
     <message>
-        <source>The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.</source>
-        <translation>Der Abstand der Schichten schwankt zwischen %1 und %2 mm; Schichten in gleichmäßigem Abstand wurden interpoliert.</translation>
-    </message>
-    <message>
         <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
         <translation>Schichten fehlen (%1); sie wurden aus ihren Nachbarn interpoliert.</translation>
     </message>
@@ -5759,6 +5763,22 @@
     <message>
         <source>Links that touch each other at rest are not checked against each other: %1. Forbid those that must not touch in the list of pairs.</source>
         <translation>Glieder, die einander in Ruhe berühren, werden nicht gegeneinander geprüft: %1. Verbieten Sie in der Liste der Paare, was sich nicht berühren darf.</translation>
+    </message>
+    <message>
+        <source>The body was copied and not linked, as the path of a DICOM file often contains the patient&apos;s name.</source>
+        <translation>Der Körper wurde kopiert und nicht verknüpft, da der Pfad einer DICOM-Datei oft den Namen des Patienten enthält.</translation>
+    </message>
+    <message>
+        <source>The spacing of the slices varies from %1 to %2 mm; slices every %3 mm were interpolated.</source>
+        <translation>Der Abstand der Schichten schwankt zwischen %1 und %2 mm; es wurden Schichten im Abstand von %3 mm interpoliert.</translation>
+    </message>
+    <message>
+        <source>The positions of the slices are not stated: a spacing of %1 mm is assumed. The order of the slices, and so left and right, may be reversed.</source>
+        <translation>Die Positionen der Schichten sind nicht angegeben: Ein Abstand von %1 mm wird angenommen. Die Reihenfolge der Schichten, und damit links und rechts, kann umgekehrt sein.</translation>
+    </message>
+    <message>
+        <source>The image is a map of labels (%1): all of them are taken as material. Choose others in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
+        <translation>Das Bild ist eine Karte von Labels (%1): Alle gelten als Material. Andere lassen sich im Feld Segmentierung oder mit 'handwheel segment' wählen.</translation>
     </message>
 </context>
 <context>
@@ -17679,6 +17699,26 @@
     <message>
         <source>Larger voxels need less.</source>
         <translation>Größere Voxel brauchen weniger.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>The region of the image that is taken</source>
+        <translation>Der Bereich des Bildes, der genommen wird</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s left at the le&amp;ft</source>
+        <translation>Linke Seite des Patienten &amp;links</translation>
+    </message>
+    <message>
+        <source>Shows slices as seen from the head and from the back; otherwise the patient&apos;s right is at the left, as radiologists have it</source>
+        <translation>Zeigt die Schichten von Kopf und Rücken her gesehen; sonst liegt die rechte Seite des Patienten links, wie in der Radiologie üblich</translation>
+    </message>
+    <message>
+        <source>All labels</source>
+        <translation>Alle Labels</translation>
     </message>
 </context>
 <context>

@@ -3393,6 +3393,14 @@
         <source>it is in /POS twice</source>
         <translation>在 /POS 中出现两次</translation>
     </message>
+    <message>
+        <source>its slices have neither positions nor a stated distance</source>
+        <translation>其切片既没有位置，也没有给出间距</translation>
+    </message>
+    <message>
+        <source>it has too many slices</source>
+        <translation>其切片过多</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -5545,10 +5553,6 @@
         <translation>切片相对其堆叠方向倾斜 %1°；已校正。</translation>
     </message>
     <message>
-        <source>The spacing of the slices varies from %1 to %2 mm; evenly spaced slices were interpolated.</source>
-        <translation>切片间距在 %1 至 %2 mm 之间变化；已插值为等间距切片。</translation>
-    </message>
-    <message>
         <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
         <translation>缺少切片（%1）；已由相邻切片插值得出。</translation>
     </message>
@@ -5759,6 +5763,22 @@
     <message>
         <source>Links that touch each other at rest are not checked against each other: %1. Forbid those that must not touch in the list of pairs.</source>
         <translation>静止时相互接触的连杆不互相检查：%1。请在配对列表中禁止不得接触的连杆。</translation>
+    </message>
+    <message>
+        <source>The body was copied and not linked, as the path of a DICOM file often contains the patient&apos;s name.</source>
+        <translation>由于 DICOM 文件的路径常包含患者姓名，该实体已被复制而未建立链接。</translation>
+    </message>
+    <message>
+        <source>The spacing of the slices varies from %1 to %2 mm; slices every %3 mm were interpolated.</source>
+        <translation>切片间距在 %1 至 %2 mm 之间变化；已插值为间距 %3 mm 的切片。</translation>
+    </message>
+    <message>
+        <source>The positions of the slices are not stated: a spacing of %1 mm is assumed. The order of the slices, and so left and right, may be reversed.</source>
+        <translation>文件未给出切片的位置：假定间距为 %1 mm。切片的顺序可能相反，因此左右也可能颠倒。</translation>
+    </message>
+    <message>
+        <source>The image is a map of labels (%1): all of them are taken as material. Choose others in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
+        <translation>该图像是标签图（%1 个标签）：所有标签均视为材料。可在“分割”面板中或用 'handwheel segment' 选择其他标签。</translation>
     </message>
 </context>
 <context>
@@ -17561,6 +17581,26 @@
     <message>
         <source>Larger voxels need less.</source>
         <translation>体素越大，所需内存越少。</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>The region of the image that is taken</source>
+        <translation>所取的图像区域</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s left at the le&amp;ft</source>
+        <translation>患者左侧在左边(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shows slices as seen from the head and from the back; otherwise the patient&apos;s right is at the left, as radiologists have it</source>
+        <translation>按从头部和背部看的方式显示切片；否则患者右侧在左边，与放射科惯例一致</translation>
+    </message>
+    <message>
+        <source>All labels</source>
+        <translation>所有标签</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "document/Document.h"
 
 #include "document/DisplayUnitEdit.h"
+#include "document/DocumentKind.h"
 #include "document/UndoCommand.h"
 
 #include <QCoreApplication>
@@ -52,10 +53,15 @@ QString Document::name() const {
   return m_file.copyOf.empty() ? tr("Untitled") : QFileInfo(pathOf(m_file.copyOf)).completeBaseName();
 }
 
+QString Document::sharedName() const {
+  return m_file.hasPrivateName ? QCoreApplication::translate("DocumentKind", m_kind.title().c_str()) : name();
+}
+
 void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileTimestamp>& stamp) {
   m_file.stamp = stamp;
   m_file.path = QFile::encodeName(path).toStdString();
   m_file.title.clear();
+  m_file.hasPrivateName = false;  // the user has chosen the name
   m_file.isContainer = isContainer;
   m_file.isNewer = false;
   m_file.isPartial = false;

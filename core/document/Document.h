@@ -34,6 +34,8 @@ class Document : public QObject {
   // Returns the title of the document, or else the name of its file, or else the name of the file that it is a copy of,
   // without the extension, or else "Untitled".
   QString name() const;
+  // Returns the name for whatever is written or proposed: that of the kind if the name of the file is private.
+  QString sharedName() const;
   std::uint64_t revision() const { return m_revision; }  // grows with every change, undo and redo included
 
   QUndoStack* history() { return &m_history; }

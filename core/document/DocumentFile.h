@@ -25,6 +25,9 @@ struct DocumentFile {
   std::string id;          // UUID; made when a document is imported, and stored in containers
   std::string path;        // absolute, as bytes; empty for a document without a file
   std::string title = {};  // name of the document until it is saved, UTF-8; empty: the name of its file, if any
+  // True: the name may be that of a patient, as folders and files of DICOM are called. The window shows it, but nothing
+  // that is written or proposed contains it.
+  bool hasPrivateName = false;
   // Path of the file from whose surface the document was made; its folder is suggested for saving.
   std::string copyOf = {};
   std::optional<FileTimestamp> stamp = {};  // stamp of the file when it was last read or written; nothing: unknown

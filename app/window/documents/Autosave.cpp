@@ -131,6 +131,7 @@ void Autosave::save(DocumentTab* document, SnapshotPointer content) {
   info.name = document->document.name().toStdString();
   info.kind = document->document.kind().id();
   info.stamp = document->document.file().stamp;
+  info.hasPrivateName = document->document.file().hasPrivateName;
   info.isPartial = document->document.file().wouldLoseDataOnOverwrite();
   document->autosaved = revision;
   const auto failed = [this, document, key, name = document->document.name()](const Error& error) {

@@ -68,15 +68,17 @@ void CopyActions::start(const DocumentKind& kind, DocumentTab* from, const MakeO
   const std::string& known = from->document.file().title;
   const bool isTitled = from->document.path().isEmpty() || !known.empty();
   const std::string title = isTitled ? known : QFileInfo(name).completeBaseName().toStdString();
-  job.work = [this, failed, make, &kind, title, name = name.toStdString(), &own = from->document.kind(),
+  job.work = [this, failed, make, &kind, title, source = from->document.sharedName().toStdString(),
+              isPrivate = from->document.file().hasPrivateName, &own = from->document.kind(),
               content = from->document.snapshot(), file = from->document.file().path,
               unit = from->document.displayUnit()](Progress progress) -> Job::Finish {
     OpenedFile opened;
-    Result<SnapshotPointer> made = make(placedSoup(own.display(*content)), name, opened.file.notes, progress);
+    Result<SnapshotPointer> made = make(placedSoup(own.display(*content)), source, opened.file.notes, progress);
     if (!made) return [failed, error = made.error()] { failed(error); };
     opened.kind = &kind;
     opened.file.id = newDocumentId();
     opened.file.title = title;
+    opened.file.hasPrivateName = isPrivate;
     opened.file.displayUnit = unit;
     opened.file.copyOf = file;
     opened.content = std::move(*made);

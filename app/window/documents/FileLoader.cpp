@@ -93,6 +93,7 @@ void FileLoader::recover(const std::filesystem::path& file, const AutosaveInfo& 
     // Containers do not keep it: saved, they are called by a file.
     const QFileInfo from(path);
     if (path.isEmpty() || from.isDir() || info.name != from.fileName().toStdString()) opened->file.title = info.name;
+    opened->file.hasPrivateName = info.hasPrivateName;
     return [this, file, info, path, then, joined = *joined, opened = std::move(opened.value())] {
       DocumentTab* recovered = open(opened);
       recovered->document.markRecovered(path, info.stamp, info.isPartial);

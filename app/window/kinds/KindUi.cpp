@@ -62,11 +62,12 @@ QString KindUi::suggestedName(const DocumentTab& document) const {
   const QString ending = containerEnding();
   const DocumentFile& of = document.document.file();
   // A title may have signs that are none of a file's.
-  if (of.path.empty() && of.copyOf.empty()) return fileNameOf({document.document.name()}, ending.mid(1));
+  if (of.path.empty() && of.copyOf.empty()) return fileNameOf({document.document.sharedName()}, ending.mid(1));
   if (of.path.empty())
-    return QFileInfo(QFile::decodeName(of.copyOf.c_str())).dir().filePath(document.document.name() + ending);
+    return QFileInfo(QFile::decodeName(of.copyOf.c_str())).dir().filePath(document.document.sharedName() + ending);
   const QFileInfo file(document.document.path());
-  if (!of.title.empty()) return file.path() + QLatin1Char('/') + fileNameOf({document.document.name()}, ending.mid(1));
+  if (!of.title.empty() || of.hasPrivateName)
+    return file.path() + QLatin1Char('/') + fileNameOf({document.document.sharedName()}, ending.mid(1));
   const QString name = file.fileName().chopped(endingOf(document.document.kind(), document.document.path()).size());
   return file.path() + QLatin1Char('/') + name + ending;
 }

@@ -61,9 +61,10 @@ void RemeshAction::ask() {
                                 ? document.file().title
                                 : QFileInfo(document.path()).completeBaseName().toStdString();
   connect(m_dialog, &QDialog::finished, this,
-          [this, title, unit = document.displayUnit(), owner = static_cast<const void*>(&document)](int result) {
+          [this, title, isPrivate = document.file().hasPrivateName, unit = document.displayUnit(),
+           owner = static_cast<const void*>(&document)](int result) {
             m_predicting.cancelAll();
-            if (result == QDialog::Accepted) make(title, unit, owner);
+            if (result == QDialog::Accepted) make(title, isPrivate, unit, owner);
             m_volume.reset();
           });
   predict();
@@ -127,7 +128,7 @@ void RemeshAction::predict() {
   m_predicting.start(std::move(job));
 }
 
-void RemeshAction::make(const std::string& title, LengthUnit unit, const void* owner) {
+void RemeshAction::make(const std::string& title, bool isPrivate, LengthUnit unit, const void* owner) {
   Job job;
   job.name = tr("Making the mesh");
   job.owner = owner;
@@ -135,7 +136,7 @@ void RemeshAction::make(const std::string& title, LengthUnit unit, const void* o
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error, tr("The mesh was not made"), errorSentence(error), errorAdvice(error)});
   };
-  job.work = [this, failed, title, unit, values = wanted(), volume = m_volume,
+  job.work = [this, failed, title, isPrivate, unit, values = wanted(), volume = m_volume,
               kind = m_parts.kinds.withId("mesh")](Progress progress) -> Job::Finish {
     const Result<Remeshed> made = remesh(volume->volume, values, progress.part(0.0, 0.8));
     if (!made) return [failed, error = made.error()] { failed(error); };
@@ -145,6 +146,7 @@ void RemeshAction::make(const std::string& title, LengthUnit unit, const void* o
     OpenedFile opened{kind, {}, *content};
     opened.file.id = newDocumentId();
     opened.file.title = title;
+    opened.file.hasPrivateName = isPrivate;
     opened.file.displayUnit = unit;
     const QString said = tr("Mesh made of %1 triangle(s): %2 of them left")
                              .arg(QLocale().toString(static_cast<qulonglong>(made->before)),

@@ -12,7 +12,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr const char *kStamp = "stamp", *kFileBytes = "bytes", *kModified = "modified_ns", *kPartial = "partial";
+constexpr const char *kStamp = "stamp", *kFileBytes = "bytes", *kModified = "modified_ns", *kPartial = "partial",
+                     *kPrivate = "private_name";
 
 std::optional<FileTimestamp> stampIn(const nlohmann::json& info) {
   const auto found = info.find(kStamp);
@@ -61,6 +62,7 @@ std::string infoText(const AutosaveInfo& info) {
   nlohmann::json text = {{"id", info.documentId}, {"path", path}, {"name", info.name}, {"kind", info.kind}};
   if (info.stamp) text[kStamp] = {{kFileBytes, info.stamp->bytes}, {kModified, info.stamp->modifiedNs}};
   if (info.isPartial) text[kPartial] = true;
+  if (info.hasPrivateName) text[kPrivate] = true;
   return text.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -77,6 +79,7 @@ AutosaveInfo parseInfo(std::string_view text) {
   take("kind", info.kind);
   info.path = QByteArray::fromPercentEncoding(QByteArray::fromStdString(info.path)).toStdString();
   info.stamp = stampIn(*parsed);
+  info.hasPrivateName = parsed->value(kPrivate, nlohmann::json()) == true;
   info.isPartial = parsed->value(kPartial, nlohmann::json()) == true;
   return info;
 }

@@ -24,7 +24,8 @@ struct AutosaveInfo {
   std::string kind;
   // Stamp of the document's file when the document was last read from it or written to it.
   std::optional<FileTimestamp> stamp = {};
-  bool isPartial = false;  // value of DocumentFile::wouldLoseDataOnOverwrite()
+  bool isPartial = false;       // value of DocumentFile::wouldLoseDataOnOverwrite()
+  bool hasPrivateName = false;  // value of DocumentFile::hasPrivateName
   bool operator==(const AutosaveInfo&) const = default;
 };
 

@@ -36,11 +36,14 @@ Result<ImportedBody> readBody(const DocumentKinds& kinds, const std::filesystem:
   read.body.geometry = opened->kind->bodyGeometry(*opened->content, read.file.notes);
   if (!read.body.geometry) return Error{MeshError::NoTriangles, {}, {}, path.string()};
   read.file.notes.push_back(sizeNote(*read.body.geometry));
-  std::error_code ignored;
-  const bool isFolder =
-      std::filesystem::is_directory(path, ignored);  // A folder of images, possibly named after the patient
   const std::string name = path.stem().string();
-  read.body.name = isBodyName(name) && !isFolder ? name : "body";
+  const bool isPrivate = read.file.hasPrivateName;
+  read.body.name = isBodyName(name) && !isPrivate ? name : "body";
+  if (isPrivate && read.body.link) {
+    read.body.link.reset();
+    read.file.notes.push_back({QT_TRANSLATE_NOOP(
+        "Note", "The body was copied and not linked, as the path of a DICOM file often contains the patient's name.")});
+  }
   return read;
 }
 

@@ -215,10 +215,13 @@ std::vector<Note> notesOn(std::span<const ImageRemark> remarks) {
   return notes;
 }
 
-std::string sourceName(const fs::path& path) {
+bool isOfPatient(const fs::path& path) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return "DICOM";
-  return isDicomFile(path) ? "DICOM" : path.filename().string();
+  return fs::is_directory(path, ignored) || isDicomFile(path);
+}
+
+std::string sourceName(const fs::path& path) {
+  return isOfPatient(path) ? "DICOM" : path.filename().string();
 }
 
 std::string seriesTitle(const fs::path& path) {

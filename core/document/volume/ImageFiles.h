@@ -13,10 +13,10 @@ namespace handwheel {
 
 // Reads a three-dimensional image from a file or a DICOM series. A file is in NRRD, MetaImage or NIfTI, or is a
 // description of plain samples. For DICOM, reads the largest series of a folder and the folders in it, or the series of
-// a file including its other files in the same folder. Data in separate files are read only from the folder of the header and its
-// subfolders. An image whose values are labels becomes a label map (ImageLabels.h): if its file or its name says so, or
-// if looksLikeLabels(). Errors: FileMissing, FileUnreadable, FileTooLarge, DocumentError::FormatUnknown,
-// VolumeErrors::FolderWithoutSeries; the errors of the readers; OutOfMemory, Cancelled.
+// a file including its other files in the same folder. Data in separate files are read only from the folder of the
+// header and its subfolders. An image whose values are labels becomes a label map (ImageLabels.h): if its file or its
+// name says so, or if looksLikeLabels(). Errors: FileMissing, FileUnreadable, FileTooLarge,
+// DocumentError::FormatUnknown, VolumeErrors::FolderWithoutSeries; the errors of the readers; OutOfMemory, Cancelled.
 Result<ImageFile> readImageFile(const std::filesystem::path& path, Progress progress);
 
 // Returns true if a file that begins with these bytes is an image.
@@ -25,8 +25,9 @@ bool looksLikeImage(std::string_view head);
 // Converts the remarks of an image to notes for the user.
 std::vector<Note> notesOn(std::span<const ImageRemark> remarks);
 
-// Returns the name of an image for storage and display. It is the name of the file, except for DICOM, where file names
-// often contain the patient's name.
+// Returns true for a folder of images, and for a file in DICOM: their names are often those of patients.
+bool isOfPatient(const std::filesystem::path& path);
+// Returns the name of an image for storage and display. It is the name of the file, or "DICOM" if isOfPatient().
 std::string sourceName(const std::filesystem::path& path);
 
 // Returns the title of a document made from a DICOM series: the name of its folder. The title of a single file is

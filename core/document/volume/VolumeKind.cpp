@@ -99,6 +99,7 @@ Result<OpenedFile> VolumeKind::import(const std::filesystem::path& path, const R
   if (!volume) return volume.error();
   opened.content = std::move(*volume);
   opened.file.title = seriesTitle(path);
+  opened.file.hasPrivateName = isOfPatient(path);
   return opened;
 }
 

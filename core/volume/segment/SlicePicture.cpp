@@ -36,7 +36,7 @@ struct Colour {
 
 }  // namespace
 
-SliceView sliceView(const ImageGrid& grid, SlicePlane plane) {
+SliceView sliceView(const ImageGrid& grid, SlicePlane plane, bool isMirrored) {
   const std::array<int, 3> axes = nearestAxes(grid);
   // Axes of the patient, and their directions on the screen: +x is the left, +y the back, +z the head.
   const int right = plane == SlicePlane::Sagittal ? 1 : 0, down = plane == SlicePlane::Axial ? 1 : 2;
@@ -45,10 +45,11 @@ SliceView sliceView(const ImageGrid& grid, SlicePlane plane) {
   view.right = axes[static_cast<std::size_t>(right)];
   view.down = axes[static_cast<std::size_t>(down)];
   view.through = axes[static_cast<std::size_t>(3 - right - down)];
-  view.isRightReversed = grid.steps(right, view.right) < 0.0;
+  const bool isTurned = isMirrored && right == 0;
+  view.isRightReversed = (grid.steps(right, view.right) < 0.0) != isTurned;
   view.isDownReversed = (grid.steps(down, view.down) < 0.0) == isDownAlong;
-  view.atLeft = right == 0 ? 'R' : 'A';
-  view.atRight = right == 0 ? 'L' : 'P';
+  view.atLeft = right != 0 ? 'A' : isTurned ? 'L' : 'R';
+  view.atRight = right != 0 ? 'P' : isTurned ? 'R' : 'L';
   view.atTop = isDownAlong ? 'A' : 'H';
   view.atBottom = isDownAlong ? 'P' : 'F';
   view.width = grid.size[static_cast<std::size_t>(view.right)];

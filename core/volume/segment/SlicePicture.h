@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The anatomical planes in which images of patients are viewed. A slice is shown as if the patient were seen from the
-// feet (axial), from the front (coronal) and from the left (sagittal).
+// The anatomical planes in which images of patients are viewed. A slice is shown as radiologists have it: as if the
+// patient were seen from the feet (axial), from the front (coronal) and from the left (sagittal).
 enum class SlicePlane { Axial, Coronal, Sagittal };
 inline constexpr std::array<SlicePlane, 3> kSlicePlanes{SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal};
 
@@ -28,7 +28,8 @@ struct SliceView {
   // Returns the position in the picture of an index in the image; the inverse of indexAt().
   std::array<double, 2> pictureAt(const Vec3& index) const;
 };
-SliceView sliceView(const ImageGrid& grid, SlicePlane plane);
+// isMirrored: true for the patient's left at the left, as if seen from the head (axial) and from the back (coronal).
+SliceView sliceView(const ImageGrid& grid, SlicePlane plane, bool isMirrored = false);
 
 // The range of values shown from black to white.
 struct GreyWindow {

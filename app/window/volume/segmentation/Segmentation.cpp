@@ -101,6 +101,8 @@ void Segmentation::makeDocks() {
 }
 
 void Segmentation::connectSlices() {
+  m_slices->setMirrored(m_panel->isLeftAtLeft());
+  connect(m_panel, &SegmentationPanel::sidesChanged, m_slices, &SlicesPanel::setMirrored);
   connect(m_slices, &SlicesPanel::crosshairMoved, m_panel, &SegmentationPanel::setPosition);
   for (SliceCanvas* canvas : m_slices->canvases()) {
     connect(canvas, &SliceCanvas::greysEdited, this, &Segmentation::setGreys);

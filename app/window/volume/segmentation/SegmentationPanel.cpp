@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
@@ -34,6 +35,7 @@ namespace {
 
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr int kDebrisSteps = 100;
+constexpr const char* kLeftAtLeft = "slices/leftAtLeft";
 constexpr double kLeastRadius = 0.001;  // mm
 
 NumberField* field(const QString& label, const char* name, Quantity quantity = Quantity::Number) {
@@ -219,7 +221,18 @@ QWidget* SegmentationPanel::makeGreys() {
   const auto send = [this] { emit greysEdited({m_level->value(), m_width->value()}); };
   connect(m_level, &NumberField::valueEdited, this, send);
   connect(m_width, &NumberField::valueEdited, this, send);
-  return groupOf(tr("Greys"), {rowOf({new QLabel(tr("Level")), m_level, new QLabel(tr("Width")), m_width})});
+  m_isLeftAtLeft = new QCheckBox(tr("Patient's left at the le&ft"));
+  m_isLeftAtLeft->setObjectName(QStringLiteral("segmentLeftAtLeft"));
+  m_isLeftAtLeft->setToolTip(
+      tr("Shows slices as seen from the head and from the back; otherwise the patient's right is at the left, as "
+         "radiologists have it"));
+  m_isLeftAtLeft->setChecked(QSettings().value(kLeftAtLeft, false).toBool());
+  connect(m_isLeftAtLeft, &QCheckBox::toggled, this, [this](bool isLeftAtLeft) {
+    QSettings().setValue(kLeftAtLeft, isLeftAtLeft);
+    emit sidesChanged(isLeftAtLeft);
+  });
+  return groupOf(tr("Greys"),
+                 {rowOf({new QLabel(tr("Level")), m_level, new QLabel(tr("Width")), m_width}), m_isLeftAtLeft});
 }
 
 QWidget* SegmentationPanel::makeSurface() {
@@ -313,6 +326,10 @@ void SegmentationPanel::setPosition(const Vec3& index) {
   const auto mm = [](double value) { return QLocale().toString(value, 'f', 1); };
   m_position->setText(tr("Value %1 at x %2, y %3, z %4 mm")
                           .arg(number(image.value(sample), 6), mm(position.x()), mm(position.y()), mm(position.z())));
+}
+
+bool SegmentationPanel::isLeftAtLeft() const {
+  return m_isLeftAtLeft->isChecked();
 }
 
 SegmentationPanel::Brush SegmentationPanel::brush() const {

@@ -56,6 +56,8 @@ class SegmentationPanel : public QWidget {
   void setGreys(const GreyWindow& greys);
   // Shows the value and the position at the crosshair.
   void setPosition(const Vec3& index);
+  // Returns true if slices have the patient's left at the left.
+  bool isLeftAtLeft() const;
   Brush brush() const;
   void stepRadius(double factor);
   Surface surface() const;
@@ -68,6 +70,7 @@ class SegmentationPanel : public QWidget {
   void brushChanged();
   void greysEdited(const handwheel::GreyWindow& greys);
   void surfaceRequested();
+  void sidesChanged(bool isLeftAtLeft);
 
  private:
   QWidget* makeRange();
@@ -103,6 +106,7 @@ class SegmentationPanel : public QWidget {
   QCheckBox* m_isBall;
   NumberField* m_level;
   NumberField* m_width;
+  QCheckBox* m_isLeftAtLeft;
   QLabel* m_position;
   NumberField* m_voxel;
   QCheckBox* m_isSmoothed;

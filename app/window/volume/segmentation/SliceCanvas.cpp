@@ -26,11 +26,19 @@ SliceCanvas::SliceCanvas(SlicePlane plane, QWidget* parent) : QWidget(parent), m
 
 void SliceCanvas::setScan(std::shared_ptr<const Scan> scan) {
   m_scan = std::move(scan);
-  if (m_scan) m_view = sliceView(m_scan->image.grid(), m_plane);
+  if (m_scan) m_view = sliceView(m_scan->image.grid(), m_plane, m_isMirrored);
   m_segment = Segment();
   m_picture = QImage();
   m_zoom = 1.0;
   m_pan = {};
+  m_drag = Drag::None;
+  update();
+}
+
+void SliceCanvas::setMirrored(bool isMirrored) {
+  m_isMirrored = isMirrored;
+  if (m_scan) m_view = sliceView(m_scan->image.grid(), m_plane, m_isMirrored);
+  m_picture = QImage();
   m_drag = Drag::None;
   update();
 }

@@ -27,6 +27,8 @@ class SliceCanvas : public QWidget {
   explicit SliceCanvas(SlicePlane plane, QWidget* parent = nullptr);
 
   void setScan(std::shared_ptr<const Scan> scan);  // null: none
+  // Shows the patient's left at the left.
+  void setMirrored(bool isMirrored);
   void setSegment(const Segment& segment);
   void setGreys(const GreyWindow& greys);
   void setCrosshair(const Vec3& index);
@@ -76,6 +78,7 @@ class SliceCanvas : public QWidget {
   void drawBrush(QPainter& painter) const;
   void drawLetters(QPainter& painter) const;
 
+  bool m_isMirrored = false;
   SlicePlane m_plane;
   std::shared_ptr<const Scan> m_scan;
   SliceView m_view{};

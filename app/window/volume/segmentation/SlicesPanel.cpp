@@ -81,6 +81,10 @@ void SlicesPanel::setGreys(const GreyWindow& greys) {
   for (SliceCanvas* canvas : m_canvases) canvas->setGreys(greys);
 }
 
+void SlicesPanel::setMirrored(bool isMirrored) {
+  for (SliceCanvas* canvas : m_canvases) canvas->setMirrored(isMirrored);
+}
+
 void SlicesPanel::setAction(SliceAction action, double radius) {
   for (SliceCanvas* canvas : m_canvases) canvas->setAction(action, radius);
 }

@@ -24,6 +24,8 @@ class SlicesPanel : public QWidget {
   void setScan(const std::shared_ptr<const Scan>& scan);  // moves the crosshair to the centre
   void setSegment(const Segment& segment);
   void setGreys(const GreyWindow& greys);
+  // Shows the patient's left at the left.
+  void setMirrored(bool isMirrored);
   void setAction(SliceAction action, double radius);
   void setCrosshair(const Vec3& index);
   const Vec3& crosshair() const { return m_crosshair; }

@@ -117,11 +117,22 @@ class ImageSeriesTest : public QObject {
   // A series opens as a document, whose title is the name of the folder.
   void opened() {
     for (const fs::path& path : {m_root, m_root / ""}) {
-      const Result<OpenedFile> folder = kindsOfVolumes().open(path, {});
+      const DocumentKinds kinds = kindsOfVolumes();
+      const Result<OpenedFile> folder = kinds.open(path, {});
       QVERIFY(folder.hasValue());
       const auto& volume = static_cast<const VolumeSnapshot&>(*folder->content);
       QCOMPARE(volume.scan->image.grid().size[2], 5);
       QCOMPARE(folder->file.title, m_root.filename().string());
+      QVERIFY(folder->file.hasPrivateName);
+      // The title is shown, and nothing else has it: not what is saved, not what is proposed.
+      const std::unique_ptr<Document> document = folder->kind->make(*folder);
+      QCOMPARE(document->name().toStdString(), m_root.filename().string());
+      QCOMPARE(document->sharedName(), QStringLiteral("Volume"));
+      Container container;
+      folder->kind->save(*document->snapshot(), container);
+      QVERIFY(container.manifest->dump().find(m_root.filename().string()) == std::string::npos);
+      document->markSaved(QString::fromStdString((m_root / "mine.handwheel").string()), true);
+      QCOMPARE(document->sharedName(), QStringLiteral("mine.handwheel"));
     }
     const Result<OpenedFile> empty = kindsOfVolumes().open(m_root / "empty", {});
     QVERIFY(!empty && empty.error().code == VolumeErrors::FolderWithoutSeries);

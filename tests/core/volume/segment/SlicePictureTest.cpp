@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/segment/SlicePicture.h"
 
+#include "../image/MadeImages.h"
+#include "LPhantom.h"
 #include "MadeSegments.h"
 #include "TestClass.h"
 
@@ -76,6 +78,37 @@ class SlicePictureTest : public QObject {
       // Slices follow one another along the third direction.
       const Vec3 through = (grid.position(view.indexAt(0, 0, 1)) - grid.position(view.indexAt(0, 0, 0))).normalized();
       QVERIFY(std::abs(through[plane == SlicePlane::Axial ? 2 : plane == SlicePlane::Coronal ? 1 : 0]) > 0.9);
+    }
+  }
+
+  // A phantom whose bars lie to the left, back and head is seen where radiologists expect it: the long bar to the right
+  // of the picture, the next one downwards in axial slices, the short one upwards in the others. Turned, it is
+  // mirrored.
+  void phantom() {
+    for (const Eigen::Matrix3d& turn : turnsOfCube()) {
+      ImageGrid grid{{50, 50, 50}, Vec3::Zero(), turn};
+      grid.origin = Vec3(7, 5, 3) - turn * Vec3(24.5, 24.5, 24.5);
+      const ImageVolume image = imageOf<std::int16_t>(grid, lPhantom);
+      for (const bool isMirrored : {false, true})
+        for (const SlicePlane plane : kSlicePlanes) {
+          const SliceView view = sliceView(grid, plane, isMirrored);
+          const Vec3 corner = grid.steps.inverse() * (Vec3(4, 4, 4) - grid.origin);
+          const int slice = static_cast<int>(std::lround(corner[view.through]));
+          const SlicePicture picture =
+              pictureOf(image, Segment({500.0, 1e9}), view, slice, {500.0, 1000.0}, 0xffff0000);
+          const auto [x, y] = view.pictureAt(corner);
+          const auto isIn = [&](double mmRight, double mmDown) {
+            const auto column = std::lround(x + mmRight), row = std::lround(y + mmDown);
+            return picture.pixels[static_cast<std::size_t>(row * picture.width + column)] == 0xffff0000;
+          };
+          const double left = isMirrored ? -1.0 : 1.0;  // the direction to the patient's left on the screen
+          // From the middle of the corner, bars go 26 mm to the left, 18 to the back and 10 to the head.
+          const bool isSagittal = plane == SlicePlane::Sagittal, isAxial = plane == SlicePlane::Axial;
+          const double across = isSagittal ? 18.0 : 26.0, along = isAxial ? 18.0 : 10.0;
+          const double toRight = isSagittal ? 1.0 : left, toDown = isAxial ? 1.0 : -1.0;
+          QVERIFY(isIn(toRight * (across - 2.0), 0) && !isIn(toRight * (across + 2.0), 0) && !isIn(-6.0 * toRight, 0));
+          QVERIFY(isIn(0, toDown * (along - 2.0)) && !isIn(0, toDown * (along + 2.0)) && !isIn(0, -6.0 * toDown));
+        }
     }
   }
 
