@@ -3401,6 +3401,10 @@
         <source>it has too many slices</source>
         <translation>es hat zu viele Schichten</translation>
     </message>
+    <message>
+        <source>its frame or tool is not the selected one</source>
+        <translation>sein Koordinatensystem oder Werkzeug ist nicht das gewählte</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -5778,7 +5782,7 @@
     </message>
     <message>
         <source>The image is a map of labels (%1): all of them are taken as material. Choose others in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
-        <translation>Das Bild ist eine Karte von Labels (%1): Alle gelten als Material. Andere lassen sich im Feld Segmentierung oder mit 'handwheel segment' wählen.</translation>
+        <translation>Das Bild ist eine Karte von Labels (%1): Alle gelten als Material. Andere lassen sich im Feld Segmentierung oder mit &apos;handwheel segment&apos; wählen.</translation>
     </message>
 </context>
 <context>
@@ -6121,12 +6125,12 @@
         <translation>Der Werkzeugmittelpunkt des Programms liegt bei %1, der der Zelle bei %2. Der Arm erreicht dieselben Stellen, doch Strecken und Überschleifen sind die des Werkzeugs der Zelle: den Werkzeugmittelpunkt der Zelle auf den des Programms setzen und es erneut öffnen.</translation>
     </message>
     <message>
-        <source>The path does not have all that these lines say: %1 (handlers of errors and interrupts, functions, options of motions such as ACC and PTH). A program that is written from it does not have this either.</source>
-        <translation>Die Bahn hat nicht alles, was diese Zeilen sagen: %1 (Behandlung von Fehlern und Unterbrechungen, Funktionen, Zusätze von Bewegungen wie ACC und PTH). Ein Programm, das aus ihr geschrieben wird, hat dies auch nicht.</translation>
-    </message>
-    <message>
         <source>External axes stand at “%1” in the whole program. The cell does not move them: robot and parts must stand there as they do then. Programs in the same language are written with these axes.</source>
         <translation>Zusatzachsen stehen im ganzen Programm bei „%1“. Die Zelle bewegt sie nicht: Roboter und Teile müssen dort so stehen wie dann. Programme in derselben Sprache werden mit diesen Achsen geschrieben.</translation>
+    </message>
+    <message>
+        <source>The path does not have all that these lines say: %1 (handlers of errors and interrupts, functions, options of motions such as ACC and PTH, speeds that are no numbers). A program that is written from it does not have this either.</source>
+        <translation>Die Bahn hat nicht alles, was diese Zeilen sagen: %1 (Behandlung von Fehlern und Unterbrechungen, Funktionen, Zusätze von Bewegungen wie ACC und PTH, Geschwindigkeiten, die keine Zahlen sind). Ein Programm, das aus ihr geschrieben wird, hat dies auch nicht.</translation>
     </message>
 </context>
 <context>

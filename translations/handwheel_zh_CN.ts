@@ -3401,6 +3401,10 @@
         <source>it has too many slices</source>
         <translation>其切片过多</translation>
     </message>
+    <message>
+        <source>its frame or tool is not the selected one</source>
+        <translation>其坐标系或工具不是所选的</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -5778,7 +5782,7 @@
     </message>
     <message>
         <source>The image is a map of labels (%1): all of them are taken as material. Choose others in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
-        <translation>该图像是标签图（%1 个标签）：所有标签均视为材料。可在“分割”面板中或用 'handwheel segment' 选择其他标签。</translation>
+        <translation>该图像是标签图（%1 个标签）：所有标签均视为材料。可在“分割”面板中或用 &apos;handwheel segment&apos; 选择其他标签。</translation>
     </message>
 </context>
 <context>
@@ -6116,12 +6120,12 @@
         <translation>程序的工具中心点在 %1，单元的在 %2。手臂到达相同位置，但直线和圆滑过渡按单元的工具计算：请将单元的工具中心点设为程序的，再重新打开。</translation>
     </message>
     <message>
-        <source>The path does not have all that these lines say: %1 (handlers of errors and interrupts, functions, options of motions such as ACC and PTH). A program that is written from it does not have this either.</source>
-        <translation>路径不包含这些行的全部内容：%1（错误和中断的处理程序、函数、ACC 和 PTH 等运动选项）。由该路径写出的程序也不包含这些内容。</translation>
-    </message>
-    <message>
         <source>External axes stand at “%1” in the whole program. The cell does not move them: robot and parts must stand there as they do then. Programs in the same language are written with these axes.</source>
         <translation>外部轴在整个程序中停在“%1”。单元不会移动它们：机器人和零件必须按那时的位置放置。同一语言的程序会连同这些轴一起写出。</translation>
+    </message>
+    <message>
+        <source>The path does not have all that these lines say: %1 (handlers of errors and interrupts, functions, options of motions such as ACC and PTH, speeds that are no numbers). A program that is written from it does not have this either.</source>
+        <translation>路径不包含这些行的全部内容：%1（错误和中断的处理程序、函数、ACC 和 PTH 等运动选项、不是数的速度）。由该路径写出的程序也不包含这些内容。</translation>
     </message>
 </context>
 <context>

@@ -420,6 +420,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the arc is longer than half a circle: divide it into two"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is neither numbers nor a variable that was given numbers before"),
     QT_TRANSLATE_NOOP("ErrorWord", "its shape is not missing"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its frame or tool is not the selected one"),
     QT_TRANSLATE_NOOP("ErrorWord", "a list of lines was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "line"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is in /POS twice"),

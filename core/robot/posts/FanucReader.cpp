@@ -118,6 +118,12 @@ class FanucReading {
       const std::size_t number = m_numbers[i];
       ParsedMotion& motion = m_kept.motions()[i];
       const FanucPosition& position = m_positions[number];
+      constexpr std::array kNames{"UF", "UT"};
+      for (std::size_t k = 0; k < kNames.size(); ++k) {
+        const auto given = position.find(kNames[k]);
+        if (m_selections[i][k] && given != position.end() && given->second != *m_selections[i][k])
+          return LineReader({}, motion.line).malformed("target", "its frame or tool is not the selected one");
+      }
       if (m_twice.contains(number)) return LineReader({}, motion.line).malformed("target", "it is in /POS twice");
       if (!takeExternal(number, position, motion.line))
         return LineReader({}, motion.line).malformed("target", ExternalAxes::kMoved);
@@ -265,8 +271,13 @@ class FanucReading {
     }
     m_named.reset();
     if (LineReader(line).take("UTOOL_NUM")) m_isInOwnHead = false;
-    // Each position has the numbers of its frame and tool.
-    if (LineReader(line).take("UFRAME_NUM") || LineReader(line).take("UTOOL_NUM")) return Done{};
+    // Each position has the numbers of its frame and tool, which must be the selected ones.
+    for (auto& [name, selected] : m_selected) {
+      LineReader chosen = line;
+      if (!chosen.take(name)) continue;
+      selected = chosen.take("=") ? chosen.number() : std::nullopt;
+      return Done{};
+    }
     // A time-out jumps elsewhere: "WAIT DI[1]=ON TIMEOUT,LBL[2]".
     if (LineReader(line).take("WAIT") && lowerCase(std::string(line.rest())).find("timeout") != std::string::npos)
       return unread(line.rest(), statement.line);
@@ -289,7 +300,9 @@ class FanucReading {
     motion.name = readName(positionRemark(position));
     motion.speed = fanucSpeedFrom(line, isJoint, motion.seconds);
     if (const Status options = readOptions(line, statement.line, motion); !options) return options.error();
+    if (!motion.speed && !(motion.seconds > 0.0)) m_kept.leaveOut(statement.line);
     m_numbers.push_back(number);
+    m_selections.push_back({m_selected[0].second, m_selected[1].second});
     m_kept.add(std::move(motion));
     return Done{};
   }
@@ -376,6 +389,10 @@ class FanucReading {
   std::map<std::size_t, FanucConfiguration> m_configurations;  // by numbers of positions
   std::optional<ClosedFormIk> m_closed;
   std::vector<std::size_t> m_numbers;  // numbers of the positions of the motions
+  // The selected frame and tool at this time and of each motion; none: unknown. A controller stops where a position has
+  // others.
+  std::array<std::pair<const char*, std::optional<double>>, 2> m_selected{{{"UFRAME_NUM", {}}, {"UTOOL_NUM", {}}}};
+  std::vector<std::array<std::optional<double>, 2>> m_selections;
   KeptLines m_kept;
   ExternalAxes m_external;
   std::set<std::string, std::less<>> m_turning;  // names of components that are angles

@@ -21,9 +21,10 @@ namespace {
 
 // The speeds and zones that a program has set so far.
 struct KrlSettings {
-  std::array<std::optional<double>, 6> axes = {};  // shares of the largest
-  std::optional<double> lineSpeed = {};            // mm/s
-  std::optional<double> blend = {};                // mm; none: it is that of the controller
+  std::array<std::optional<double>, 6> axes = {};   // shares of the largest
+  std::optional<double> lineSpeed = {};             // mm/s
+  bool isShareSet = false, isLineSpeedSet = false;  // also to something that is no number
+  std::optional<double> blend = {};                 // mm; none: it is that of the controller
 
   // Returns the share of the slowest axis: all axes of a motion end together.
   std::optional<double> share() const {
@@ -43,14 +44,17 @@ struct KrlSettings {
       line.name();
       if (!line.take("]") || !line.take("=")) return true;
       const std::optional<double> share = positive(line, 0.01);
+      isShareSet = true;
       for (std::size_t i = 0; i < axes.size(); ++i) {
         if (!axis || *axis == static_cast<double>(i + 1)) axes[i] = share;
       }
     } else if (line.take("$VEL.CP")) {
       line.take("=");
       lineSpeed = positive(line, kMillimetresOfMetre);
+      isLineSpeedSet = true;
     } else if (LineReader whole = line; whole.takeWord("$VEL") && whole.take("=")) {  // $VEL={CP 0.1,…}
       lineSpeed = std::nullopt;
+      isLineSpeedSet = true;
       return false;
     } else if (line.take("$APO.CDIS")) {
       blend = line.take("=") ? numberAlone(line.rest()) : std::nullopt;
@@ -65,6 +69,8 @@ struct KrlSettings {
       line.take(",");
       if (isShare) axes.fill(positive(line, 0.01));
       if (isSpeed) lineSpeed = positive(line, kMillimetresOfMetre);
+      isShareSet = isShareSet || isShare;
+      isLineSpeedSet = isLineSpeedSet || isSpeed;
     } else {
       return false;
     }
@@ -328,6 +334,7 @@ class KrlReading {
     if (m_kept.isFull()) return line.malformed("PTP", "there are too many motions");
     ParsedMotion motion{isPtp ? ProgramMotion::Kind::Joint : ProgramMotion::Kind::Linear, {}, {}, 0.0, number};
     motion.speed = isPtp ? m_settings.share() : m_settings.lineSpeed;
+    if (!motion.speed && (isPtp ? m_settings.isShareSet : m_settings.isLineSpeedSet)) m_kept.leaveOut(number);
     motion.frame = m_base;
     motion.frameName = m_baseName;
     if (m_isToolSet) motion.tool = m_tool;

@@ -321,6 +321,7 @@ class RapidReading : public RapidTables {
     if (!options.rest().empty() && !options.rest().starts_with('\\')) return unread(options.rest(), number);
     if (arguments.size() > 1) {
       if (const Status set = setSpeed(arguments[1], number, motion); !set) return set;
+      if (!motion.speed && !motion.toolSpeed && !(motion.seconds > 0.0)) m_kept.leaveOut(number);
     }
     if (arguments.size() > 2) {
       const Result<double> blend = blendFrom(arguments[2], number);

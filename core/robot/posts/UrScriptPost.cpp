@@ -195,6 +195,7 @@ Result<ParsedMotion> urTarget(LineReader& line, std::size_t number, ProgramMotio
   if (!seconds || !(*seconds >= 0.0 && *seconds <= ProgramMotion::kLongest)) return unread(time, number);
   motion.seconds = *seconds;
   if (motion.seconds > 0.0 || !(motion.speed.value_or(0.0) > 0.0)) motion.speed = std::nullopt;
+  if (!motion.speed && !(motion.seconds > 0.0) && arguments.text("v", 2)) motion.leftOut = {number};
   return motion;
 }
 
@@ -367,6 +368,8 @@ class UrScriptReading {
     if (motion->pose)
       motion->pose = poseInProgram(m_program, motion->frame.value_or(Pose(Pose::Identity())), *motion->pose, m_tool);
     if (m_isToolSet) motion->tool = m_tool;
+    for (const std::size_t left : motion->leftOut) m_kept.leaveOut(left);
+    motion->leftOut.clear();
     motion->isInControllersBase = motion->pose.has_value();
     m_kept.add(std::move(motion).value());
     return Done{};

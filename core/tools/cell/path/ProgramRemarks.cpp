@@ -57,7 +57,8 @@ QStringList programRemarks(const ProgramPath& read, const Pose& tool) {
     remarks += programRemark(QT_TRANSLATE_NOOP(
                                  "ProgramRemarks",
                                  "The path does not have all that these lines say: %1 (handlers of errors and "
-                                 "interrupts, functions, options of motions such as ACC and PTH). A program that is "
+                                 "interrupts, functions, options of motions such as ACC and PTH, speeds that are no "
+                                 "numbers). A program that is "
                                  "written from it does not have this either."))
                    .arg(listed(read.leftOut));
   }

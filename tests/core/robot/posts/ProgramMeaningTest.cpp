@@ -62,6 +62,38 @@ class ProgramMeaningTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // A speed that is no number of the program is not made up in silence: its line is named.
+  void speedsThatAreNoNumbers() {
+    const auto leftOut = [](const auto& read) {
+      return read && !read->empty() ? read->front().leftOut : std::vector<std::size_t>{0};
+    };
+    const std::vector<std::size_t> none;
+    const auto known = readBy("rapid", rapid("MoveL p10,v100,fine,tool0;"));
+    QCOMPARE(leftOut(known), none);
+    const auto unknown = readBy("rapid", rapid("MoveL p10,vUnknown,fine,tool0;"));
+    QVERIFY(unknown.hasValue());
+    QCOMPARE(leftOut(unknown), std::vector<std::size_t>{unknown->front().line});
+    QCOMPARE(leftOut(readBy("fanuc", fanuc(" 1:J P[1] 50% FINE ;\n 2:L P[2] R[5]mm/sec FINE ;\n"))).size(),
+             std::size_t{1});
+    QCOMPARE(leftOut(readBy("fanuc", fanuc(" 1:J P[1] 50% FINE ;\n 2:L P[2] 5mm/sec FINE ;\n"))), none);
+    const std::string ur = "movej([0,0,0,0,0,0],a=1,v=1)\nmovel(p[0.3,0.2,0.4,0,0,0],a=1,v=";
+    QCOMPARE(leftOut(readBy("urscript", ur + "v_lin)\n")), std::vector<std::size_t>{2});
+    QCOMPARE(leftOut(readBy("urscript", ur + "0.1)\n")), none);
+    const std::string krl = "DEF p()\n$TOOL=$NULLFRAME\n$BASE=$NULLFRAME\n$VEL.CP=",
+                      motion = "\nLIN {X 1,Y 2,Z 3,A 0,B 0,C 0}\nEND\n";
+    QCOMPARE(leftOut(readBy("krl", krl + "vv" + motion)), std::vector<std::size_t>{5});
+    QCOMPARE(leftOut(readBy("krl", krl + "0.1" + motion)), none);
+  }
+
+  // A controller stops where a position has another frame or tool than the selected one (INTP-252, INTP-253).
+  void fanucSelections() {
+    const std::string move = " 1:J P[1] 50% FINE ;\n";
+    QVERIFY(readBy("fanuc", fanuc(" 1:UFRAME_NUM=0 ;\n 1:UTOOL_NUM=1 ;\n" + move)).hasValue());
+    QVERIFY(!readBy("fanuc", fanuc(" 1:UFRAME_NUM=3 ;\n" + move)).hasValue());
+    QVERIFY(!readBy("fanuc", fanuc(" 1:UTOOL_NUM=2 ;\n" + move)).hasValue());
+    QVERIFY(readBy("fanuc", fanuc(" 1:UTOOL_NUM=R[1] ;\n" + move)).hasValue());
+  }
+
   // FINE and CNT0 stop; CNT1 to CNT100 round the corner.
   void fanucRounding() {
     const auto read =
