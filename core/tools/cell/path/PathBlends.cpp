@@ -15,8 +15,8 @@ namespace {
 class ZoneSide {
  public:
   // stretch: the joint values starting at the waypoint.
-  ZoneSide(const CellScene& scene, const Pose& tool, std::span<const ArmValues> stretch) : m_stretch(stretch) {
-    const auto toolAt = [&](const ArmValues& values) { return Vec3((scene.arm.tipPose(values) * tool).translation()); };
+  ZoneSide(const CellScene& scene, const Pose& tool, std::span<const ArmValues> stretch)
+      : m_scene(scene), m_tool(tool), m_stretch(stretch) {
     for (std::size_t i = 1; i < stretch.size(); ++i) {
       constexpr int kParts = 16;
       Vec3 before = toolAt(stretch[i - 1]);
@@ -28,21 +28,24 @@ class ZoneSide {
       }
       m_along.push_back(m_along.back() + length);
     }
-    const Vec3 start = toolAt(stretch[0]);
-    for (int k = 1; k <= kSteps; ++k) {
-      const double reached = (toolAt(valuesAt(0.5 * k / kSteps)) - start).norm();
-      m_reach.push_back(std::max(m_reach.back(), reached));
-    }
+    for (int k = 1; k <= kSteps; ++k) m_reach.push_back(std::max(m_reach.back(), distanceAt(0.5 * k / kSteps)));
   }
 
   // Returns the largest distance of the tool from the waypoint in the first half of the way, mm.
   double reach() const { return m_reach.back(); }
 
   // Returns the share of the way at which the tool leaves the ball of a radius about the waypoint, as controllers see
-  // zones; at most a half. The share is that of a sample behind it.
+  // zones; at most a half.
   double shareOf(double radius) const {
-    const auto beyond = std::lower_bound(m_reach.begin(), m_reach.end(), radius);
-    return 0.5 * static_cast<double>(std::min<std::ptrdiff_t>(beyond - m_reach.begin(), kSteps)) / kSteps;
+    const auto beyond = std::lower_bound(m_reach.begin() + 1, m_reach.end(), radius);
+    if (beyond == m_reach.end()) return 0.5;
+    double within = 0.5 * static_cast<double>(beyond - m_reach.begin() - 1) / kSteps, out = within + 0.5 / kSteps;
+    constexpr int kHalvings = 12;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (within + out);
+      (distanceAt(middle) < radius ? within : out) = middle;
+    }
+    return out;
   }
 
   double length() const { return m_along.back(); }  // mm, of the tool's way
@@ -66,8 +69,13 @@ class ZoneSide {
   }
 
  private:
-  static constexpr int kSteps = 64;  // samples in the first half
+  static constexpr int kSteps = 16;  // samples in the first half
 
+  Vec3 toolAt(const ArmValues& values) const { return (m_scene.arm.tipPose(values) * m_tool).translation(); }
+  double distanceAt(double share) const { return (toolAt(valuesAt(share)) - toolAt(m_stretch[0])).norm(); }
+
+  const CellScene& m_scene;
+  const Pose& m_tool;
   std::span<const ArmValues> m_stretch;
   std::vector<double> m_along{0.0};  // mm
   std::vector<double> m_reach{0.0};  // mm, up to each step

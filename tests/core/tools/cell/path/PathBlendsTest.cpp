@@ -169,6 +169,33 @@ class PathBlendsTest : public QObject {
     QVERIFY(near >= 3);
   }
 
+  // The zone of a small blend on a long motion is as small as the blend: a clearance that 1 mm leaves is kept, although
+  // the motions are 150 mm long.
+  void smallOnALongMotion() {
+    const BlendFixture open;
+    const JointValues a = jointValues({0.0, 0.3, 0.1, 0.0, 0.8, 0.0}), b = open.moved(a, {0.0, 150.0, 0.0}),
+                      c = open.moved(b, {0.0, 0.0, 150.0});
+    const auto line = ProgramMotion::Kind::Linear;
+    const RobotPath path{"p",
+                         {{.joints = a}, {.joints = b, .motion = line, .blend = 1.0}, {.joints = c, .motion = line}}};
+    const Vec3 flange = open.scene().arm.tipPose(open.scene().planned(b)).translation();
+    int found = 0;
+    for (double away = 60.0; away < 140.0; away += 10.0) {
+      const BlendFixture fixture(std::pair{Vec3(flange + Vec3(0.0, -away, away)), 5.0});
+      const CellScene& scene = fixture.scene();
+      const ResolvedPath resolvedPath = resolved(scene, fixture.plans, path);
+      QVERIFY(!resolvedPath.stopsAt);
+      double least = 1e3;
+      for (const ArmValues& values : resolvedPath.joints)
+        least = std::min(least, scene.scene.nearestObstacle(values, 1e3).distance);
+      if (least <= 3.0) continue;
+      // Within the triangle of 1 mm the tool is at most 0.71 mm nearer to the ball than on the path.
+      QCOMPARE(fixture.blends(path, least - 2.0)[1], 1.0);
+      ++found;
+    }
+    QVERIFY(found > 0);
+  }
+
   // Blends that were wanted and not certified are counted, but at the ends, where the robot stops in any case.
   void stoppedBlendsAreCounted() {
     RobotPath path{"p", std::vector<Waypoint>(5, Waypoint{.joints = JointValues::Zero(6), .blend = 1.0})};
