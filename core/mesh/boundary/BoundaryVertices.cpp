@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/BoundaryVertices.h"
 
+#include "mesh/boundary/CoordinateRounding.h"
 #include "mesh/structure/CancelPolling.h"
 
 #include <algorithm>
@@ -43,7 +44,8 @@ double modelDiagonal(const HalfEdgeMesh& mesh) {
 
 double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld) {
   const double diagonal = modelDiagonal(mesh);
-  return std::isfinite(diagonal * diagonal) ? nearWeld * diagonal : 0.0;
+  if (!std::isfinite(diagonal * diagonal) || nearWeld <= 0.0) return 0.0;
+  return std::max(nearWeld * diagonal, coordinateRounding(mesh));
 }
 
 BoundaryVertices::BoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, Progress progress) {

@@ -15,8 +15,8 @@ namespace handwheel {
 // Returns the length of the bounding-box diagonal of all live faces. It is 0 for an empty mesh.
 double modelDiagonal(const HalfEdgeMesh& mesh);
 
-// Returns the distance below which boundary vertices count as one vertex. It is nearWeld times the diagonal, or 0 if
-// the square of the diagonal overflows.
+// Returns the distance below which boundary vertices count as one vertex. It is nearWeld times the diagonal, but not
+// less than coordinateRounding(). It is 0 if nearWeld is, or if the square of the diagonal overflows.
 double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
 
 // A spatial search structure for the vertices on open boundaries.

@@ -34,12 +34,12 @@ void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
 
 // The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
 std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BoundaryVertices& vertices,
-                                 double diagonal, double nearWeld) {
+                                 double diagonal, double most) {
   const Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
   const Vec3 d = b - a;
   const double length = d.stableNorm();
   if (length == 0.0) return std::nullopt;
-  const double reach = std::min(nearWeld * diagonal, tolerance::kNearWeldEdge * length);
+  const double reach = std::min(most, tolerance::kNearWeldEdge * length);
   const Vec3& apex = mesh.position(mesh.from(HalfEdgeMesh::previous(h)));
   std::optional<Vec3> best;
   double bestOffset = 0.5;
@@ -66,7 +66,7 @@ std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const Bou
 
 std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
   const BoundaryVertices vertices(mesh, fixed, progress.part(0.0, 0.3));
-  const double diagonal = modelDiagonal(mesh);
+  const double diagonal = modelDiagonal(mesh), nearest = nearWeldReach(mesh, nearWeld);
   std::size_t splits = 0;
   const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting
   const std::size_t most = mesh.halfEdgeSlots() + 3 * limit;
@@ -75,7 +75,7 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, 
     while (splits < limit && mesh.isBorder(h)) {
       if (progress.cancelled()) return splits;  // many may lie near a long edge
       if (isInSet(fixed, mesh.from(h)) || isInSet(fixed, mesh.to(h))) break;
-      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal, nearWeld);
+      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal, nearest);
       if (!p) break;
       // The new face's half-edges are visited later in this very loop.
       splitAt(mesh, h, *p);

@@ -10,10 +10,10 @@
 namespace handwheel {
 
 // Splits border edges at border vertices that lie on them (T-junctions). The distance of the vertex from the edge must
-// be at most nearWeld times the diagonal of the mesh, and at most tolerance::kNearWeldEdge times the length of the
-// edge. Vertices marked in "fixed" are ignored; this list may be shorter than the number of vertices. The caller must
-// relink the mesh: until then, only the distinction between border and inner edges is valid. Returns the number of
-// splits. If cancelled, some T-junctions may remain.
+// be at most nearWeldReach(), and at most tolerance::kNearWeldEdge times the length of the edge. Vertices marked in
+// "fixed" are ignored; this list may be shorter than the number of vertices. The caller must relink the mesh: until
+// then, only the distinction between border and inner edges is valid. Returns the number of splits. If cancelled, some
+// T-junctions may remain.
 std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld);
 
 }  // namespace handwheel
