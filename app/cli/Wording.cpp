@@ -166,7 +166,9 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
                     " of triangles intersect or overlap." + adviceOnCrossings(repair, options));
   }
   if (options.uniteSolids && repair.innerFaces == 0 && !repair.isIntersectionRemovalIncomplete)
-    lines.push_back("No bodies were united: only closed ones can be, with none of them inside out.");
+    lines.push_back(
+        "No bodies were united: only closed ones can be, with none of them inside out, and along cuts that the numbers "
+        "of the file can hold.");
   if (after.nestedBodies > 0) {
     lines.push_back(counted(after.nestedBodies, "body lies", "bodies lie") +
                     " inside another; --unite removes what lies inside.");

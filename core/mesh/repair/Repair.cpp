@@ -97,7 +97,12 @@ class Repairer {
       m_report.nonOrientableCuts += closeNonOrientable(m_mesh, m_options.fill, longest, BoundaryCuts::No,
                                                        progress.part(0.3, 0.35).within(effort));
     }
-    if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
+    if (!progress.cancelled()) fill(progress.part(0.35, 0.55));
+    // Solids with a common wall touch there, and would be separated next.
+    if (m_options.uniteSolids && m_round == 0 && !progress.cancelled()) {
+      WorkBudget effort(m_efforts.most(1.0, tolerance::kObstructedHoleBudget), m_efforts.fill);
+      unite(progress.part(0.55, 0.6).within(effort));
+    }
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
     if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
     if (m_options.resolvesIntersections() && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.97));
@@ -292,14 +297,15 @@ class Repairer {
     cutCrossings(progress.part(0.3, 1.0));
   }
 
+  void unite(Progress progress) { m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, progress); }
+
   void cutCrossings(Progress progress) {
     WorkBudget effort(m_efforts.most(1.0, tolerance::kObstructedHoleBudget), m_efforts.fill);
     const Progress now = progress.within(effort);
     // A round that was cut short stays so unless a later one leaves nothing to cut.
     const bool wasCutShort = std::exchange(m_report.isIntersectionRemovalIncomplete, true);
     const double united = m_options.uniteSolids ? 0.5 : 0.0;  // share of the progress
-    if (m_options.uniteSolids)
-      m_report.innerFaces += uniteSolids(m_mesh, m_options.fill.numbers, now.part(0.0, united));
+    if (m_options.uniteSolids) unite(now.part(0.0, united));
     const auto pairs = findSelfIntersections(m_mesh, now.part(united, united + 0.3));
     if (!pairs) return;
     const ClusterRemoval cut =

@@ -7,10 +7,14 @@
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/intersections/Autorefinement.h"
 #include "mesh/repair/intersections/CoincidentPieces.h"
+#include "mesh/repair/intersections/OverlapUnion.h"
+#include "mesh/repair/intersections/TouchingWalls.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/PositionTriangles.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 namespace handwheel {
 namespace {
@@ -70,36 +74,62 @@ void replace(HalfEdgeMesh& mesh, const Autorefinement& cuts, const PositionTrian
   }
 }
 
-// most is the largest number of crossings; absent: those of other clusters.
-IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces,
-                                                  NumberType numbers, std::optional<std::size_t> most, Uniting which,
-                                                  const Progress& progress) {
+// The soup of a mesh: its faces over positions.
+TriangleSoup soupOf(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition) {
+  TriangleSoup soup;
+  for (Vertex v : byPosition.classes.representative) soup.points.push_back(mesh.position(v));
+  soup.triangles = byPosition.triangles;
+  return soup;
+}
+
+// Walls of solids to unite may consist of many triangles.
+SharedPlanes planesOf(const TriangleSoup& soup, std::span<const TrianglePair> pairs, bool isUnion, Progress progress) {
+  return isUnion ? findSharedPlanes(soup, pairs, progress, tolerance::kMaxSelfIntersectionPairs)
+                 : findSharedPlanes(soup, pairs, progress);
+}
+
+std::vector<TrianglePair> unionOf(const std::vector<TrianglePair>& a, const std::vector<TrianglePair>& b) {
+  std::vector<TrianglePair> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
+// The faces to start with, or all; walls that touch are included only for the union of solids.
+struct Extent {
+  const std::vector<Face>* faces = nullptr;  // null: all
+  std::optional<std::size_t> most = {};      // largest number of crossings; absent: those of other clusters
+  Uniting which = Uniting::SharedWalls;
+};
+
+IntersectionRemoval removeWithin(HalfEdgeMesh& mesh, const Extent& extent, NumberType numbers,
+                                 const Progress& progress) {
   IntersectionRemoval report;
   const auto before = crossings(mesh, numbers, progress.part(0.0, 0.2));
   if (!before) return report;
   report.intersectionsBefore = report.intersectionsAfter = before->size();
-  const std::vector<TrianglePair> pairs = cluster(*before, faces, mesh.faceSlots());
-  if (pairs.empty() || pairs.size() > tolerance::kMaxSelfIntersectionPairs) return report;
-  const std::size_t allowed = most.value_or(before->size() - pairs.size());
-
-  HalfEdgeMesh result = mesh;
   const PositionTriangles byPosition(mesh, progress.part(0.2, 0.25));
   if (progress.cancelled()) return report;
-  TriangleSoup soup;
-  for (Vertex v : byPosition.classes.representative) soup.points.push_back(mesh.position(v));
-  soup.triangles = byPosition.triangles;
+  const TriangleSoup soup = soupOf(mesh, byPosition);
+  const std::vector<TrianglePair> pairs = extent.faces
+                                              ? cluster(*before, *extent.faces, mesh.faceSlots())
+                                              : unionOf(*before, findTouchingWalls(soup, progress.part(0.25, 0.25)));
+  if (pairs.empty() || pairs.size() > tolerance::kMaxSelfIntersectionPairs || progress.cancelled()) return report;
+  const std::size_t others = extent.faces ? before->size() - pairs.size() : 0;
+  const std::size_t allowed = extent.most.value_or(others);
+
+  HalfEdgeMesh result = mesh;
   // Not done for trials of patches, which are not coplanar with the faces they cross and have no effort to spare.
-  const SharedPlanes planes = most ? SharedPlanes() : findSharedPlanes(soup, pairs, progress.part(0.25, 0.3));
+  const SharedPlanes planes =
+      extent.most ? SharedPlanes() : planesOf(soup, pairs, !extent.faces, progress.part(0.25, 0.3));
   const Autorefinement cuts = autorefine(soup, pairs, numbers, progress.part(0.3, 0.6), planes);
   report.cutFaces = cuts.piecesOf.size();
   if (progress.cancelled() || cuts.piecesOf.empty()) return report;
   replace(result, cuts, byPosition);
   const auto firstPiece = static_cast<Face>(mesh.faceSlots());
-  joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
+  report.joinedFaces = joinCoincidentPieces(result, firstPiece, progress.part(0.6, 0.63));
   if (progress.cancelled()) return report;
   // A wall is completely inside or outside only if everything is cut.
-  if (pairs.size() == before->size())
-    report.innerFaces = uniteAtWalls(result, firstPiece, which, progress.part(0.63, 0.65));
+  if (others == 0) report.innerFaces = uniteAtWalls(result, firstPiece, extent.which, progress.part(0.63, 0.65));
   if (progress.cancelled()) return report;
   relink(result, progress.part(0.65, 0.7));
   removeDegenerateFaces(result, progress.part(0.7, 0.75));
@@ -138,12 +168,16 @@ std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vecto
 
 IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                             std::size_t allowed, Progress progress) {
-  return removeSelfIntersectionsWithin(mesh, faces, numbers, allowed, Uniting::SharedWalls, progress);
+  return removeWithin(mesh, {.faces = &faces, .most = allowed}, numbers, progress);
 }
 
 IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
-                                               Progress progress, Uniting which) {
-  return removeSelfIntersectionsWithin(mesh, faces, numbers, std::nullopt, which, progress);
+                                               Progress progress) {
+  return removeWithin(mesh, {.faces = &faces}, numbers, progress);
+}
+
+IntersectionRemoval uniteIntersecting(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  return removeWithin(mesh, {.which = Uniting::AllSolids}, numbers, progress);
 }
 
 }  // namespace handwheel

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/repair/intersections/OverlapUnion.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <utility>
@@ -30,7 +29,8 @@ struct IntersectionRemoval {
   std::size_t cutFaces = 0;             // number of cut faces of the original mesh; cut only in a trial if not changed
   std::size_t intersectionsBefore = 0;  // intersecting pairs of faces in the whole mesh, rounded to the number type
   std::size_t intersectionsAfter = 0;
-  std::size_t innerFaces = 0;  // removed pieces of walls inside united solids
+  std::size_t innerFaces = 0;   // removed pieces of walls inside united solids
+  std::size_t joinedFaces = 0;  // removed pieces of surfaces that coincide (joinCoincidentPieces())
 };
 
 // Removes self-intersections by cutting the faces and reconnecting the pieces. Faces are cut along their intersections
@@ -46,6 +46,9 @@ IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vecto
 // Removes all self-intersections connected with these faces, as removeSelfIntersections() does. Only self-intersections
 // that are unrelated to these faces may remain.
 IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
-                                               Progress progress = {}, Uniting which = Uniting::SharedWalls);
+                                               Progress progress = {});
+// Cuts all faces that intersect, and all walls that touch (findTouchingWalls()), and removes what is inside of the
+// union. Otherwise like removeAllSelfIntersections().
+IntersectionRemoval uniteIntersecting(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
 
 }  // namespace handwheel

@@ -22,9 +22,7 @@ constexpr double kParallelPlanes = 1e-3;
 constexpr double kSpanned = 1e-3;
 // Limits that keep a mesh with very many small walls from taking long. Excess walls are ignored.
 constexpr std::size_t kMostPlanes = 200;
-constexpr std::size_t kMostInPlanes = 3'000;
-// More pairs are folded regions of a scan, whose trials have no effort to spare.
-constexpr std::size_t kMostPairs = 500;
+constexpr std::size_t kMostInPlanes = 6'000;
 
 struct PlaneGroup {
   std::vector<std::uint32_t> faces;
@@ -52,22 +50,13 @@ class PlaneFinder {
   }
 
  private:
-  // Returns kUnits ulps of the number type of the triangles.
   double reachOf() const {
-    double largest = 0.0;
-    bool isSingle = true;
+    TriangleSoup paired;
     for (const TrianglePair& pair : m_pairs) {
-      for (const std::uint32_t t : {pair.first, pair.second}) {
-        for (const std::uint32_t v : m_soup.triangles[t]) {
-          const Vec3& p = m_soup.points[v];
-          largest = std::max(largest, p.cwiseAbs().maxCoeff());
-          isSingle = isSingle && rounded(p, NumberType::Float32) == p;
-        }
-      }
+      for (const std::uint32_t t : {pair.first, pair.second})
+        for (const std::uint32_t v : m_soup.triangles[t]) paired.points.push_back(m_soup.points[v]);
     }
-    const double unit =
-        isSingle ? static_cast<double>(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
-    return kUnits * unit * largest;
+    return planarReach(paired);
   }
 
   Vec3 corner(std::uint32_t t, int k) const { return m_soup.points[m_soup.triangles[t][k]]; }
@@ -261,8 +250,21 @@ class PlaneFinder {
 
 }  // namespace
 
-SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress) {
-  if (pairs.size() > kMostPairs) return {};
+double planarReach(const TriangleSoup& soup) {
+  double largest = 0.0;
+  bool isSingle = true;
+  for (const Vec3& p : soup.points) {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    isSingle = isSingle && rounded(p, NumberType::Float32) == p;
+  }
+  const double unit =
+      isSingle ? static_cast<double>(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
+  return kUnits * unit * largest;
+}
+
+SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress,
+                              std::size_t mostPairs) {
+  if (pairs.size() > mostPairs) return {};
   return PlaneFinder(soup, pairs, progress).find();
 }
 

@@ -29,11 +29,17 @@ struct SharedPlanes {
   bool isEmpty() const { return planes.empty(); }
 };
 
+// Returns the distance (mm) by which rounding may move a corner from the plane of its surface. It is a few units in the
+// last place of the largest coordinate, in single or double precision, depending on the coordinates. O(n).
+double planarReach(const TriangleSoup& soup);
+
 // Finds the planes that triangles of these pairs share up to the precision of the coordinates. The precision is single
 // or double, depending on the coordinates. Planes of flat surroundings of such triangles are included. Planes that are
 // merely near each other are excluded, as are those that would leave a point without a unique position: with more than
 // three planes, or with two that are nearly parallel. O(n) for the soup and for each plane, O(k²) for k triangles in a
-// plane; k and the number of planes are limited.
-SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress = {});
+// plane; k and the number of planes are limited. Returns nothing for more than mostPairs pairs; by default these are
+// folded regions of a scan, whose trials have no effort to spare.
+SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress = {},
+                              std::size_t mostPairs = 500);
 
 }  // namespace handwheel

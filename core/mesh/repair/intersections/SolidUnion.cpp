@@ -24,20 +24,17 @@ std::size_t removeNestedBodies(HalfEdgeMesh& mesh, Progress progress) {
 }  // namespace
 
 std::size_t uniteSolids(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  std::vector<Face> faces;
-  for (const auto& [a, b] : selfIntersectingPairs(mesh, numbers, progress.part(0.0, 0.2)))
-    faces.insert(faces.end(), {a, b});
-  if (progress.cancelled()) return 0;
-  if (faces.empty()) return removeNestedBodies(mesh, progress.part(0.2, 1.0));
   HalfEdgeMesh united = mesh;
-  const IntersectionRemoval done =
-      removeAllSelfIntersections(united, faces, numbers, progress.part(0.2, 0.9), Uniting::AllSolids);
-  if (!done.changed || done.innerFaces == 0) return 0;
+  const IntersectionRemoval done = uniteIntersecting(united, numbers, progress.part(0.0, 0.7));
+  if (progress.cancelled()) return 0;
+  const std::size_t removed = done.innerFaces + done.joinedFaces;
+  if (!done.changed || removed == 0)
+    return done.intersectionsBefore == 0 ? removeNestedBodies(mesh, progress.part(0.7, 1.0)) : 0;
   const std::size_t nested = removeNestedBodies(united, progress.part(0.9, 0.92));
   const std::size_t before = countBadEdges(mesh, progress.part(0.92, 0.96));
   if (countBadEdges(united, progress.part(0.96, 1.0)) > before || progress.cancelled()) return 0;
   mesh = std::move(united);
-  return done.innerFaces + nested;
+  return removed + nested;
 }
 
 }  // namespace handwheel

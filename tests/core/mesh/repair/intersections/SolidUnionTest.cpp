@@ -8,9 +8,12 @@
 #include "TestClass.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/InsideOutShells.h"
+#include "mesh/repair/Repair.h"
 #include "mesh/repair/intersections/IntersectionClusters.h"
+#include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
+#include "mesh/structure/Weld.h"
 
 #include <rapidcheck.h>
 #include <QTest>
@@ -91,6 +94,92 @@ class SolidUnionTest : public QObject {
       RC_ASSERT(std::abs(test::volume(mesh.compact().soup) - cellsIn(boxes)) < 1e-6);
     }));
     QVERIFY(united > 50);
+  }
+
+  // Boxes that share a whole wall, in files with separate and with common corners: the wall goes.
+  void sharedWalls() {
+    const TriangleSoup left = test::box({0, 0, 0}, {1, 1, 1}), right = test::box({1, 0, 0}, {1, 1, 1});
+    for (const TriangleSoup& soup : {test::together({left, right}), weld(test::together({left, right}))}) {
+      HalfEdgeMesh mesh = buildMesh(soup).mesh;
+      QVERIFY(uniteSolids(mesh, NumberType::Float32) > 0);
+      QCOMPARE(validate(mesh), std::string());
+      QCOMPARE(mesh.liveFaceCount(), std::size_t{20});
+      QCOMPARE(test::pieces(buildMesh(mesh.compact().soup).mesh).size(), std::size_t{1});
+      QCOMPARE(test::volume(mesh.compact().soup), 2.0);
+    }
+  }
+
+  // Boxes on a grid that touch in walls, whole ones and parts, however they are turned and rounded: a repair leaves one
+  // body for each connected group, of the sum of their volumes.
+  void boxesSideBySide() {
+    QVERIFY(rc::check("boxes that share walls become one body", [&] {
+      std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+      const auto upTo = [&](int most) { return static_cast<double>(random() % static_cast<unsigned>(most)); };
+      const bool isTurned = upTo(2) > 0, isFloat = upTo(2) > 0;
+      const Eigen::Quaterniond turn = isTurned
+                                          ? Eigen::Quaterniond(1.0 + upTo(9), upTo(9), upTo(9), upTo(9)).normalized()
+                                          : Eigen::Quaterniond::Identity();
+      double volume = 0.0, reach = 0.0;
+      std::vector<TriangleSoup> parts;
+      for (int i = 2 + static_cast<int>(upTo(4)); i > 0; --i) {  // a row of boxes with a common edge along x
+        const Vec3 size(1 + upTo(3), 1 + upTo(3), 1 + upTo(3));
+        parts.push_back(test::box(Vec3(reach, 0, 0), size));
+        reach += size.x();
+        volume += size.prod();
+      }
+      TriangleSoup soup = test::together(parts);
+      const NumberType numbers = isFloat ? NumberType::Float32 : NumberType::Float64;
+      for (Vec3& p : soup.points) p = rounded(Vec3(turn * p), numbers);
+      HalfEdgeMesh mesh = buildMesh(soup).mesh;
+      RepairOptions options;
+      options.uniteSolids = true;
+      options.fill.numbers = numbers;
+      repair(mesh, options);
+      RC_ASSERT(validate(mesh) == std::string());
+      const HalfEdgeMesh read = buildMesh(mesh.compact().soup).mesh;
+      RC_ASSERT(test::countEdges(read).sound());
+      RC_ASSERT(test::pieces(read).size() == std::size_t{1});
+      RC_ASSERT(std::abs(test::volume(read.compact().soup) - volume) < 1e-4);
+    }));
+  }
+
+  // Any cells of a grid as separate cubes: their volume is their number, their pieces those that walls connect.
+  void cubesOfAGrid() {
+    for (std::uint32_t seed = 0; seed < 16; ++seed) {
+      std::mt19937 random(seed);
+      const auto upTo = [&](int most) { return static_cast<double>(random() % static_cast<unsigned>(most)); };
+      const bool isTurned = upTo(2) > 0;
+      const Eigen::Quaterniond turn = isTurned
+                                          ? Eigen::Quaterniond(1.0 + upTo(9), upTo(9), upTo(9), upTo(9)).normalized()
+                                          : Eigen::Quaterniond::Identity();
+      std::array<bool, 27> cells{};
+      std::vector<TriangleSoup> parts;
+      for (int i = 0; i < 27; ++i) {
+        cells[i] = upTo(2) > 0;
+        if (cells[i]) parts.push_back(test::box(Vec3(i % 3, i / 3 % 3, i / 9), Vec3(1, 1, 1)));
+      }
+      DisjointSets groups(27);
+      for (int i = 0; i < 27; ++i) {
+        if (i % 3 < 2 && cells[i] && cells[i + 1]) groups.join(i, i + 1);
+        if (i / 3 % 3 < 2 && cells[i] && cells[i + 3]) groups.join(i, i + 3);
+        if (i / 9 < 2 && cells[i] && cells[i + 9]) groups.join(i, i + 9);
+      }
+      std::set<std::uint32_t> bodies;
+      for (std::uint32_t i = 0; i < 27; ++i)
+        if (cells[i]) bodies.insert(groups.root(i));
+      TriangleSoup soup = test::together(parts);
+      for (Vec3& p : soup.points) p = rounded(Vec3(turn * p), NumberType::Float32);
+      HalfEdgeMesh mesh = buildMesh(soup).mesh;
+      RepairOptions options;
+      options.uniteSolids = true;
+      options.fill.numbers = NumberType::Float32;
+      repair(mesh, options);
+      QVERIFY(validate(mesh) == std::string());
+      const HalfEdgeMesh read = buildMesh(mesh.compact().soup).mesh;
+      QVERIFY(test::countEdges(read).sound());
+      QVERIFY(std::abs(test::volume(read.compact().soup) - double(parts.size())) < 1e-4);
+      QVERIFY(test::pieces(read).size() == bodies.size());
+    }
   }
 
   // Two balls: the volume of the lens in common is known.
