@@ -12451,10 +12451,10 @@
         <translation>%1 Abweichung von der Ausgleichsebene (RMS).</translation>
     </message>
     <message numerus="yes">
-        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
+        <source>%Ln island(s) inside: Repair all joins them to the patch, Fill alone covers them.</source>
         <translation>
-            <numerusform>%Ln Insel darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
-            <numerusform>%Ln Inseln darin: entfernen Sie sie zuerst (Werkzeug „Lochränder“).</numerusform>
+            <numerusform>%Ln Insel darin: „Alles reparieren“ verbindet sie mit der Füllung, „Füllen“ allein deckt sie zu.</numerusform>
+            <numerusform>%Ln Inseln darin: „Alles reparieren“ verbindet sie mit der Füllung, „Füllen“ allein deckt sie zu.</numerusform>
         </translation>
     </message>
 </context>

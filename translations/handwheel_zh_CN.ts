@@ -12373,9 +12373,9 @@
         <translation>与最佳拟合平面的偏差 %1（均方根）。</translation>
     </message>
     <message numerus="yes">
-        <source>%Ln island(s) inside: remove them first (Hole boundaries tool).</source>
+        <source>%Ln island(s) inside: Repair all joins them to the patch, Fill alone covers them.</source>
         <translation>
-            <numerusform>内有 %Ln 个岛：请先移除（孔洞边界工具）。</numerusform>
+            <numerusform>内有 %Ln 个岛：“全部修复”会把它们与补片相连，单独“填补”则会盖住它们。</numerusform>
         </translation>
     </message>
 </context>

@@ -71,7 +71,7 @@ bool liesIn(const HoleSpace& space, const HalfEdgeMesh& mesh, const FaceSelectio
 
 struct Islands {
   FaceSelection faces;
-  std::size_t count = 0;
+  std::vector<FaceSelection> pieces;
 };
 
 Islands islandsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
@@ -92,7 +92,7 @@ Islands islandsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<
     const auto around = connectedFaces(mesh, {&own, 1}, {.faces = piece->count() + 1, .progress = progress});
     if (!around || around->count() <= piece->count()) continue;
     islands.faces.add(*piece);
-    ++islands.count;
+    islands.pieces.push_back(*piece);
   }
   return islands;
 }
@@ -104,9 +104,23 @@ FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, st
   return islandsOf(mesh, hole, loops, progress).faces;
 }
 
+std::vector<const BoundaryLoop*> islandBoundaries(const HalfEdgeMesh& mesh, const BoundaryLoop& hole,
+                                                  std::span<const BoundaryLoop> loops, Progress progress) {
+  std::vector<const BoundaryLoop*> found;
+  for (const FaceSelection& piece : islandsOf(mesh, hole, loops, progress).pieces) {
+    const BoundaryLoop* longest = nullptr;
+    for (const BoundaryLoop& loop : loops) {
+      if (!piece.contains(HalfEdgeMesh::face(loop.halfEdges.front()))) continue;
+      if (!longest || loop.length > longest->length) longest = &loop;
+    }
+    found.push_back(longest);
+  }
+  return found;
+}
+
 void countIslands(const HalfEdgeMesh& mesh, std::span<BoundaryLoop> loops, Progress progress) {
   if (loops.size() < 2 || loops.size() > kMostCountedLoops) return;
-  for (BoundaryLoop& loop : loops) loop.islands = islandsOf(mesh, loop, loops, progress).count;
+  for (BoundaryLoop& loop : loops) loop.islands = islandsOf(mesh, loop, loops, progress).pieces.size();
 }
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "mesh/selection/FaceSelection.h"
 
 #include <span>
+#include <vector>
 
 namespace handwheel {
 
@@ -18,6 +19,10 @@ namespace handwheel {
 // all loops of the mesh. The result is invalid if cancelled. O(all loops + faces of the pieces in the hole).
 FaceSelection findIslands(const HalfEdgeMesh& mesh, const BoundaryLoop& hole, std::span<const BoundaryLoop> loops,
                           Progress progress = {});
+
+// Finds the outer boundary of each island of a hole: its longest loop. Otherwise like findIslands().
+std::vector<const BoundaryLoop*> islandBoundaries(const HalfEdgeMesh& mesh, const BoundaryLoop& hole,
+                                                  std::span<const BoundaryLoop> loops, Progress progress = {});
 
 // Counts the islands of each loop. Nothing is counted if there are too many loops to compare all pairs of them.
 void countIslands(const HalfEdgeMesh& mesh, std::span<BoundaryLoop> loops, Progress progress = {});

@@ -9,7 +9,9 @@ namespace handwheel {
 // Cuts and filled holes change the shape of a sheet, which may no longer look like one. Its former outer edge still
 // counts as such.
 bool LoopReasons::isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
-  const auto was = [&](int id) { return m_inputLoops[static_cast<std::size_t>(id)].isSheetBoundary; };
+  const auto was = [&](int id) {
+    return m_inputLoops[static_cast<std::size_t>(id)].isSheetBoundary && !m_joined.contains(id);
+  };
   return loop.isSheetBoundary || std::any_of(owners.begin(), owners.end(), was);
 }
 

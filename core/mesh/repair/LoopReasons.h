@@ -19,6 +19,9 @@ class LoopReasons {
   // Returns true if a loop with this reason should be closed, by a patch or by thickening its sheet.
   bool mayClose(FillFailure beforeTrying) const;
 
+  // Marks outer boundaries of islands that were joined to the hole around them: they are no longer sheet boundaries.
+  void noteJoined(const std::set<int>& owners) { m_joined.insert(owners.begin(), owners.end()); }
+
   // Forgets the failed attempts, which are noted anew in each round.
   void forget();
   void noteCutShort(const std::set<int>& owners);
@@ -37,6 +40,7 @@ class LoopReasons {
 
   const RepairOptions& m_options;
   const std::vector<BoundaryLoop>& m_inputLoops;
+  std::set<int> m_joined;    // ids of the loops of joined islands
   std::set<int> m_cutShort;  // ids of the loops whose last trial was cut short; kLaidOpen if not in the input
   // Failures of outer edges of sheets that were not thickened in the last round, by the same ids as in m_cutShort.
   std::map<int, FillFailure> m_sheetFailures;

@@ -11,6 +11,7 @@
 #include "mesh/holes/HoleSequence.h"
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
+#include "mesh/repair/IslandJoining.h"
 #include "mesh/repair/LoopReasons.h"
 #include "mesh/repair/ModifiedVertices.h"
 #include "mesh/repair/NonOrientableSurfaces.h"
@@ -97,7 +98,8 @@ class Repairer {
       m_report.nonOrientableCuts += closeNonOrientable(m_mesh, m_options.fill, longest, BoundaryCuts::No,
                                                        progress.part(0.3, 0.35).within(effort));
     }
-    if (!progress.cancelled()) fill(progress.part(0.35, 0.55));
+    if (!progress.cancelled()) joinIslands(progress.part(0.35, 0.37).within(m_efforts.fill));
+    if (!progress.cancelled()) fill(progress.part(0.37, 0.55));
     // Solids with a common wall touch there, and would be separated next.
     if (m_options.uniteSolids && m_round == 0 && !progress.cancelled()) {
       WorkBudget effort(m_efforts.most(1.0, tolerance::kObstructedHoleBudget), m_efforts.fill);
@@ -191,6 +193,21 @@ class Repairer {
       found.owners.push_back(std::move(of));
     }
     return found;
+  }
+
+  void joinIslands(Progress progress) {
+    const HalfEdgeMesh before = m_mesh;
+    const std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.1));
+    if (progress.cancelled()) return;
+    const auto isHole = [&](const BoundaryLoop& loop) {
+      return reasonToLeave(loop, m_results.ownersOf(before, loop)) == FillFailure::None;
+    };
+    const auto isIsland = [&](const BoundaryLoop& loop) {
+      return reasonToLeave(loop, m_results.ownersOf(before, loop)) != FillFailure::KeptOpen;
+    };
+    const std::vector<std::size_t> joined =
+        handwheel::joinIslands(m_mesh, loops, {isHole, isIsland}, m_options.fill, progress.part(0.1, 1.0));
+    for (const std::size_t i : joined) m_reasons.noteJoined(m_results.ownersOf(before, loops[i]));
   }
 
   void fill(Progress progress) {

@@ -201,7 +201,7 @@ QString DefectList::loopMeasures(int id) const {
   QStringList parts{tr("Area %1.").arg(areaText(l.area, unit)),
                     tr("%1 from the best-fitting plane (RMS).").arg(lengthText(l.planarity * l.length, unit))};
   if (l.islands > 0)
-    parts << tr("%Ln island(s) inside: remove them first (Hole boundaries tool).", nullptr,
+    parts << tr("%Ln island(s) inside: Repair all joins them to the patch, Fill alone covers them.", nullptr,
                 static_cast<int>(l.islands));
   return parts.join(QLatin1Char(' '));
 }

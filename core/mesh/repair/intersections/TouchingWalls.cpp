@@ -44,7 +44,7 @@ double areaOf(const Polygon& polygon) {
   return 0.5 * doubled;
 }
 
-double longestEdge(const TrianglePoints& t) {
+double longestSide(const TrianglePoints& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
 }
 
@@ -69,7 +69,7 @@ struct Wall {
     const auto flat = [&](const Vec3& p) { return Vec2((p - points[0]).dot(right), (p - points[0]).dot(up)); };
     Polygon common{flat(other.points[2]), flat(other.points[1]), flat(other.points[0])};
     for (std::size_t k = 0; k < 3; ++k) common = clipped(common, flat(points[k]), flat(points[(k + 1) % 3]));
-    return areaOf(common) > kLeastWidth * reach * std::min(longestEdge(points), longestEdge(other.points));
+    return areaOf(common) > kLeastWidth * reach * std::min(longestSide(points), longestSide(other.points));
   }
 
   TrianglePoints points;

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/boundary/BoundaryLoops.h"
+
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// The result of bridgeIsland().
+struct IslandBridge {
+  bool done = false;  // false: the mesh is unchanged, because every bridge that was tried is obstructed
+  std::size_t newFaces = 0;
+};
+
+// Connects an island with the hole around it by two triangles (findBridge()), so that both become one loop. Among the
+// nearest pairs of points, the first whose bridge is not obstructed is taken. An island whose faces look the other
+// direction is reversed. hole and island must be loops of this mesh; island is the outer boundary of an open piece.
+// O(n), and O(h k) for loops of h and k edges.
+IslandBridge bridgeIsland(HalfEdgeMesh& mesh, const BoundaryLoop& hole, const BoundaryLoop& island);
+
+}  // namespace handwheel

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/IslandJoining.h"
+
+#include "MeshShapes.h"
+#include "RepairChecks.h"
+#include "TestClass.h"
+#include "mesh/boundary/Islands.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// A ball of radius 1 without the faces for which isRemoved(centre) is true. `turned` faces look inwards.
+template <class IsRemoved, class IsTurned>
+TriangleSoup ball(IsRemoved isRemoved, IsTurned isTurned, int levels = 4) {
+  TriangleSoup s = test::icosphere(levels);
+  std::vector<Triangle> kept;
+  for (Triangle t : s.triangles) {
+    const Vec3 centre = (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]) / 3.0;
+    if (isRemoved(centre)) continue;
+    if (isTurned(centre)) std::swap(t[1], t[2]);
+    kept.push_back(t);
+  }
+  s.triangles = kept;
+  return s;
+}
+
+bool isRing(const Vec3& centre, const Vec3& around, double inner, double outer) {
+  const double d = (centre.normalized() - around.normalized()).norm();
+  return d > inner && d < outer;
+}
+
+const Vec3 kSide(0.3, 0.5, 0.8);
+
+}  // namespace
+
+class IslandJoiningTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void oneIsland_data();
+  void oneIsland();
+  void severalIslands();
+  void islandWithAHole();
+  void keptOpen();
+  void flatPlateWithAnIsland();
+};
+
+void IslandJoiningTest::oneIsland_data() {
+  QTest::addColumn<double>("inner");
+  QTest::addColumn<double>("outer");
+  QTest::addColumn<bool>("isTurned");
+  QTest::newRow("medium") << 0.3 << 0.6 << false;
+  QTest::newRow("small in large") << 0.12 << 0.7 << false;
+  QTest::newRow("narrow ring") << 0.4 << 0.52 << false;
+  QTest::newRow("faces inwards") << 0.3 << 0.6 << true;
+}
+
+// A patch around the island continues a ball of volume 4π/3, whose faces enclose somewhat less.
+void IslandJoiningTest::oneIsland() {
+  QFETCH(double, inner);
+  QFETCH(double, outer);
+  QFETCH(bool, isTurned);
+  const TriangleSoup soup =
+      ball([&](const Vec3& c) { return isRing(c, kSide, inner, outer); },
+           [&](const Vec3& c) { return isTurned && (c.normalized() - kSide.normalized()).norm() <= inner; });
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const std::size_t faces = mesh.liveFaceCount();
+  const RepairReport report = repair(mesh, {});
+  QVERIFY(report.openLoops.empty());
+  QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{2});
+  QCOMPARE(validate(mesh), std::string());
+  QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  QVERIFY(mesh.liveFaceCount() > faces);
+  const double whole = test::volume(test::icosphere(4));
+  QVERIFY2(std::abs(test::volume(mesh.compact().soup) / whole - 1.0) < 0.01,
+           qPrintable(QString::number(test::volume(mesh.compact().soup) / whole)));
+}
+
+void IslandJoiningTest::severalIslands() {
+  const std::vector<Vec3> at{{0.25, 0.0, 1.0}, {-0.25, 0.1, 1.0}, {0.0, -0.3, 1.0}};
+  const TriangleSoup soup = ball(
+      [&](const Vec3& c) {
+        const bool isIsland =
+            std::any_of(at.begin(), at.end(), [&](const Vec3& p) { return isRing(c, p, -1.0, 0.12); });
+        return isRing(c, Vec3(0, 0, 1), -1.0, 0.6) && !isIsland;
+      },
+      [](const Vec3&) { return false; });
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(findBoundaryLoops(mesh).size(), std::size_t{4});
+  QVERIFY(repair(mesh, {}).openLoops.empty());
+  QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+}
+
+// The hole in the island is filled on its own.
+void IslandJoiningTest::islandWithAHole() {
+  const TriangleSoup soup =
+      ball([&](const Vec3& c) { return isRing(c, kSide, 0.4, 0.6) || isRing(c, kSide, -1.0, 0.15); },
+           [](const Vec3&) { return false; });
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(findBoundaryLoops(mesh).size(), std::size_t{3});
+  QVERIFY(repair(mesh, {}).openLoops.empty());
+  QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+}
+
+// A hole or an island that the user keeps open is not joined.
+void IslandJoiningTest::keptOpen() {
+  const TriangleSoup soup =
+      ball([&](const Vec3& c) { return isRing(c, kSide, 0.3, 0.6); }, [](const Vec3&) { return false; });
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  for (const BoundaryLoop& loop : findBoundaryLoops(input)) {
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.keepOpen.insert(loop.id);
+    const RepairReport report = repair(mesh, options);
+    QCOMPARE(report.lostLoops.size(), std::size_t{0});
+    QCOMPARE(test::pieces(mesh).size(), std::size_t{2});
+  }
+}
+
+// The top of a plate with a square ring missing: the patch is flat, so that the volume is that of the plate.
+void IslandJoiningTest::flatPlateWithAnIsland() {
+  TriangleSoup plate = test::grid(13, 13, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 1); });
+  std::erase_if(plate.triangles, [&](const Triangle& t) {
+    const Vec3 c = (plate.points[t[0]] + plate.points[t[1]] + plate.points[t[2]]) / 3.0 - Vec3(6, 6, 1);
+    const double d = c.cwiseAbs().maxCoeff();
+    return d > 1.0 && d < 4.0;
+  });
+  TriangleSoup rest = test::box({0, 0, 0}, {12, 12, 1});
+  std::erase_if(rest.triangles, [&](const Triangle& t) {
+    return rest.points[t[0]].z() + rest.points[t[1]].z() + rest.points[t[2]].z() == 3.0;
+  });
+  test::append(plate, rest);
+  HalfEdgeMesh mesh = buildMesh(plate).mesh;
+  QVERIFY(repair(mesh, {}).openLoops.empty());
+  QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
+  QVERIFY(std::abs(test::volume(mesh.compact().soup) - 144.0) < 1e-6);
+}
+
+HANDWHEEL_TEST(IslandJoiningTest)
+#include "IslandJoiningTest.moc"
