@@ -185,7 +185,9 @@ class Cutter {
       m_progress.spend(m_exactSteps);
     }
     markMoved();
-    for (const auto& [t, marks] : m_marks) {
+    for (auto& [t, marks] : m_marks) {
+      std::sort(marks.segments.begin(), marks.segments.end());
+      marks.segments.erase(std::unique(marks.segments.begin(), marks.segments.end()), marks.segments.end());
       if (marks.segments.size() > m_mostCuts) return cuts;
     }
     spreadOverEdges();

@@ -19,6 +19,9 @@
 namespace handwheel {
 namespace {
 
+// The limit of cuts of a triangle for solids that are united: many bosses may stand on one large triangle.
+constexpr std::size_t kCutsPerFaceOfSolids = 5'000;
+
 // Finds the crossings of the mesh as a file of this number type stores it. Returns nothing if cancelled.
 std::optional<std::vector<TrianglePair>> crossings(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
   std::vector<Vec3> points(mesh.vertexSlots());
@@ -121,7 +124,8 @@ IntersectionRemoval removeWithin(HalfEdgeMesh& mesh, const Extent& extent, Numbe
   // Not done for trials of patches, which are not coplanar with the faces they cross and have no effort to spare.
   const SharedPlanes planes =
       extent.most ? SharedPlanes() : planesOf(soup, pairs, !extent.faces, progress.part(0.25, 0.3));
-  const Autorefinement cuts = autorefine(soup, pairs, numbers, progress.part(0.3, 0.6), planes);
+  const std::size_t mostCuts = extent.faces ? tolerance::kCutsPerFace : kCutsPerFaceOfSolids;
+  const Autorefinement cuts = autorefine(soup, pairs, numbers, progress.part(0.3, 0.6), planes, mostCuts);
   report.cutFaces = cuts.piecesOf.size();
   if (progress.cancelled() || cuts.piecesOf.empty()) return report;
   replace(result, cuts, byPosition);

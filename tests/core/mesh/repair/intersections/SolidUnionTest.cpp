@@ -182,6 +182,21 @@ class SolidUnionTest : public QObject {
     }
   }
 
+  // A plate of 12 triangles, of which each large one is cut by many pegs: the area of a peg is that of its polygon.
+  void manyPegsInAPlate() {
+    std::vector<TriangleSoup> parts{test::box({0, 0, 0}, {80, 80, 5})};
+    const int n = 24;
+    for (int i = 0; i < 16; ++i) {
+      parts.push_back(
+          test::moved(test::cylinder(n, 1, 4.0, 15.0, true), Vec3(10 + 20 * (i % 4), 10 + 20 * (i / 4), -5)));
+    }
+    const HalfEdgeMesh united = unionOf(parts);
+    QVERIFY(test::countEdges(united).sound());
+    QCOMPARE(test::pieces(united).size(), std::size_t{1});
+    const double area = 0.5 * n * 16.0 * std::sin(2.0 * std::numbers::pi / n);
+    QVERIFY(std::abs(test::volume(united.compact().soup) - (80.0 * 80.0 * 5.0 + 16.0 * 10.0 * area)) < 1e-6);
+  }
+
   // Two balls: the volume of the lens in common is known.
   void twoBalls() {
     const TriangleSoup ball = test::icosphere(5);
