@@ -3405,6 +3405,26 @@
         <source>its frame or tool is not the selected one</source>
         <translation>sein Koordinatensystem oder Werkzeug ist nicht das gewählte</translation>
     </message>
+    <message>
+        <source>it holds contours of regions (an RT structure set), not an image</source>
+        <translation>sie enthält Umrisse von Bereichen (ein RT Structure Set), kein Bild</translation>
+    </message>
+    <message>
+        <source>it holds a colour image, not one in grey</source>
+        <translation>sie enthält ein Farbbild, kein Graustufenbild</translation>
+    </message>
+    <message>
+        <source>its segments have slices with uneven distances</source>
+        <translation>ihre Segmente haben Schichten mit ungleichen Abständen</translation>
+    </message>
+    <message>
+        <source>its segments have no positions</source>
+        <translation>ihre Segmente haben keine Positionen</translation>
+    </message>
+    <message>
+        <source>it holds a plan, a report or another object without an image</source>
+        <translation>sie enthält einen Plan, einen Bericht oder ein anderes Objekt ohne Bild</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -5557,10 +5577,6 @@
         <translation>Die Schichten sind um %1° gegen ihre Stapelrichtung geneigt; das wurde korrigiert.</translation>
     </message>
     <message>
-        <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
-        <translation>Schichten fehlen (%1); sie wurden aus ihren Nachbarn interpoliert.</translation>
-    </message>
-    <message>
         <source>Slices of other series were ignored (%1).</source>
         <translation>Schichten anderer Serien wurden ignoriert (%1).</translation>
     </message>
@@ -5783,6 +5799,18 @@
     <message>
         <source>The image is a map of labels (%1): all of them are taken as material. Choose others in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
         <translation>Das Bild ist eine Karte von Labels (%1): Alle gelten als Material. Andere lassen sich im Feld Segmentierung oder mit &apos;handwheel segment&apos; wählen.</translation>
+    </message>
+    <message>
+        <source>Slices are missing (%1); they were interpolated from their neighbours, which are up to %2 mm apart. What begins or ends between these is not known.</source>
+        <translation>Schichten fehlen (%1); sie wurden aus ihren Nachbarn interpoliert, die bis zu %2 mm auseinanderliegen. Was dazwischen beginnt oder endet, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Segments overlap in %1 samples, which were given to the last of these segments in the file.</source>
+        <translation>Segmente überlappen in %1 Abtastwerten; diese gehören nun dem letzten dieser Segmente in der Datei.</translation>
+    </message>
+    <message>
+        <source>The file states two different positions or orientations of its samples (sform and qform); the sform was used. Check left and right.</source>
+        <translation>Die Datei nennt zwei verschiedene Positionen oder Ausrichtungen ihrer Abtastwerte (sform und qform); verwendet wurde die sform. Links und rechts prüfen.</translation>
     </message>
 </context>
 <context>

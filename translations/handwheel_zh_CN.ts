@@ -3405,6 +3405,26 @@
         <source>its frame or tool is not the selected one</source>
         <translation>其坐标系或工具不是所选的</translation>
     </message>
+    <message>
+        <source>it holds contours of regions (an RT structure set), not an image</source>
+        <translation>文件包含区域轮廓（RT 结构集），而不是图像</translation>
+    </message>
+    <message>
+        <source>it holds a colour image, not one in grey</source>
+        <translation>文件包含彩色图像，而不是灰度图像</translation>
+    </message>
+    <message>
+        <source>its segments have slices with uneven distances</source>
+        <translation>其分割的切片间距不均匀</translation>
+    </message>
+    <message>
+        <source>its segments have no positions</source>
+        <translation>其分割没有位置信息</translation>
+    </message>
+    <message>
+        <source>it holds a plan, a report or another object without an image</source>
+        <translation>文件包含计划、报告或其他没有图像的对象</translation>
+    </message>
 </context>
 <context>
     <name>Exercise</name>
@@ -5557,10 +5577,6 @@
         <translation>切片相对其堆叠方向倾斜 %1°；已校正。</translation>
     </message>
     <message>
-        <source>Slices are missing (%1); they were interpolated from their neighbours.</source>
-        <translation>缺少切片（%1）；已由相邻切片插值得出。</translation>
-    </message>
-    <message>
         <source>Slices of other series were ignored (%1).</source>
         <translation>已忽略其他序列的切片（%1）。</translation>
     </message>
@@ -5783,6 +5799,18 @@
     <message>
         <source>The image is a map of labels (%1): all of them are taken as material. Choose others in the panel Segmentation or with &apos;handwheel segment&apos;.</source>
         <translation>该图像是标签图（%1 个标签）：所有标签均视为材料。可在“分割”面板中或用 &apos;handwheel segment&apos; 选择其他标签。</translation>
+    </message>
+    <message>
+        <source>Slices are missing (%1); they were interpolated from their neighbours, which are up to %2 mm apart. What begins or ends between these is not known.</source>
+        <translation>缺少切片（%1）；已由相邻切片插值得到，相邻切片相距最多 %2 mm。在其间开始或结束的结构未知。</translation>
+    </message>
+    <message>
+        <source>Segments overlap in %1 samples, which were given to the last of these segments in the file.</source>
+        <translation>分割在 %1 个采样处重叠；这些采样归入文件中最后一个分割。</translation>
+    </message>
+    <message>
+        <source>The file states two different positions or orientations of its samples (sform and qform); the sform was used. Check left and right.</source>
+        <translation>文件给出了两种不同的采样位置或方向（sform 和 qform）；已使用 sform。请检查左右。</translation>
     </message>
 </context>
 <context>

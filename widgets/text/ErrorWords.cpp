@@ -175,6 +175,11 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "it has too many slices"),
     QT_TRANSLATE_NOOP("ErrorWord", "the file contains no image in grey"),
     QT_TRANSLATE_NOOP("ErrorWord", "its slices do not lie along one line"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it holds contours of regions (an RT structure set), not an image"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it holds a plan, a report or another object without an image"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it holds a colour image, not one in grey"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its segments have slices with uneven distances"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its segments have no positions"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a grid of samples"),
     QT_TRANSLATE_NOOP("ErrorWord", "the pixels of a slice cannot be unpacked"),
     // the element is malformed:

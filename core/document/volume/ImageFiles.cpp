@@ -149,13 +149,24 @@ Note noteOn(const ImageRemark& remark) {
                                     "order of the slices, and so left and right, may be reversed.");
       break;
     case ImageRemark::Kind::SlicesMissing:
-      note.text = QT_TRANSLATE_NOOP("Note", "Slices are missing (%1); they were interpolated from their neighbours.");
+      note.text = QT_TRANSLATE_NOOP("Note",
+                                    "Slices are missing (%1); they were interpolated from their neighbours, which are "
+                                    "up to %2 mm apart. What begins or ends between these is not known.");
       break;
     case ImageRemark::Kind::OtherSeries:
       note.text = QT_TRANSLATE_NOOP("Note", "Slices of other series were ignored (%1).");
       break;
     case ImageRemark::Kind::SamePosition:
       note.text = QT_TRANSLATE_NOOP("Note", "Slices at the position of another slice were ignored (%1).");
+      break;
+    case ImageRemark::Kind::Overlap:
+      note.text = QT_TRANSLATE_NOOP(
+          "Note", "Segments overlap in %1 samples, which were given to the last of these segments in the file.");
+      break;
+    case ImageRemark::Kind::Contradiction:
+      note.text = QT_TRANSLATE_NOOP("Note",
+                                    "The file states two different positions or orientations of its samples (sform and "
+                                    "qform); the sform was used. Check left and right.");
       break;
     case ImageRemark::Kind::NotReadable:
       note.text = QT_TRANSLATE_NOOP("Note", "Files that are damaged, or are not greyscale images, were ignored (%1).");
@@ -198,7 +209,10 @@ Result<ImageFile> readImageFile(const fs::path& path, Progress progress) {
     Result<std::string> files = isFolder ? dicomFiles(whole, {}, progress.part(0.0, 0.3))
                                          : dicomFiles(whole.parent_path(), whole, progress.part(0.0, 0.3));
     if (!files) return files.error();
-    return readDicom(*files, isFolder ? DicomChoice::Largest : DicomChoice::OfFirst, progress.part(0.3, 1.0));
+    Result<ImageFile> read =
+        readDicom(*files, isFolder ? DicomChoice::Largest : DicomChoice::OfFirst, progress.part(0.3, 1.0));
+    if (read && read->hasLabels) markLabels(read->image, read->labels);
+    return read;
   }
   if (!looksLikeImage(*head)) return Error{DocumentError::FormatUnknown, {".nrrd", ".mhd", ".nii", ".dcm"}, {}, {}};
   const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.5));

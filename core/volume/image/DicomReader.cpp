@@ -76,7 +76,7 @@ Result<ImageFile> readDicom(std::string_view files, DicomChoice choice, Progress
 
 Result<ImageFile> imageInAnswer(std::string_view answer) {
   const Error senseless{ErrorCode::LibraryFailed, {kDicomLibrary, "its answer is not valid"}, {}, {}};
-  constexpr std::size_t kLongestLine = 256, kFigures = 10;
+  constexpr std::size_t kLongestLine = 256, kFigures = 12;
   const std::size_t end = answer.substr(0, kLongestLine).find('\n');
   if (end == std::string_view::npos) return senseless;
   const auto figures = imageHeader::numbersOf(answer.substr(0, end), kFigures);
@@ -90,11 +90,13 @@ Result<ImageFile> imageInAnswer(std::string_view answer) {
   const auto& f = *figures;
   if (f[0] > 0.0) read->remarks.push_back({Kind::Tilted, {f[0]}});
   if (f[2] > 0.0) read->remarks.push_back({Kind::Uneven, {f[1], f[2], f[3]}});
-  const std::array counts{Kind::SlicesMissing, Kind::OtherSeries, Kind::SamePosition, Kind::NotReadable};
+  if (f[4] > 0.0) read->remarks.push_back({Kind::SlicesMissing, {f[4], f[11]}});
+  const std::array counts{Kind::OtherSeries, Kind::SamePosition, Kind::NotReadable};
   for (std::size_t k = 0; k < counts.size(); ++k)
-    if (f[4 + k] > 0.0) read->remarks.push_back({counts[k], {f[4 + k]}});
+    if (f[5 + k] > 0.0) read->remarks.push_back({counts[k], {f[5 + k]}});
   if (f[8] > 0.0) read->remarks.push_back({Kind::SpacingAssumed, {f[8]}});
   if (f[9] > 0.0) read->remarks.push_back({Kind::NoSpacing, {}});
+  if (f[10] > 0.0) read->remarks.push_back({Kind::Overlap, {f[10]}});
   return read;
 }
 

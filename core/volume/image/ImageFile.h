@@ -22,9 +22,12 @@ struct ImageRemark {
     Tilted,          // {degrees}: the slices are sheared against their normal
     Uneven,          // {mm, mm, mm}: least and largest distance of slices, and that of the slices made of them
     SpacingAssumed,  // {mm}: distance of slices whose positions are not stated; their order may be the reverse
-    SlicesMissing,   // {slices}: they are missing where a distance is a multiple of the usual one; interpolated
+    SlicesMissing,   // {slices, mm}: they are missing where a distance is a multiple of the usual one; interpolated.
+                     // The largest distance
     OtherSeries,     // {slices}: they belong to other series in the folder, and are not read
     SamePosition,    // {slices}: they are not read, as other slices are at the same positions
+    Overlap,         // {samples}: they belong to several labels, and get the last of these
+    Contradiction,   // the file states two different positions or orientations; the sform is used
     NotReadable,     // {files}: they begin like those of the series, but cannot be read
   };
   Kind kind;

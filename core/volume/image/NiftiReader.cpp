@@ -5,6 +5,7 @@
 #include "base/ByteOrder.h"
 #include "volume/image/ImageHeader.h"
 #include "volume/image/Inflate.h"
+#include "volume/image/NiftiLabels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +144,25 @@ void setRows(const NiftiHeader& header, ImageGrid& grid) {
   }
 }
 
+// Returns true if the steps are linearly independent.
+bool isGrid(const ImageGrid& grid) {
+  const double volume = std::abs(grid.steps.determinant());
+  return std::isfinite(volume) && volume > 1e-9 * grid.steps.colwise().norm().prod();
+}
+
+// Returns true if two grids are those of different images: one is mirrored, or they are meant for the same space and
+// are more than a sample apart.
+bool contradict(const ImageGrid& a, const ImageGrid& b, bool isSameSpace) {
+  if ((a.steps.determinant() < 0.0) != (b.steps.determinant() < 0.0)) return true;
+  double apart = 0.0;
+  for (int corner = 0; corner < 8 && isSameSpace; ++corner) {
+    Vec3 index;
+    for (int k = 0; k < 3; ++k) index[k] = (corner >> k & 1) * (a.size[static_cast<std::size_t>(k)] - 1);
+    apart = std::max(apart, (a.position(index) - b.position(index)).norm());
+  }
+  return apart > a.spacing().maxCoeff();
+}
+
 struct NiftiImage {
   ImageGrid grid;
   SampleLayout layout;
@@ -167,13 +187,21 @@ Result<NiftiImage> niftiImage(const NiftiHeader& header) {
   double several = 1.0;
   for (int k = 3; k < axes; ++k) several *= std::max(1, header.dim(static_cast<std::size_t>(k) + 1));
   if (several > 1.0) image.remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {several}});
-  if (header.code(fields.sform) > 0) {
-    setRows(header, image.grid);
-  } else if (header.code(fields.qform) > 0) {
-    setQuaternion(header, spacing, image.grid);
-  } else {
+  ImageGrid rows = image.grid, turned = image.grid;
+  setRows(header, rows);
+  setQuaternion(header, spacing, turned);
+  // Some programs state a sform and leave it empty.
+  const bool isTurned = header.code(fields.qform) > 0;
+  const bool hasRows = header.code(fields.sform) > 0 && (isGrid(rows) || !isTurned);
+  if (hasRows)
+    image.grid = rows;
+  else if (isTurned)
+    image.grid = turned;
+  else
     image.grid.steps = spacing.asDiagonal();
-  }
+  if (hasRows && isTurned && isGrid(turned) &&
+      contradict(rows, turned, header.code(fields.sform) == header.code(fields.qform)))
+    image.remarks.push_back({ImageRemark::Kind::Contradiction, {}});
   const Vec3 turn(-1, -1, 1);
   const double unit = niftiUnit(header.units());
   image.grid.steps = unit * (turn.asDiagonal() * image.grid.steps);
@@ -219,9 +247,12 @@ Result<ImageFile> readNifti(std::string_view bytes) {
   if (!plain) return plain.error();
   const std::string_view all = isPacked ? std::string_view(*plain) : bytes;
   Result<ImageFile> read = imageOfBytes(image->grid, image->layout, all.substr(std::min(image->offset, all.size())));
+  if (!read) return read.error();
   constexpr int kLabels = 1002;  // NIFTI_INTENT_LABEL
-  if (read) read->hasLabels = NiftiHeader(head, *fields).code(fields->intent) == kLabels;
-  if (read) read->remarks.insert(read->remarks.begin(), image->remarks.begin(), image->remarks.end());
+  const NiftiHeader header(head, *fields);
+  read->labels = labelsInExtensions(all.substr(fields->size, image->offset - fields->size), header.order());
+  read->hasLabels = header.code(fields->intent) == kLabels || !read->labels.empty();
+  read->remarks.insert(read->remarks.begin(), image->remarks.begin(), image->remarks.end());
   return read;
 }
 

@@ -6,6 +6,7 @@
 #include "volume/image/ImageHeader.h"
 #include "volume/image/ImageLabels.h"
 #include "volume/image/Inflate.h"
+#include "volume/image/LabelLayers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +170,13 @@ Vec3 turnOf(const NrrdFields& fields) {
   return Vec3::Ones();
 }
 
+// Returns true if the first axis is stated to be that of the values of a sample.
+bool hasComponents(const NrrdFields& fields) {
+  const std::vector<std::string_view> kinds = wordsOf(fields["kinds"]);
+  const std::string first = kinds.empty() ? std::string() : lowered(kinds.front());
+  return first == "list" || first == "vector" || first.find("-color") != std::string::npos;
+}
+
 struct NrrdImage {
   ImageGrid grid;
   SampleLayout layout;
@@ -184,7 +192,7 @@ Result<NrrdImage> imageOf(const NrrdFields& fields) {
   // axis is a sequence of images.
   const bool isAnyInSpace =
       std::any_of(axes->begin(), axes->end(), [](const NrrdAxis& axis) { return axis.step.has_value(); });
-  if (axes->size() == 4 && isAnyInSpace && !axes->front().step) {
+  if (axes->size() == 4 && (isAnyInSpace ? !axes->front().step : hasComponents(fields))) {
     if (axes->front().size > 1000) return nrrdUnsupported("a sample of more than 1000 values");
     image.layout.perSample = axes->front().size;
     axes->erase(axes->begin());
@@ -246,9 +254,10 @@ Result<ImageFile> samplesOf(const NrrdFields& fields, const NrrdImage& image, st
   return isText ? imageOfText(image.grid, image.layout, *wanted) : imageOfBytes(image.grid, image.layout, *wanted);
 }
 
-// Reads the labels of a segmentation by 3D Slicer: the keys Segment0_LabelValue, Segment0_Name and Segment0_Layer, and
-// so on. Only those of the first layer belong to the values that are read.
-void takeLabels(const NrrdFields& fields, ImageFile& file) {
+// Returns the segments of a segmentation by 3D Slicer: the keys Segment0_LabelValue, Segment0_Name and Segment0_Layer,
+// and so on.
+std::vector<LayerSegment> segmentsOf(const NrrdFields& fields) {
+  std::vector<LayerSegment> segments;
   for (std::size_t i = 0; i < kMostLabels; ++i) {
     const std::string prefix = "Segment" + std::to_string(i) + "_";
     const auto key = [&](const char* name) -> std::string_view {
@@ -256,12 +265,42 @@ void takeLabels(const NrrdFields& fields, ImageFile& file) {
       return found == fields.keys.end() ? std::string_view() : std::string_view(found->second);
     };
     const std::string_view name = key("Name"), value = key("LabelValue"), layer = key("Layer");
-    if (name.empty() && value.empty()) return;
-    file.hasLabels = true;
+    if (name.empty() && value.empty()) break;
     const auto number = numbersOf(value.empty() ? "1" : value, 1);
-    if (number && (layer.empty() || trimmed(layer) == "0"))
-      file.labels.push_back({number->front(), std::string(trimmed(name))});
+    const auto index = layer.empty() ? std::size_t{0} : countOf(trimmed(layer));
+    if (number && index) segments.push_back({number->front(), *index, std::string(trimmed(name))});
   }
+  return segments;
+}
+
+// Reads a file of labels in several layers, which are values of a sample or images one after the other.
+Result<ImageFile> layersOf(const NrrdFields& fields, const NrrdImage& image, std::string_view data,
+                           std::vector<LayerSegment> segments) {
+  NrrdImage all = image;
+  const std::size_t layers = image.layout.perSample * image.images;
+  all.layout.perSample = 1;
+  const std::size_t slices = static_cast<std::size_t>(image.grid.size[2]) * layers;
+  all.grid.size[2] = static_cast<int>(std::min<std::size_t>(slices, ImageGrid::kMostAlong + 1));
+  if (const Status checked = checkGrid(all.grid); !checked) return checked.error();
+  const Result<ImageFile> read = samplesOf(fields, all, data);
+  if (!read) return read.error();
+  return imageOfLayers(image.grid, read->image, layers, image.images == 1, std::move(segments));
+}
+
+// Reads the samples: those of labels in several layers, or of the first image.
+Result<ImageFile> readSamples(const NrrdFields& fields, const NrrdImage& image, std::string_view data) {
+  std::vector<LayerSegment> segments = segmentsOf(fields);
+  const bool isLayered = image.layout.perSample == 1 || image.images == 1;
+  if (!segments.empty() && isLayered && image.layout.perSample * image.images > 1)
+    return layersOf(fields, image, data, std::move(segments));
+  Result<ImageFile> read = samplesOf(fields, image, data);
+  if (!read) return read.error();
+  read->hasLabels = !segments.empty();
+  for (LayerSegment& segment : segments)
+    if (segment.layer == 0) read->labels.push_back({segment.value, std::move(segment.name)});
+  if (image.images > 1)
+    read->remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {static_cast<double>(image.images)}});
+  return read;
 }
 
 }  // namespace
@@ -280,20 +319,17 @@ Result<ImageFile> readNrrd(std::string_view bytes, const SiblingFile& sibling) {
   const std::string_view name = fields->either("data file", "datafile");
   Result<ImageFile> read = Error{};
   if (name.empty()) {
-    read = samplesOf(*fields, *image, bytes.substr(fields->end));
+    read = readSamples(*fields, *image, bytes.substr(fields->end));
   } else {
     if (name.starts_with("LIST") || name.find('%') != std::string_view::npos)
       return nrrdUnsupported("an image in several data files");
     // Packed or text data may be larger than the samples, but hardly more than this.
-    const std::size_t most = 32 * bytesOf(image->grid, image->layout) + (std::size_t{1} << 20);
+    const std::size_t most = 32 * image->images * bytesOf(image->grid, image->layout) + (std::size_t{1} << 20);
     const Result<std::string> data = sibling(std::string(name), most);
     if (!data) return data.error();
-    read = samplesOf(*fields, *image, *data);
+    read = readSamples(*fields, *image, *data);
   }
   if (read) read->content = (*fields)["content"];
-  if (read) takeLabels(*fields, *read);
-  if (read && image->images > 1)
-    read->remarks.push_back({ImageRemark::Kind::FirstOfSeveral, {static_cast<double>(image->images)}});
   if (read && !image->hasSpacing) read->remarks.push_back({ImageRemark::Kind::NoSpacing, {}});
   return read;
 }

@@ -5,11 +5,24 @@
 #include "base/ByteOrder.h"
 #include "base/NumberText.h"
 
+#include <algorithm>
+
 namespace handwheel {
 namespace {
 
 std::string vectorText(const Vec3& v) {
   return "(" + shortestText(v.x()) + "," + shortestText(v.y()) + "," + shortestText(v.z()) + ")";
+}
+
+// The keys are those of 3D Slicer.
+void appendLabels(const std::vector<ImageLabel>& labels, std::string& file) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    std::string name = labels[i].name;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    const std::string key = "Segment" + std::to_string(i) + "_";
+    file += key + "LabelValue:=" + shortestText(labels[i].value) + "\n" + key + "Name:=" + name + "\n";
+  }
 }
 
 }  // namespace
@@ -26,7 +39,9 @@ void appendNrrd(const ImageVolume& image, const std::string& content, std::strin
   file +=
       "\nspace units: \"mm\" \"mm\" \"mm\"\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace "
       "origin: " +
-      vectorText(grid.origin) + "\n\n";
+      vectorText(grid.origin) + "\n";
+  appendLabels(image.labels(), file);
+  file += '\n';
   image.visitSamples([&](auto samples) {
     if constexpr (std::endian::native == std::endian::little) {
       file.append(reinterpret_cast<const char*>(samples.data()), samples.size_bytes());

@@ -40,10 +40,14 @@ class SliceBuffer : public std::streambuf {
   }
 };
 
-bool isGrey(const gdcm::PixelFormat& format, const gdcm::PhotometricInterpretation& meaning) {
-  return format.GetSamplesPerPixel() == 1 &&
-         (format.GetBitsAllocated() == 8 || format.GetBitsAllocated() == 16 || format.GetBitsAllocated() == 32) &&
-         (meaning == gdcm::PhotometricInterpretation::MONOCHROME1 ||
+// Returns true if the pixels are values, not colours. Labels may have colours beside.
+bool isGrey(const gdcm::PixelFormat& format, const gdcm::PhotometricInterpretation& meaning,
+            const DicomLabels* labels) {
+  const int bits = format.GetBitsAllocated();
+  if (format.GetSamplesPerPixel() != 1) return false;
+  if (labels && labels->kind == DicomLabels::Kind::Bits) return bits == 1 || bits == 8;
+  return (bits == 8 || bits == 16 || bits == 32) &&
+         (labels || meaning == gdcm::PhotometricInterpretation::MONOCHROME1 ||
           meaning == gdcm::PhotometricInterpretation::MONOCHROME2);
 }
 
@@ -147,6 +151,49 @@ void setOffsets(const gdcm::DataSet& data, std::vector<DicomSlice>& slices) {
   }
 }
 
+// Returns the labels of a segmentation (PS3.3, C.8.20); null if the file is none.
+std::shared_ptr<const DicomLabels> labelsOf(const gdcm::DataSet& data) {
+  const std::string kind = textAt(data, {0x0062, 0x0001});
+  auto labels = std::make_shared<DicomLabels>();
+  if (kind == "FRACTIONAL")
+    labels->kind = DicomLabels::Kind::Fractions;
+  else if (kind == "LABELMAP")
+    labels->kind = DicomLabels::Kind::Values;
+  else if (kind != "BINARY")
+    return nullptr;
+  constexpr double kWhole = 255.0;
+  if (labels->kind == DicomLabels::Kind::Fractions)
+    labels->least = 0.5 * countAt(data, {0x0062, 0x000e}).value_or(static_cast<std::uint32_t>(kWhole));
+  labels->background = countAt(data, {0x0028, 0x0120}).value_or(0);
+  if (const auto segments = itemsAt(data, {0x0062, 0x0002}))
+    for (std::size_t i = 1; i <= segments->GetNumberOfItems(); ++i) {
+      const gdcm::DataSet& segment = segments->GetItem(i).GetNestedDataSet();
+      if (const auto number = countAt(segment, {0x0062, 0x0004}))
+        labels->labels.push_back({static_cast<double>(*number), textAt(segment, {0x0062, 0x0005})});
+    }
+  return labels;
+}
+
+// Returns a file of a label map as one of a segmentation by bits. GDCM does not know the former, and reads several
+// frames only of kinds that it knows.
+std::string withKnownKind(std::string_view file) {
+  constexpr std::string_view kMap = "1.2.840.10008.5.1.4.1.1.66.7";
+  std::string known(file);
+  for (std::size_t at = known.find(kMap); at != std::string::npos; at = known.find(kMap, at))
+    known[at + kMap.size() - 1] = '4';
+  return known;
+}
+
+// Sets the segment of a frame. Returns false if it is not stated.
+bool setSegment(const FrameTags& tags, std::size_t frame, DicomSlice& slice) {
+  if (!slice.labels || slice.labels->kind == DicomLabels::Kind::Values) return true;
+  const auto number = tags.find(frame, {0x0062, 0x000a}, [](const gdcm::DataSet& data, bool) {
+    return countAt(data, {0x0062, 0x000b});
+  });
+  slice.segment = number.value_or(0);
+  return slice.segment > 0.0;
+}
+
 // Returns true if the frames follow each other in time.
 bool isFilm(const gdcm::DataSet& data) {
   const gdcm::Tag pointer(0x0028, 0x0009);
@@ -157,7 +204,7 @@ bool isFilm(const gdcm::DataSet& data) {
 }  // namespace
 
 bool DicomSlice::belongsWith(const DicomSlice& other) const {
-  return series == other.series && size == other.size && hasPosition == other.hasPosition &&
+  return series == other.series && labels == other.labels && size == other.size && hasPosition == other.hasPosition &&
          (across - other.across).norm() < 10 * kAlike && (down - other.down).norm() < 10 * kAlike &&
          std::abs(spacing[0] - other.spacing[0]) < kAlike && std::abs(spacing[1] - other.spacing[1]) < kAlike;
 }
@@ -171,7 +218,8 @@ std::vector<DicomSlice> slicesOf(std::string_view file) {
   const gdcm::File& header = reader.GetFile();
   const gdcm::DataSet& data = header.GetDataSet();
   const gdcm::PixelFormat format = gdcm::ImageHelper::GetPixelFormatValue(header);
-  if (!isGrey(format, gdcm::ImageHelper::GetPhotometricInterpretationValue(header))) return {};
+  const std::shared_ptr<const DicomLabels> labels = labelsOf(data);
+  if (!isGrey(format, gdcm::ImageHelper::GetPhotometricInterpretationValue(header), labels.get())) return {};
   constexpr double kMost = 1 << 16;
   const double frames = numberAt(data, {0x0028, 0x0008}).value_or(1.0);
   const std::uint32_t width = countAt(data, {0x0028, 0x0011}).value_or(0),
@@ -179,6 +227,8 @@ std::vector<DicomSlice> slicesOf(std::string_view file) {
   if (!(frames >= 1.0 && frames <= kMost) || width < 1 || width > kMost || height < 1 || height > kMost) return {};
   DicomSlice common = sliceOfFile(data);
   common.bytes = file;
+  common.labels = labels;
+  common.isOfBits = format.GetBitsAllocated() == 1;
   common.frames = static_cast<std::size_t>(frames);
   common.size = {static_cast<int>(width), static_cast<int>(height)};
   const FrameTags tags(data);
@@ -193,7 +243,7 @@ std::vector<DicomSlice> slicesOf(std::string_view file) {
       setSpacing(tags, frame, slice);
       setScale(tags, frame, slice);
       setPosition(tags, frame, detector, slice);
-      if (!setDirections(tags, frame, detector, slice)) continue;
+      if (!setDirections(tags, frame, detector, slice) || !setSegment(tags, frame, slice)) continue;
     }
     slice.frame = frame;
     if (common.frames > 1) {
@@ -207,18 +257,44 @@ std::vector<DicomSlice> slicesOf(std::string_view file) {
   return slices;
 }
 
+// Unpacks pixels of one bit each, the lowest bit first; frames follow each other without padding (PS3.5, 8.2).
+bool SlicePixels::unpackBits(const DicomSlice& slice) {
+  SliceBuffer buffer(slice.bytes);
+  std::istream stream(&buffer);
+  gdcm::Reader reader;
+  reader.SetStream(stream);
+  const gdcm::Tag tag(0x7fe0, 0x0010);
+  if (!reader.Read() || !reader.GetFile().GetDataSet().FindDataElement(tag)) return false;
+  const gdcm::ByteValue* const bits = reader.GetFile().GetDataSet().GetDataElement(tag).GetByteValue();
+  const std::size_t count =
+      static_cast<std::size_t>(slice.size[0]) * static_cast<std::size_t>(slice.size[1]) * slice.frames;
+  if (!bits || (count + 7) / 8 > bits->GetLength()) return false;
+  m_pixels.resize(count);
+  const char* const bytes = bits->GetPointer();
+  for (std::size_t i = 0; i < count; ++i)
+    m_pixels[i] = static_cast<char>(static_cast<unsigned char>(bytes[i / 8]) >> i % 8 & 1);
+  m_bytes = 1;
+  m_stored = 8;
+  m_shift = 0;
+  m_isSigned = false;
+  m_file = slice.bytes.data();
+  return true;
+}
+
 bool SlicePixels::unpack(const DicomSlice& slice) {
   if (m_file == slice.bytes.data()) return true;
   m_file = nullptr;
   m_pixels = {};
-  SliceBuffer buffer(slice.bytes);
+  if (slice.isOfBits) return unpackBits(slice);
+  const std::string known = slice.labels ? withKnownKind(slice.bytes) : std::string();
+  SliceBuffer buffer(slice.labels ? std::string_view(known) : slice.bytes);
   std::istream stream(&buffer);
   gdcm::ImageReader reader;
   reader.SetStream(stream);
   if (!reader.Read()) return false;
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat& format = image.GetPixelFormat();
-  if (!isGrey(format, image.GetPhotometricInterpretation())) return false;
+  if (!isGrey(format, image.GetPhotometricInterpretation(), slice.labels.get())) return false;
   const auto along = [&](unsigned int k) { return k < image.GetNumberOfDimensions() ? image.GetDimension(k) : 1u; };
   if (along(0) != static_cast<unsigned int>(slice.size[0]) || along(1) != static_cast<unsigned int>(slice.size[1]) ||
       along(2) != slice.frames)

@@ -4,15 +4,28 @@
 
 #include "base/Geometry.h"
 #include "base/Result.h"
+#include "volume/image/ImageVolume.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace handwheel {
+
+// The meaning of the pixels in a segmentation.
+struct DicomLabels {
+  // Bits and Fractions: pixels belong to the segment of their frame, or by a part. Values: they are numbers of
+  // segments.
+  enum class Kind { Bits, Fractions, Values };
+  Kind kind = Kind::Bits;
+  double least = 1.0;              // least value of a pixel in the segment of its frame
+  double background = 0.0;         // number without a segment, among values
+  std::vector<ImageLabel> labels;  // numbers and names of the segments
+};
 
 // A slice: the image of a DICOM file, or one of its frames. Data about the patient are not read.
 struct DicomSlice {
@@ -26,6 +39,9 @@ struct DicomSlice {
   double apart = 0.0;  // stated distance to the next slice along the normal, or thickness, mm; below 0: against it
   std::optional<double> location;                     // position along the normal from an unknown point, mm
   double number = 0.0;                                // order of slices without positions
+  std::shared_ptr<const DicomLabels> labels;          // labels of a segmentation; null: an image
+  double segment = 0.0;                               // number of the segment of a frame
+  bool isOfBits = false;                              // true: each pixel is one bit
   double slope = 1.0, intercept = 0.0;                // value = slope · number + intercept
   Vec3 origin = Vec3::Zero();                         // centre of the first pixel, mm
   Vec3 across = Vec3::UnitX(), down = Vec3::UnitY();  // unit vectors along rows and columns
@@ -50,6 +66,7 @@ class SlicePixels {
 
  private:
   bool unpack(const DicomSlice& slice);
+  bool unpackBits(const DicomSlice& slice);
 
   const char* m_file = nullptr;
   std::vector<char> m_pixels;

@@ -13,22 +13,6 @@ Error seriesError(const char* reason) {
   return {ErrorCode::LibraryFailed, {reason}, {}, {}};
 }
 
-// Returns the slices that belong to the series of the first slice, or to the largest series.
-std::vector<DicomSlice> chosen(const std::vector<DicomSlice>& slices, bool ofFirst) {
-  std::vector<std::vector<DicomSlice>> groups;
-  for (const DicomSlice& slice : slices) {
-    const auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& some) { return some.front().belongsWith(slice); });
-    if (group != groups.end())
-      group->push_back(slice);
-    else
-      groups.push_back({slice});
-  }
-  if (ofFirst) return groups.front();
-  return *std::max_element(groups.begin(), groups.end(),
-                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
-}
-
 // Returns the distance as a multiple of the usual distance; 0 if it is not a multiple.
 std::size_t multipleOf(double usual, double distance) {
   constexpr double kShare = 0.05;  // tolerance of a multiple, as a share of the usual distance
@@ -106,13 +90,29 @@ Status placeByOrder(std::vector<DicomSlice>& own, Series& series) {
 
 }  // namespace
 
-Result<Series> seriesOf(std::vector<DicomSlice> slices, bool ofFirst) {
-  if (slices.empty()) return seriesError("the file contains no image in grey");
+std::vector<DicomSlice> chosenSeries(const std::vector<DicomSlice>& slices, bool ofFirst) {
+  std::vector<std::vector<DicomSlice>> groups;
+  for (const DicomSlice& slice : slices) {
+    const auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& some) { return some.front().belongsWith(slice); });
+    if (group != groups.end())
+      group->push_back(slice);
+    else
+      groups.push_back({slice});
+  }
+  if (ofFirst) return groups.front();
+  // A segmentation has several frames at each position of the image that it lies beside.
+  const auto rank = [](const std::vector<DicomSlice>& group) {
+    return std::pair(group.front().labels == nullptr, group.size());
+  };
+  return *std::max_element(groups.begin(), groups.end(),
+                           [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+Result<Series> seriesOf(std::vector<DicomSlice> own) {
   Series series;
-  std::vector<DicomSlice> own = chosen(slices, ofFirst);
   if (!own.front().hasPosition)
     if (const Status placed = placeByOrder(own, series); !placed) return placed.error();
-  series.others = slices.size() - own.size();
   std::stable_sort(own.begin(), own.end(),
                    [](const DicomSlice& a, const DicomSlice& b) { return a.height() < b.height(); });
   constexpr double kSamePosition = 1e-3;  // mm

@@ -19,14 +19,16 @@ struct Series {
   bool isUneven = false;              // true: distances between slices are not multiples of one distance
   double least = 0.0, largest = 0.0;  // smallest and largest distance between slices, mm
   std::size_t missing = 0;            // number of missing slices, if all distances are multiples of one distance
-  std::size_t others = 0;             // number of slices of other series
   std::size_t samePosition = 0;       // number of slices that were omitted because another slice has the same position
   double assumed = 0.0;               // distance of slices without positions, mm; 0: all have positions
 };
 
-// Sorts the slices of one series: the largest, or if ofFirst is true that of the first slice. Uneven slices get even
-// steps of the smallest distance, and are to be interpolated. Slices without positions get the stated distance. Errors:
-// LibraryFailed with the reason.
-Result<Series> seriesOf(std::vector<DicomSlice> slices, bool ofFirst);
+// Returns the slices of the largest series, of a segmentation only if there is no image; or if ofFirst is true those of
+// the series of the first slice. There must be a slice.
+std::vector<DicomSlice> chosenSeries(const std::vector<DicomSlice>& slices, bool ofFirst);
+
+// Sorts the slices of one series. Uneven slices get even steps of the smallest distance, and are to be interpolated.
+// Slices without positions get the stated distance. Errors: LibraryFailed with the reason.
+Result<Series> seriesOf(std::vector<DicomSlice> own);
 
 }  // namespace handwheel

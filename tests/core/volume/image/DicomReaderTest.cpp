@@ -267,11 +267,11 @@ class DicomReaderTest : public QObject {
 
   void answersThatMakeNoSense() {
     const Result<ImageFile> good = imageInAnswer(
-        "0 0 0 0 0 0 0 0 0 0\nNRRD0004\ntype: int16\ndimension: 3\nsizes: 1 1 1\n"
+        "0 0 0 0 0 0 0 0 0 0 0 0\nNRRD0004\ntype: int16\ndimension: 3\nsizes: 1 1 1\n"
         "spacings: 1 1 1\nencoding: raw\n\nab");
     QVERIFY(good.hasValue());
-    for (const char* answer : {"", "0 0 0\n", "0 0 0 0 0 0 0 0 0 -1\nNRRD", "0 0 0 0 0 0 0 0 0 nan\nNRRD0004\n",
-                               "0 0 0 0 0 0 0 0 0 0\nNRRD0004\n\n"})
+    for (const char* answer : {"", "0 0 0\n", "0 0 0 0 0 0 0 0 0 0 0 -1\nNRRD", "0 0 0 0 0 0 0 0 0 0 0 nan\nNRRD0004\n",
+                               "0 0 0 0 0 0 0 0 0 0 0 0\nNRRD0004\n\n"})
       QVERIFY(!imageInAnswer(answer));
   }
 

@@ -3,6 +3,7 @@
 #include "volume/image/ImageLabels.h"
 
 #include "ClosedSurface.h"
+#include "ImageBytes.h"
 #include "LPhantom.h"
 #include "MadeImages.h"
 #include "TestClass.h"
@@ -125,6 +126,37 @@ class ImageLabelsTest : public QObject {
     QVERIFY(read.hasValue());
     QVERIFY(read->hasLabels);
     QCOMPARE(read->labels, (std::vector<ImageLabel>{{1.0, "left femur"}, {2.0, "tibia: both"}}));
+  }
+
+  // Layers of 3D Slicer, as an axis without a direction: the first, or the last, as other programs write them. Their
+  // numbers are reused from layer to layer; segments overlap in one sample.
+  void layers() {
+    const std::string keys =
+        "type: uchar\ndimension: 4\nspace: left-posterior-superior\nencoding: raw\n"
+        "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=a\n"
+        "Segment1_LabelValue:=2\nSegment1_Layer:=0\nSegment1_Name:=b\n"
+        "Segment2_LabelValue:=1\nSegment2_Layer:=1\nSegment2_Name:=c\n";
+    const std::string first =
+        "NRRD0004\n" + keys +
+        "sizes: 2 4 2 1\nspace directions: none (2,0,0) (0,3,0) (0,0,5)\nkinds: list domain domain domain\n\n";
+    const std::string last =
+        "NRRD0004\n" + keys +
+        "sizes: 4 2 1 2\nspace directions: (2,0,0) (0,3,0) (0,0,5) none\nkinds: domain domain domain list\n\n";
+    const std::string layer0("\1\1\2\0\0\0\0\0", 8), layer1("\0\1\0\1\1\0\0\0", 8);
+    std::string beside;
+    for (std::size_t i = 0; i < 8; ++i) beside += {layer0[i], layer1[i]};
+    for (const std::string& file : {first + beside, last + layer0 + layer1}) {
+      Result<ImageFile> read = readNrrd(file, {});
+      QVERIFY(read.hasValue());
+      QVERIFY((read->image.grid().spacing() - Vec3(2, 3, 5)).norm() < 1e-12);
+      QCOMPARE(valuesIn(read->image), (std::vector<double>{1, 3, 2, 3, 3, 0, 0, 0}));
+      QCOMPARE(read->labels, (std::vector<ImageLabel>{{1.0, "a"}, {2.0, "b"}, {3.0, "c"}}));
+      QCOMPARE(read->remarks.size(), std::size_t{1});
+      QVERIFY(read->remarks.front().kind == ImageRemark::Kind::Overlap);
+      QCOMPARE(read->remarks.front().figures, std::vector<double>{1.0});
+      markLabels(read->image, read->labels);
+      QCOMPARE(regionsOf(read->image)[2].volume, 3 * 30.0);  // three samples of 30 mm³
+    }
   }
 };
 

@@ -183,6 +183,52 @@ class NiftiReaderTest : public QObject {
     readDamaged(bytes, [](const std::string& each) { return readNifti(each); });
     readDamaged(packed(bytes, true), [](const std::string& each) { return readNifti(each); });
   }
+
+  // A sform and a qform that contradict each other: the sform counts, which is said. Forms for different spaces may
+  // differ, as long as neither is mirrored.
+  void contradictions() {
+    const auto read = [](int sform, float x, float shift) {
+      NiftiBytes bytes = small();
+      bytes.put<std::int16_t>(252, 1).put<std::int16_t>(254, static_cast<std::int16_t>(sform));
+      bytes.put(280, x).put(292, shift).put(300, 2.0f).put(320, 4.0f);
+      return readNifti(bytes.samples(4, kNiftiSamples).bytes());
+    };
+    QVERIFY(!hasRemark(*read(1, 0.5f, 0.0f), ImageRemark::Kind::Contradiction));
+    QVERIFY(!hasRemark(*read(4, 0.5f, 50.0f), ImageRemark::Kind::Contradiction));
+    for (const auto& file : {read(1, 0.5f, 50.0f), read(1, -0.5f, 0.0f), read(4, -0.5f, 0.0f)})
+      QVERIFY(hasRemark(*file, ImageRemark::Kind::Contradiction));
+    QCOMPARE(read(1, -0.5f, 0.0f)->image.grid().position({1, 0, 0}), Vec3(0.5, 0.0, 0.0));
+    // A sform that is stated but empty.
+    const Result<ImageFile> empty = readNifti(
+        small().put<std::int16_t>(252, 1).put<std::int16_t>(254, 2).put(268, 7.0f).samples(4, kNiftiSamples).bytes());
+    QVERIFY(empty.hasValue());
+    QCOMPARE(empty->image.grid().position({1, 1, 0}), Vec3(-7.5, -2.0, 0.0));
+  }
+
+  // Names of labels are in an extension between header and samples.
+  void namesOfLabels() {
+    std::string table =
+        "<?xml version=\"1.0\"?><CaretExtension><VolumeInformation Index=\"0\"><LabelTable>"
+        "<Label Key=\"1\" Red=\"1\">spleen</Label><Label Key=\"300\"><![CDATA[kidney left]]></Label>"
+        "</LabelTable></VolumeInformation></CaretExtension>";
+    table.resize(504, '\0');
+    for (const std::endian order : {std::endian::little, std::endian::big}) {
+      std::string bytes =
+          small(order).put(108, 864.0f).samples(4, std::vector<std::int16_t>{0, 1, 1, 0, 300, 0}).bytes();
+      std::string extension("\1\0\0\0", 4);
+      appendNumber<std::int32_t>(extension, 512, order);
+      appendNumber<std::int32_t>(extension, 0, order);
+      bytes.replace(348, 4, extension + table);
+      for (const std::string& each : {bytes, packed(bytes, true)}) {
+        const Result<ImageFile> file = readNifti(each);
+        QVERIFY(file.hasValue());
+        QVERIFY(file->hasLabels);
+        QCOMPARE(file->labels, (std::vector<ImageLabel>{{1.0, "spleen"}, {300.0, "kidney left"}}));
+        QCOMPARE(file->image.value(4), 300.0);
+      }
+      readDamaged(bytes.substr(0, 600), [](const std::string& damaged) { return readNifti(damaged); });
+    }
+  }
 };
 
 HANDWHEEL_TEST(NiftiReaderTest)
