@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
+#include <limits>
 #include <streambuf>
 
 namespace handwheel {
@@ -44,9 +45,10 @@ class SliceBuffer : public std::streambuf {
 bool isGrey(const gdcm::PixelFormat& format, const gdcm::PhotometricInterpretation& meaning,
             const DicomLabels* labels) {
   const int bits = format.GetBitsAllocated();
+  constexpr int kPacked = 12;  // two pixels in three bytes; GDCM unpacks them to 16 bits
   if (format.GetSamplesPerPixel() != 1) return false;
   if (labels && labels->kind == DicomLabels::Kind::Bits) return bits == 1 || bits == 8;
-  return (bits == 8 || bits == 16 || bits == 32) &&
+  return (bits == 8 || bits == kPacked || bits == 16 || bits == 32) &&
          (labels || meaning == gdcm::PhotometricInterpretation::MONOCHROME1 ||
           meaning == gdcm::PhotometricInterpretation::MONOCHROME2);
 }
@@ -62,7 +64,23 @@ DicomSlice sliceOfFile(const gdcm::DataSet& data) {
   slice.series = textAt(data, {0x0020, 0x000e});
   slice.location = numberAt(data, {0x0020, 0x1041});
   slice.number = numberAt(data, {0x0020, 0x0013}).value_or(0.0);
+  slice.moment = {numberAt(data, {0x0020, 0x0100}).value_or(0.0), numberAt(data, {0x0020, 0x0012}).value_or(0.0),
+                  slice.number};
   return slice;
+}
+
+// Returns the numbers of pixels without a value (PS3.3, C.7.5.1.1.2), such as those outside of the circle of a CT.
+std::optional<std::array<double, 2>> paddingOf(const gdcm::DataSet& data, bool isSigned) {
+  const auto numberOf = [&](const gdcm::Tag& tag) -> std::optional<double> {
+    const auto bits = countAt(data, tag);
+    if (!bits) return {};
+    constexpr std::uint32_t kMost = 0xffff;
+    return isSigned && *bits <= kMost ? static_cast<double>(static_cast<std::int16_t>(*bits))
+                                      : static_cast<double>(*bits);
+  };
+  const auto one = numberOf({0x0028, 0x0120}), limit = numberOf({0x0028, 0x0121});
+  if (!one) return {};
+  return std::array{std::min(*one, limit.value_or(*one)), std::max(*one, limit.value_or(*one))};
 }
 
 // Distances of pixels: in the patient, on the detector, or on the film.
@@ -184,6 +202,15 @@ std::string withKnownKind(std::string_view file) {
   return known;
 }
 
+// Gives pixels without a value the least value of the others.
+void clearPadding(const std::vector<std::size_t>& without, std::vector<float>& values) {
+  if (without.empty() || without.size() == values.size()) return;
+  constexpr float kNone = std::numeric_limits<float>::max();
+  for (const std::size_t i : without) values[i] = kNone;
+  const float least = *std::min_element(values.begin(), values.end());
+  for (const std::size_t i : without) values[i] = least;
+}
+
 // Sets the segment of a frame. Returns false if it is not stated.
 bool setSegment(const FrameTags& tags, std::size_t frame, DicomSlice& slice) {
   if (!slice.labels || slice.labels->kind == DicomLabels::Kind::Values) return true;
@@ -228,6 +255,7 @@ std::vector<DicomSlice> slicesOf(std::string_view file) {
   DicomSlice common = sliceOfFile(data);
   common.bytes = file;
   common.labels = labels;
+  if (!labels) common.padding = paddingOf(data, format.GetPixelRepresentation() != 0);
   common.isOfBits = format.GetBitsAllocated() == 1;
   common.frames = static_cast<std::size_t>(frames);
   common.size = {static_cast<int>(width), static_cast<int>(height)};
@@ -299,7 +327,7 @@ bool SlicePixels::unpack(const DicomSlice& slice) {
   if (along(0) != static_cast<unsigned int>(slice.size[0]) || along(1) != static_cast<unsigned int>(slice.size[1]) ||
       along(2) != slice.frames)
     return false;
-  m_bytes = format.GetBitsAllocated() / 8;
+  m_bytes = (format.GetBitsAllocated() + 7) / 8;
   const std::size_t needed = std::size_t{along(0)} * along(1) * along(2) * static_cast<std::size_t>(m_bytes);
   if (image.GetBufferLength() < needed) return false;
   m_pixels.resize(image.GetBufferLength());
@@ -316,6 +344,7 @@ std::optional<std::vector<float>> SlicePixels::valuesOf(const DicomSlice& slice)
   if (!unpack(slice)) return {};
   const std::uint64_t mask = (std::uint64_t{1} << m_stored) - 1, sign = std::uint64_t{1} << (m_stored - 1);
   std::vector<float> values(static_cast<std::size_t>(slice.size[0]) * static_cast<std::size_t>(slice.size[1]));
+  std::vector<std::size_t> without;
   // Converts the used bits of the pixels to signed or unsigned numbers, and rescales them.
   const auto put = [&]<class Word>(Word word) {
     const char* at = m_pixels.data() + slice.frame * values.size() * sizeof(Word);
@@ -325,12 +354,15 @@ std::optional<std::vector<float>> SlicePixels::valuesOf(const DicomSlice& slice)
       const std::uint64_t bits = word >> m_shift & mask;
       const double number = m_isSigned && (bits & sign) != 0 ? static_cast<double>(bits) - std::ldexp(1.0, m_stored)
                                                              : static_cast<double>(bits);
+      if (slice.padding && number >= (*slice.padding)[0] && number <= (*slice.padding)[1])
+        without.push_back(static_cast<std::size_t>(&value - values.data()));
       value = static_cast<float>(slice.slope * number + slice.intercept);
     }
   };
   if (m_bytes == 1) put(std::uint8_t{});
   if (m_bytes == 2) put(std::uint16_t{});
   if (m_bytes == 4) put(std::uint32_t{});
+  clearPadding(without, values);
   return values;
 }
 

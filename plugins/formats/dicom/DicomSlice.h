@@ -42,6 +42,8 @@ struct DicomSlice {
   std::shared_ptr<const DicomLabels> labels;          // labels of a segmentation; null: an image
   double segment = 0.0;                               // number of the segment of a frame
   bool isOfBits = false;                              // true: each pixel is one bit
+  std::array<double, 3> moment{0, 0, 0};              // order of slices at one position
+  std::optional<std::array<double, 2>> padding;       // least and largest number of pixels without a value
   double slope = 1.0, intercept = 0.0;                // value = slope · number + intercept
   Vec3 origin = Vec3::Zero();                         // centre of the first pixel, mm
   Vec3 across = Vec3::UnitX(), down = Vec3::UnitY();  // unit vectors along rows and columns
@@ -60,8 +62,8 @@ std::vector<DicomSlice> slicesOf(std::string_view file);
 // Unpacks the pixels of slices. Keeps those of the last file, so slices of one file should follow each other.
 class SlicePixels {
  public:
-  // Returns the values of a slice, rescaled by its slope and intercept. Returns nothing if the pixels cannot be
-  // unpacked.
+  // Returns the values of a slice, rescaled by its slope and intercept. Pixels without a value get the least value of
+  // the others. Returns nothing if the pixels cannot be unpacked.
   std::optional<std::vector<float>> valuesOf(const DicomSlice& slice);
 
  private:

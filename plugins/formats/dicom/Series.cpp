@@ -117,10 +117,13 @@ Result<Series> seriesOf(std::vector<DicomSlice> own) {
                    [](const DicomSlice& a, const DicomSlice& b) { return a.height() < b.height(); });
   constexpr double kSamePosition = 1e-3;  // mm
   for (DicomSlice& slice : own) {
-    if (!series.slices.empty() && slice.height() - series.slices.back().height() < kSamePosition)
-      ++series.samePosition;
-    else
+    if (series.slices.empty() || slice.height() - series.slices.back().height() >= kSamePosition) {
       series.slices.push_back(std::move(slice));
+      continue;
+    }
+    ++series.samePosition;
+    // Of several moments or echoes the first is taken everywhere, in whatever order the files are.
+    if (slice.frames == 1 && slice.moment < series.slices.back().moment) series.slices.back() = std::move(slice);
   }
   const DicomSlice& first = series.slices.front();
   if (series.slices.size() == 1) {
