@@ -25,16 +25,16 @@ struct Ellipsoid {
   }
 };
 
-const Ellipsoid kFace{{0.0, 50.0, -50.0}, {56.0, 38.0, 46.0}};
+const Ellipsoid kFace{{0.0, -50.0, -50.0}, {56.0, 38.0, 46.0}};
 
 // Bone is inside one of the first bodies and in none of the second, which are subtracted.
 struct SkullBodies {
   std::vector<Ellipsoid> solid{{Vec3::Zero(), Skull::kOuter}, kFace};
   std::vector<Ellipsoid> hollow{{Vec3::Zero(), Skull::kInner},               // the room within the inner table
-                                {{-30.0, 84.0, -44.0}, {18.0, 24.0, 16.0}},  // orbits
-                                {{30.0, 84.0, -44.0}, {18.0, 24.0, 16.0}},
-                                {{0.0, 88.0, -68.0}, {11.0, 22.0, 14.0}},    // the opening of the nose
-                                {{0.0, -18.0, -66.0}, {15.0, 18.0, 16.0}}};  // the great foramen
+                                {{-30.0, -84.0, -44.0}, {18.0, 24.0, 16.0}},  // orbits
+                                {{30.0, -84.0, -44.0}, {18.0, 24.0, 16.0}},
+                                {{0.0, -88.0, -68.0}, {11.0, 22.0, 14.0}},   // the opening of the nose
+                                {{0.0, 18.0, -66.0}, {15.0, 18.0, 16.0}}};   // the great foramen
 
   // The depth of the bone, from what it is without all of them.
   double depthAt(const Vec3& p, double depth) const {
@@ -113,11 +113,11 @@ const SparseVolume& shippedSkull() {
 }
 
 std::vector<SolidBall> skullBrain() {
-  return {{{0.0, 0.0, 0.0}, 56.0}, {{0.0, 26.0, 0.0}, 50.0}, {{0.0, -28.0, 0.0}, 49.0}};
+  return {{{0.0, 0.0, 0.0}, 56.0}, {{0.0, -26.0, 0.0}, 50.0}, {{0.0, 28.0, 0.0}, 49.0}};
 }
 
 SkullSite skullSite() {
-  const double x = 30.0, y = 35.0;
+  const double x = 30.0, y = -35.0;
   const Vec3& half = Skull::kOuter;
   const double z = half.z() * std::sqrt(1.0 - std::pow(x / half.x(), 2) - std::pow(y / half.y(), 2));
   const Vec3 entry(x, y, z);

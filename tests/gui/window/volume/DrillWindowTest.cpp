@@ -136,7 +136,7 @@ class DrillWindowTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.tabs(), 1);
     const Box box = volume(driver).volume()->volume.extent();
-    QVERIFY(box.contains(Vec3(0.0, 179.0, 0.0)));  // voxels of 0.5 mm: 90 mm to the front
+    QVERIFY(box.contains(Vec3(0.0, 179.0, 0.0)));  // voxels of 0.5 mm: 90 mm to the back
     QVERIFY(volume(driver).volume()->volume.material() > 3e5);
     for (const char* name : {"volumeSmooth", "clayLayersToggle"}) {
       const QAction* const action = driver.find<QAction>(name);
