@@ -5785,10 +5785,6 @@
         <translation>Glieder, die einander in Ruhe berühren, werden nicht gegeneinander geprüft: %1. Verbieten Sie in der Liste der Paare, was sich nicht berühren darf.</translation>
     </message>
     <message>
-        <source>The body was copied and not linked, as the path of a DICOM file often contains the patient&apos;s name.</source>
-        <translation>Der Körper wurde kopiert und nicht verknüpft, da der Pfad einer DICOM-Datei oft den Namen des Patienten enthält.</translation>
-    </message>
-    <message>
         <source>The spacing of the slices varies from %1 to %2 mm; slices every %3 mm were interpolated.</source>
         <translation>Der Abstand der Schichten schwankt zwischen %1 und %2 mm; es wurden Schichten im Abstand von %3 mm interpoliert.</translation>
     </message>
@@ -5811,6 +5807,10 @@
     <message>
         <source>The file states two different positions or orientations of its samples (sform and qform); the sform was used. Check left and right.</source>
         <translation>Die Datei nennt zwei verschiedene Positionen oder Ausrichtungen ihrer Abtastwerte (sform und qform); verwendet wurde die sform. Links und rechts prüfen.</translation>
+    </message>
+    <message>
+        <source>The body was copied and not linked, as the path of an image often contains the patient&apos;s name.</source>
+        <translation>Der Körper wurde kopiert und nicht verknüpft, da der Pfad eines Bildes oft den Namen des Patienten enthält.</translation>
     </message>
 </context>
 <context>
@@ -18897,6 +18897,30 @@
     <message>
         <source>Top</source>
         <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front of the patient (A)</source>
+        <translation>Vorderseite des Patienten (A)</translation>
+    </message>
+    <message>
+        <source>Back of the patient (P)</source>
+        <translation>Rückseite des Patienten (P)</translation>
+    </message>
+    <message>
+        <source>Right of the patient (R)</source>
+        <translation>Rechte Seite des Patienten (R)</translation>
+    </message>
+    <message>
+        <source>Left of the patient (L)</source>
+        <translation>Linke Seite des Patienten (L)</translation>
+    </message>
+    <message>
+        <source>Feet of the patient (F)</source>
+        <translation>Fußseite des Patienten (F)</translation>
+    </message>
+    <message>
+        <source>Head of the patient (H)</source>
+        <translation>Kopfseite des Patienten (H)</translation>
     </message>
 </context>
 <context>

@@ -5785,10 +5785,6 @@
         <translation>静止时相互接触的连杆不互相检查：%1。请在配对列表中禁止不得接触的连杆。</translation>
     </message>
     <message>
-        <source>The body was copied and not linked, as the path of a DICOM file often contains the patient&apos;s name.</source>
-        <translation>由于 DICOM 文件的路径常包含患者姓名，该实体已被复制而未建立链接。</translation>
-    </message>
-    <message>
         <source>The spacing of the slices varies from %1 to %2 mm; slices every %3 mm were interpolated.</source>
         <translation>切片间距在 %1 至 %2 mm 之间变化；已插值为间距 %3 mm 的切片。</translation>
     </message>
@@ -5811,6 +5807,10 @@
     <message>
         <source>The file states two different positions or orientations of its samples (sform and qform); the sform was used. Check left and right.</source>
         <translation>文件给出了两种不同的采样位置或方向（sform 和 qform）；已使用 sform。请检查左右。</translation>
+    </message>
+    <message>
+        <source>The body was copied and not linked, as the path of an image often contains the patient&apos;s name.</source>
+        <translation>该物体已复制而未链接，因为图像的路径常含有患者姓名。</translation>
     </message>
 </context>
 <context>
@@ -18772,6 +18772,30 @@
     <message>
         <source>Top</source>
         <translation>上</translation>
+    </message>
+    <message>
+        <source>Front of the patient (A)</source>
+        <translation>患者前侧（A）</translation>
+    </message>
+    <message>
+        <source>Back of the patient (P)</source>
+        <translation>患者后侧（P）</translation>
+    </message>
+    <message>
+        <source>Right of the patient (R)</source>
+        <translation>患者右侧（R）</translation>
+    </message>
+    <message>
+        <source>Left of the patient (L)</source>
+        <translation>患者左侧（L）</translation>
+    </message>
+    <message>
+        <source>Feet of the patient (F)</source>
+        <translation>患者足侧（F）</translation>
+    </message>
+    <message>
+        <source>Head of the patient (H)</source>
+        <translation>患者头侧（H）</translation>
     </message>
 </context>
 <context>

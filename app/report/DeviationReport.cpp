@@ -241,9 +241,11 @@ std::string pdfOf(const Comparison& c) {
 
 Status writeReport(const Comparison& comparison, const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
+  Comparison shared = comparison;
+  for (std::string* const name : {&shared.mesh, &shared.scan}) *name = std::filesystem::path(*name).filename().string();
   if (ending == ".json")
-    return writeFileAtomically(path, toJson(comparison).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  return writeFileAtomically(path, ending == ".pdf" ? pdfOf(comparison) : htmlOf(comparison));
+    return writeFileAtomically(path, toJson(shared).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return writeFileAtomically(path, ending == ".pdf" ? pdfOf(shared) : htmlOf(shared));
 }
 
 }  // namespace handwheel

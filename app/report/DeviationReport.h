@@ -42,7 +42,8 @@ std::string htmlOf(const Comparison& comparison);
 // Returns the report as PDF (A4). Requires a QGuiApplication, because the fonts depend on it.
 std::string pdfOf(const Comparison& comparison);
 
-// Writes the report as .html, .pdf or .json, according to the extension of the path. Either the whole file is written
+// Writes the report as .html, .pdf or .json, according to the extension of the path. It names the files without their
+// folders, which may be called after patients. Either the whole file is written
 // or nothing. Error: WriteFailed.
 Status writeReport(const Comparison& comparison, const std::filesystem::path& path);
 

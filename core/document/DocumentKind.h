@@ -68,6 +68,10 @@ class DocumentKind {
   virtual Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                        Progress progress) const = 0;
 
+  // Returns true if the name of a foreign file of this kind may be that of a patient, so that nothing which may leave
+  // the machine should contain it.
+  virtual bool hasPrivateName(const std::filesystem::path&) const { return false; }
+
   // Returns the content of a new document of default size; null for a kind without empty documents.
   virtual SnapshotPointer blank() const { return nullptr; }
 

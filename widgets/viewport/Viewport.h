@@ -57,6 +57,8 @@ class Viewport : public QOpenGLWidget {
   // Sets the unit of the scale bar.
   void setDisplayUnit(LengthUnit unit);
   void setViewCubeVisible(bool visible);
+  // Sets if the sides of the view cube are those of a patient (ViewCube::setPatient()).
+  void setOfPatient(bool isPatient);
 
   // Sets the rotation of the standard views and the view cube relative to the coordinate axes. The initial rotation is
   // the identity.

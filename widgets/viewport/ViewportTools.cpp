@@ -105,6 +105,10 @@ void Viewport::setViewCubeVisible(bool visible) {
   d->cube->setVisible(visible);
 }
 
+void Viewport::setOfPatient(bool isPatient) {
+  d->cube->setPatient(isPatient);
+}
+
 void Viewport::Private::connectCube() {
   connect(cube, &ViewCube::chosen, q, [this](const CubeRegion& region) { lookFrom(region); });
   connect(cube, &ViewCube::stepped, q, [this](int around, int up) {

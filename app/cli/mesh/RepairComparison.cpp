@@ -235,6 +235,23 @@ int codeOf(const std::vector<MethodRow>& rows) {
   return code;
 }
 
+// Returns the rows without the names of files that may be those of patients. Reports go on to others.
+std::vector<MethodRow> withoutPrivateNames(std::vector<MethodRow> rows, const DocumentKinds& kinds) {
+  std::vector<std::string> names;  // in the order of the files
+  for (MethodRow& row : rows) {
+    const std::filesystem::path path = row.file;
+    const Result<const DocumentKind*> kind = kinds.kindOf(path);
+    if (!kind || !*kind || !(*kind)->hasPrivateName(path)) continue;
+    if (names.empty() || names.back() != row.file) names.push_back(row.file);
+    const std::string shown = "image " + std::to_string(names.size());
+    // A reason may begin with the name of the input or of the output.
+    if (row.reason.find(path.stem().string()) != std::string::npos)
+      row.reason.erase(0, std::min(row.reason.find(": ") + 2, row.reason.size()));
+    row.file = shown;
+  }
+  return rows;
+}
+
 int runManyComparisons(const Arguments& arguments, const DocumentKinds& kinds) {
   namespace fs = std::filesystem;
   const fs::path output = arguments.valueOf("output"), report = arguments.valueOf("report");
@@ -259,9 +276,12 @@ int runManyComparisons(const Arguments& arguments, const DocumentKinds& kinds) {
   repairs.repair(plan.files);
   const std::vector<MethodRow>& rows = repairs.rows();
   // The repairs until then are reported, too.
-  if (arguments.has("report"))
-    if (const Status written = writeFileAtomically(report, ending == ".csv" ? csvText(rows) : htmlText(rows)); !written)
+  if (arguments.has("report")) {
+    const std::vector<MethodRow> shared = withoutPrivateNames(rows, kinds);
+    if (const Status written = writeFileAtomically(report, ending == ".csv" ? csvText(shared) : htmlText(shared));
+        !written)
       return fail(written.error());
+  }
   const int code = print(arguments.has("json") ? jsonOf(rows).dump() + "\n" : alignedText(rows));
   if (wasInterrupted()) return fail({ErrorCode::Cancelled, {}, {}, {}});
   return code == kExitDone ? codeOf(rows) : code;

@@ -81,6 +81,7 @@ void VolumeUi::setDocument(DocumentTab* opened) {
   const QString reason = opened && static_cast<const VolumeDocument&>(opened->document).isToBeDrilled()
                              ? tr("This volume is to be drilled, not shaped")
                              : QString();
+  parts().viewport.setOfPatient(opened && static_cast<const VolumeDocument&>(opened->document).scan());
   m_reshape->setDocument(opened, reason);
   m_remesh->setDocument(opened);
   m_stamp->setDocument(opened);

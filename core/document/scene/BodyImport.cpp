@@ -42,7 +42,7 @@ Result<ImportedBody> readBody(const DocumentKinds& kinds, const std::filesystem:
   if (isPrivate && read.body.link) {
     read.body.link.reset();
     read.file.notes.push_back({QT_TRANSLATE_NOOP(
-        "Note", "The body was copied and not linked, as the path of a DICOM file often contains the patient's name.")});
+        "Note", "The body was copied and not linked, as the path of an image often contains the patient's name.")});
   }
   return read;
 }

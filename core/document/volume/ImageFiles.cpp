@@ -190,6 +190,19 @@ bool isSegmentation(const fs::path& path) {
   return name.ends_with(".seg.nrrd") || name.ends_with(".seg.nhdr");
 }
 
+// Returns the name of the format of an image or of a folder of images; null for any other file.
+const char* formatOf(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "DICOM";
+  const Result<std::string> head = readFileHead(path, kDicomHead);
+  if (!head) return nullptr;
+  if (looksLikeNrrd(*head)) return "NRRD";
+  if (looksLikeNifti(*head)) return "NIfTI";
+  if (looksLikeDicom(*head)) return "DICOM";
+  if (looksLikeMetaImage(*head)) return "MetaImage";
+  return looksLikeRawImage(*head) ? "Raw image" : nullptr;
+}
+
 }  // namespace
 
 bool looksLikeImage(std::string_view head) {
@@ -229,13 +242,13 @@ std::vector<Note> notesOn(std::span<const ImageRemark> remarks) {
   return notes;
 }
 
-bool isOfPatient(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored) || isDicomFile(path);
+bool isPrivateName(const fs::path& path) {
+  return formatOf(path) != nullptr;
 }
 
 std::string sourceName(const fs::path& path) {
-  return isOfPatient(path) ? "DICOM" : path.filename().string();
+  const char* const format = formatOf(path);
+  return format ? format : path.filename().string();
 }
 
 std::string seriesTitle(const fs::path& path) {

@@ -25,9 +25,11 @@ bool looksLikeImage(std::string_view head);
 // Converts the remarks of an image to notes for the user.
 std::vector<Note> notesOn(std::span<const ImageRemark> remarks);
 
-// Returns true for a folder of images, and for a file in DICOM: their names are often those of patients.
-bool isOfPatient(const std::filesystem::path& path);
-// Returns the name of an image for storage and display. It is the name of the file, or "DICOM" if isOfPatient().
+// Returns true for an image and for a folder of images: their names are often those of patients. Such a name must not
+// be written into a file that may leave the machine.
+bool isPrivateName(const std::filesystem::path& path);
+// Returns the name of the source of a document, as it is stored. It is the name of the file, or that of its format if
+// isPrivateName().
 std::string sourceName(const std::filesystem::path& path);
 
 // Returns the title of a document made from a DICOM series: the name of its folder. The title of a single file is

@@ -99,8 +99,12 @@ Result<OpenedFile> VolumeKind::import(const std::filesystem::path& path, const R
   if (!volume) return volume.error();
   opened.content = std::move(*volume);
   opened.file.title = seriesTitle(path);
-  opened.file.hasPrivateName = isOfPatient(path);
+  opened.file.hasPrivateName = hasPrivateName(path);
   return opened;
+}
+
+bool VolumeKind::hasPrivateName(const std::filesystem::path& path) const {
+  return isPrivateName(path);
 }
 
 Result<WrittenFile> VolumeKind::exportTo(const Snapshot& content, const std::filesystem::path& path,

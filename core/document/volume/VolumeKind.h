@@ -22,6 +22,7 @@ class VolumeKind : public DocumentKind {
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
   bool readsFolders() const override { return true; }
+  bool hasPrivateName(const std::filesystem::path& path) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
   Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,

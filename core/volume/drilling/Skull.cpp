@@ -30,11 +30,11 @@ const Ellipsoid kFace{{0.0, -50.0, -50.0}, {56.0, 38.0, 46.0}};
 // Bone is inside one of the first bodies and in none of the second, which are subtracted.
 struct SkullBodies {
   std::vector<Ellipsoid> solid{{Vec3::Zero(), Skull::kOuter}, kFace};
-  std::vector<Ellipsoid> hollow{{Vec3::Zero(), Skull::kInner},               // the room within the inner table
+  std::vector<Ellipsoid> hollow{{Vec3::Zero(), Skull::kInner},                // the room within the inner table
                                 {{-30.0, -84.0, -44.0}, {18.0, 24.0, 16.0}},  // orbits
                                 {{30.0, -84.0, -44.0}, {18.0, 24.0, 16.0}},
-                                {{0.0, -88.0, -68.0}, {11.0, 22.0, 14.0}},   // the opening of the nose
-                                {{0.0, 18.0, -66.0}, {15.0, 18.0, 16.0}}};   // the great foramen
+                                {{0.0, -88.0, -68.0}, {11.0, 22.0, 14.0}},  // the opening of the nose
+                                {{0.0, 18.0, -66.0}, {15.0, 18.0, 16.0}}};  // the great foramen
 
   // The depth of the bone, from what it is without all of them.
   double depthAt(const Vec3& p, double depth) const {

@@ -12,8 +12,8 @@ namespace handwheel {
 // A synthetic skull for exercises of drilling, defined by formulas. It is not taken from a patient. It consists of a
 // vault between two ellipsoids, the outer and the inner table, with a face, orbits, a nasal opening and the great
 // foramen. It has no lower jaw and no teeth; the bone between the tables is solid. The origin is the centre of the
-// vault. Coordinates are those of a patient, as in ImageGrid: x to the left, y to the back, z upwards, so the face looks
-// along -y. Lengths are in mm.
+// vault. Coordinates are those of a patient, as in ImageGrid: x to the left, y to the back, z upwards, so the face
+// looks along -y. Lengths are in mm.
 //
 // The vault is 180 mm long and 144 mm wide, and its tables are 6.5 mm apart on the axes. Adult skulls have these sizes
 // to a few millimetres.

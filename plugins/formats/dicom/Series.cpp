@@ -122,7 +122,7 @@ Result<Series> seriesOf(std::vector<DicomSlice> own) {
       continue;
     }
     ++series.samePosition;
-    // Of several moments or echoes the first is taken everywhere, in whatever order the files are.
+    // The first of several moments or echoes is taken everywhere, in whatever order the files are.
     if (slice.frames == 1 && slice.moment < series.slices.back().moment) series.slices.back() = std::move(slice);
   }
   const DicomSlice& first = series.slices.front();

@@ -4,6 +4,7 @@
 #include "MadeDicom.h"
 #include "TestClass.h"
 
+#include <QDir>
 #include <QTest>
 #include <cmath>
 
@@ -200,6 +201,21 @@ class SegmentTest : public QObject {
       QVERIFY2(ran.code == 0, ran.err);
       QVERIFY(!fixture.run({"inspect", "b.handwheel"}).out.contains("Erika"));
     }
+  }
+
+  // Reports go on to others: they name no image, as it may be called after a patient.
+  void reports() {
+    const Fixture fixture;
+    putBalls(fixture, "mha");
+    QVERIFY(QDir(fixture.path()).mkdir("Erika"));
+    fixture.put("Erika/Mustermann.mha", fixture.content("balls.mha"));
+    fixture.put("part.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+    const Ran ran = fixture.run({"repair", "part.off", "Erika/Mustermann.mha", "-o", "fixed", "--format", "stl", "--by",
+                                 "both", "--voxel", "1", "--report", "table.csv"});
+    QVERIFY(ran.out.contains("Erika/Mustermann.mha"));
+    const QByteArray text = fixture.content("table.csv");
+    QVERIFY(text.contains("part.off") && text.contains("image 1"));
+    QVERIFY2(!text.contains("Mustermann") && !text.contains("Erika"), text);
   }
 
   void refusals_data() {

@@ -136,6 +136,35 @@ class ViewCubeTest : public QObject {
     QCOMPARE(names.size(), std::size_t{26});
   }
 
+  // On a patient the side that faces the viewer has the letter of the direction from which it is seen: x is to the
+  // left, y to the back, z to the head. To the right of the front is the patient's left.
+  void sidesOfAPatient() {
+    ViewCube cube(nullptr);
+    QCOMPARE(cube.textOn({0, -1, 0}), "Front");
+    cube.setPatient(true);
+    const auto facing = [&](StandardView view) {
+      cube.setOrientation(orientationOf(view));
+      const ViewCubeGeometry geometry(orientationOf(view), {50, 50}, 30);
+      QString letters;  // in front, and those of the directions to the right and up
+      letters += cube.textOn(*geometry.regionAt({50, 50}));
+      for (const Vec3& to : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())})
+        letters += cube.textOn((orientationOf(view) * to).array().round().matrix().cast<int>());
+      return letters;
+    };
+    QCOMPARE(facing(StandardView::Front), "ALH");
+    QCOMPARE(cube.accessibleDescription(), "Front of the patient (A)");
+    QCOMPARE(facing(StandardView::Back), "PRH");
+    QCOMPARE(facing(StandardView::Left), "RAH");
+    QCOMPARE(facing(StandardView::Right), "LPH");
+    QCOMPARE(facing(StandardView::Top), "HLP");
+    QCOMPARE(facing(StandardView::Bottom), "FLA");
+    cube.setOrientation(orientationOf(StandardView::Isometric));
+    QCOMPARE(cube.accessibleDescription(),
+             "Front of the patient (A) · Left of the patient (L) · Head of the patient (H)");
+    cube.setPatient(false);
+    QCOMPARE(cube.accessibleDescription(), "Front · Right · Top");
+  }
+
   // The region under the cursor is tinted with the accent: also the strips of an edge on both sides.
   void hoverHighlights() {
     ViewCube cube(nullptr);

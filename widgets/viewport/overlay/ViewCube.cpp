@@ -7,6 +7,8 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace handwheel {
 
@@ -66,10 +68,40 @@ QString ViewCube::nameOf(const CubeRegion& region) {
 void ViewCube::setOrientation(const Eigen::Quaterniond& orientation) {
   if (orientation.coeffs() == m_orientation.coeffs()) return;
   m_orientation = orientation;
-  // The orientation is the accessible description.
-  const QString facing = nameOf(regionFacing(orientation));
+  describe();
+}
+
+void ViewCube::setPatient(bool isPatient) {
+  if (std::exchange(m_isPatient, isPatient) == isPatient) return;
+  describe();
+}
+
+// The orientation is the accessible description.
+void ViewCube::describe() {
+  const QString facing = shownName(regionFacing(m_orientation));
   if (facing != accessibleDescription()) setAccessibleDescription(facing);
   update();
+}
+
+QString ViewCube::shownName(const CubeRegion& region) const {
+  return m_isPatient ? nameOnPatient(region) : nameOf(region);
+}
+
+QString ViewCube::nameOnPatient(const CubeRegion& region) {
+  QStringList names;
+  if (region.y() != 0) names += region.y() < 0 ? tr("Front of the patient (A)") : tr("Back of the patient (P)");
+  if (region.x() != 0) names += region.x() < 0 ? tr("Right of the patient (R)") : tr("Left of the patient (L)");
+  if (region.z() != 0) names += region.z() < 0 ? tr("Feet of the patient (F)") : tr("Head of the patient (H)");
+  return names.join(QStringLiteral(" · "));
+}
+
+QString ViewCube::textOn(const CubeRegion& side) const {
+  if (!m_isPatient) return nameOf(side);
+  constexpr std::array<char, 3> kBelow{'R', 'A', 'F'}, kAbove{'L', 'P', 'H'};
+  Eigen::Index axis = 0;
+  side.cwiseAbs().maxCoeff(&axis);
+  const auto k = static_cast<std::size_t>(axis);
+  return QChar::fromLatin1(side[axis] < 0 ? kBelow[k] : kAbove[k]);
 }
 
 void ViewCube::setColours(const SceneColours& colours) {
@@ -89,7 +121,7 @@ void ViewCube::hover(const std::optional<CubeRegion>& region) {
   if (region == m_hovered) return;
   if (region && !m_hovered) emit entered();
   m_hovered = region;
-  setToolTip(region ? nameOf(*region) : QString());
+  setToolTip(region ? shownName(*region) : QString());
   region ? setCursor(Qt::PointingHandCursor) : unsetCursor();
   update();
 }
@@ -130,7 +162,7 @@ void ViewCube::paintNames(QPainter& painter) const {
     QColor ink = m_colours.text;
     ink.setAlphaF(static_cast<float>(std::clamp(2.0 * (m_orientation.conjugate() * out).z(), 0.0, 1.0)));
     const QTransform onSide(x.x(), x.y(), y.x(), y.y(), middle.x(), middle.y());
-    painter.fillPath(onSide.map(textPath(nameOf(cell.side), font())), ink);
+    painter.fillPath(onSide.map(textPath(textOn(cell.side), font())), ink);
   }
 }
 

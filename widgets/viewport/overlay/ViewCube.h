@@ -20,10 +20,17 @@ class ViewCube : public QWidget {
 
   void setOrientation(const Eigen::Quaterniond& orientation);
   void setColours(const SceneColours& colours);
+  // Names the sides after those of a patient, whose coordinates are those of ImageGrid: x to the left, y to the back, z
+  // to the head. The sides have the letters of slices.
+  void setPatient(bool isPatient);
   QSize sizeHint() const override;
 
   // Returns the translated name of a region: "Front", "Front · Right · Top".
   static QString nameOf(const CubeRegion& region);
+  // Returns the same for a patient: "Front of the patient (A)".
+  static QString nameOnPatient(const CubeRegion& region);
+  // Returns the text on a side.
+  QString textOn(const CubeRegion& side) const;
 
  signals:
   void chosen(const handwheel::CubeRegion& region);
@@ -46,11 +53,14 @@ class ViewCube : public QWidget {
   ViewCubeGeometry geometryNow() const;
   std::optional<CubeRegion> regionAt(const QPointF& position) const;
   void hover(const std::optional<CubeRegion>& region);
+  QString shownName(const CubeRegion& region) const;
+  void describe();
   void paintCells(QPainter& painter) const;
   void paintNames(QPainter& painter) const;
 
   Eigen::Quaterniond m_orientation = Eigen::Quaterniond::Identity();
   SceneColours m_colours;
+  bool m_isPatient = false;
   std::optional<CubeRegion> m_hovered;
   std::optional<CubeRegion> m_pressed;
   bool m_isDragged = false;

@@ -99,7 +99,7 @@ class ImageFilesTest : public QObject {
     QVERIFY(opened.hasValue());
     const auto& volume = static_cast<const VolumeSnapshot&>(*opened->content);
     QCOMPARE(volume.volume.material(), 32.0);
-    QCOMPARE(volume.source, std::string("a.json"));
+    QCOMPARE(volume.source, std::string("Raw image"));
     QCOMPARE(opened->file.notes.size(), std::size_t{1});
     QVERIFY(std::abs(std::stod(opened->file.notes.front().arguments.front()) - 100.0) < 1.0);
   }

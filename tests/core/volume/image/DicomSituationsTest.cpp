@@ -85,7 +85,7 @@ class DicomSituationsTest : public QObject {
   void gaps() {
     QFETCH(int, axis);
     QFETCH(bool, isFrames);
-    constexpr double kApart = 2.0;
+    constexpr double kSliceStep = 2.0;
     constexpr int kMissing = 3;
     Eigen::Matrix3d axes;
     for (int k = 0; k < 3; ++k) axes.col(k) = Vec3::Unit((axis + 1 + k) % 3);
@@ -96,8 +96,8 @@ class DicomSituationsTest : public QObject {
       slice.down = axes.col(1);
       slice.width = slice.height = 64;
       slice.spacing = 1.0;
-      slice.origin = Vec3(-22, -22, -22) + (22.0 - 21.0 + kApart * i) * axes.col(2);
-      slice.origin[axis] = -21.0 + kApart * i;
+      slice.origin = Vec3(-22, -22, -22) + (22.0 - 21.0 + kSliceStep * i) * axes.col(2);
+      slice.origin[axis] = -21.0 + kSliceStep * i;
       slice.value = lPhantom;
       all.push_back(slice);
     }
@@ -120,7 +120,7 @@ class DicomSituationsTest : public QObject {
       kept.erase(at, at + kMissing);
       const double filled = volumeOf(kept, read);
       QVERIFY(read.hasValue() && hasRemark(*read, ImageRemark::Kind::SlicesMissing));
-      QCOMPARE(read->remarks.front().figures, (std::vector<double>{kMissing, (kMissing + 1) * kApart}));
+      QCOMPARE(read->remarks.front().figures, (std::vector<double>{kMissing, (kMissing + 1) * kSliceStep}));
       QCOMPARE(read->image.grid().size[2], static_cast<int>(all.size()));
       const double low = all[first - 1].origin[axis], high = all[first + kMissing].origin[axis];
       // The neighbours' sections, and the integral of the true ones over the gap.
