@@ -8487,6 +8487,10 @@
         <source>Near below</source>
         <translation>Nahe unter</translation>
     </message>
+    <message>
+        <source>the surface lies in the plane</source>
+        <translation>die Fläche liegt in der Ebene</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

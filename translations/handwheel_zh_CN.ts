@@ -8482,6 +8482,10 @@
         <source>Near below</source>
         <translation>近距离阈值</translation>
     </message>
+    <message>
+        <source>the surface lies in the plane</source>
+        <translation>曲面位于该平面内</translation>
+    </message>
 </context>
 <context>
     <name>RepairSummary</name>

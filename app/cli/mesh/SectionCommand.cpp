@@ -87,7 +87,16 @@ std::string readableText(const Section& section) {
                      std::to_string(section.curves.size() - closed) + " open.\n" +
                      "Length: " + roundedText(section.length) + " mm.\n";
   if (section.isClosed) text += "Area: " + roundedText(section.area) + " mm².\n";
+  if (section.facesInPlane > 0 && !section.curves.empty())
+    text += "Triangles that lie in the plane: " + std::to_string(section.facesInPlane) +
+            ". The section is that just below it, or just above for bodies that begin there.\n";
   return text;
+}
+
+// Explains why a section has no curves.
+std::string reasonOfNothing(const Section& section) {
+  if (section.facesInPlane > 0) return "The surface lies in the plane, so there is no section of it.";
+  return section.isTouched ? "The plane only touches the mesh." : "The plane does not intersect the mesh.";
 }
 
 }  // namespace
@@ -98,7 +107,8 @@ CommandSpec sectionSpec() {
       "FILE",
       "Cuts a mesh by a plane and draws the outlines. The drawing is in mm, at scale 1:1, and seen from the side to\n"
       "which the normal points. Prints the length of the outlines and the enclosed area: parts that overlap count\n"
-      "once, cavities not at all. Exit code 0: done; 2: there is nothing to cut, or an outline is open and has\n"
+      "once, cavities not at all. Where a wall lies in the plane the section is that just below it, seen from the\n"
+      "side to which the normal points. Exit code 0: done; 2: there is nothing to cut, or an outline is open and has\n"
       "no area; 1: error.",
       {
           {"plane", 0, "PLANE", "x=MM, y=MM, z=MM, or A,B,C=MM: the normal and the distance from the origin"},
@@ -123,7 +133,7 @@ int runSection(const Arguments& arguments, const DocumentKinds& kinds) {
   const Section& section = result->value();
   reportLosses(losses);
   if (const int code = print(readableText(section)); code != kExitDone) return code;
-  if (section.curves.empty()) complain("The plane does not intersect the mesh.");
+  if (section.curves.empty()) complain(reasonOfNothing(section));
   if (!section.isClosed) complain("An outline is open, so there is no area. 'handwheel repair' closes the mesh.");
   return section.curves.empty() || !section.isClosed ? kExitSomethingLeft : kExitDone;
 }

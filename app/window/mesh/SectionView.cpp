@@ -63,6 +63,8 @@ std::vector<Property> SectionView::statistics() const {
   length.quantity = Quantity::Length;
   length.value = m_section->length;
   length.editable = false;
+  if (m_section->curves.empty() && m_section->facesInPlane > 0)
+    length.problem = QT_TRANSLATE_NOOP("Property", "the surface lies in the plane");
   if (!m_section->isClosed) {  // and has no area
     length.problem = QT_TRANSLATE_NOOP("Property", "the outline is open");
     return {length};

@@ -22,6 +22,8 @@ struct Section {
   double length = 0.0;  // mm, sum over all curves
   double area = 0.0;    // mm², enclosed by the closed curves: overlapping areas count once, hollows do not count
   bool isClosed = true;
+  std::size_t facesInPlane = 0;
+  bool isTouched = false;  // a vertex lies in the plane
 };
 
 // Orthonormal axes of a plane with a unit normal. u, v and the normal form a right-handed system. For the normal X, u
@@ -32,11 +34,13 @@ struct PlaneAxes {
 PlaneAxes axesOfPlane(const Vec3& normal);
 
 // Computes the section of a mesh by a plane. The plane consists of the points p with normal · p = offset (mm); the
-// normal has unit length. Vertices in the plane itself count as below it, so the result is that of a plane just above:
-// each face is cut in one segment or not at all, and the curves of a closed mesh are closed (Edelsbrunner, Mücke,
-// "Simulation of simplicity", 1990). The points of the curves lie on the edges of the mesh, up to the rounding error of
-// one division. Faces with a corner that is not finite, or with a repeated corner, are left out. The result is invalid
-// if cancelled. O(faces), plus the cost of coveredArea().
+// normal has unit length. Vertices in the plane itself, up to rounding, count as below it, so the result is that of a
+// plane just above: each face is cut in one segment or not at all, and the curves of a closed mesh are closed
+// (Edelsbrunner, Mücke, "Simulation of simplicity", 1990). If faces lie in the plane, the result is that of a plane
+// just below instead, so the wall on top of a body is its outline; shells that begin in the plane are cut just above
+// it. The points of the curves lie on the edges of the mesh, up to the rounding error of one division. Faces with a
+// corner that is not finite, or with a repeated corner, are left out. The result is invalid if cancelled. O(faces),
+// plus the cost of coveredArea().
 Section sectionOf(const HalfEdgeMesh& mesh, const Vec3& normal, double offset, Progress progress = {});
 
 }  // namespace handwheel
