@@ -3,6 +3,7 @@
 #include "report/DeviationReport.h"
 
 #include "document/AtomicFile.h"
+#include "report/BoundText.h"
 #include "viewport/OffscreenPicture.h"
 
 #include <QBuffer>
@@ -109,13 +110,18 @@ QImage pictureOf(const SurfaceDeviation& s) {
   return image;
 }
 
+std::string boundText(const Comparison& c) {
+  return c.deviation.atMost ? " No point is farther away than " + roundedUpText(*c.deviation.atMost) + " mm."
+                            : std::string();
+}
+
 // The page without its frame; histogram(surface, name) draws one, picture is the element of the picture.
 template <class Histogram>
 std::string bodyOf(const Comparison& c, Histogram histogram, const std::string& picture) {
   std::string body = "<h1>Deviation</h1>\n<p>Mesh: " + escaped(c.mesh) + "<br/>Scan: " + escaped(c.scan) +
                      "</p>\n<p>Distances in mm, positive on the side of the normals of the other surface. "
                      "The largest distance found either way is " +
-                     number(c.deviation.hausdorff()) + " mm.</p>\n" +
+                     number(c.deviation.hausdorff()) + " mm." + boundText(c) + "</p>\n" +
                      "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n"
                      "<tr><th></th><th>Mesh from scan</th><th>Scan from mesh</th></tr>\n";
   for (const Row& row : rowsOf(c.deviation)) {
@@ -193,15 +199,18 @@ std::string readableText(const Comparison& c) {
     text += row.name + std::string(names + 2 - row.name.size(), ' ') + row.ofMesh +
             std::string(values + 2 - row.ofMesh.size(), ' ') + row.ofScan + "\n";
   }
-  return text + "\nLargest distance found either way: " + number(c.deviation.hausdorff()) + "\n";
+  return text + "\nLargest distance found either way: " + number(c.deviation.hausdorff()) + "\n" +
+         (c.deviation.atMost ? "No point is farther away than: " + roundedUpText(*c.deviation.atMost) + "\n" : "");
 }
 
 Json toJson(const Comparison& c) {
-  return {{"mesh", c.mesh},
-          {"scan", c.scan},
-          {"largest_distance_mm", c.deviation.hausdorff()},
-          {"mesh_from_scan", toJson(c.deviation.ofMesh)},
-          {"scan_from_mesh", toJson(c.deviation.ofScan)}};
+  Json json = {{"mesh", c.mesh},
+               {"scan", c.scan},
+               {"largest_distance_mm", c.deviation.hausdorff()},
+               {"mesh_from_scan", toJson(c.deviation.ofMesh)},
+               {"scan_from_mesh", toJson(c.deviation.ofScan)}};
+  if (c.deviation.atMost) json["no_distance_above_mm"] = *c.deviation.atMost;
+  return json;
 }
 
 std::string htmlOf(const Comparison& c) {

@@ -28,6 +28,7 @@ std::string readRequest(const Arguments& arguments, CompareRequest& request) {
   request.scan = arguments.operands[1];
   request.report = arguments.valueOf("report");
   request.read.partial = arguments.has("partial");
+  request.options.measuresBound = true;
   const std::string ending = request.report.extension().string();
   if (arguments.has("report") && ending != ".html" && ending != ".pdf" && ending != ".json") {
     return "--report takes a name that ends in .html, .pdf or .json.";

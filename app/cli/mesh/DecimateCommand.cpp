@@ -7,16 +7,20 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
+#include "cli/ReportJson.h"
 #include "cli/mesh/MeshOutput.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshKind.h"
+#include "mesh/search/LocalIntersections.h"
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "report/BoundText.h"
 #include "tools/mesh/OpenMeshReasons.h"
 #include "tools/mesh/operations/DecimateOperation.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace handwheel {
 
@@ -60,7 +64,8 @@ struct Decimated {
   DocumentFile file;  // losses of reading
   // Its distances have in them how far the numbers of the output move points.
   DecimationReport report;
-  std::string refusal;  // the reason why nothing was written
+  std::string refusal;        // the reason why nothing was written
+  std::size_t crossings = 0;  // number of pairs of triangles that intersect since
 };
 
 Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKinds& kinds, Progress progress) {
@@ -88,7 +93,9 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
       return done;
     }
   }
-  if (!progress.cancelled()) done.report = decimate(mesh, options, progress.part(0.2, 0.9));
+  const HalfEdgeMesh original = mesh;
+  if (!progress.cancelled()) done.report = decimate(mesh, options, progress.part(0.2, 0.8));
+  if (const auto change = intersectionsChange(original, mesh, progress.part(0.8, 0.9))) done.crossings = change->fresh;
   if (done.report.largestDistance) *done.report.largestDistance += rounding;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (const char* reason = reasonOf(done.report.refusal)) {
@@ -100,15 +107,22 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
   return done;
 }
 
+nlohmann::ordered_json jsonOf(const Decimated& done) {
+  const DecimationReport& report = done.report;
+  nlohmann::ordered_json json = {{"triangles_before", report.facesBefore},
+                                 {"triangles", report.facesAfter},
+                                 {"distance_mm", nullptr},
+                                 {"new_self_intersecting_pairs", done.crossings}};
+  if (report.largestDistance) json["distance_mm"] = *report.largestDistance;
+  return json;
+}
+
 std::string readableText(const DecimationReport& report, bool isBounded) {
   std::string text =
       "Triangles: " + std::to_string(report.facesBefore) + " before, " + std::to_string(report.facesAfter) + " now.\n";
-  if (report.largestDistance) {
-    text += "Largest distance found between original and result: " + roundedText(*report.largestDistance) + " mm.\n";
-    if (isBounded)
-      text += report.isProven ? "No point is farther away than --error allows.\n"
-                              : "Between the sampled points, --error is not guaranteed.\n";
-  }
+  if (report.largestDistance)
+    text += "Largest distance found between original and result: " + roundedUpText(*report.largestDistance) + " mm.\n" +
+            (isBounded ? "No point is farther away than --error allows.\n" : "No point is farther away.\n");
   return text;
 }
 
@@ -124,6 +138,7 @@ CommandSpec decimateSpec() {
                       "reported on stderr; 1: error.",
                       {meshOutputOption()}};
   for (OptionSpec& option : optionsOf(decimateOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"json", 0, "", "Print the figures as JSON"});
   spec.options.push_back({"partial", 0, "", "Read the undamaged part of a damaged file"});
   spec.options.push_back({"help", 'h', "", "Show this help"});
   return spec;
@@ -140,8 +155,12 @@ int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
   const Decimated& done = result->value();
   reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
-  if (const int code = print(readableText(done.report, request.options.error.has_value())); code != kExitDone)
-    return code;
+  const std::string text =
+      arguments.has("json") ? textOf(jsonOf(done)) : readableText(done.report, request.options.error.has_value());
+  if (const int code = print(text); code != kExitDone) return code;
+  if (done.crossings > 0)
+    complain(std::to_string(done.crossings) + (done.crossings == 1 ? " pair" : " pairs") +
+             " of triangles intersect that did not before. --no-crossings prevents that.");
   if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {
     complain("No triangle was removed: none can be removed within --error. Try a larger one.");
     return kExitSomethingLeft;

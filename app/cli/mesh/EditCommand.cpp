@@ -12,6 +12,7 @@
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshKind.h"
+#include "mesh/search/LocalIntersections.h"
 #include "mesh/structure/MeshErrors.h"
 #include "text/NoteText.h"
 #include "text/RepairText.h"
@@ -98,6 +99,14 @@ std::string reachedLine(const Step& step, const ScriptLineOutcome& outcome) {
   return step.subject + ": " + sheetsText(outcome.sheets, LengthUnit::Millimetre).toStdString() + ".\n";
 }
 
+// Says which self-intersections a step has made; empty if none. A pose makes none.
+std::string crossingsLine(const Step& step, const HalfEdgeMesh& before, const HalfEdgeMesh& after, Progress progress) {
+  if (step.text.starts_with("place")) return {};
+  const auto change = intersectionsChange(before, after, progress);
+  if (!change || change->fresh == 0) return {};
+  return step.subject + ": " + std::to_string(change->fresh) + " more pair(s) of triangles intersect.\n";
+}
+
 // Error: of the step concerned.
 Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const DocumentKinds& kinds, Edited& done,
                   Progress progress) {
@@ -105,8 +114,9 @@ Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const 
   const auto count = static_cast<double>(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto at = static_cast<double>(i);
+    const HalfEdgeMesh before = document.mesh();
     const Result<ScriptLineOutcome> outcome =
-        applyScriptLine(document, steps[i].text, progress.part(at / count, (at + 1.0) / count), readMesh);
+        applyScriptLine(document, steps[i].text, progress.part(at / count, (at + 0.8) / count), readMesh);
     if (!outcome) {
       Error error = outcome.error();
       if (error.code != ScriptError::Malformed) return error;
@@ -115,6 +125,9 @@ Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const 
       return error;
     }
     if (const std::string line = reachedLine(steps[i], *outcome); !line.empty()) done.reached.push_back(line);
+    const std::string crossings =
+        crossingsLine(steps[i], before, document.mesh(), progress.part((at + 0.8) / count, (at + 1.0) / count));
+    if (!crossings.empty()) done.reached.push_back(crossings);
     if (!outcome->changed || outcome->sheets.leftCount() > 0) done.idle.push_back(idleSentence(steps[i], *outcome));
   }
   return Done{};

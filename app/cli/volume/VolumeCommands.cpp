@@ -21,6 +21,7 @@
 #include "document/volume/ImageFiles.h"
 #include "document/volume/VolumeKind.h"
 #include "document/volume/VolumeMaking.h"
+#include "report/BoundText.h"
 #include "text/NoteText.h"
 #include "tools/volume/VoxelizeOperations.h"
 #include "volume/VolumeFidelity.h"
@@ -138,7 +139,7 @@ Result<Answer> remeshFile(const Request& request, const OperationValues& values,
   if (made->largestDistance) done.report["distance_mm"] = *made->largestDistance;
   done.text = request.output.string() + ": " + std::to_string(made->mesh.liveFaceCount()) + " triangles";
   if (made->largestDistance)
-    done.text += " of " + std::to_string(made->before) + ", at most " + roundedText(*made->largestDistance) +
+    done.text += " of " + std::to_string(made->before) + ", at most " + roundedUpText(*made->largestDistance) +
                  " mm from the surface";
   done.text += ".\n";
   done.warnings = notesOn(*written);

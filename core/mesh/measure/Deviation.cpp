@@ -3,6 +3,7 @@
 #include "mesh/measure/Deviation.h"
 
 #include "base/NumberText.h"
+#include "mesh/search/LargestDistance.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/MeshErrors.h"
@@ -248,17 +249,12 @@ Result<Deviation> deviation(const SurfaceDistance& mesh, const SurfaceDistance& 
     if (const Status status = check(*surface); !status) return status.error();
   }
   Deviation result;
-  result.ofMesh = Measurement(mesh, scan, options, progress.part(0.0, 0.5)).result();
-  result.ofScan = Measurement(scan, mesh, options, progress.part(0.5, 1.0)).result();
+  const double measured = options.measuresBound ? 0.7 : 1.0;
+  result.ofMesh = Measurement(mesh, scan, options, progress.part(0.0, 0.5 * measured)).result();
+  result.ofScan = Measurement(scan, mesh, options, progress.part(0.5 * measured, measured)).result();
+  if (options.measuresBound) result.atMost = largestDistance(mesh, scan, progress.part(measured, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return result;
-}
-
-std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, Progress progress) {
-  constexpr std::size_t kFewest = 20'000, kMost = 400'000;
-  const DeviationOptions options{.samples = std::clamp(2 * original.liveFaceCount(), kFewest, kMost), .bins = 1};
-  const Result<Deviation> measured = deviation(mesh, original, options, progress);
-  return measured ? std::optional(measured->hausdorff()) : std::nullopt;
 }
 
 }  // namespace handwheel

@@ -19,7 +19,8 @@ inline constexpr std::size_t kMaxDeviationBins = 10'000;
 struct DeviationOptions {
   // Number of uniformly distributed sample points on each surface besides its vertices; 0: vertices only.
   std::size_t samples = 200'000;
-  std::size_t bins = 50;  // number of bins of the histogram, at least 1
+  std::size_t bins = 50;       // number of bins of the histogram, at least 1
+  bool measuresBound = false;  // sets Deviation::atMost
 };
 
 // A point with an extreme distance from the other surface.
@@ -54,6 +55,8 @@ struct SurfaceDeviation {
 struct Deviation {
   SurfaceDeviation ofMesh;  // deviation of the mesh from the scan
   SurfaceDeviation ofScan;  // deviation of the scan from the mesh
+  // Upper bound of the distances in both directions (largestDistance()), mm; absent unless requested.
+  std::optional<double> atMost;
   // Returns the largest distance found in both directions, a lower bound of the Hausdorff distance.
   double hausdorff() const;
 };
@@ -63,10 +66,6 @@ struct Deviation {
 // coordinate beyond 1e60), Cancelled.
 Result<Deviation> deviation(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, const DeviationOptions& options = {},
                             Progress progress = {});
-// Returns the largest distance found between two surfaces in both directions, mm. It is measured at all vertices and at
-// about twice as many samples as the second surface has faces, up to a limit beyond which more samples hardly change
-// the result. Returns nothing if a surface has no triangles, or if cancelled.
-std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, Progress progress = {});
 
 // Compares two surfaces. This overload is for callers that also measure other distances from the surfaces. The errors
 // are those of the overload for meshes; Cancelled is also returned if the construction of a surface was cancelled.

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/simplify/Decimation.h"
 
-#include "mesh/measure/Deviation.h"
 #include "mesh/search/DistanceBound.h"
+#include "mesh/search/LargestDistance.h"
 #include "mesh/simplify/Decimator.h"
 #include "mesh/simplify/QuadricDecimation.h"
+#include "mesh/structure/WorkingScale.h"
 
 #include <algorithm>
 
@@ -24,17 +25,6 @@ std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
     ++removed;
   }
   return removed;
-}
-
-// Returns options with twice as many samples as the original has faces.
-DeviationOptions measuring(const HalfEdgeMesh& original) {
-  return {.samples = std::clamp<std::size_t>(2 * original.faceSlots(), 20'000, kMaxDeviationSamples), .bins = 1};
-}
-
-// Returns nothing once cancelled, or if there is nothing to measure.
-std::optional<double> distanceWithin(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original, const Progress& progress) {
-  const auto measured = deviation(mesh, original, measuring(original), progress);
-  return measured ? std::optional(measured->hausdorff()) : std::nullopt;
 }
 
 // Tests if each surface is within the error of the other, and collects the points where not.
@@ -90,19 +80,19 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
       addVerticesNear(surface, beyond, reach, fixed, whole);
       continue;
     }
-    report.largestDistance = distanceWithin(mesh, original, whole.part(0.8, 1.0));
-    report.isProven = within == Within::Yes;
+    const std::optional<double> bound = largestDistance(made, surface, whole.part(0.8, 1.0));
     report.cancelled = progress.cancelled();
-    if (report.cancelled || report.largestDistance.value_or(0.0) <= *options.error) return;
+    if (report.cancelled) return;
+    // Either proves it.
+    if (within != Within::Yes && !(bound && *bound <= *options.error)) continue;
+    report.largestDistance = std::min(bound.value_or(*options.error), *options.error);
+    return;
   }
   mesh = original;
   report.largestDistance = 0.0;
-  report.isProven = true;
 }
 
-}  // namespace
-
-DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress whole) {
+DecimationReport decimateAtWorkingScale(HalfEdgeMesh& mesh, const DecimationOptions& options, const Progress& whole) {
   const HalfEdgeMesh original = mesh;
   const bool isMeasured = options.measureDistance && !options.error;
   const Progress progress = whole.part(0.0, isMeasured ? 0.7 : 1.0);
@@ -123,6 +113,23 @@ DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, 
   }
   if (report.cancelled || report.refusal != OpenMeshRefusal::None) mesh = original;
   report.facesAfter = mesh.liveFaceCount();
+  return report;
+}
+
+}  // namespace
+
+DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress) {
+  WorkingScale scale(mesh);
+  if (!scale.isNeeded()) return decimateAtWorkingScale(mesh, options, progress);
+  HalfEdgeMesh work = mesh;
+  scale.apply(work);
+  DecimationOptions scaled = options;
+  if (options.error) scaled.error = scale.toWork(*options.error);
+  DecimationReport report = decimateAtWorkingScale(work, scaled, progress);
+  if (report.cancelled || report.refusal != OpenMeshRefusal::None) return report;
+  scale.undo(work);
+  mesh = std::move(work);
+  if (report.largestDistance) report.largestDistance = scale.fromWork(*report.largestDistance);
   return report;
 }
 

@@ -45,11 +45,9 @@ struct DecimationReport {
   std::size_t facesBefore = 0;  // live faces
   std::size_t facesAfter = 0;
   std::size_t removedDegenerate = 0;  // faces with a repeated vertex
-  // Distance measured by deviation() in both directions, mm; absent unless an error limit or measureDistance was set.
-  // isProven is true if it is proven that no point is farther than the error limit; false without a limit, or if the
-  // proof would take too long (an error far smaller than the faces).
+  // Upper bound of the distance in both directions (largestDistance()), mm; absent unless an error limit or
+  // measureDistance was set, or if there is no surface. With an error limit it is no larger than that.
   std::optional<double> largestDistance;
-  bool isProven = false;
   OpenMeshRefusal refusal = OpenMeshRefusal::None;  // refusal of Quadric, which leaves the mesh unchanged
   bool cancelled = false;
 };

@@ -4,7 +4,7 @@
 
 #include "mesh/boundary/BoundaryWelding.h"
 #include "mesh/boundary/VertexDrag.h"
-#include "mesh/measure/Deviation.h"
+#include "mesh/search/LargestDistance.h"
 #include "tools/mesh/BoundaryLoopText.h"
 #include "tools/mesh/OpenMeshReasons.h"
 #include "tools/mesh/boundary/BoundaryPicking.h"
@@ -61,6 +61,7 @@ MeshChange decimateChange(const DecimationOptions& options) {
       },
       QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits"));
   change.distance = distance;
+  if (!options.avoidIntersections) change.crossed = [](std::size_t) {};  // they are counted and reported
   return withStep(std::move(change), ScriptLineWriter("decimate").options(valuesOf(options)).text());
 }
 
@@ -77,6 +78,7 @@ MeshChange subdivideMeshChange(const SchemeSubdivision& subdivision, NumberType 
     return reasonOf(outcome);
   });
   change.distance = distance;
+  if (subdivision.scheme != SubdivisionScheme::Midpoint) change.crossed = [](std::size_t) {};
   return withStep(std::move(change), ScriptLineWriter("subdivide-mesh").options(values).text());
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/repair/VolumeRepair.h"
 
-#include "mesh/measure/Deviation.h"
+#include "mesh/search/LargestDistance.h"
 #include "mesh/search/SurfaceDistance.h"
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBuilder.h"

@@ -63,6 +63,22 @@ class DecimateTest : public QObject {
     QVERIFY(fixture.json("r.json")["largest_distance_mm"].get<double>() <= 0.1);
   }
 
+  // Two sheets 0.01 apart, which cross after a coarse reduction; what made them is named, in text and JSON.
+  void crossingsAreSaid() {
+    const Fixture fixture;
+    fixture.put("a.off", Shape().add(wavyRing(60), {0, 0, 0}).add(wavyRing(60), {0, 0, 0.01}).off());
+    const Ran text = fixture.run({"decimate", "a.off", "-o", "b.off", "--faces", "200"});
+    QVERIFY(text.err.contains("of triangles intersect that did not before. --no-crossings prevents that."));
+    const Ran json = fixture.run({"decimate", "a.off", "-o", "b.off", "--faces", "200", "--json"});
+    const auto figures = nlohmann::json::parse(json.out.toStdString());
+    QCOMPARE(figures["triangles"].get<int>(), decimateInspected(fixture, "b.off")["triangles"].get<int>());
+    QVERIFY(figures["new_self_intersecting_pairs"].get<int>() > 0);
+    QVERIFY(figures["distance_mm"].get<double>() > 0.0);
+    QVERIFY(decimateInspected(fixture, "b.off")["self_intersecting_pairs"].get<int>() > 0);
+    const Ran without = fixture.run({"decimate", "a.off", "-o", "b.off", "--faces", "200", "--no-crossings"});
+    QVERIFY(!without.err.contains("intersect that"));
+  }
+
   // The surface in the file is as near as reported, including the rounding to its number type.
   void roundingIsCounted() {
     const Fixture fixture;

@@ -40,7 +40,8 @@ Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const 
   found->scan = std::make_shared<const SurfaceDistance>(scan, progress.part(0.0, 0.1));
   const SurfaceDistance surface(mesh, progress.part(0.1, 0.2));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  Result<Deviation> statistics = deviation(surface, *found->scan, {.bins = kFineBins}, progress.part(0.2, 1.0));
+  Result<Deviation> statistics =
+      deviation(surface, *found->scan, {.bins = kFineBins, .measuresBound = true}, progress.part(0.2, 1.0));
   if (!statistics) return statistics.error();
   found->statistics = std::move(statistics.value());
   found->atVertex = std::make_shared<const std::vector<double>>(std::move(found->statistics.ofMesh.atVertex));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 
-#include "mesh/measure/Deviation.h"
+#include "mesh/search/LargestDistance.h"
 #include "tools/mesh/ScriptLine.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/repair/DefectFixChanges.h"

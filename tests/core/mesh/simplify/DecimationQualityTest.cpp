@@ -155,8 +155,8 @@ void DecimationQualityTest::withinAnError() {
   QElapsedTimer timer;
   timer.start();
   const DecimationReport report = decimate(mesh, {.error = error});
-  qInfo("%zu faces to %zu, largest %.3g of %.3g, %s, %lld ms", report.facesBefore, report.facesAfter,
-        report.largestDistance.value_or(-1.0), error, report.isProven ? "proven" : "not proven", timer.elapsed());
+  qInfo("%zu faces to %zu, largest %.3g of %.3g, %lld ms", report.facesBefore, report.facesAfter,
+        report.largestDistance.value_or(-1.0), error, timer.elapsed());
   QVERIFY(report.largestDistance && *report.largestDistance <= error);
   QVERIFY(errorsOf(mesh, original).largest <= error);
   QVERIFY(report.facesAfter < report.facesBefore / 4);

@@ -98,7 +98,6 @@ void QuadricDecimationTest::saysTheDistance() {
     mesh = before;
     const DecimationReport report = decimate(mesh, {.faces = 400, .method = method, .measureDistance = true});
     QVERIFY(report.largestDistance);
-    QVERIFY(!report.isProven);
     const double measured = distanceBetween(mesh, before);
     QVERIFY(measured > 0.0);
     QVERIFY(std::abs(*report.largestDistance - measured) < 0.05 * measured);
