@@ -35,7 +35,7 @@ Polygon clipped(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   return kept;
 }
 
-double areaOf(const Polygon& polygon) {
+double overlapArea(const Polygon& polygon) {
   double doubled = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Vec2 u = polygon[i] - polygon[0], v = polygon[i + 1] - polygon[0];
@@ -69,7 +69,7 @@ struct Wall {
     const auto flat = [&](const Vec3& p) { return Vec2((p - points[0]).dot(right), (p - points[0]).dot(up)); };
     Polygon common{flat(other.points[2]), flat(other.points[1]), flat(other.points[0])};
     for (std::size_t k = 0; k < 3; ++k) common = clipped(common, flat(points[k]), flat(points[(k + 1) % 3]));
-    return areaOf(common) > kLeastWidth * reach * std::min(longestSide(points), longestSide(other.points));
+    return overlapArea(common) > kLeastWidth * reach * std::min(longestSide(points), longestSide(other.points));
   }
 
   TrianglePoints points;
