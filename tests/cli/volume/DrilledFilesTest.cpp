@@ -31,7 +31,7 @@ class DrilledFilesTest : public QObject {
     const QString exercise = test::sourcePath("resources/samples/exercises/skull.exercise.json");
     QCOMPARE(fixture.run({"exercise", exercise, "--stock", "-o", "stock.handwheel"}).code, 0);
     // Beside the middle by 30 mm, in front of it by 35, on the ellipsoid of 72, 90 and 66 mm, across its surface.
-    const double x = 30.0, y = 35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);
+    const double x = 30.0, y = -35.0, z = 66.0 * std::sqrt(1.0 - x * x / 5184.0 - y * y / 8100.0);
     double in[3] = {-x / 5184.0, -y / 8100.0, -z / 4356.0};
     const double length = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
     const double from = -8.0 - 3.0, to = end - 3.0;  // positions of the centre of a head of 6 mm
