@@ -47,6 +47,8 @@ Json toJson(const MeshReport& report) {
       {"manifold", report.manifold},
       {"oriented", report.oriented},
       {"inside_out_bodies", report.insideOutBodies},
+      {"one_sided_pieces", report.oneSidedPieces},
+      {"euler_characteristic", report.eulerCharacteristic},
       {"boundary_loops", report.loops.size()},
       {"loops", loops},
       {"non_manifold_edges", report.nonManifoldEdges},
@@ -58,6 +60,7 @@ Json toJson(const MeshReport& report) {
       {"debris", report.debris},
       {"nested_bodies", report.nestedBodies},
       {"self_intersecting_pairs", orNull(report.selfIntersectingPairs)},
+      {"area_mm2", report.areaMm2},
       {"volume_mm3", orNull(report.volumeMm3)},
       {"bounding_box_mm", toJson(report.box)},
   };

@@ -6,6 +6,9 @@
 #include "mesh/boundary/LoopNumbers.h"
 #include "text/RepairText.h"
 
+#include <cmath>
+#include <limits>
+
 namespace handwheel {
 
 namespace {
@@ -60,6 +63,11 @@ std::string readableText(const MeshReport& report) {
   text += line("Vertices", std::to_string(report.vertices));
   text += line("State", stateText(report).toStdString());
   if (!report.oriented) text += line("Orientation disagrees at", disagreementText(report));
+  if (report.oneSidedPieces > 0)
+    text +=
+        line("One-sided", std::to_string(report.oneSidedPieces) +
+                              (report.oneSidedPieces == 1 ? " piece, which cannot be oriented, as a Möbius strip"
+                                                          : " pieces, which cannot be oriented, as a Möbius strip"));
   if (report.insideOutBodies > 0)
     text += line("Inside out",
                  std::to_string(report.insideOutBodies) + (report.insideOutBodies == 1 ? " body" : " bodies"));
@@ -73,8 +81,15 @@ std::string readableText(const MeshReport& report) {
   text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
   if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
   if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
-  std::string volume = report.volumeMm3 ? roundedText(*report.volumeMm3) : "undefined, the surface is open";
+  std::string volume =
+      report.volumeMm3 ? roundedText(*report.volumeMm3)
+                       : std::string("undefined, the surface is ") + (report.oneSidedPieces > 0 ? "one-sided" : "open");
+  if (report.volumeMm3 && std::isinf(*report.volumeMm3)) volume = "too large for a number";
+  if (report.volumeMm3 && *report.volumeMm3 == 0.0 && report.box.sizes().minCoeff() > 0.0 &&
+      report.box.sizes().prod() < std::numeric_limits<double>::min())
+    volume = "too small for a number";
   if (report.volumeMm3 && report.nestedBodies > 0) volume += ", of all bodies added up";
+  text += line("Area (mm2)", roundedText(report.areaMm2));
   text += line("Volume (mm3)", volume);
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
   text += loopTable(report.loops, false, "Holes");

@@ -22,6 +22,8 @@ const char* const kCubeJson = R"({
   "manifold": true,
   "oriented": true,
   "inside_out_bodies": 0,
+  "one_sided_pieces": 0,
+  "euler_characteristic": 2,
   "boundary_loops": 0,
   "loops": [],
   "non_manifold_edges": 0,
@@ -33,6 +35,7 @@ const char* const kCubeJson = R"({
   "debris": 0,
   "nested_bodies": 0,
   "self_intersecting_pairs": 0,
+  "area_mm2": 6.0,
   "volume_mm3": 1.0,
   "bounding_box_mm": [
     [
@@ -59,6 +62,8 @@ const char* const kOpenCubeJson = R"({
   "manifold": true,
   "oriented": true,
   "inside_out_bodies": 0,
+  "one_sided_pieces": 0,
+  "euler_characteristic": 1,
   "boundary_loops": 1,
   "loops": [
     {
@@ -82,6 +87,7 @@ const char* const kOpenCubeJson = R"({
   "debris": 0,
   "nested_bodies": 0,
   "self_intersecting_pairs": 0,
+  "area_mm2": 1.25,
   "volume_mm3": null,
   "bounding_box_mm": [
     [
@@ -108,6 +114,7 @@ const char* const kOpenCubeText =
     "Non-manifold vertices     0\n"
     "Degenerate triangles      0\n"
     "Duplicate triangles       0\n"
+    "Area (mm2)                1.25\n"
     "Volume (mm3)              undefined, the surface is open\n"
     "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
     "\n"

@@ -3,15 +3,20 @@
 #include "mesh/boundary/SheetBoundaries.h"
 
 #include "base/Tolerance.h"
+#include "mesh/structure/PositionKey.h"
 #include "mesh/structure/Shells.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 namespace handwheel {
 namespace {
 
+// Figures of a shell, in lengths of about its longest loop: squares of areas vanish or overflow at extreme sizes.
 struct Sheet {
+  double unit = 1.0;  // the power of two that makes these of mm
   double area = 0.0;
   double volume = 0.0;             // between the shell and the centre of its longest loop
   Vec3 areaVector = Vec3::Zero();  // sum of area times normal, which equals that of any patches of the loops
@@ -20,7 +25,7 @@ struct Sheet {
   BoundaryLoop* longest = nullptr;
 
   // Squared length of the longest loop over the area of the shell: 4π for a flat disc, 2π for a hemisphere.
-  double outline() const { return longest->length * longest->length / area; }
+  double outline() const { return unit * longest->length * (unit * longest->length) / area; }
 
   bool facesOneDirection() const { return areaVector.norm() > tolerance::kSheetAreaVector * area; }
 
@@ -38,13 +43,33 @@ struct Sheet {
 };
 
 void measure(const HalfEdgeMesh& mesh, const std::vector<Face>& shell, Sheet& sheet) {
-  const Vec3& centre = sheet.longest->centre;
+  if (const double length = sheet.longest->length; length > 0.0 && std::isfinite(length))
+    sheet.unit = std::ldexp(1.0, -std::ilogb(length));
+  const Vec3 centre = sheet.unit * sheet.longest->centre;
   for (const Face f : shell) {
-    const TrianglePoints p = mesh.points(f);
+    TrianglePoints p = mesh.points(f);
+    for (Vec3& corner : p) corner *= sheet.unit;
     const Vec3 doubled = (p[1] - p[0]).cross(p[2] - p[0]);
     sheet.area += 0.5 * doubled.norm();
     sheet.areaVector += 0.5 * doubled;
     sheet.volume += (p[0] - centre).dot((p[1] - centre).cross(p[2] - centre)) / 6.0;
+  }
+}
+
+// Marks the loops that have a seam at which the faces of one shell disagree: both run along it in the same direction.
+void markOneSided(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops, const std::vector<std::size_t>& shellOf) {
+  std::map<std::tuple<PointKey, PointKey, std::size_t>, BoundaryLoop*> first;
+  for (BoundaryLoop& loop : loops) {
+    if (loop.halfEdges.size() == loop.borderEdges) continue;
+    for (const HalfEdge h : loop.halfEdges) {
+      const auto [at, isNew] =
+          first.emplace(std::tuple(positionKey(mesh.position(mesh.from(h))), positionKey(mesh.position(mesh.to(h))),
+                                   shellOf[HalfEdgeMesh::face(h)]),
+                        &loop);
+      if (isNew) continue;
+      loop.isSheetBoundary = true;
+      at->second->isSheetBoundary = true;
+    }
   }
 }
 
@@ -64,13 +89,14 @@ void markSheetBoundaries(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& lo
     ++sheet.loops;
     if (!sheet.longest || loop.length > sheet.longest->length) sheet.longest = &loop;
   }
+  markOneSided(mesh, loops, shellOf);
   for (std::size_t i = 0; i < shells.size(); ++i) {
     Sheet& sheet = sheets[i];
     if (!sheet.longest) continue;
     sheet.faces = shells[i].size();
     measure(mesh, shells[i], sheet);
     if (sheet.area > 0.0)
-      sheet.longest->isSheetBoundary =
+      sheet.longest->isSheetBoundary |=
           sheet.facesOneDirection() || sheet.isThin() || sheet.isRagged() || sheet.isAllEdge();
   }
 }

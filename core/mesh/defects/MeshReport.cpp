@@ -12,20 +12,53 @@
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/FaceComponents.h"
+#include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/PositionKey.h"
 #include "mesh/structure/Weld.h"
+#include "mesh/structure/WorkingScale.h"
 #include "proximity/SelfIntersection.h"
 #include "proximity/TriangleIntersection.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace handwheel {
 namespace {
 
+// Both sides of each triangle, joined across edges with two triangles. A piece is one-sided if that joins its sides.
+class TwoSides {
+ public:
+  explicit TwoSides(std::size_t triangles)
+      : m_triangles(static_cast<std::uint32_t>(triangles)), m_sides(2 * triangles) {}
+
+  void join(std::uint32_t a, std::uint32_t b, bool isConsistent) {
+    m_sides.join(a, isConsistent ? b : b + m_triangles);
+    m_sides.join(a + m_triangles, isConsistent ? b + m_triangles : b);
+  }
+
+  std::size_t countOneSided(DisjointSets& shells) {
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < m_triangles; ++i) {
+      if (shells.root(i) == i && m_sides.root(i) == m_sides.root(i + m_triangles)) ++count;
+    }
+    return count;
+  }
+
+ private:
+  std::uint32_t m_triangles;
+  DisjointSets m_sides;
+};
+
 // Edges and duplicates. shells: of triangles; those that share an edge with one other only are joined.
 void countEdges(const TriangleSoup& soup, MeshReport& report, DisjointSets& shells, Progress progress) {
   report.oriented = true;
+  TwoSides sides(soup.triangles.size());
+  long edgeCount = 0;
+  std::vector<bool> isUsed(soup.points.size(), false);
+  for (const Triangle& t : soup.triangles)
+    for (const std::uint32_t v : t) isUsed[v] = true;
   const EdgeTable edges(soup.triangles, soup.points.size(), progress.part(0.0, 0.7));
   const auto count = [&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     const auto forward = std::count_if(run.begin(), run.end(), [&](const EdgeTable::Entry& e) {
@@ -36,9 +69,15 @@ void countEdges(const TriangleSoup& soup, MeshReport& report, DisjointSets& shel
     report.nonManifoldEdges += run.size() > 2;
     report.inconsistentEdges += (forward > 1) + (backward > 1);
     report.oriented &= run.size() != 2 || forward == backward;  // with more faces, two disagree in any case
-    if (run.size() == 2) shells.join(run[0].halfEdge / 3, run[1].halfEdge / 3);
+    ++edgeCount;
+    if (run.size() != 2) return;
+    shells.join(run[0].halfEdge / 3, run[1].halfEdge / 3);
+    sides.join(run[0].halfEdge / 3, run[1].halfEdge / 3, forward == backward);
   };
   edges.forEachEdge(count, progress.part(0.7, 0.9));
+  report.oneSidedPieces = sides.countOneSided(shells);
+  report.eulerCharacteristic = static_cast<long>(std::count(isUsed.begin(), isUsed.end(), true)) - edgeCount +
+                               static_cast<long>(soup.triangles.size());
   for (const FaceGroup& group : equalFaces(soup.triangles, edges, progress.part(0.9, 1.0))) {
     report.duplicateFaces += group.faces.size() - 1;
   }
@@ -68,6 +107,36 @@ void countMore(const BuiltMesh& built, std::span<BoundaryLoop> loops, MeshReport
   countIslands(built.mesh, loops, progress.part(0.9, 1.0));
 }
 
+// Joins the loops that one-sided surfaces were cut into: those that follow a cut and share an open vertex.
+std::vector<LoopReport> joinedLoops(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops) {
+  std::vector<LoopReport> reports = reportOn(loops);
+  DisjointSets joined(loops.size());
+  std::map<PointKey, std::uint32_t> loopAt;
+  for (std::uint32_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].halfEdges.size() == loops[i].borderEdges) continue;
+    for (const Vec3& p : loopPoints(mesh, loops[i])) {
+      const auto [at, isNew] = loopAt.emplace(positionKey(p), i);
+      if (!isNew) joined.join(i, at->second);
+    }
+  }
+  std::map<std::uint32_t, std::size_t> first;
+  std::vector<LoopReport> result;
+  for (std::uint32_t i = 0; i < loops.size(); ++i) {
+    const auto [at, isNew] = first.emplace(joined.root(i), result.size());
+    if (isNew) {
+      result.push_back(reports[i]);
+      continue;
+    }
+    LoopReport& whole = result[at->second];
+    whole.edges += reports[i].edges;
+    whole.lengthMm += reports[i].lengthMm;
+    whole.areaMm2 = std::max(whole.areaMm2, reports[i].areaMm2);
+    whole.planarity = std::max(whole.planarity, reports[i].planarity);
+    whole.isSheetBoundary |= reports[i].isSheetBoundary;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
@@ -79,7 +148,9 @@ std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
   return reports;
 }
 
-MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress) {
+namespace {
+
+MeshReport reportAtWorkingScale(const TriangleSoup& soup, SelfIntersections choice, const Progress& progress) {
   MeshReport report;
   const TriangleSoup welded = weld(soup, progress.part(0.0, 0.03));
   if (progress.cancelled()) return report;
@@ -87,7 +158,9 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   report.vertices = welded.points.size();
   for (const Vec3& p : welded.points) report.box.extend(p);
   for (const Triangle& t : welded.triangles) {
-    report.degenerateFaces += isDegenerate({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
+    const TrianglePoints corners{welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]};
+    report.degenerateFaces += isDegenerate(corners);
+    report.areaMm2 += areaOf(corners);
   }
   DisjointSets shells(welded.triangles.size());
   countEdges(welded, report, shells, progress.part(0.03, 0.06));
@@ -111,18 +184,41 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
     const HalfEdgeMesh& mesh = built.mesh;
     std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.2, 0.23));
     if (isWhole) countMore(built, loops, report, progress.part(0.23, 0.25));
-    report.loops = reportOn(loops);
+    report.loops = report.oneSidedPieces > 0 ? joinedLoops(mesh, loops) : reportOn(loops);
     if (mayBeInsideOut) report.insideOutBodies = findInsideOutShells(mesh, progress.part(0.25, 0.3)).size();
     report.oriented &= report.insideOutBodies == 0;
     if (progress.cancelled()) return report;
   }
-  if (report.closed) report.volumeMm3 = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  if (report.closed && report.oneSidedPieces == 0)
+    report.volumeMm3 = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   progress.set(0.3);
   if (choice == SelfIntersections::Count) {
     const auto pairs = selfIntersections(welded.points, welded.triangles, progress.part(0.3, 1.0));
     if (pairs) report.selfIntersectingPairs = pairs->size();
   }
   progress.set(1.0);
+  return report;
+}
+
+}  // namespace
+
+MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress) {
+  Box box;
+  for (const Vec3& p : soup.points) {
+    if (p.allFinite()) box.extend(p);
+  }
+  const WorkingScale scale(box);
+  if (!scale.isNeeded()) return reportAtWorkingScale(soup, choice, progress);
+  TriangleSoup work = soup;
+  for (Vec3& p : work.points) p = scale.toWork(p);
+  MeshReport report = reportAtWorkingScale(work, choice, progress);
+  for (LoopReport& loop : report.loops) {
+    loop.lengthMm = scale.fromWork(loop.lengthMm);
+    loop.areaMm2 = scale.fromWork(loop.areaMm2, 2);
+  }
+  report.areaMm2 = scale.fromWork(report.areaMm2, 2);
+  if (report.volumeMm3) report.volumeMm3 = scale.fromWork(*report.volumeMm3, 3);
+  report.box = box;
   return report;
 }
 

@@ -33,6 +33,11 @@ struct MeshReport : MeshState {
   std::size_t nonManifoldEdges = 0;
   std::size_t nonManifoldVertices = 0;
   std::size_t inconsistentEdges = 0;
+  // Pieces connected across edges that cannot be oriented, as a Möbius strip. Their boundary loops are counted as they
+  // run, although such a piece is cut where it is oriented.
+  std::size_t oneSidedPieces = 0;
+  long eulerCharacteristic = 0;  // vertices − edges + triangles
+  double areaMm2 = 0.0;
   std::size_t insideOutBodies = 0;  // counted only if all edges are consistent
   // The numbers reversedFaces, nearVertices, debris and nestedBodies are counted only together with the
   // self-intersections.
@@ -42,7 +47,7 @@ struct MeshReport : MeshState {
   std::size_t nestedBodies = 0;   // bodies inside others (findNestedBodies())
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
-  std::optional<double> volumeMm3;  // present only if the surface is closed
+  std::optional<double> volumeMm3;  // present only if the surface is closed and can be oriented
   Box box;
 };
 

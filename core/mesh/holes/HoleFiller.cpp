@@ -7,6 +7,7 @@
 #include "mesh/holes/PatchStatistics.h"
 #include "mesh/structure/EdgeTable.h"
 #include "mesh/structure/Weld.h"
+#include "mesh/structure/WorkingScale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +100,22 @@ bool doublesAnEdge(const Patch& patch, const Edges& existing) {
 }  // namespace
 
 struct HoleFiller::State {
-  State(const HalfEdgeMesh& m, Progress progress) : mesh(m), obstacles(m, progress) {}
+  State(const HalfEdgeMesh& m, Progress progress) : scale(m), mesh(atWork(m)), obstacles(mesh, progress) {
+    if (scale.isNeeded()) given = m;
+  }
+
+  HalfEdgeMesh atWork(HalfEdgeMesh m) {
+    if (scale.isNeeded()) scale.apply(m);
+    return m;
+  }
+
+  BoundaryLoop atWork(BoundaryLoop loop) const {
+    if (!scale.isNeeded()) return loop;
+    loop.length = scale.toWork(loop.length);
+    loop.centre = scale.toWork(loop.centre);
+    loop.box = Box(scale.toWork(loop.box.min()), scale.toWork(loop.box.max()));
+    return loop;
+  }
 
   FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, const FillOptions& options,
                     Progress progress) const {
@@ -116,24 +132,21 @@ struct HoleFiller::State {
     return !options.mayCross && obstacles.hits(patch, progress) ? FillFailure::SelfIntersecting : FillFailure::None;
   }
 
-  HalfEdgeMesh mesh;
+  FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, const Progress& progress) const;
+
+  WorkingScale scale;
+  HalfEdgeMesh mesh;   // at the working scale
+  HalfEdgeMesh given;  // the input with the accepted patches, if that is of another scale
   Obstacles obstacles;
 };
 
-HoleFiller::HoleFiller(const HalfEdgeMesh& mesh, Progress progress)
-    : m_state(std::make_unique<State>(mesh, progress)) {}
-HoleFiller::~HoleFiller() = default;
-
-const HalfEdgeMesh& HoleFiller::mesh() const {
-  return m_state->mesh;
-}
-
-FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress) const {
+FillAttempt HoleFiller::State::propose(const BoundaryLoop& loop, const FillOptions& options,
+                                       const Progress& progress) const {
   FillAttempt attempt{FillFailure::NoPatch, {}};
   if (loop.halfEdges.size() < 3) return attempt;
-  const HoleContext hole = holeContext(m_state->mesh, loop);
-  const Edges existing = m_state->obstacles.edgesAmong(hole.loop());
-  FillCandidates candidates(hole, m_state->obstacles, options);
+  const HoleContext hole = holeContext(mesh, loop);
+  const Edges existing = obstacles.edgesAmong(hole.loop());
+  FillCandidates candidates(hole, obstacles, options);
   constexpr double kNoBend = std::numeric_limits<double>::infinity();
   double leastBend = kNoBend;  // radian
   FillAttempt best;
@@ -147,7 +160,7 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     if (!patch) continue;
     progress.spend(kJudgeEffort * patch->triangles.size());
-    const FillFailure failure = m_state->judge(hole, existing, *patch, options, span.part(0.7, 1.0));
+    const FillFailure failure = judge(hole, existing, *patch, options, span.part(0.7, 1.0));
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     if (failure != FillFailure::None) {
       attempt.failure = std::max(attempt.failure, failure);
@@ -155,25 +168,49 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
     }
     if (i < candidates.ownCount() || hole.loopSize > kComparedEdges) return {failure, std::move(*patch)};
     // Among the substitutes of the chosen method, the one that bends least is taken.
-    const double bend = statisticsOf(m_state->mesh, loop, *patch).largestBend;
+    const double bend = statisticsOf(mesh, loop, *patch).largestBend;
     if (bend < leastBend) best = {failure, std::move(*patch)};
     leastBend = std::min(leastBend, bend);
   }
   if (leastBend < kNoBend) return best;
   if (loop.isSheetBoundary) return attempt;  // a repair leaves it as it is
-  const double reach = tolerance::kNearWeld * m_state->obstacles.bounds().diagonal().norm();
-  if (!findBoundaryNeedles(m_state->mesh, {&loop, 1}, reach).empty()) attempt.failure = FillFailure::NarrowTriangles;
+  const double reach = tolerance::kNearWeld * obstacles.bounds().diagonal().norm();
+  if (!findBoundaryNeedles(mesh, {&loop, 1}, reach).empty()) attempt.failure = FillFailure::NarrowTriangles;
+  return attempt;
+}
+
+HoleFiller::HoleFiller(const HalfEdgeMesh& mesh, Progress progress)
+    : m_state(std::make_unique<State>(mesh, progress)) {}
+HoleFiller::~HoleFiller() = default;
+
+const HalfEdgeMesh& HoleFiller::mesh() const {
+  return m_state->scale.isNeeded() ? m_state->given : m_state->mesh;
+}
+
+FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress) const {
+  FillAttempt attempt = m_state->propose(m_state->atWork(loop), options, progress);
+  if (m_state->scale.isNeeded()) {
+    for (Vec3& p : attempt.patch.points) p = m_state->scale.fromWork(p);
+  }
   return attempt;
 }
 
 std::vector<HoleBridge> HoleFiller::proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges,
                                                        Progress progress) const {
-  return handwheel::proposeHoleBridges(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
+  return handwheel::proposeHoleBridges(holeContext(m_state->mesh, m_state->atWork(loop)), m_state->obstacles,
+                                       pieceEdges, progress);
 }
 
 void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
-  insertPatch(m_state->mesh, loop, patch);
-  m_state->obstacles.add(patch);
+  if (!m_state->scale.isNeeded()) {
+    insertPatch(m_state->mesh, loop, patch);
+    return m_state->obstacles.add(patch);
+  }
+  insertPatch(m_state->given, loop, patch);
+  Patch atWork = patch;
+  for (Vec3& p : atWork.points) p = m_state->scale.toWork(p);
+  insertPatch(m_state->mesh, loop, atWork);
+  m_state->obstacles.add(atWork);
 }
 
 void insertPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {

@@ -26,6 +26,7 @@
 #include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/PositionTriangles.h"
 #include "mesh/structure/Shells.h"
+#include "mesh/structure/WorkingScale.h"
 
 #include <algorithm>
 #include <chrono>
@@ -355,12 +356,37 @@ class Repairer {
   RepairReport m_report;
 };
 
-}  // namespace
-
-RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress) {
+RepairReport repairAtWorkingScale(HalfEdgeMesh& mesh, const RepairOptions& options, const Progress& progress) {
   Repairer repairer(mesh, options, progress.part(0.0, 0.1));
   RepairReport report = repairer.run(progress.part(0.1, 1.0));
   if (!report.cancelled) mesh = repairer.mesh();
+  return report;
+}
+
+}  // namespace
+
+RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress) {
+  WorkingScale scale(mesh);
+  if (!scale.isNeeded()) return repairAtWorkingScale(mesh, options, progress);
+  HalfEdgeMesh work = mesh;
+  scale.apply(work);
+  RepairOptions scaled = options;
+  scaled.thickness = scale.toWork(options.thickness);
+  RepairReport report = repairAtWorkingScale(work, scaled, progress);
+  if (report.cancelled) return report;
+  scale.undo(work);
+  mesh = std::move(work);
+  SheetThickness& thickness = report.sheets.thickness;
+  thickness.least = scale.fromWork(thickness.least);
+  thickness.largest = scale.fromWork(thickness.largest);
+  for (LoopResult& loop : report.loops) {
+    loop.shape.rise = scale.fromWork(loop.shape.rise);
+    loop.shape.size = scale.fromWork(loop.shape.size);
+  }
+  if (report.removed) {
+    report.removed->distance = scale.fromWork(report.removed->distance);
+    report.removed->position = scale.fromWork(report.removed->position);
+  }
   return report;
 }
 

@@ -53,6 +53,7 @@ class MeshReportTest : public QObject {
   void loops();
   void holesAreMeasured();
   void nonOrientable();
+  void extremeSizes();
   void touchingCubes();
   void innerWall();
   void degenerateFaces();
@@ -150,10 +151,57 @@ void MeshReportTest::nonOrientable() {
   QVERIFY(klein.loops.empty());
   QVERIFY(*klein.selfIntersectingPairs > 0);  // no Klein bottle fits in space without
   QCOMPARE(klein.nonManifoldVertices, std::size_t{0});
+  QCOMPARE(klein.oneSidedPieces, std::size_t{1});
+  QCOMPARE(klein.eulerCharacteristic, 0l);
+  QVERIFY(!klein.volumeMm3);  // it has no inside
   const MeshReport moebius = reportOn(test::moebiusStrip(24, 3));
   QVERIFY(!moebius.closed && moebius.manifold && !moebius.oriented);
   QCOMPARE(moebius.boundaryEdges, std::size_t{48});
   QCOMPARE(moebius.nonManifoldVertices, std::size_t{0});
+  QCOMPARE(moebius.oneSidedPieces, std::size_t{1});
+  QCOMPARE(moebius.eulerCharacteristic, 0l);
+  QVERIFY(!moebius.volumeMm3);
+  QCOMPARE(moebius.loops.size(), std::size_t{1});
+  QCOMPARE(moebius.loops[0].edges, std::size_t{48});
+  QVERIFY(moebius.loops[0].isSheetBoundary);  // no hole to be filled
+  // The area of its parametrisation, by the midpoint rule.
+  double area = 0.0;
+  constexpr int kSteps = 1000;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; j < kSteps; ++j) {
+      const double u = 2.0 * M_PI * (i + 0.5) / kSteps, v = 0.8 * (j + 0.5) / kSteps - 0.4;
+      area += std::hypot(1.0 + v * std::cos(u / 2.0), 0.5 * v) * 2.0 * M_PI * 0.8 / kSteps / kSteps;
+    }
+  }
+  QVERIFY(std::abs(reportOn(test::moebiusStrip(400, 40)).areaMm2 - area) < 1e-3 * area);
+  TriangleSoup three = test::moebiusStrip(24, 3);  // with a ball, a sheet and the projective plane
+  test::append(three, test::moved(test::icosphere(2), Vec3(5, 0, 0)));
+  test::append(three, test::moved(test::disc(12, 3), Vec3(10, 0, 0)));
+  test::append(three, test::moved(test::sphereWithCrossCap(2), Vec3(15, 0, 0)));
+  const MeshReport several = reportOn(three);
+  QCOMPARE(several.oneSidedPieces, std::size_t{2});
+  QCOMPARE(several.loops.size(), std::size_t{2});
+  QCOMPARE(several.eulerCharacteristic, 0l + 2l + 1l + 1l);
+}
+
+// Sizes at which squares of areas vanish or overflow. Powers of two, so that all digits stay.
+void MeshReportTest::extremeSizes() {
+  TriangleSoup soup = test::withHole(test::cylinder(24, 9, 2.0, 5.0, true), Vec3(2, 0, 2.5), 0.9);
+  test::append(soup, test::moved(test::moebiusStrip(24, 3), Vec3(10, 0, 0)));
+  const MeshReport here = reportOn(soup);
+  for (const int exponent : {-332, -100, 100, 332}) {
+    const MeshReport there = reportOn(test::moved(soup, Vec3::Zero(), std::ldexp(1.0, exponent)));
+    QCOMPARE(there.loops.size(), here.loops.size());
+    for (std::size_t i = 0; i < here.loops.size(); ++i) {
+      QCOMPARE(there.loops[i].isSheetBoundary, here.loops[i].isSheetBoundary);
+      QVERIFY(near(there.loops[i].lengthMm, std::ldexp(here.loops[i].lengthMm, exponent)));
+      QVERIFY(near(there.loops[i].areaMm2, std::ldexp(here.loops[i].areaMm2, 2 * exponent)));
+    }
+    QVERIFY(near(there.areaMm2, std::ldexp(here.areaMm2, 2 * exponent)));
+    QCOMPARE(there.selfIntersectingPairs, here.selfIntersectingPairs);
+    QCOMPARE(there.degenerateFaces, here.degenerateFaces);
+    QVERIFY(near(reportOn(test::cube(std::ldexp(3.0, exponent))).volumeMm3.value(), std::ldexp(27.0, 3 * exponent)));
+  }
 }
 
 void MeshReportTest::touchingCubes() {

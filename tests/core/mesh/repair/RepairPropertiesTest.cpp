@@ -3,8 +3,11 @@
 #include "LargeInputs.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "OneSidedShapes.h"
 #include "RepairChecks.h"
 #include "TestClass.h"
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshDelta.h"
 #include "mesh/structure/MeshValidator.h"
@@ -90,6 +93,13 @@ bool reportsMoreToDo(const RepairReport& report) {
          std::any_of(report.openLoops.begin(), report.openLoops.end(), isMore);
 }
 
+// A repaired mesh, scaled back.
+TriangleSoup repairedAtSize(const TriangleSoup& soup, int exponent) {
+  HalfEdgeMesh mesh = buildMesh(test::moved(soup, Vec3::Zero(), std::ldexp(1.0, exponent))).mesh;
+  repair(mesh, {});
+  return test::moved(mesh.compact().soup, Vec3::Zero(), std::ldexp(1.0, -exponent));
+}
+
 }  // namespace
 
 // Tests properties of every repair on randomly damaged shapes.
@@ -97,6 +107,9 @@ class RepairPropertiesTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void sameAtEverySize();
+  void patchesAreTheSameAtEverySize();
+  void oneSidedStripStaysOpen();
   void manyNeedles();
   void holesOfConvexBodies();
   void randomHoles();
@@ -269,6 +282,51 @@ void RepairPropertiesTest::againChangesNothing() {
     RC_ASSERT(MeshDelta::isEmptyBetween(repaired, again));
   }));
   QVERIFY(judged.isAtLeast(0.9));
+}
+
+// Powers of two change no digit, so the patches are the same. At 2^±332, 1e±100, squares of areas vanish or overflow.
+void RepairPropertiesTest::sameAtEverySize() {
+  for (const TriangleSoup& soup :
+       {test::sphereWithHoles(3, 2, 0.3), test::withHole(test::disc(24, 8), Vec3(0.1, 0, 0), 0.4)}) {
+    const TriangleSoup here = repairedAtSize(soup, 0);
+    QVERIFY(here.triangles.size() > soup.triangles.size());
+    for (const int exponent : {-332, -140, 140, 332}) {
+      const TriangleSoup there = repairedAtSize(soup, exponent);
+      QVERIFY(there.triangles == here.triangles);
+      QVERIFY(there.points == here.points);
+    }
+  }
+}
+
+// The same for single patches, as the window fills them.
+void RepairPropertiesTest::patchesAreTheSameAtEverySize() {
+  const TriangleSoup soup = test::sphereWithHoles(3, 2, 0.3);
+  std::vector<Patch> here;
+  for (const int exponent : {0, -332, 332}) {
+    const HalfEdgeMesh mesh = buildMesh(test::moved(soup, Vec3::Zero(), std::ldexp(1.0, exponent))).mesh;
+    HoleFiller filler(mesh);
+    const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+    QCOMPARE(loops.size(), std::size_t{2});
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      const FillAttempt attempt = filler.propose(loops[i], {});
+      QCOMPARE(attempt.failure, FillFailure::None);
+      filler.accept(loops[i], attempt.patch);
+      if (exponent == 0) here.push_back(attempt.patch);
+      QVERIFY(attempt.patch.triangles == here[i].triangles);
+      for (std::size_t k = 0; k < here[i].points.size(); ++k)
+        QVERIFY(attempt.patch.points[k] == std::ldexp(1.0, exponent) * here[i].points[k]);
+    }
+    QVERIFY(findBoundaryLoops(filler.mesh()).empty());
+    QCOMPARE(validate(filler.mesh()), std::string());
+  }
+}
+
+// Its boundary is one loop; half of it is no hole.
+void RepairPropertiesTest::oneSidedStripStaysOpen() {
+  HalfEdgeMesh mesh = buildMesh(test::moebiusStrip(24, 3)).mesh;
+  const std::size_t faces = mesh.liveFaceCount();
+  repair(mesh, {});
+  QCOMPARE(mesh.liveFaceCount(), faces);
 }
 
 HANDWHEEL_TEST(RepairPropertiesTest)
