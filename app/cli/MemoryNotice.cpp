@@ -6,6 +6,7 @@
 #include "process/SystemMemory.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeMemory.h"
+#include "volume/repair/RepairPrediction.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -21,17 +22,25 @@ MemoryNotice& MemoryNotice::during(CommandJob& job) {
 }
 
 Status MemoryNotice::begin(const TriangleSoup& surface, double voxel) {
-  return begin(surface, VolumeRepairOptions{.voxel = voxel});
+  return begin(surface, voxel, VolumeRepairOptions{.voxel = voxel}, false);
 }
 
 Status MemoryNotice::begin(const TriangleSoup& surface, const VolumeRepairOptions& options) {
+  return begin(surface, options.voxel, options, true);
+}
+
+Status MemoryNotice::begin(const TriangleSoup& surface, double voxel, const VolumeRepairOptions& options,
+                           bool isRepair) {
   Box box;
   for (const Vec3& p : surface.points) box.extend(p);
   const double area = surfaceArea(surface);
   if (!(area > 0.0 && std::isfinite(area) && options.voxel > 0.0))
     return Done{};  // the command refuses such an input anyway
-  return begin(options.voxel, predictedRepairBytes(area, box.sizes(), options),
-               predictedMakingSeconds(area, options.voxel));
+  const double bytes = predictedRepairBytes(area, box.sizes(), options);
+  if (!isRepair) return begin(voxel, bytes, predictedMakingSeconds(area, voxel));
+  measureRepairSpeed();
+  m_triangles = predictedRepairWork(area, surface.triangles.size(), options).triangles;
+  return begin(voxel, bytes, predictedRepairSeconds(area, surface.triangles.size(), options));
 }
 
 Status MemoryNotice::begin(double voxel, double bytes, std::optional<double> seconds) {
@@ -48,6 +57,7 @@ Status MemoryNotice::begin(double voxel, double bytes, std::optional<double> sec
 void MemoryNotice::addTo(nlohmann::ordered_json& report) const {
   if (m_bytes > 0.0) report["predicted_bytes"] = m_bytes;
   if (m_seconds) report["predicted_s"] = *m_seconds;
+  if (m_triangles) report["predicted_triangles"] = std::round(*m_triangles);
 }
 
 OptionSpec consentOption() {

@@ -23,19 +23,23 @@ class MemoryNotice {
   // Announces a volume that is about to be made of a surface, with voxels of this edge (mm). Errors:
   // VolumeErrors::NeedsConsent.
   Status begin(const TriangleSoup& surface, double voxel);
+  // Announces the repair of a surface by a volume.
   Status begin(const TriangleSoup& surface, const VolumeRepairOptions& options);
   // Announces any volume. bytes: the memory that it needs. seconds: the time that it needs; nothing if unknown. Errors:
   // VolumeErrors::NeedsConsent.
   Status begin(double voxel, double bytes, std::optional<double> seconds);
 
-  // Adds the memory and time predicted for all announced volumes to a report.
+  // Adds what was predicted for all announced volumes to a report.
   void addTo(nlohmann::ordered_json& report) const;
 
  private:
+  Status begin(const TriangleSoup& surface, double voxel, const VolumeRepairOptions& options, bool isRepair);
+
   CommandJob* m_job = nullptr;
   bool m_isAgreed, m_isSaid;
   double m_bytes = 0.0;
   std::optional<double> m_seconds;
+  std::optional<double> m_triangles;  // triangles of repaired surfaces
 };
 
 // The option --yes of commands that make volumes.

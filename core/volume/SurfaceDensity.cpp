@@ -3,7 +3,9 @@
 #include "volume/SurfaceDensity.h"
 
 #include "volume/VolumeFilters.h"
+#include "volume/repair/BoundingTriangles.h"
 #include "volume/repair/ClosedSurfaceInVoxels.h"
+#include "volume/repair/WindingNumberFill.h"
 #include "volume/surface/ScanlineCrossings.h"
 
 #include <tbb/parallel_for.h>
@@ -145,7 +147,7 @@ Result<SurfaceVolume> volumeByDensity(const TriangleSoup& soup, double voxel, Pr
   const ThreeAxes rays{AxisRays(closed, 0, progress), AxisRays(closed, 1, progress), AxisRays(closed, 2, progress)};
   const VoxelIndex extent = prepared->blocks();
   const std::vector<VoxelIndex> blocks = passedBlocks(rays, extent);
-  SurfaceVolume made{prepared->grid, prepared->caps.boundaries, prepared->enclosed(), 0.0, {}};
+  SurfaceVolume made{prepared->grid, prepared->caps.boundaries, prepared->enclosed(), 0.0, {}, 0, {}};
   std::vector<SparseVolume::Content> contents(blocks.size());
   std::atomic<std::size_t> done{0};
   const Progress sampling = progress.part(0.4, 0.8);
@@ -168,7 +170,10 @@ Result<SurfaceVolume> volumeByDensity(const TriangleSoup& soup, double voxel, Pr
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
   std::vector<Vec3> points;
   for (const AxisRays& axis : rays) axis.addBounding(points);
-  made.nearShare = nearShare(made.volume, points, progress.part(0.95, 1.0));
+  made.nearShare = nearShare(made.volume, points, progress.part(0.95, 0.97));
+  const BoundingTriangles found(closed, ScanlineCrossings(closed, progress), WindingNumberFill(closed, {}, progress),
+                                progress);
+  made.thin = thinParts(*prepared, soup.triangles.size(), found, found.withPerhaps({}), progress.part(0.97, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (const auto lost = lossRefusal(made.volume, made.nearShare, made.expected / std::max(1, rays[0].mostTurns())))
     return *lost;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/SurfaceToVolume.h"
 
+#include "volume/repair/BoundingTriangles.h"
 #include "volume/repair/ClosedSurfaceInVoxels.h"
+#include "volume/repair/CrumbRemoval.h"
 #include "volume/repair/WindingNumberFill.h"
 #include "volume/surface/ScanlineCrossings.h"
 #include "volume/surface/SurfaceTile.h"
@@ -79,36 +81,10 @@ SparseVolume::Content holeFillBlock(const SurfaceTile& distances, const VoxelInd
   return {std::move(block), false};
 }
 
-// The parts of a surface that bound its inside.
-struct Bounding {
-  std::vector<bool> certain,
-      perhaps;  // for each triangle: bounds the inside by the rows that cross it; no row along any axis crosses it
-  std::vector<std::pair<Vec3, std::uint32_t>> points;  // crossings of rows, voxels, each with its triangle
-};
-
-Bounding boundingTriangles(const TriangleSoup& closed, const ScanlineCrossings& alongX,
-                           const WindingNumberFill& holeFill, const Progress& progress) {
-  const std::size_t count = closed.triangles.size();
-  Bounding bounding{std::vector<bool>(count, false), std::vector<bool>(count, true), {}};
-  const auto add = [&](const ScanlineCrossings& rows, int turn) {
-    // Converts back from the rotated axes.
-    const auto back = [&](const Vec3& p) { return Vec3(p[(3 - turn) % 3], p[(4 - turn) % 3], p[(5 - turn) % 3]); };
-    const ScanlineCrossings::Bounding found =
-        rows.boundingBy([&](const Vec3& p, int whole) { return holeFill.winding(back(p), whole); });
-    for (std::size_t i = 0; i < count; ++i) {
-      if (found.triangles[i]) bounding.certain[i] = true;
-      if (rows.crossed()[i]) bounding.perhaps[i] = false;
-    }
-    for (const auto& [point, triangle] : found.points) bounding.points.emplace_back(back(point), triangle);
-  };
-  add(alongX, 0);
-  TriangleSoup turned = closed;
-  for (int axis = 1; axis < 3 && !alongX.isSimple() && !progress.cancelled(); ++axis) {
-    for (Vec3& p : turned.points) p = Vec3(p.y(), p.z(), p.x());
-    add(ScanlineCrossings(turned, progress), axis);
-  }
-  if (alongX.isSimple()) bounding.perhaps.assign(count, true);
-  return bounding;
+bool isFarFromTriangles(const SurfaceTile& distances, const VoxelIndex& inTile) {
+  for (int i = 0; i < static_cast<int>(VolumeBlock::kCount); ++i)
+    if (distances.squared(inTile + VoxelIndex(i & 7, i >> 3 & 7, i >> 6)) < SurfaceTile::kFar) return false;
+  return true;
 }
 
 // Marks the blocks without samples that are inside. The boundary of the inside is in blocks with samples, so one voxel
@@ -156,15 +132,13 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   made.closedBoundaries = caps.boundaries;
   const ScanlineCrossings rows(closed, progress.part(0.05, 0.3));
   const WindingNumberFill holeFill(closed, caps.wide, progress);
-  const Bounding found = boundingTriangles(closed, rows, holeFill, progress.part(0.3, 0.4));
-  std::vector<bool> bounding = found.certain;
-  for (std::size_t i = 0; i < bounding.size(); ++i) bounding[i] = bounding[i] || found.perhaps[i];
-  for (const std::uint32_t cone : caps.wide) bounding[cone] = false;
+  const BoundingTriangles found(closed, rows, holeFill, progress.part(0.3, 0.4));
+  const std::vector<bool> bounding = found.withPerhaps(caps.wide);
   const Tiles tiles = tilesNear(closed, bounding, holeFill, progress);
 
   std::vector<std::vector<NumberedBlock>> blocks(tiles.size());
   std::atomic<std::size_t> done{0};
-  const Progress sampling = progress.part(0.4, 0.9);
+  const Progress sampling = progress.part(0.4, 0.85);
   tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
     const Tile& tile = tiles[i].first;
@@ -174,9 +148,13 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
     for (int b = 0; b < SurfaceTile::kAllBlocks; ++b) {
       const VoxelIndex inTile = VolumeBlock::kSize * SurfaceTile::blockAt(b);
       const VoxelIndex block = SparseVolume::blockOf(first + inTile);
-      SparseVolume::Content content = holeFill.contains(block)
-                                          ? holeFillBlock(distances, inTile, holeFill.samples(block, rows))
-                                          : SparseVolume::Content{distances.signedBlock(inTile, rows), false};
+      SparseVolume::Content content;
+      if (!holeFill.contains(block))
+        content.block = distances.signedBlock(inTile, rows);
+      else if (holeFill.isFarFromMembranes(block) && isFarFromTriangles(distances, inTile))
+        content.isFull = holeFill.isInside(VolumeBlock::kSize * block, rows);
+      else
+        content = holeFillBlock(distances, inTile, holeFill.samples(block, rows));
       if (content.block || content.isFull) blocks[i].emplace_back(block, std::move(content));
     }
     sampling.set(static_cast<double>(++done) / static_cast<double>(tiles.size()));
@@ -187,7 +165,10 @@ Result<SurfaceVolume> volumeOfSurface(const TriangleSoup& soup, double voxel, Pr
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   made.expected = prepared->enclosed();
   if (!(made.volume.material() > 0.0)) return prepared->nothingInside();
-  made.kept = keptPoints(found.points, soup.triangles.size(), made.volume);
+  std::vector<std::pair<Vec3, std::uint32_t>> points = found.points();
+  made.removedCrumbs = removeCrumbs(made.volume, *prepared, soup.triangles.size(), points, progress);
+  made.thin = thinParts(*prepared, soup.triangles.size(), found, bounding, progress.part(0.85, 0.9));
+  made.kept = keptPoints(points, soup.triangles.size(), made.volume);
   const Progress comparing = progress.part(0.9, 1.0);
   made.nearShare = rows.isSimple() ? prepared->nearShare(made.volume, bounding, comparing)
                                    : nearShare(made.volume, inVoxels(made.kept, made.volume), comparing);

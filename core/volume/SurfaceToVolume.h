@@ -6,6 +6,7 @@
 #include "base/Result.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "volume/SparseVolume.h"
+#include "volume/repair/ThinParts.h"
 
 #include <cstddef>
 #include <optional>
@@ -21,7 +22,9 @@ struct SurfaceVolume {
   double expected = 0.0;
   // Approximate fraction of the material-bounding area of the surface that is within a voxel of the volume's surface.
   double nearShare = 0.0;
-  std::vector<Vec3> kept;  // mm, points all over the surface that certainly bound material
+  std::vector<Vec3> kept;         // mm, points all over the surface that certainly bound material
+  std::size_t removedCrumbs = 0;  // parts left at ragged rims, which were removed (CrumbRemoval.h)
+  ThinParts thin;                 // walls and gaps that are thinner than two voxels
 };
 
 // Makes a volume of the distances from a surface at the centres of voxels. They are exact up to three voxels from the

@@ -146,6 +146,40 @@ std::size_t VolumeParts::countFrom(std::uint64_t voxels) const {
   return static_cast<std::size_t>(end - m_voxels.begin());
 }
 
+std::vector<std::optional<std::size_t>> VolumeParts::partsOf(std::span<const VoxelIndex> voxels) const {
+  std::unordered_map<VoxelIndex, std::size_t, IndexHash> indices;
+  indices.reserve(m_blocks.size());
+  for (std::size_t i = 0; i < m_blocks.size(); ++i) indices.emplace(m_blocks[i].at, i);
+  std::vector<std::optional<std::size_t>> parts(voxels.size());
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const VoxelIndex& at = voxels[i];
+    const auto found = indices.find(SparseVolume::blockOf(at));
+    if (found == indices.end()) continue;
+    const Labelled& block = m_blocks[found->second];
+    const std::size_t inBlock = VolumeBlock::at(at.x() & 7, at.y() & 7, at.z() & 7);
+    if (!block.labels || (*block.labels)[inBlock] != 0) parts[i] = m_parts[numberOf(block, inBlock)];
+  }
+  return parts;
+}
+
+SparseVolume VolumeParts::without(const std::vector<bool>& kept) const {
+  SparseVolume volume = m_volume;
+  for (const Labelled& block : m_blocks) {
+    if (!block.labels) {
+      if (!kept[m_parts[block.first]]) volume.setContent(block.at, {});
+      continue;
+    }
+    std::shared_ptr<VolumeBlock> samples;
+    for (std::size_t i = 0; i < VolumeBlock::kCount; ++i) {
+      if ((*block.labels)[i] == 0 || kept[m_parts[numberOf(block, i)]]) continue;
+      if (!samples) samples = samplesOf(m_volume.content(block.at));
+      samples->depths[i] = static_cast<std::int16_t>(-samples->depths[i]);
+    }
+    if (samples) volume.setContent(block.at, {std::move(samples), false});
+  }
+  return volume;
+}
+
 SparseVolume VolumeParts::only(std::size_t first, std::size_t end, Progress progress) const {
   const auto isKept = [&](std::uint32_t number) { return m_parts[number] >= first && m_parts[number] < end; };
   SparseVolume volume = m_volume;

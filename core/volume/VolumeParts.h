@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -31,6 +32,11 @@ class VolumeParts {
   // Returns the volume of the parts [first, end). Their surface is unchanged; outside depths that referred to removed
   // parts become distances to the remaining parts. Runs on all threads of the arena; O(blocks of the other parts).
   SparseVolume only(std::size_t first, std::size_t end, Progress progress = {}) const;
+  // Returns the volume without the parts whose flags are false. The depths in those change their sign, so that samples
+  // beside them keep their distances from the surface that was there.
+  SparseVolume without(const std::vector<bool>& kept) const;
+  // Returns the part of each voxel; nothing for voxels outside. O(n + blocks).
+  std::vector<std::optional<std::size_t>> partsOf(std::span<const VoxelIndex> voxels) const;
 
  private:
   using Labels = std::array<std::uint16_t, VolumeBlock::kCount>;  // labels within a block, from 1 on; 0: outside

@@ -8,12 +8,15 @@
 #include "cli/Interrupt.h"
 #include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
+#include "cli/ThinJson.h"
 #include "cli/Wording.h"
 #include "cli/mesh/MeshOutput.h"
+#include "document/ThinNotes.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "mesh/measure/Deviation.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "text/NoteText.h"
 #include "text/RepairText.h"
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 #include "volume/SurfaceToVolume.h"
@@ -71,6 +74,9 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
          " mm, for surfaces that bound material at " + roundedText(done.repair.keptDistance, 3) + " mm." +
          (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel were lost: choose smaller voxels.\n"
                                                 : "\n") +
+         (done.repair.removedCrumbs > 0
+              ? "Crumbs at the rims of openings removed: " + std::to_string(done.repair.removedCrumbs) + ".\n"
+              : std::string()) +
          (request.gaps > 0.0 ? "Gaps filled: " + roundedText(done.repair.filled, 3) + " mm³.\n" : std::string());
 }
 
@@ -78,6 +84,7 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done, const Memo
   nlohmann::ordered_json report = {{"by", "volume"},
                                    {"voxel_mm", done.voxel},
                                    {"closed_boundaries", done.repair.closedBoundaries},
+                                   {"crumbs_removed", done.repair.removedCrumbs},
                                    {"near_share", done.repair.nearShare},
                                    {"triangles_sampled", done.repair.sampledTriangles},
                                    {"triangles", done.after.triangles},
@@ -85,7 +92,10 @@ nlohmann::ordered_json volumeRepairJson(const RepairedByVolume& done, const Memo
                                    {"scan_distance_mm", std::abs(done.deviation.ofScan.farthest().distance)},
                                    {"filled_mm3", done.repair.filled},
                                    {"kept_distance_mm", done.repair.keptDistance},
-                                   {"sound", done.after.isSound()}};
+                                   {"enclosed_mm3", done.repair.enclosed}};
+  report["volume_mm3"] = done.after.volumeMm3 ? nlohmann::ordered_json(*done.after.volumeMm3) : nullptr;
+  addThinParts(report, done.repair.walls, done.repair.gaps);
+  report["sound"] = isSound(done);
   notice.addTo(report);
   return report;
 }
@@ -156,6 +166,10 @@ Status writeRepairedByVolume(const Input& input, const RepairedByVolume& repaire
   return written ? Status(Done{}) : Status(written.error());
 }
 
+bool isSound(const RepairedByVolume& repaired) {
+  return repaired.after.isSound() && !repaired.repair.walls.isChanged();
+}
+
 int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   for (const auto& [name, value] : arguments.options) {
     if (std::find(kVolumeRepairOptions.begin(), kVolumeRepairOptions.end(), name) == kVolumeRepairOptions.end())
@@ -177,10 +191,11 @@ int runRepairByVolume(const Arguments& arguments, const DocumentKinds& kinds) {
   reportLosses(run.file);
   if (!run.refusal.empty()) return refuse(run.refusal);
   const RepairedByVolume& done = run.repaired;
+  for (const Note& note : notesOnThinParts(done.repair.walls, done.repair.gaps)) complain(noteText(note).toStdString());
   const int code =
       print(arguments.has("json") ? volumeRepairJson(done, notice).dump() + "\n" : volumeRepairText(done, request));
   if (code != kExitDone) return code;
-  return done.after.isSound() ? kExitDone : kExitSomethingLeft;
+  return isSound(done) ? kExitDone : kExitSomethingLeft;
 }
 
 }  // namespace handwheel

@@ -34,6 +34,9 @@ struct RepairedByVolume {
   MeshReport after;
 };
 
+// Returns true if the mesh is free of defects, and no material was lost with walls that the voxels do not resolve.
+bool isSound(const RepairedByVolume& repaired);
+
 // Returns the options of 'repair' by volume.
 std::vector<OptionSpec> volumeRepairOptions();
 

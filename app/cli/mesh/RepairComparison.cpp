@@ -43,8 +43,9 @@ struct RepairComparison {
   MethodFigures triangles;
   std::optional<MethodFigures> volume;
   std::optional<Error> volumeError;  // the reason if there is none
-  double lost = 0.0;        // mm, by which the result by volume is farther than a voxel from what it should have kept
-  bool isByVolume = false;  // the written result is by volume
+  double lost = 0.0;          // mm, by which the result by volume is farther than a voxel from what it should have kept
+  bool hasLostWalls = false;  // parts of walls thinner than two voxels are lost
+  bool isByVolume = false;    // the written result is by volume
 };
 
 Result<RepairComparison> repairByBoth(const RepairRequest& byTriangles, const VolumeRepairRequest& byVolume,
@@ -64,6 +65,8 @@ Result<RepairComparison> repairByBoth(const RepairRequest& byTriangles, const Vo
   if (repaired) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     both.volume = figuresOf(repaired->after, repaired->deviation, seconds);
+    both.volume->isSound = isSound(*repaired);
+    both.hasLostWalls = repaired->repair.walls.isChanged();
     // Walls within a volume are meant to go. What is outside of it now was a sheet, or thinner than a voxel.
     const double farthest = std::max(repaired->deviation.ofScan.highest.distance, repaired->repair.keptDistance);
     if (farthest > repaired->voxel) both.lost = farthest;
@@ -92,6 +95,8 @@ std::string tableOf(const RepairComparison& both, const RepairRequest& request) 
   text += "Distances are those of the input from the result.\n" + request.output.string() + ": ";
   if (both.isByVolume) return text + "the repair by volume, because the other leaves defects.\n";
   if (both.triangles.isSound) return text + "the repair by triangles, which leaves everything else as it was.\n";
+  if (both.lost == 0.0 && both.hasLostWalls)
+    return text + "the repair by triangles. That by volume has lost parts of walls thinner than two voxels.\n";
   if (both.lost == 0.0) return text + "the repair by triangles; neither is free of defects.\n";
   return text +
          "the repair by triangles. That by volume has lost open sheets or walls thinner than its voxels: up to " +

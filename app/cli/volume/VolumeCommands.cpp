@@ -9,6 +9,7 @@
 #include "cli/MemoryNotice.h"
 #include "cli/Messages.h"
 #include "cli/OperationOptions.h"
+#include "cli/ThinJson.h"
 #include "cli/volume/BooleanCommand.h"
 #include "cli/volume/ClayCommand.h"
 #include "cli/volume/DrillCommand.h"
@@ -105,8 +106,12 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
                  {"enclosed_mm3", made->surface.expected},
                  {"near_share", made->surface.nearShare},
                  {"closed_boundaries", made->surface.closedBoundaries},
+                 {"crumbs_removed", made->surface.removedCrumbs},
                  {"blocks", volume.blockCount()},
                  {"bytes", volume.bytes()}};
+  const ThinFigures walls = thinFigures(made->surface.thin, ThinKind::Walls, made->surface.volume);
+  addThinParts(done.report, walls, thinFigures(made->surface.thin, ThinKind::Gaps, made->surface.volume));
+  done.report["sound"] = !walls.isChanged() && made->surface.nearShare >= 1.0 - kThinShare;
   notice.addTo(done.report);
   done.warnings = notesOn(made->surface);
   done.text = request.output.string() + ": voxels of " + roundedText(volume.voxel()) + " mm, " +
@@ -114,6 +119,8 @@ Result<Answer> voxelizeFile(const Request& request, const OperationValues& value
               " MB.\n";
   if (made->surface.closedBoundaries > 0)
     done.text += "Boundaries closed: " + std::to_string(made->surface.closedBoundaries) + ".\n";
+  if (made->surface.removedCrumbs > 0)
+    done.text += "Crumbs at the rims of openings removed: " + std::to_string(made->surface.removedCrumbs) + ".\n";
   return done;
 }
 

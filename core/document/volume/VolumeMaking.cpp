@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "document/Container.h"
 #include "document/FileBytes.h"
+#include "document/ThinNotes.h"
 #include "document/volume/ImageFiles.h"
 #include "volume/VolumeErrors.h"
 #include "volume/drilling/Skull.h"
@@ -133,12 +134,16 @@ Result<MadeVolume> makeVolume(const TriangleSoup& surface, std::optional<double>
 }
 
 std::vector<Note> notesOn(const SurfaceVolume& made) {
-  const double lost = 1.0 - made.nearShare;
-  if (lost <= kThinShare) return {};
-  return {{QT_TRANSLATE_NOOP("Note",
-                             "Walls thinner than a voxel (%1 mm) were lost: %2 % of the surface is farther than a "
-                             "voxel from the surface of the volume. Choose smaller voxels."),
-           {roundedText(made.volume.voxel()), roundedText(100.0 * lost, 2)}}};
+  std::vector<Note> notes;
+  if (const double lost = 1.0 - made.nearShare; lost > kThinShare)
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "Walls thinner than a voxel (%1 mm) were lost: %2 % of the surface is farther "
+                                       "than a voxel from the surface of the volume. Choose smaller voxels."),
+                     {roundedText(made.volume.voxel()), roundedText(100.0 * lost, 2)}});
+  const std::vector<Note> thin = notesOnThinParts(thinFigures(made.thin, ThinKind::Walls, made.volume),
+                                                  thinFigures(made.thin, ThinKind::Gaps, made.volume));
+  notes.insert(notes.end(), thin.begin(), thin.end());
+  return notes;
 }
 
 Result<std::shared_ptr<const VolumeSnapshot>> importVolume(const std::filesystem::path& path, std::vector<Note>& notes,

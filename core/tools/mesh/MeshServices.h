@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 #include "base/Progress.h"
+#include "document/Note.h"
 #include "mesh/search/FaceHierarchy.h"
 
 #include <atomic>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace handwheel {
 
@@ -20,7 +22,8 @@ struct SheetOutcomes;
 // The outcome of a repair by volume.
 struct VolumeOutcome {
   std::optional<Error> error;  // the reason why there is no result; none: there is one
-  bool hasLostWalls = false;   // walls thinner than a voxel are lost
+  bool hasLostWalls = false;   // parts of walls that the voxels do not resolve are lost
+  std::vector<Note> notes;     // the walls and gaps that the voxels do not resolve
 };
 
 // A change of a mesh as a repeatable function. It can run on another thread, and can be repeated if the mesh has

@@ -120,6 +120,7 @@ double predictedTriangles(const VolumeSurface& surface, const OperationValues& v
     before += static_cast<double>(mesh.liveFaceCount());
     DecimationOptions options;
     options.error = values.given("error");
+    options.avoidIntersections = true;
     after += static_cast<double>(decimate(mesh, options, progress.part(0.0, 1.0)).facesAfter);
   }
   return before > 0.0 ? std::max(wanted, total * after / before) : total;

@@ -86,6 +86,74 @@ struct Boundary {
   }
 };
 
+// Divides a boundary at the vertices that it passes more than once. Each of the loops passes a vertex once; its edges
+// are in order, and passed once. A hole that touches another in a vertex so gets a cone of its own.
+std::vector<Boundary> simpleLoops(const Boundary& boundary, const std::vector<Vec3>& points) {
+  std::vector<Passed> single;
+  std::unordered_map<std::uint32_t, std::vector<std::size_t>> leaving;
+  for (const Passed& edge : boundary.edges)
+    for (int n = 0; n < std::abs(edge.times); ++n) {
+      leaving[edge.from()].push_back(single.size());
+      single.push_back({edge.low, edge.high, edge.times > 0 ? 1 : -1, edge.faces});
+    }
+  std::vector<Boundary> loops;
+  for (std::size_t first = 0; first < single.size(); ++first) {
+    std::vector<std::size_t> path;
+    std::unordered_map<std::uint32_t, std::size_t> stepAt;  // by the vertex where the step of the path begins
+    std::uint32_t at = single[first].from();
+    while (true) {
+      if (const auto seen = stepAt.find(at); seen != stepAt.end()) {
+        Boundary& loop = loops.emplace_back();
+        const std::size_t begin = seen->second;
+        for (std::size_t i = begin; i < path.size(); ++i) {
+          loop.add(single[path[i]], points);
+          stepAt.erase(single[path[i]].from());
+        }
+        path.resize(begin);
+      }
+      std::vector<std::size_t>& next = leaving[at];
+      if (next.empty()) break;  // every vertex is left as often as it is reached, so the path is empty
+      stepAt.emplace(at, path.size());
+      path.push_back(next.back());
+      at = single[next.back()].to();
+      next.pop_back();
+    }
+  }
+  return loops;
+}
+
+// Returns a flag for each boundary: true for those of patches whose lids would lie on them, where such patches are most
+// of the surface. So a surface that is in pieces all over is closed as a whole, and not each piece with itself.
+std::vector<bool> outlinesOfPatches(const std::vector<Boundary>& boundaries, const TriangleSoup& welded) {
+  constexpr double kSameArea = 0.9, kMost = 0.5;
+  DisjointSets joined(welded.points.size());
+  for (const Triangle& t : welded.triangles) {
+    joined.join(t[0], t[1]);
+    joined.join(t[1], t[2]);
+  }
+  std::unordered_map<std::uint32_t, double> areas;
+  double whole = 0.0, patches = 0.0;
+  for (const Triangle& t : welded.triangles) {
+    const Vec3& a = welded.points[t[0]];
+    const double area = 0.5 * (welded.points[t[1]] - a).cross(welded.points[t[2]] - a).norm();
+    areas[joined.root(t[0])] += area;
+    whole += area;
+  }
+  std::vector<bool> isPatch(boundaries.size(), false);
+  if (areas.size() < 2) return isPatch;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const Vec3 tip = boundaries[i].middle(welded.points);
+    double lid = 0.0;
+    for (const Passed& edge : boundaries[i].edges)
+      lid += 0.5 * (welded.points[edge.low] - tip).cross(welded.points[edge.high] - tip).norm();
+    const double own = areas[joined.root(boundaries[i].edges.front().low)];
+    isPatch[i] = lid > kSameArea * own;
+    if (isPatch[i]) patches += own;
+  }
+  if (patches < kMost * whole) isPatch.assign(boundaries.size(), false);
+  return isPatch;
+}
+
 }  // namespace
 
 BoundaryCaps closeBoundaries(TriangleSoup& welded, double wideFrom, Progress progress) {
@@ -101,18 +169,24 @@ BoundaryCaps closeBoundaries(TriangleSoup& welded, double wideFrom, Progress pro
     if (isNew) boundaries.emplace_back();
     boundaries[at->second].add(edge, welded.points);
   }
-  for (const Boundary& boundary : boundaries) {
-    const bool isWide = boundary.ofHoles > 0.5 * boundary.length && boundary.box.sizes().maxCoeff() > wideFrom &&
-                        !boundary.isFlat(welded.points);
-    const auto tip = static_cast<std::uint32_t>(welded.points.size());
-    welded.points.push_back(boundary.middle(welded.points) +
-                            (isWide ? Vec3(0.1371, 0.2197, 0.1733) : Vec3(Vec3::Zero())));
-    for (const Passed& edge : boundary.edges)
-      for (int i = 0; i < std::abs(edge.times); ++i) {
+  const std::vector<bool> isPatch = outlinesOfPatches(boundaries, welded);
+  for (std::size_t i = 0; i < boundaries.size(); ++i)
+    for (const Boundary& loop : simpleLoops(boundaries[i], welded.points)) {
+      const bool isWide = loop.ofHoles > 0.5 * loop.length &&
+                          (isPatch[i] || (loop.box.sizes().maxCoeff() > wideFrom && !loop.isFlat(welded.points)));
+      // A point of its own would be beside the plane by its rounding, which rows in that plane would see.
+      if (!isWide && loop.edges.size() == 3) {
+        welded.triangles.push_back({loop.edges[0].from(), loop.edges[1].from(), loop.edges[2].from()});
+        continue;
+      }
+      const auto tip = static_cast<std::uint32_t>(welded.points.size());
+      welded.points.push_back(loop.middle(welded.points) +
+                              (isWide ? Vec3(0.1371, 0.2197, 0.1733) : Vec3(Vec3::Zero())));
+      for (const Passed& edge : loop.edges) {
         if (isWide) caps.wide.push_back(static_cast<std::uint32_t>(welded.triangles.size()));
         welded.triangles.push_back({edge.from(), edge.to(), tip});
       }
-  }
+    }
   caps.boundaries = boundaries.size();
   return caps;
 }

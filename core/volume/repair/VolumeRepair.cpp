@@ -123,6 +123,20 @@ Result<double> fillGaps(SurfaceVolume& made, double radius, Progress progress) {
   return filled;
 }
 
+// Measures what became of thin walls and gaps in the triangles of the result. Gaps that were to be filled are left out.
+void measureThinParts(VolumeRepair& repair, const ThinParts& thin, double filledBelow, const Progress& progress) {
+  ThinParts left = thin;
+  std::erase_if(left.gaps, [&](const ThinParts::Point& gap) { return gap.thickness < 2.0 * filledBelow; });
+  if (left.walls.empty() && left.gaps.empty()) return;
+  const SurfaceDistance surface(repair.mesh, progress);
+  const auto isInside = [&](const Vec3& p) {
+    const auto nearest = surface.from(p);
+    return nearest && nearest->distance < 0.0;
+  };
+  repair.walls = thinFigures(left, ThinKind::Walls, isInside);
+  repair.gaps = thinFigures(left, ThinKind::Gaps, isInside);
+}
+
 }  // namespace
 
 Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRepairOptions& options,
@@ -136,13 +150,18 @@ Result<VolumeRepair> repairByVolume(const TriangleSoup& surface, const VolumeRep
   roundTo(mesh, options.numbers);
   VolumeRepair repair{mesh,
                       made->closedBoundaries,
+                      made->removedCrumbs,
                       sampled.triangles.size(),
                       made->nearShare,
                       *filled,
+                      made->expected,
+                      {},
+                      {},
                       distanceFrom(mesh, made->kept, progress.part(0.55, 0.6))};
   if (options.isReduced && sampled.triangles.size() > surface.triangles.size() && !progress.cancelled())
     repair = Reduction(mesh, made->kept, options)
-                 .reduced(std::move(repair), surface.triangles.size(), progress.part(0.6, 1.0));
+                 .reduced(std::move(repair), surface.triangles.size(), progress.part(0.6, 0.95));
+  measureThinParts(repair, made->thin, options.gaps, progress.part(0.95, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return repair;
 }

@@ -6,6 +6,7 @@
 #include "base/Result.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 #include "mesh/structure/TriangleSoup.h"
+#include "volume/repair/ThinParts.h"
 
 #include <cstddef>
 
@@ -24,9 +25,12 @@ struct VolumeRepairOptions {
 struct VolumeRepair {
   HalfEdgeMesh mesh;                 // closed, manifold, oriented, free of self-intersections
   std::size_t closedBoundaries = 0;  // see SurfaceVolume
+  std::size_t removedCrumbs = 0;     // see SurfaceVolume
   std::size_t sampledTriangles = 0;  // number of triangles of the volume's surface before the reduction
   double nearShare = 0.0;            // see SurfaceVolume
   double filled = 0.0;               // mm³, volume of the filled gaps
+  double enclosed = 0.0;             // mm³ inside the surface with its holes closed; overlaps count several times
+  ThinFigures walls, gaps;           // thin parts of the surface, and their fate
   double keptDistance = 0.0;  // mm, largest distance found from the material-bounding parts of the surface to the mesh
 };
 

@@ -84,6 +84,7 @@ WindingNumberFill::WindingNumberFill(const TriangleSoup& closed, std::span<const
     if (m_near.emplace(keyOf(block), false).second) wave.push_back(block);
   };
   for (const std::uint32_t i : cones) forBlocksOf(closed, closed.triangles[i], add);
+  for (const VoxelIndex& block : wave) m_coneBlocks.insert(keyOf(block));
   // Around the edges of holes, turns change within a voxel, between the evaluated points.
   for (const VoxelIndex& block : std::vector<VoxelIndex>(wave))
     for (int k = 0; k < 27; ++k) add(block + VoxelIndex(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));

@@ -10,6 +10,7 @@
 #include <array>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace handwheel {
@@ -38,6 +39,14 @@ class WindingNumberFill {
   // Returns the blocks that membranes may pass. In other blocks, the integer winding number decides.
   const std::vector<VoxelIndex>& blocks() const { return m_blocks; }
   bool contains(const VoxelIndex& block) const { return m_near.contains(keyOf(block)); }
+  // Returns true for a block that neither a membrane nor a cone comes near, so that its voxels are on the same side
+  // unless other triangles pass through it.
+  bool isFarFromMembranes(const VoxelIndex& block) const {
+    return !isNear(block) && !m_coneBlocks.contains(keyOf(block));
+  }
+  bool isInside(const VoxelIndex& voxel, const ScanlineCrossings& rows) const {
+    return winding(voxel.cast<double>(), rows.winding(voxel)) > 0.5;
+  }
   // Returns the winding number at a point. closed: the winding number of the closed surface at the point.
   double winding(const Vec3& p, int closed) const { return closed - m_cones.turns(p); }
 
@@ -56,6 +65,7 @@ class WindingNumberFill {
 
   SolidAngleTree m_cones;
   std::vector<VoxelIndex> m_blocks;
+  std::unordered_set<std::uint64_t> m_coneBlocks;  // blocks that a cone may pass through
   std::unordered_map<std::uint64_t, bool>
       m_near;  // for each block: true if a membrane may pass through it or beside it
 };

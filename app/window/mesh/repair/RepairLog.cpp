@@ -4,6 +4,7 @@
 
 #include "panels/LogModel.h"
 #include "panels/defects/RepairSummary.h"
+#include "text/NoteText.h"
 #include "text/RepairText.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/repair/RepairJobs.h"
@@ -25,7 +26,11 @@ ChangeSummary changeSummaryOf(const MeshTab& document, const MeshChange& done, c
     how << RepairJobs::tr("largest distance found between the surface before and after %1")
                .arg(lengthText(**done.distance, unit));
   summary.hasLostWalls = done.volume && done.volume->hasLostWalls;
-  if (summary.hasLostWalls) how << RepairJobs::tr("walls thinner than a voxel were lost: choose smaller voxels");
+  const bool hasNotes = done.volume && !done.volume->notes.empty();
+  if (summary.hasLostWalls && !hasNotes)
+    how << RepairJobs::tr("walls thinner than a voxel were lost: choose smaller voxels");
+  if (hasNotes)
+    for (const Note& note : done.volume->notes) how << noteText(note);
   how << defects;
   summary.line = RepairJobs::tr("%1: %2").arg(name, text);
   if (isThickened) {

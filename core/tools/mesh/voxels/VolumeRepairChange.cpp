@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/voxels/VolumeRepairChange.h"
 
+#include "document/ThinNotes.h"
 #include "mesh/search/LargestDistance.h"
 #include "tools/mesh/ScriptLine.h"
 #include "tools/mesh/operations/FillOperation.h"
@@ -72,7 +73,8 @@ MeshChange volumeRepairChange(const VolumeRepairParameters& parameters, NumberTy
         if (!repair && repair.error().code == ErrorCode::Cancelled) return nullptr;
         if (!repair && hasFigures(repair.error())) outcome->error = repair.error();
         if (!repair) return reasonOf(repair.error());
-        outcome->hasLostWalls = repair->keptDistance > options.voxel;
+        outcome->hasLostWalls = repair->keptDistance > options.voxel || repair->walls.isChanged();
+        outcome->notes = notesOnThinParts(repair->walls, repair->gaps);
         *distance = largestDistance(repair->mesh, mesh, progress.part(0.9, 1.0));
         if (progress.cancelled()) return nullptr;
         mesh = std::move(repair->mesh);

@@ -7,6 +7,7 @@
 #include "tools/mesh/voxels/VolumeRepairOperation.h"
 #include "volume/SurfaceToVolume.h"
 #include "volume/VolumeMemory.h"
+#include "volume/repair/RepairPrediction.h"
 #include "volume/repair/VolumeRepair.h"
 
 #include <QtGlobal>
@@ -46,6 +47,7 @@ void VolumeRepairTool::measure() {
   m_job = std::make_shared<const int>();
   m_services.run({QT_TRANSLATE_NOOP("Tool", "Measuring the mesh"),
                   [this, mesh = m_document.mesh(), job = std::weak_ptr(m_job)](const Progress& progress) {
+                    if (!progress.cancelled()) measureRepairSpeed();
                     const WallMeasure found =
                         progress.cancelled() ? WallMeasure() : measureForWalls(mesh.compact().soup);
                     return std::function<void()>([this, found, job] {
@@ -120,8 +122,9 @@ std::vector<Property> VolumeRepairTool::settings() const {
   memory.editable = false;
   Property seconds;
   seconds.id = "seconds";
-  seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the voxels, about (s)");
-  seconds.value = roundedTo(predictedMakingSeconds(*sampled, voxelFor(m_parameters, m_usual)));
+  seconds.label = QT_TRANSLATE_NOOP("Property", "Time for the repair, about (s)");
+  const VolumeRepairOptions options{.voxel = voxelFor(m_parameters, m_usual), .gaps = m_parameters.gaps};
+  seconds.value = roundedTo(predictedRepairSeconds(*sampled, m_document.mesh().liveFaceCount(), options));
   seconds.editable = false;
   all.push_back(std::move(memory));
   all.push_back(std::move(seconds));
