@@ -5812,6 +5812,22 @@
         <source>The body was copied and not linked, as the path of an image often contains the patient&apos;s name.</source>
         <translation>Der Körper wurde kopiert und nicht verknüpft, da der Pfad eines Bildes oft den Namen des Patienten enthält.</translation>
     </message>
+    <message>
+        <source>Material was lost: walls are thinner than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the thinnest %4 mm at (%5). Beside %6 mm² of it half of their thickness or more is gone. Voxels of half the thickness keep a wall.</source>
+        <translation>Material ging verloren: Wände sind dünner als zwei Voxel (%1 mm), an %2 % der Fläche (%3 mm²), die dünnste %4 mm bei (%5). An %6 mm² davon fehlt die Hälfte ihrer Dicke oder mehr. Voxel von halber Dicke erhalten eine Wand.</translation>
+    </message>
+    <message>
+        <source>Walls are thinner than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the thinnest %4 mm at (%5): they are not exact. Voxels of half the thickness keep a wall.</source>
+        <translation>Wände sind dünner als zwei Voxel (%1 mm), an %2 % der Fläche (%3 mm²), die dünnste %4 mm bei (%5): Sie sind nicht genau. Voxel von halber Dicke erhalten eine Wand.</translation>
+    </message>
+    <message>
+        <source>Gaps were filled: they are narrower than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the narrowest %4 mm at (%5). Beside %6 mm² of it half of their width or more is filled. Voxels of half the width keep a gap.</source>
+        <translation>Spalte wurden gefüllt: Sie sind schmaler als zwei Voxel (%1 mm), an %2 % der Fläche (%3 mm²), der schmalste %4 mm bei (%5). An %6 mm² davon ist die Hälfte ihrer Breite oder mehr gefüllt. Voxel von halber Breite erhalten einen Spalt.</translation>
+    </message>
+    <message>
+        <source>Gaps are narrower than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the narrowest %4 mm at (%5): they are not exact. Voxels of half the width keep a gap.</source>
+        <translation>Spalte sind schmaler als zwei Voxel (%1 mm), an %2 % der Fläche (%3 mm²), der schmalste %4 mm bei (%5): Sie sind nicht genau. Voxel von halber Breite erhalten einen Spalt.</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -8272,10 +8288,6 @@
         <translation>Mehr als ein Viertel des Arbeitsspeichers</translation>
     </message>
     <message>
-        <source>Time for the voxels, about (s)</source>
-        <translation>Zeit für die Voxel, etwa (s)</translation>
-    </message>
-    <message>
         <source>Smudge</source>
         <translation>Verwischen</translation>
     </message>
@@ -8490,6 +8502,10 @@
     <message>
         <source>the surface lies in the plane</source>
         <translation>die Fläche liegt in der Ebene</translation>
+    </message>
+    <message>
+        <source>Time for the repair, about (s)</source>
+        <translation>Zeit für die Reparatur, etwa (s)</translation>
     </message>
 </context>
 <context>

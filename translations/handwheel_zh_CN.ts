@@ -5812,6 +5812,22 @@
         <source>The body was copied and not linked, as the path of an image often contains the patient&apos;s name.</source>
         <translation>该物体已复制而未链接，因为图像的路径常含有患者姓名。</translation>
     </message>
+    <message>
+        <source>Material was lost: walls are thinner than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the thinnest %4 mm at (%5). Beside %6 mm² of it half of their thickness or more is gone. Voxels of half the thickness keep a wall.</source>
+        <translation>材料已丢失：有壁薄于两个体素（%1 mm），占表面的 %2 %（%3 mm²），最薄处 %4 mm，位于 (%5)。其中 %6 mm² 处缺失了一半或更多的厚度。体素为厚度的一半即可保留壁。</translation>
+    </message>
+    <message>
+        <source>Walls are thinner than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the thinnest %4 mm at (%5): they are not exact. Voxels of half the thickness keep a wall.</source>
+        <translation>有壁薄于两个体素（%1 mm），占表面的 %2 %（%3 mm²），最薄处 %4 mm，位于 (%5)：它们不精确。体素为厚度的一半即可保留壁。</translation>
+    </message>
+    <message>
+        <source>Gaps were filled: they are narrower than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the narrowest %4 mm at (%5). Beside %6 mm² of it half of their width or more is filled. Voxels of half the width keep a gap.</source>
+        <translation>间隙已被填充：它们窄于两个体素（%1 mm），占表面的 %2 %（%3 mm²），最窄处 %4 mm，位于 (%5)。其中 %6 mm² 处有一半或更多的宽度被填充。体素为宽度的一半即可保留间隙。</translation>
+    </message>
+    <message>
+        <source>Gaps are narrower than two voxels (%1 mm) beside %2 % of the surface (%3 mm²), the narrowest %4 mm at (%5): they are not exact. Voxels of half the width keep a gap.</source>
+        <translation>有间隙窄于两个体素（%1 mm），占表面的 %2 %（%3 mm²），最窄处 %4 mm，位于 (%5)：它们不精确。体素为宽度的一半即可保留间隙。</translation>
+    </message>
 </context>
 <context>
     <name>PathStatus</name>
@@ -8267,10 +8283,6 @@
         <translation>超过四分之一的内存</translation>
     </message>
     <message>
-        <source>Time for the voxels, about (s)</source>
-        <translation>体素所需时间，约 (s)</translation>
-    </message>
-    <message>
         <source>Smudge</source>
         <translation>涂抹</translation>
     </message>
@@ -8485,6 +8497,10 @@
     <message>
         <source>the surface lies in the plane</source>
         <translation>曲面位于该平面内</translation>
+    </message>
+    <message>
+        <source>Time for the repair, about (s)</source>
+        <translation>修复所需时间，约 (s)</translation>
     </message>
 </context>
 <context>
