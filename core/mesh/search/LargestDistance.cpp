@@ -180,14 +180,14 @@ double largestFound(const SurfaceDistance& surface, const SurfaceDistance& of, c
 double boundFrom(const SurfaceDistance& surface, const SurfaceDistance& of, double found, const Progress& progress) {
   const std::vector<Face>& faces = surface.faces();
   double area = 0.0;
-  for (const Face f : faces) area += areaOf(surface.mesh().points(f));
+  for (const Face f : faces) area += handwheel::areaOf(surface.mesh().points(f));
   const double tolerance = kFineEnough * std::max(largestCoordinate(surface), largestCoordinate(of));
   return largestOf(faces.size(), progress, [&](const Range& range) {
     FaceBound bound(of.hierarchy(), found, tolerance, progress);
     double largest = 0.0;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const TrianglePoints t = surface.mesh().points(faces[i]);
-      const double share = area > 0.0 ? areaOf(t) / area : 0.0;
+      const double share = area > 0.0 ? handwheel::areaOf(t) / area : 0.0;
       largest = std::max(largest, bound.boundOf(t, kPartBudgetOfFace + kPartBudget * share));
     }
     return largest;
