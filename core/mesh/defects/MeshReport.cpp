@@ -160,7 +160,7 @@ MeshReport reportAtWorkingScale(const TriangleSoup& soup, SelfIntersections choi
   for (const Triangle& t : welded.triangles) {
     const TrianglePoints corners{welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]};
     report.degenerateFaces += isDegenerate(corners);
-    report.areaMm2 += areaOf(corners);
+    report.areaMm2 += handwheel::areaOf(corners);
   }
   DisjointSets shells(welded.triangles.size());
   countEdges(welded, report, shells, progress.part(0.03, 0.06));
