@@ -13,8 +13,8 @@ Note noteOn(const ThinFigures& thin, const char* text) {
   std::string at =
       roundedText(thin.at.x(), 4) + ", " + roundedText(thin.at.y(), 4) + ", " + roundedText(thin.at.z(), 4);
   return {text,
-          {roundedText(thin.below), roundedText(100.0 * thin.share, 2), roundedText(thin.area, 3),
-           roundedText(thin.least, 3), std::move(at), roundedText(thin.changedArea, 3)}};
+          {roundedText(thin.below), roundedText(100.0 * thin.share, 3), roundedText(thin.area, 4),
+           roundedText(thin.least, 3), std::move(at), roundedText(thin.changedArea, 4)}};
 }
 
 }  // namespace
