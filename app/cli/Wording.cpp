@@ -167,8 +167,8 @@ std::vector<std::string> leftovers(const RepairReport& repair, const RepairOptio
   }
   if (options.uniteSolids && repair.innerFaces == 0 && !repair.isIntersectionRemovalIncomplete)
     lines.push_back(
-        "No bodies were united: only closed ones can be, with none of them inside out, and along cuts that the numbers "
-        "of the file can hold.");
+        "No bodies were united: they must intersect or share a wall, be closed and not inside out, and the numbers of "
+        "the file must be able to hold the cuts.");
   if (after.nestedBodies > 0) {
     lines.push_back(counted(after.nestedBodies, "body lies", "bodies lie") +
                     " inside another; --unite removes what lies inside.");

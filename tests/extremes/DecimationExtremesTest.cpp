@@ -92,14 +92,13 @@ void DecimationExtremesTest::withinAnError() {
   }
 }
 
-// If the squares of lengths overflow, nothing can be proven, and nothing is removed.
+// Squares of these lengths overflow; the work is done at a size near 1.
 void DecimationExtremesTest::hugeAndFine() {
   const HalfEdgeMesh before = buildMesh(test::moved(test::icosphere(3), Vec3::Zero(), 1e170)).mesh;
   HalfEdgeMesh mesh = before;
   const DecimationReport report = decimate(mesh, {.error = 1e168});
-  QVERIFY(test::sameMesh(mesh, before));
-  QCOMPARE(report.facesAfter, before.liveFaceCount());
-  QCOMPARE(*report.largestDistance, 0.0);
+  QVERIFY(report.facesAfter < before.liveFaceCount());
+  QVERIFY(*report.largestDistance > 0.0 && *report.largestDistance <= 1e168);
 }
 
 HANDWHEEL_TEST(DecimationExtremesTest)

@@ -181,9 +181,8 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
       {.name = "Möbius strip",
        .soup = [] { return moebiusStrip(60, 4); },
        .loops = 1,
-       .filled = 1,  // closed after a cut at the twist; a thin body would touch itself there, so it stays a sheet
-       .oriented = false,
-       .sound = false},
+       .filled = 2,  // both parts of the boundary at the cut; a body around the strip has two sides
+       .oriented = false},
       {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},
       {.name = "sphere with a cross cap", .soup = [] { return sphereWithCrossCap(5); }, .oriented = false},
       {.name = "100,000 components",

@@ -32,13 +32,15 @@
 namespace handwheel {
 namespace {
 
+constexpr double kUnsaidDistance = 0.01;  // in voxels
+
 constexpr std::array<std::string_view, 9> kVolumeRepairOptions{"by",       "voxel",  "close-gaps", "wall", "yes",
                                                                "fidelity", "output", "partial",    "json"};
 
-// The triangles of a mesh, or of the surface of a volume.
+// The triangles of a mesh, with neighbours that agree, or of the surface of a volume.
 Result<TriangleSoup> surfaceIn(const Input& input, const VolumeRepairRequest& request) {
   if (const MeshSnapshot* document = input.meshDocument()) return document->mesh.mesh.compact().soup;
-  if (input.mesh) return input.mesh->soup;
+  if (input.mesh) return buildMesh(input.mesh->soup).mesh.compact().soup;
   if (isContainerName(request.output))
     return Error{
         ErrorCode::Unsupported, {"a document as the output for one that is no mesh"}, {}, request.output.string()};
@@ -71,7 +73,10 @@ std::string volumeRepairText(const RepairedByVolume& done, const VolumeRepairReq
          roundedText(done.voxel) + " mm; " + std::to_string(done.after.triangles) +
          " triangles; 99 % of the scan's area is within " + roundedText(done.deviation.ofScan.percentiles.back(), 3) +
          " mm of it, the farthest point at " + roundedText(std::abs(done.deviation.ofScan.farthest().distance), 3) +
-         " mm, for surfaces that bound material at " + roundedText(done.repair.keptDistance, 3) + " mm." +
+         " mm." +
+         (done.repair.keptDistance > kUnsaidDistance * done.voxel
+              ? " Of surfaces that bound material, the farthest is at " + roundedText(done.repair.keptDistance, 3) + " mm."
+              : std::string()) +
          (done.repair.keptDistance > done.voxel ? " Walls thinner than a voxel were lost: choose smaller voxels.\n"
                                                 : "\n") +
          (done.repair.removedCrumbs > 0

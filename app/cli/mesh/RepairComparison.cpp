@@ -250,8 +250,10 @@ std::vector<MethodRow> withoutPrivateNames(std::vector<MethodRow> rows, const Do
     if (names.empty() || names.back() != row.file) names.push_back(row.file);
     const std::string shown = "image " + std::to_string(names.size());
     // A reason may begin with the name of the input or of the output.
-    if (row.reason.find(path.stem().string()) != std::string::npos)
-      row.reason.erase(0, std::min(row.reason.find(": ") + 2, row.reason.size()));
+    if (row.reason.find(path.stem().string()) != std::string::npos) {
+      const std::size_t colon = row.reason.find(": ");
+      row.reason.erase(0, colon == std::string::npos ? row.reason.size() : colon + 2);
+    }
     row.file = shown;
   }
   return rows;

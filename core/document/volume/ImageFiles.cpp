@@ -17,6 +17,7 @@
 
 #include <QtGlobal>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -173,7 +174,11 @@ Note noteOn(const ImageRemark& remark) {
       break;
   }
   constexpr int kDigits = 6;
-  for (const double figure : remark.figures) note.arguments.push_back(roundedText(figure, kDigits));
+  constexpr double kLargestCount = 1e15;
+  for (const double figure : remark.figures) {
+    const bool isCount = figure == std::floor(figure) && std::abs(figure) < kLargestCount;
+    note.arguments.push_back(isCount ? std::to_string(static_cast<long long>(figure)) : roundedText(figure, kDigits));
+  }
   return note;
 }
 

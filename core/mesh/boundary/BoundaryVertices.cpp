@@ -45,7 +45,7 @@ double modelDiagonal(const HalfEdgeMesh& mesh) {
 double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld) {
   const double diagonal = modelDiagonal(mesh);
   if (!std::isfinite(diagonal * diagonal) || nearWeld <= 0.0) return 0.0;
-  return std::max(nearWeld * diagonal, coordinateRounding(mesh));
+  return std::max(nearWeld * diagonal, coordinateSteps(mesh).reach());
 }
 
 BoundaryVertices::BoundaryVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, Progress progress) {

@@ -16,7 +16,7 @@ namespace handwheel {
 double modelDiagonal(const HalfEdgeMesh& mesh);
 
 // Returns the distance below which boundary vertices count as one vertex. It is nearWeld times the diagonal, but not
-// less than coordinateRounding(). It is 0 if nearWeld is, or if the square of the diagonal overflows.
+// less than CoordinateSteps::reach(). It is 0 if nearWeld is, or if the square of the diagonal overflows.
 double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
 
 // A spatial search structure for the vertices on open boundaries.

@@ -2,30 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/CoordinateRounding.h"
 
-#include "mesh/structure/MeshBounds.h"
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <vector>
 
 namespace handwheel {
 namespace {
 
 constexpr int kMostDecimals = 9;
 constexpr double kMostDigits = 1e12;  // products beyond have too few bits left to tell integers from others
-constexpr double kGrid = 1e-4;        // largest share of the diagonal
-constexpr double kGridOfFarModels = 1e-3;
-constexpr double kFar = 100.0;   // distance from the origin, in diagonals
-constexpr double kSlack = 1.01;  // allows for the rounding of this calculation itself
-
-bool areFloats(const HalfEdgeMesh& mesh) {
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    for (const Vec3& p : mesh.points(f))
-      if (p != rounded(p, NumberType::Float32)) return false;
-  }
-  return true;
-}
+constexpr double kGrid = 1e-3;        // largest share of the diagonal
+constexpr double kSlack = 1.01;       // allows for the rounding of this calculation itself
 
 // Distance from a positive float to the next.
 double floatSpacing(double v) {
@@ -34,51 +22,46 @@ double floatSpacing(double v) {
   return static_cast<double>(std::nextafter(single, std::numeric_limits<float>::infinity())) - double(single);
 }
 
-// Finds the number of decimals of each axis in one pass; -1 if there are more than kMostDecimals.
-class Decimals {
- public:
-  explicit Decimals(const HalfEdgeMesh& mesh) {
-    for (Face f = 0; f < mesh.faceSlots(); ++f) {
-      if (!mesh.isLive(f)) continue;
-      for (const Vec3& p : mesh.points(f))
-        for (int axis = 0; axis < 3; ++axis) read(axis, p[axis]);
-    }
+bool hasDecimals(double v, int decimals) {
+  const double scaled = std::abs(v) * std::pow(10.0, decimals);
+  return scaled < kMostDigits &&
+         std::abs(scaled - std::round(scaled)) <= 4.0 * std::numeric_limits<double>::epsilon() * scaled;
+}
+
+// Returns the distance of neighbouring numbers on an axis; 0 for integers and for numbers of full length.
+double decimalSpacing(std::span<const Vec3> points, int axis) {
+  int count = 0;
+  for (const Vec3& p : points) {
+    while (count <= kMostDecimals && !hasDecimals(p[axis], count)) ++count;
+    if (count > kMostDecimals) return 0.0;
   }
-
-  // Returns the distance of two neighbouring numbers; 0 for integers and for numbers of full length.
-  double spacing(int axis) const { return m_count[axis] > 0 ? std::pow(10.0, -m_count[axis]) : 0.0; }
-
- private:
-  void read(int axis, double v) {
-    int& count = m_count[axis];
-    while (count >= 0 && !has(v, count)) count = count < kMostDecimals ? count + 1 : -1;
-  }
-
-  static bool has(double v, int decimals) {
-    const double scaled = std::abs(v) * std::pow(10.0, decimals);
-    return scaled < kMostDigits &&
-           std::abs(scaled - std::round(scaled)) <= 4.0 * std::numeric_limits<double>::epsilon() * scaled;
-  }
-
-  int m_count[3] = {0, 0, 0};
-};
+  return count > 0 ? std::pow(10.0, -count) : 0.0;
+}
 
 }  // namespace
 
-double coordinateRounding(const HalfEdgeMesh& mesh) {
-  const Box box = boundsOf(mesh);
-  if (box.isEmpty()) return 0.0;
+CoordinateSteps coordinateSteps(std::span<const Vec3> points) {
+  CoordinateSteps found;
+  Box box;
+  for (const Vec3& p : points) box.extend(p);
+  if (box.isEmpty()) return found;
   const Vec3 largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
-  if (areFloats(mesh))
-    return kSlack * Vec3(floatSpacing(largest.x()), floatSpacing(largest.y()), floatSpacing(largest.z())).norm();
-  const Decimals decimals(mesh);
-  const double diagonal = box.diagonal().norm();
-  const double most = (largest.norm() > kFar * diagonal ? kGridOfFarModels : kGrid) * diagonal;
-  Vec3 grid = Vec3::Zero();
+  const bool areFloats = std::all_of(points.begin(), points.end(),
+                                     [](const Vec3& p) { return p == rounded(p, NumberType::Float32); });
   for (int axis = 0; axis < 3; ++axis) {
-    if (const double spacing = decimals.spacing(axis); spacing <= most) grid[axis] = spacing;
+    const double spacing = areFloats ? floatSpacing(largest[axis]) : decimalSpacing(points, axis);
+    if (areFloats || spacing <= kGrid * box.diagonal().norm()) found.steps[axis] = kSlack * spacing;
   }
-  return kSlack * grid.norm();
+  return found;
+}
+
+CoordinateSteps coordinateSteps(const HalfEdgeMesh& mesh) {
+  std::vector<Vec3> points;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (const Vec3& p : mesh.points(f)) points.push_back(p);
+  }
+  return coordinateSteps(points);
 }
 
 }  // namespace handwheel

@@ -4,14 +4,26 @@
 
 #include "mesh/structure/HalfEdgeMesh.h"
 
+#include <span>
+
 namespace handwheel {
 
-// Returns the distance (mm) by which rounding may separate two copies of a point. If all coordinates fit into floats,
-// each is exact to half a unit in the last place of the largest coordinate of its axis. Otherwise the number of
-// decimals of the file is found, for example 3 for survey coordinates like 5400000.125. Decimals count only if they are
-// small compared to the model: at most 1e-4 of its diagonal, or 1e-3 if it lies far from the origin; a part drawn on a
-// coarse grid is not rounded to it. A vertex on an edge deviates from the line through the ends of the edge by no more
-// than this either. 0 if coordinates have all digits of a double. O(n).
-double coordinateRounding(const HalfEdgeMesh& mesh);
+// The distances of neighbouring numbers in a file, in mm.
+//
+// If all coordinates fit into floats, these are the units in the last place of the largest coordinate of each axis.
+// Otherwise they follow from the decimals of the file, for example 0.001 for survey coordinates like 5400000.125.
+// Decimals count only if they are small compared to the model, at most 1e-3 of its diagonal: a part drawn on a coarse
+// grid is not rounded to it. Axes whose coordinates have all digits of a double have the step 0.
+struct CoordinateSteps {
+  Vec3 steps = Vec3::Zero();
+
+  // The largest distance of a rounded vertex from a rounded edge on which it lay, and of two such copies of a point.
+  double reach() const { return steps.norm(); }
+};
+
+// Finds the steps of these points. O(n).
+CoordinateSteps coordinateSteps(std::span<const Vec3> points);
+// Finds the steps of the vertices of live faces. O(n).
+CoordinateSteps coordinateSteps(const HalfEdgeMesh& mesh);
 
 }  // namespace handwheel

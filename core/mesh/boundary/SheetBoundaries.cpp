@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 namespace handwheel {
@@ -57,20 +58,26 @@ void measure(const HalfEdgeMesh& mesh, const std::vector<Face>& shell, Sheet& sh
 }
 
 // Marks the loops that have a seam at which the faces of one shell disagree: both run along it in the same direction.
+// They must be most of the boundary of their shell. Otherwise the shell is a scan with a one-sided defect.
 void markOneSided(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops, const std::vector<std::size_t>& shellOf) {
-  std::map<std::tuple<PointKey, PointKey, std::size_t>, BoundaryLoop*> first;
+  using Key = std::tuple<PointKey, PointKey, std::size_t>;
+  const auto shellAt = [&](const BoundaryLoop& loop) { return shellOf[HalfEdgeMesh::face(loop.halfEdges.front())]; };
+  std::map<std::size_t, double> whole, disagreeing;  // lengths of boundaries by shell, mm
+  std::map<Key, BoundaryLoop*> first;
+  std::set<BoundaryLoop*> found;
   for (BoundaryLoop& loop : loops) {
+    whole[shellAt(loop)] += loop.length;
     if (loop.halfEdges.size() == loop.borderEdges) continue;
     for (const HalfEdge h : loop.halfEdges) {
-      const auto [at, isNew] =
-          first.emplace(std::tuple(positionKey(mesh.position(mesh.from(h))), positionKey(mesh.position(mesh.to(h))),
-                                   shellOf[HalfEdgeMesh::face(h)]),
-                        &loop);
-      if (isNew) continue;
-      loop.isSheetBoundary = true;
-      at->second->isSheetBoundary = true;
+      const Key key(positionKey(mesh.position(mesh.from(h))), positionKey(mesh.position(mesh.to(h))),
+                    shellOf[HalfEdgeMesh::face(h)]);
+      const auto [at, isNew] = first.emplace(key, &loop);
+      if (!isNew) found.insert({&loop, at->second});
     }
   }
+  for (const BoundaryLoop* loop : found) disagreeing[shellAt(*loop)] += loop->length;
+  for (BoundaryLoop* loop : found)
+    loop->isSheetBoundary = disagreeing[shellAt(*loop)] > 0.5 * whole[shellAt(*loop)];
 }
 
 }  // namespace

@@ -164,6 +164,7 @@ MeshReport reportAtWorkingScale(const TriangleSoup& soup, SelfIntersections choi
   }
   DisjointSets shells(welded.triangles.size());
   countEdges(welded, report, shells, progress.part(0.03, 0.06));
+  const bool doNeighboursAgree = report.oriented;
   if (progress.cancelled()) return report;
   report.components = FaceComponents(welded.triangles, welded.points.size(), progress.part(0.06, 0.07)).count();
   if (progress.cancelled()) return report;
@@ -189,7 +190,7 @@ MeshReport reportAtWorkingScale(const TriangleSoup& soup, SelfIntersections choi
     report.oriented &= report.insideOutBodies == 0;
     if (progress.cancelled()) return report;
   }
-  if (report.closed && report.oneSidedPieces == 0)
+  if (report.closed && report.oneSidedPieces == 0 && doNeighboursAgree)
     report.volumeMm3 = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   progress.set(0.3);
   if (choice == SelfIntersections::Count) {

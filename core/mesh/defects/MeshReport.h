@@ -47,7 +47,7 @@ struct MeshReport : MeshState {
   std::size_t nestedBodies = 0;   // bodies inside others (findNestedBodies())
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
-  std::optional<double> volumeMm3;  // present only if the surface is closed and can be oriented
+  std::optional<double> volumeMm3;  // present only if the surface is closed and oriented
   Box box;
 };
 

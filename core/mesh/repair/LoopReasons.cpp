@@ -8,6 +8,10 @@ namespace handwheel {
 
 // Cuts and filled holes change the shape of a sheet, which may no longer look like one. Its former outer edge still
 // counts as such.
+bool LoopReasons::isJoined(const std::set<int>& owners) const {
+  return std::any_of(owners.begin(), owners.end(), [&](int id) { return m_joined.contains(id); });
+}
+
 bool LoopReasons::isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
   const auto was = [&](int id) {
     return m_inputLoops[static_cast<std::size_t>(id)].isSheetBoundary && !m_joined.contains(id);
@@ -15,7 +19,10 @@ bool LoopReasons::isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set
   return loop.isSheetBoundary || std::any_of(owners.begin(), owners.end(), was);
 }
 
-FillFailure LoopReasons::beforeTrying(const BoundaryLoop& loop, const std::set<int>& owners) const {
+FillFailure LoopReasons::beforeTrying(const BoundaryLoop& found, const std::set<int>& owners) const {
+  // A hole with islands has a long boundary, like a frayed sheet.
+  BoundaryLoop loop = found;
+  loop.isSheetBoundary = loop.isSheetBoundary && !isJoined(owners);
   const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
   if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
   if (m_options.sheets == SheetHandling::Keep && isSheetBoundaryToKeep(loop, owners))

@@ -19,7 +19,7 @@ class LoopReasons {
   // Returns true if a loop with this reason should be closed, by a patch or by thickening its sheet.
   bool mayClose(FillFailure beforeTrying) const;
 
-  // Marks outer boundaries of islands that were joined to the hole around them: they are no longer sheet boundaries.
+  // Marks loops of islands that were joined to the hole around them: they are no longer sheet boundaries.
   void noteJoined(const std::set<int>& owners) { m_joined.insert(owners.begin(), owners.end()); }
 
   // Forgets the failed attempts, which are noted anew in each round.
@@ -34,6 +34,7 @@ class LoopReasons {
  private:
   FillFailure atLast(const BoundaryLoop& loop, const std::set<int>& owners) const;
   FillFailure ofFailure(int id, FillFailure known, bool isSpent) const;
+  bool isJoined(const std::set<int>& owners) const;
   bool isSheetBoundaryToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const;
 
   static constexpr int kLaidOpen = LoopResult().id;

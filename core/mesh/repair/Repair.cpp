@@ -4,6 +4,7 @@
 
 #include "mesh/boundary/BoundaryNeedles.h"
 #include "mesh/boundary/BoundaryVertices.h"
+#include "mesh/boundary/Islands.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
@@ -206,9 +207,26 @@ class Repairer {
     const auto isIsland = [&](const BoundaryLoop& loop) {
       return reasonToLeave(loop, m_results.ownersOf(before, loop)) != FillFailure::KeptOpen;
     };
+    keepHolesOfKeptIslands(loops, isHole, isIsland);
     const std::vector<std::size_t> joined =
         handwheel::joinIslands(m_mesh, loops, {isHole, isIsland}, m_options.fill, progress.part(0.1, 1.0));
     for (const std::size_t i : joined) m_reasons.noteJoined(m_results.ownersOf(before, loops[i]));
+  }
+
+  // A patch around an island would close its boundary, and one across it would cover it.
+  void keepHolesOfKeptIslands(const std::vector<BoundaryLoop>& loops,
+                              const std::function<bool(const BoundaryLoop&)>& isHole,
+                              const std::function<bool(const BoundaryLoop&)>& isIsland) {
+    if (m_options.keepOpen.empty() || m_round > 0) return;
+    for (const BoundaryLoop& hole : loops) {
+      if (!isHole(hole)) continue;
+      const std::vector<const BoundaryLoop*> islands = islandBoundaries(m_mesh, hole, loops);
+      if (std::all_of(islands.begin(), islands.end(), [&](const BoundaryLoop* island) { return isIsland(*island); }))
+        continue;
+      const std::set<int> owners = m_results.ownersOf(m_mesh, hole);
+      m_options.keepOpen.insert(owners.begin(), owners.end());
+      for (const Vec3& p : loopPoints(m_mesh, hole)) m_options.fill.keptCorners.insert(positionKey(p));
+    }
   }
 
   void fill(Progress progress) {

@@ -25,7 +25,13 @@ Box finiteBounds(const HalfEdgeMesh& mesh) {
 
 }  // namespace
 
-WorkingScale::WorkingScale(const HalfEdgeMesh& mesh) : WorkingScale(finiteBounds(mesh)) {}
+WorkingScale::WorkingScale(const HalfEdgeMesh& mesh) : WorkingScale(finiteBounds(mesh)) {
+  // Small parts of a mesh with a few huge coordinates would lose digits, and points would become one.
+  for (Vertex v = 0; isNeeded() && v < mesh.vertexSlots(); ++v) {
+    const Vec3& p = mesh.position(v);
+    if (fromWork(toWork(p)) != p) m_exponent = 0;
+  }
+}
 
 WorkingScale::WorkingScale(const Box& box) {
   if (box.isEmpty()) return;

@@ -123,11 +123,15 @@ double niftiUnit(int units) {
   }
 }
 
+constexpr double kLeastSquare = 1e-7;
+
 // Method 2 of nifti1.h: a rotation as the last three parts of a quaternion of length 1.
 void setQuaternion(const NiftiHeader& header, const Vec3& spacing, ImageGrid& grid) {
   const std::size_t turn = header.fields.quaternion, origin = header.fields.origin;
   const double b = header.real(turn), c = header.real(turn, 1), d = header.real(turn, 2);
-  const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
+  // The rounding of a half turn's parts is no turn; nifti_quatern_to_mat44() of the reference has the same limit.
+  const double square = 1.0 - b * b - c * c - d * d;
+  const double a = square < kLeastSquare ? 0.0 : std::sqrt(square);
   const double flip = header.real(header.fields.spacing) < 0.0 ? -1.0 : 1.0;
   grid.steps = Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix() *
                Vec3(spacing.x(), spacing.y(), flip * spacing.z()).asDiagonal();

@@ -101,6 +101,7 @@ void setSpacing(const FrameTags& tags, std::size_t frame, DicomSlice& slice) {
       return mm && *mm != 0.0 ? mm : std::nullopt;
     });
   };
+  slice.stated = std::abs(distance({0x0018, 0x0088}).value_or(0.0));
   slice.apart = distance({0x0018, 0x0088}).value_or(std::abs(distance({0x0018, 0x0050}).value_or(0.0)));
 }
 

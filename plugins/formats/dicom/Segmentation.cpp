@@ -42,7 +42,8 @@ Result<Slices> slicesAt(const std::vector<DicomSlice>& frames) {
     if (heights.empty() || height - heights.back() > kSamePosition) heights.push_back(height);
   double least = heights.back() - heights.front();
   for (std::size_t i = 1; i < heights.size(); ++i) least = std::min(least, heights[i] - heights[i - 1]);
-  const double stated = std::abs(frames.front().apart);
+  // Slices may be thinner than their distance.
+  const double stated = heights.size() > 1 ? frames.front().stated : std::abs(frames.front().apart);
   Slices slices;
   if (stated > 0.0 && areMultiples(heights, stated))
     slices.step = stated;

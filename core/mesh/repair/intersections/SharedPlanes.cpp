@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair/intersections/SharedPlanes.h"
 
+#include "mesh/boundary/CoordinateRounding.h"
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
 
@@ -16,6 +17,8 @@ namespace {
 // Distance of corners from their plane in ulps: rounding moves each coordinate by half a unit, and a plane through
 // three such points is off by several beyond them.
 constexpr double kUnits = 16.0;
+// The same in steps of the decimals of a file.
+constexpr double kSteps = 2.0;
 // Least sine of the angle between two planes, and least volume spanned by three normals, for a well-defined
 // intersection: otherwise rounding would move it by more than a thousand units.
 constexpr double kParallelPlanes = 1e-3;
@@ -259,7 +262,7 @@ double planarReach(const TriangleSoup& soup) {
   }
   const double unit =
       isSingle ? static_cast<double>(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
-  return kUnits * unit * largest;
+  return std::max(kUnits * unit * largest, kSteps * coordinateSteps(soup.points).reach());
 }
 
 SharedPlanes findSharedPlanes(const TriangleSoup& soup, std::span<const TrianglePair> pairs, Progress progress,

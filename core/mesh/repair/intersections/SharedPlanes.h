@@ -30,7 +30,8 @@ struct SharedPlanes {
 };
 
 // Returns the distance (mm) by which rounding may move a corner from the plane of its surface. It is a few units in the
-// last place of the largest coordinate, in single or double precision, depending on the coordinates. O(n).
+// last place of the largest coordinate, in single or double precision, depending on the coordinates, or a few steps of
+// their decimals (CoordinateSteps). O(n).
 double planarReach(const TriangleSoup& soup);
 
 // Finds the planes that triangles of these pairs share up to the precision of the coordinates. The precision is single

@@ -49,6 +49,8 @@ class IslandJoiningTest : public QObject {
   void islandWithAHole();
   void keptOpen();
   void flatPlateWithAnIsland();
+  void manyIslands();
+  void flatIslandKeptOpen();
 };
 
 void IslandJoiningTest::oneIsland_data() {
@@ -126,6 +128,30 @@ void IslandJoiningTest::keptOpen() {
   }
 }
 
+// Many islands make the boundary as long as that of a frayed sheet.
+void IslandJoiningTest::manyIslands() {
+  const int n = 8;
+  TriangleSoup plate = test::grid(4 * n + 3, 4 * n + 3, false, false, [](std::uint32_t i, std::uint32_t j) {
+    return Vec3(i, j, 1);
+  });
+  std::erase_if(plate.triangles, [&](const Triangle& t) {
+    const Vec3 c = (plate.points[t[0]] + plate.points[t[1]] + plate.points[t[2]]) / 3.0;
+    const auto isRim = [&](double x) { return x < 1.0 || x > 4 * n + 1.0; };
+    const auto isIsland = [](double x) { return std::fmod(x, 4.0) > 2.0 && std::fmod(x, 4.0) < 4.0; };
+    return !isRim(c.x()) && !isRim(c.y()) && !(isIsland(c.x()) && isIsland(c.y()));
+  });
+  const double side = 4 * n + 2;
+  TriangleSoup rest = test::box({0, 0, 1 - side}, {side, side, side});
+  std::erase_if(rest.triangles, [&](const Triangle& t) {
+    return rest.points[t[0]].z() + rest.points[t[1]].z() + rest.points[t[2]].z() == 3.0;
+  });
+  test::append(plate, rest);
+  HalfEdgeMesh mesh = buildMesh(plate).mesh;
+  QVERIFY(repair(mesh, {}).openLoops.empty());
+  QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
+  QVERIFY(std::abs(test::volume(mesh.compact().soup) - side * side * side) < 1e-6);
+}
+
 // The top of a plate with a square ring missing: the patch is flat, so that the volume is that of the plate.
 void IslandJoiningTest::flatPlateWithAnIsland() {
   TriangleSoup plate = test::grid(13, 13, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 1); });
@@ -143,6 +169,33 @@ void IslandJoiningTest::flatPlateWithAnIsland() {
   QVERIFY(repair(mesh, {}).openLoops.empty());
   QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
   QVERIFY(std::abs(test::volume(mesh.compact().soup) - 144.0) < 1e-6);
+}
+
+// Of two flat islands one is to stay open: the hole stays open, too, and nothing is removed.
+void IslandJoiningTest::flatIslandKeptOpen() {
+  TriangleSoup plate = test::grid(13, 13, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 1); });
+  std::erase_if(plate.triangles, [&](const Triangle& t) {
+    const Vec3 c = (plate.points[t[0]] + plate.points[t[1]] + plate.points[t[2]]) / 3.0;
+    const bool isIsland = std::abs(c.y() - 6.0) < 1.0 && (std::abs(c.x() - 4.0) < 1.0 || std::abs(c.x() - 8.0) < 1.0);
+    return (c - Vec3(6, 6, 1)).cwiseAbs().maxCoeff() < 4.0 && !isIsland;
+  });
+  TriangleSoup rest = test::box({0, 0, 0}, {12, 12, 1});
+  std::erase_if(rest.triangles, [&](const Triangle& t) {
+    return rest.points[t[0]].z() + rest.points[t[1]].z() + rest.points[t[2]].z() == 3.0;
+  });
+  test::append(plate, rest);
+  const HalfEdgeMesh input = buildMesh(plate).mesh;
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.length > 10.0) continue;  // the outline of an island has 8 mm
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.keepOpen.insert(loop.id);
+    const RepairReport report = repair(mesh, options);
+    QVERIFY(report.lostLoops.empty());
+    QVERIFY(report.openLoops.size() >= 2);
+    QVERIFY(mesh.liveFaceCount() >= input.liveFaceCount());
+  }
 }
 
 HANDWHEEL_TEST(IslandJoiningTest)

@@ -72,7 +72,7 @@ class RoundedModelsTest : public QObject {
 // Spacing of floats: 2^-11 between 4096 and 8192, 2^-17 between 64 and 128.
 void RoundedModelsTest::rounding() {
   const auto of = [](const std::vector<Vec3>& points) {
-    return coordinateRounding(HalfEdgeMesh(buildMesh({points, {{0, 1, 2}}}).mesh));
+    return coordinateSteps(points).reach();
   };
   const double expected = Vec3(std::ldexp(1.0, -17), 0.0, std::ldexp(1.0, -11)).norm();
   const double found = of({{100.0, 0.0, 5000.5}, {101.0, 0.0, 5000.0}, {100.0, 0.0, 5001.0}});
@@ -85,7 +85,7 @@ void RoundedModelsTest::rounding() {
   const double mixed = Vec3(1e-3, 1e-2, 1e-2).norm();
   QVERIFY2(fine >= mixed && fine <= 1.02 * mixed, qPrintable(QString::number(fine)));
   QCOMPARE(of({{std::sqrt(2.0), std::sqrt(3.0), 0.0}, {1.0, 0.1, 0.0}, {0.0, 1.0, 0.3}}), 0.0);
-  QCOMPARE(coordinateRounding({}), 0.0);
+  QCOMPARE(coordinateSteps(HalfEdgeMesh()).reach(), 0.0);
 }
 
 void RoundedModelsTest::boxesBecomeClosed_data() {
@@ -100,6 +100,7 @@ void RoundedModelsTest::boxesBecomeClosed_data() {
   QTest::newRow("survey, millimetres") << 8.0 << 5.4e6 << 1e-3 << 1;
   QTest::newRow("survey, centimetres") << 40.0 << 5.4e6 << 1e-2 << 4;
   QTest::newRow("six digits") << 80.0 << 50.0 << 1e-3 << 2;
+  QTest::newRow("two decimals") << 20.0 << 0.0 << 1e-2 << 4;
   QTest::newRow("three decimals") << 25.0 << 0.0 << 1e-3 << 1;
   QTest::newRow("all digits, far") << 1.0 << 1e6 << 1e-9 << 3;
 }
@@ -141,7 +142,7 @@ void RoundedModelsTest::coarseGridsAreNoRounding() {
       {{0, 0, 0}, {10, 0, 0}, {10, 4.9, 0}, {0, 4.9, 0}, {0, 5, 0}, {10, 5, 0}, {10, 10, 0.3}, {0, 10, 0.3}},
       {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
   HalfEdgeMesh mesh = buildMesh(sheet).mesh;
-  QCOMPARE(coordinateRounding(mesh), 0.0);
+  QCOMPARE(coordinateSteps(mesh).reach(), 0.0);
   repair(mesh, {});
   QCOMPARE(findDefects(mesh).components.size(), std::size_t(2));
 }

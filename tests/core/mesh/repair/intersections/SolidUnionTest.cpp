@@ -11,6 +11,7 @@
 #include "mesh/repair/Repair.h"
 #include "mesh/repair/intersections/IntersectionClusters.h"
 #include "mesh/structure/DisjointSets.h"
+#include "mesh/structure/FaceNormal.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 #include "mesh/structure/Weld.h"
@@ -195,6 +196,34 @@ class SolidUnionTest : public QObject {
     QCOMPARE(test::pieces(united).size(), std::size_t{1});
     const double area = 0.5 * n * 16.0 * std::sin(2.0 * std::numbers::pi / n);
     QVERIFY(std::abs(test::volume(united.compact().soup) - (80.0 * 80.0 * 5.0 + 16.0 * 10.0 * area)) < 1e-6);
+  }
+
+  // Text files with few decimals: the common wall goes all over, so that the area is that of the outside.
+  void decimals() {
+    std::mt19937 random(11);
+    std::normal_distribution<double> any;
+    for (int i = 0; i < 12; ++i) {
+      const Eigen::Quaterniond turn =
+          Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
+      const double step = i % 2 ? 1e-6 : 1e-3;
+      TriangleSoup soup = test::together({kTenCube, test::box({10, 2, 3}, {5, 6, 5})});
+      for (Vec3& p : soup.points) {
+        const Vec3 q = turn * p / step;
+        p = Vec3(std::round(q.x()), std::round(q.y()), std::round(q.z())) / (1.0 / step);
+      }
+      HalfEdgeMesh mesh = buildMesh(soup).mesh;
+      RepairOptions options;
+      options.uniteSolids = true;
+      repair(mesh, options);
+      mesh = buildMesh(mesh.compact().soup).mesh;
+      double area = 0.0;
+      for (Face f = 0; f < mesh.faceSlots(); ++f)
+        if (mesh.isLive(f)) area += areaOf(mesh.points(f));
+      QVERIFY(test::countEdges(mesh).sound());
+      QCOMPARE(test::pieces(mesh).size(), std::size_t{1});
+      const double wanted = 600.0 + 2.0 * 5.0 * (6.0 + 5.0);
+      QVERIFY2(std::abs(area - wanted) < 200.0 * step, qPrintable(QString::number(area - wanted)));
+    }
   }
 
   // Two balls: the volume of the lens in common is known.
